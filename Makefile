@@ -1,0 +1,40 @@
+# Two targets set everything up: `make demo` and `make test`.
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+
+.DEFAULT_GOAL := help
+.PHONY: help setup demo test check lock clean
+
+help:
+	@echo "make demo   run the main job on the simulated stand: recording, record and report in tumble-store/"
+	@echo "make test   style, types, import contracts and all tests"
+	@echo "make lock   pin the dependencies anew"
+
+$(VENV)/.ready: requirements.lock pyproject.toml
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements.lock
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --editable .
+	touch $@
+
+setup: $(VENV)/.ready
+
+demo: setup
+	$(BIN)/tumble calibrate --programme seed --serial DEMO-1 --operator demo --store tumble-store
+	$(BIN)/tumble records verify --store tumble-store
+
+test: setup check
+	$(BIN)/python -m pytest --cov --cov-report=term:skip-covered
+
+check: setup
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+
+lock:
+	uv pip compile --universal --python-version 3.11 --generate-hashes --no-emit-index-url --no-header \
+	    --extra test --extra check pyproject.toml -o requirements.lock
+
+clean:
+	rm -rf $(VENV) tumble-store

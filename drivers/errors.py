@@ -1,0 +1,18 @@
+"""What can go wrong at an instrument."""
+
+
+class DeviceError(Exception):
+    """An instrument failed or answered nonsense.
+
+    The message is one sentence for the operator: which device, what happened, what to do.
+    """
+
+    def __init__(self, device: str, happened: str, remedy: str) -> None:
+        super().__init__(f"{device}: {happened}; {remedy}")
+        self.device = device
+        self.happened = happened
+        self.remedy = remedy
+
+
+class LimitError(DeviceError):
+    """A move was asked for that the head's soft limits forbid; nothing moved."""

@@ -1,0 +1,101 @@
+"""The narrow interfaces through which the engine sees a stand.
+
+Adding an instrument means writing one class that fits one of these; nothing inherits from anything.
+"""
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from drivers.clock import Clock
+
+
+@dataclass(frozen=True, kw_only=True)
+class Identity:
+    """Who an instrument says it is, for example `Identity(model="X-RST120", serial="51234", firmware="7.32")`."""
+
+    model: str
+    serial: str
+    firmware: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class HeadStatus:
+    """What the head reports at one moment."""
+
+    angle_deg: float
+    """Angle as the head reads it, in degrees; any revolution (395 stays 395)."""
+    moving: bool
+    device_time_s: float
+    """The head's own clock, or the computer's where the head has none."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class SampleBlock:
+    """Voltage samples taken at an even rate while the head stood still."""
+
+    voltage_v: NDArray[np.float64]
+    """Shape (samples,), in volts. Overload is what the instrument says (9.9e37 on SCPI meters), never clipped."""
+    rate_hz: float
+    device_time_s: float
+    """The DAQ's own time of the first sample."""
+    temperature_degc: float | None
+    """Mean of the temperature channel over the block; None where the DAQ has no such channel."""
+
+
+class DividingHead(Protocol):
+    """A head that turns the unit about a horizontal axis. Angles in degrees, positive as the head counts."""
+
+    @property
+    def limits_deg(self) -> tuple[float, float]:
+        """Soft limits; there is no 'unlimited'."""
+        ...
+
+    @property
+    def speed_deg_s(self) -> float:
+        """Speed of a move, for planning."""
+        ...
+
+    def identify(self) -> Identity:
+        """Ask the instrument who it is. Raises `DeviceError`."""
+        ...
+
+    def home(self) -> None:
+        """Find the reference; returns at once, `status` tells when it is done. Raises `DeviceError`."""
+        ...
+
+    def start_move(self, angle_deg: float) -> None:
+        """Begin to move to `angle_deg`; returns at once. Raises `LimitError`, `DeviceError`."""
+        ...
+
+    def status(self) -> HeadStatus:
+        """Read position and motion back from the instrument. Raises `DeviceError`."""
+        ...
+
+    def stop(self) -> None:
+        """Brake to a standstill; returns at once, `status` tells when it stands. Raises `DeviceError`."""
+        ...
+
+
+class Daq(Protocol):
+    """A voltmeter with an optional temperature channel."""
+
+    def identify(self) -> Identity:
+        """Ask the instrument who it is. Raises `DeviceError`."""
+        ...
+
+    def acquire(self, samples: int, rate_hz: float) -> SampleBlock:
+        """Take `samples` readings at `rate_hz`, beginning now; returns when the last is there. Raises `DeviceError`."""
+        ...
+
+
+@dataclass(frozen=True, kw_only=True)
+class Stand:
+    """A head, a DAQ and the clock by which they live: all that the engine needs to know of a stand."""
+
+    name: str
+    head: DividingHead
+    daq: Daq
+    clock: Clock

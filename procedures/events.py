@@ -1,0 +1,112 @@
+"""What the engine announces while it runs, and the states it can be in."""
+
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import TypeAlias
+
+from drivers.protocols import SampleBlock
+from procedures.steps import Point, Step
+
+
+class State(StrEnum):
+    """Where a run stands.
+
+    `IDLE → RUNNING ⇄ PAUSED`, `RUNNING ⇄ AWAITING_OPERATOR`, and from each of these `→ STOPPING → STANDSTILL`. A run
+    always ends in `STANDSTILL`: the head was told to stop and its rest was read back.
+    """
+
+    IDLE = "idle"
+    RUNNING = "running"
+    PAUSED = "paused"
+    AWAITING_OPERATOR = "awaiting operator"
+    STOPPING = "stopping"
+    STANDSTILL = "standstill"
+
+
+class FinishReason(StrEnum):
+    """Why a run ended."""
+
+    COMPLETED = "completed"
+    STOPPED = "stopped by the operator"
+    UNANSWERED = "a prompt was not answered"
+    DEVICE_FAULT = "device fault"
+    STORAGE = "the recording could not be written"
+    INTERNAL = "a fault of the program"
+
+
+@dataclass(frozen=True, kw_only=True)
+class StateChanged:
+    """The run went over into another state."""
+
+    state: State
+    reason: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class StepStarted:
+    """The engine begins to carry out a step."""
+
+    step: Step
+
+
+@dataclass(frozen=True, kw_only=True)
+class MountRequested:
+    """The operator is asked to seat the unit in `mount`; the run waits."""
+
+    mount: str
+    prompt: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class MountAnswered:
+    """The operator's answer to a mount prompt, word for word."""
+
+    mount: str
+    answer: str
+    confirmed: bool
+
+
+@dataclass(frozen=True, kw_only=True)
+class SamplesAcquired:
+    """The raw samples of a dwell, before they are reduced."""
+
+    point: int
+    """Index of the point to which they belong."""
+    time_s: float
+    """First sample, in seconds since the run began, by the stand's clock."""
+    block: SampleBlock
+
+
+@dataclass(frozen=True, kw_only=True)
+class PointCompleted:
+    """A dwell was reduced and is on the disk."""
+
+    point: Point
+
+
+@dataclass(frozen=True, kw_only=True)
+class WarningRaised:
+    """Something the reader of the result should know."""
+
+    message: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class RunFinished:
+    """The run is over; the head stands still unless `at_standstill` is false."""
+
+    reason: FinishReason
+    message: str
+    at_standstill: bool
+
+
+Event: TypeAlias = (
+    StateChanged
+    | StepStarted
+    | MountRequested
+    | MountAnswered
+    | SamplesAcquired
+    | PointCompleted
+    | WarningRaised
+    | RunFinished
+)
