@@ -69,6 +69,13 @@ class Observations:
         return len(self) + len(self.set_aside)
 
     @property
+    def output_v(self) -> FloatArray:
+        """Output of every row, in volts. Raises `ValueError` where the table holds none."""
+        if self.voltage_v is None:
+            raise ValueError(f"{self.source}: there is no column voltage_V; a calibration needs the unit's output")
+        return self.voltage_v
+
+    @property
     def mounts(self) -> NDArray[np.str_]:
         """Mount of every row; face-up where the table does not say."""
         return np.full(len(self), "face-up") if self.mount is None else self.mount

@@ -1,0 +1,60 @@
+"""Least squares for given alpha0: everything else in the declared model is then linear."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from calibrations.compression import Compressed
+from calibrations.geometry import FloatArray
+from calibrations.model import design
+
+SINGULAR = 1e-8
+"""Directions weaker than this, relative to the strongest, are taken as not observed: rounding, not physics."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Conditional:
+    """Best linear parameters at each of n values of alpha0."""
+
+    alpha0_deg: FloatArray
+    """Shape (n,)."""
+    linear: FloatArray
+    """u0, kx, ky, kz, kxy, shape (n, 5); of those that the rows cannot tell apart, the smallest."""
+    cofactor: FloatArray
+    """Covariance of `linear` per unit variance of a row, shape (n, 5, 5)."""
+    estimable: NDArray[np.bool_]
+    """Whether the rows determine each linear parameter, shape (n, 5)."""
+    squares_v2: FloatArray
+    """Weighted sum of squared residuals, shape (n,), in square volts."""
+
+
+def conditional(compressed: Compressed, alpha0_deg: FloatArray) -> Conditional:
+    """Solve the linear part of the declared model at each of `alpha0_deg`, shape (n,)."""
+    matrix = compressed.r @ design(alpha0_deg)
+    inverse, estimable = pseudo_inverse(matrix)
+    linear = inverse @ compressed.z
+    misfit = compressed.z - np.einsum("nij,nj->ni", matrix, linear)
+    return Conditional(
+        alpha0_deg=alpha0_deg,
+        linear=linear,
+        cofactor=inverse @ np.swapaxes(inverse, -1, -2),
+        estimable=estimable,
+        squares_v2=compressed.rest_v2 + np.sum(misfit**2, axis=-1),
+    )
+
+
+def pseudo_inverse(matrix: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
+    """Pseudo-inverse of matrices of shape (..., m, p), and which of the p unknowns each determines, shape (..., p).
+
+    Columns are scaled first, so that a parameter with a small unit does not look unobserved.
+    """
+    norm = np.linalg.norm(matrix, axis=-2)
+    seen = norm > SINGULAR * norm.max(axis=-1, keepdims=True)
+    scale = np.where(seen, norm, np.inf)
+    u, s, vt = np.linalg.svd(matrix / scale[..., None, :], full_matrices=False)
+    kept = s > SINGULAR * s[..., :1]
+    inverse_s = np.where(kept, 1.0 / np.where(kept, s, 1.0), 0.0)
+    inverse = np.swapaxes(vt, -1, -2) @ (inverse_s[..., None] * np.swapaxes(u, -1, -2))
+    resolved = np.sum(np.where(kept[..., None], vt, 0.0) ** 2, axis=-2)
+    return inverse / scale[..., :, None], seen & (resolved > 1 - 1e-6)

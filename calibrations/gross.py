@@ -1,0 +1,68 @@
+"""Finds gross errors: single rows that agree neither with the model nor with their own repeats."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from calibrations.geometry import FloatArray
+from calibrations.observations import Observations, SetAside
+
+GROSS_SIGMA = 6.0
+"""A row this many robust standard deviations off is a gross error; among 10,000 good rows none is expected."""
+_HUBER = 1.345
+"""Tuning of Huber's weights: 95% efficient on normal noise (Huber and Ronchetti, Robust Statistics, 4.5)."""
+
+
+def gross_errors(
+    observations: Observations, basis: FloatArray, groups: NDArray[np.int64], fitted: int
+) -> tuple[SetAside, ...]:
+    """Rows to set aside, each with the reason.
+
+    `basis`, shape (rows, p), spans what the model can follow; `groups` are the poses, `fitted` the number of
+    parameters. Where a pose was visited at least three times, a row must also differ from the median of the other
+    visits: what comes back at every visit is no gross error but structure.
+    """
+    residual = _robust_residual(basis, observations.output_v)
+    off_model = np.abs(residual) / _scale(residual, fitted)
+    alone = _off_repeats(residual, groups)
+    rejected = (off_model > GROSS_SIGMA) & (alone > GROSS_SIGMA)
+    return tuple(
+        SetAside(row=int(row), reason=f"gross error: {sigma:.0f} sigma")
+        for row, sigma in zip(observations.row[rejected], off_model[rejected], strict=True)
+    )
+
+
+def _scale(residual: FloatArray, fitted: int) -> float:
+    """Robust standard deviation: the median absolute deviation, made unbiased for normal noise."""
+    rows = len(residual)
+    freedom = max(rows - fitted, 1)
+    return max(float(1.4826 * np.median(np.abs(residual)) * np.sqrt(rows / freedom)), 1e-12)
+
+
+def _robust_residual(basis: FloatArray, voltage_v: FloatArray) -> FloatArray:
+    """Residual of Huber's M-estimate of the basis coefficients, by reweighting."""
+    weights = np.ones(len(voltage_v))
+    residual = voltage_v
+    for _ in range(30):
+        root = np.sqrt(weights)
+        solution = np.linalg.lstsq(basis * root[:, None], voltage_v * root, rcond=1e-10)[0]
+        residual = voltage_v - basis @ solution
+        limit = _HUBER * _scale(residual, 0)
+        previous, weights = weights, np.minimum(1.0, limit / np.maximum(np.abs(residual), limit))
+        if np.abs(weights - previous).max(initial=0.0) < 1e-4:
+            break
+    return np.asarray(residual)
+
+
+def _off_repeats(residual: FloatArray, groups: NDArray[np.int64]) -> FloatArray:
+    """How far each row lies from the median of its repeats, in robust standard deviations; inf with fewer than two."""
+    distance = np.full(len(residual), np.inf)
+    order = np.argsort(groups, kind="stable")
+    for members in np.split(order, np.flatnonzero(np.diff(groups[order])) + 1):
+        if len(members) >= 3:
+            for member in members:
+                others = members[members != member]
+                distance[member] = abs(residual[member] - np.median(residual[others]))
+    compared = np.isfinite(distance)
+    if compared.any():
+        distance[compared] /= max(float(1.4826 * np.median(distance[compared])), 1e-12)
+    return distance

@@ -1,0 +1,118 @@
+"""The joint fit of a table: gross errors out, weights from the repeats, the noise that the uncertainties rest on."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from calibrations.adequacy import LackOfFit, lack_of_fit
+from calibrations.compression import Compressed, compress
+from calibrations.fit import Alpha0Profile, JointFit, alpha0_profile, coverage_factor, fit_given_alpha0, joint_fit
+from calibrations.geometry import FloatArray
+from calibrations.gross import gross_errors
+from calibrations.model import ALPHA0, PARAMETERS, basis, coefficients, coefficients_jacobian
+from calibrations.observations import Observations
+from calibrations.repeats import PureError, dwell_weights, pose_groups, pure_error
+
+LACK_OF_FIT_P = 0.01
+"""Below this the poses disagree with the model by more than the repeats explain, and their scatter is the ruler."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Noise:
+    """Scatter of one dwell mean."""
+
+    pure_error_v: float | None
+    """Between repeats; None where there are none."""
+    degrees_of_freedom: int
+    used_v: float
+    """What the uncertainties rest on, for a row of weight 1."""
+    used_degrees_of_freedom: int
+    basis: str
+    """Where `used_v` comes from, in words."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Joint:
+    """The rows that were used and their fit, from which everything else follows."""
+
+    observations: Observations
+    basis: FloatArray
+    weights: FloatArray
+    compressed: Compressed
+    fit: JointFit
+    profile: Alpha0Profile
+    error: PureError
+    lack: LackOfFit
+    noise: Noise
+
+    @property
+    def residual_v(self) -> FloatArray:
+        """Measured minus fitted, shape (rows,), in volts."""
+        return np.asarray(self.observations.output_v - self.basis @ coefficients(self.fit.theta))
+
+    @property
+    def slope_v_per_deg(self) -> FloatArray:
+        """Change of the output with the head angle at each row, shape (rows,)."""
+        return np.asarray(self.basis @ coefficients_jacobian(self.fit.theta)[:, ALPHA0])
+
+
+def fit_jointly(observations: Observations) -> Joint:
+    """Fit the declared model to all rows; with alpha0 held at 0 where the data cannot tell it."""
+    groups = pose_groups(observations)
+    rejected = gross_errors(observations, basis(observations), groups, len(PARAMETERS))
+    if rejected:
+        observations = observations.without(rejected)
+        groups = pose_groups(observations)
+    functions = basis(observations)
+    even = np.ones(len(observations))
+    first = joint_fit(compress(functions, observations.output_v, even))
+    weights = dwell_weights(observations, observations.output_v - functions @ coefficients(first.theta), groups)
+    compressed = compress(functions, observations.output_v, weights)
+    fit = joint_fit(compressed)
+    error, lack, noise = _judge(observations, functions, weights, fit)
+    profile = alpha0_profile(compressed, fit, noise.used_v**2, coverage_factor(noise.used_degrees_of_freedom))
+    if not profile.told:
+        fit = fit_given_alpha0(compressed, 0.0)
+        error, lack, noise = _judge(observations, functions, weights, fit)
+    return Joint(
+        observations=observations,
+        basis=functions,
+        weights=weights,
+        compressed=compressed,
+        fit=fit,
+        profile=profile,
+        error=error,
+        lack=lack,
+        noise=noise,
+    )
+
+
+def _judge(
+    observations: Observations, functions: FloatArray, weights: FloatArray, fit: JointFit
+) -> tuple[PureError, LackOfFit, Noise]:
+    residual = observations.output_v - functions @ coefficients(fit.theta)
+    error = pure_error(residual, pose_groups(observations), weights)
+    lack = lack_of_fit(fit.squares_v2, len(observations), fit.fitted, error)
+    return error, lack, _noise(fit, len(observations), error, lack)
+
+
+def _noise(fit: JointFit, rows: int, error: PureError, lack: LackOfFit) -> Noise:
+    """The ruler: all scatter about the fit, or that of the poses where they do not agree with the model."""
+    freedom = rows - fit.fitted
+    significant = lack.p_value is not None and lack.p_value < LACK_OF_FIT_P
+    if significant:
+        used, used_freedom, basis_text = (
+            lack.variance_v2,
+            lack.degrees_of_freedom,
+            "scatter of the poses about the model",
+        )
+    else:
+        used, used_freedom = fit.squares_v2 / max(freedom, 1), freedom
+        basis_text = "scatter about the fit, repeats included"
+    return Noise(
+        pure_error_v=error.standard_deviation_v if error.degrees_of_freedom else None,
+        degrees_of_freedom=error.degrees_of_freedom,
+        used_v=float(np.sqrt(used)),
+        used_degrees_of_freedom=max(used_freedom, 0),
+        basis=basis_text,
+    )

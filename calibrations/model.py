@@ -1,0 +1,79 @@
+"""The declared model of one accelerometer on a dividing head.
+
+`u = u0 + kx ax + ky ay + kz az + kxy ax ay` with the projections of gravity taken at head angle + alpha0
+(Avrutov, Bondar, Meleshko 2008, equations 1 and 12). Because a turn by alpha0 mixes each projection with the one a
+quarter turn further on, the model is a fixed set of ten functions of the pose times coefficients that depend on the
+parameters: all that is nonlinear sits in alpha0.
+"""
+
+from typing import Final
+
+import numpy as np
+
+from calibrations.geometry import FloatArray, projections
+from calibrations.observations import Observations
+
+UNITS: Final = {"u0": "V", "kx": "V/g", "ky": "V/g", "kz": "V/g", "kxy": "V/g^2", "alpha0": "deg"}
+"""Unit of every parameter, in the order of the parameter vector. g is local gravity."""
+
+PARAMETERS: Final = tuple(UNITS)
+LINEAR: Final = PARAMETERS[:-1]
+"""The parameters in which the model is linear once alpha0 is known."""
+ALPHA0: Final = PARAMETERS.index("alpha0")
+
+BASIS_SIZE: Final = 10
+
+
+def basis(observations: Observations) -> FloatArray:
+    """The ten functions of the pose at each row, shape (rows, 10).
+
+    1; then each projection at alpha0 = 0 and the same a quarter turn further on; then the three products by which
+    ax ay turns with alpha0.
+    """
+    p = projections(observations.mounts, observations.angle_deg)
+    q = projections(observations.mounts, observations.angle_deg + 90.0)
+    return np.column_stack(
+        [
+            np.ones(len(observations)),
+            *(column for axis in range(3) for column in (p[:, axis], q[:, axis])),
+            p[:, 0] * p[:, 1],
+            p[:, 0] * q[:, 1] + q[:, 0] * p[:, 1],
+            q[:, 0] * q[:, 1],
+        ]
+    )
+
+
+def design(alpha0_deg: FloatArray | float) -> FloatArray:
+    """How the ten basis coefficients follow from the linear parameters, shape (..., 10, 5), for given alpha0."""
+    alpha0_rad = np.deg2rad(np.asarray(alpha0_deg, dtype=float))
+    cos, sin = np.cos(alpha0_rad), np.sin(alpha0_rad)
+    matrix = np.zeros((*alpha0_rad.shape, BASIS_SIZE, len(LINEAR)))
+    matrix[..., 0, 0] = 1.0
+    for axis in range(3):
+        matrix[..., 1 + 2 * axis, 1 + axis] = cos
+        matrix[..., 2 + 2 * axis, 1 + axis] = sin
+    matrix[..., 7, 4], matrix[..., 8, 4], matrix[..., 9, 4] = cos**2, cos * sin, sin**2
+    return matrix
+
+
+def design_slope(alpha0_deg: float) -> FloatArray:
+    """Derivative of `design` with respect to alpha0, per degree, shape (10, 5)."""
+    alpha0_rad = np.deg2rad(alpha0_deg)
+    cos, sin = np.cos(alpha0_rad), np.sin(alpha0_rad)
+    matrix = np.zeros((BASIS_SIZE, len(LINEAR)))
+    for axis in range(3):
+        matrix[1 + 2 * axis, 1 + axis] = -sin
+        matrix[2 + 2 * axis, 1 + axis] = cos
+    matrix[7:, 4] = -2 * cos * sin, cos**2 - sin**2, 2 * cos * sin
+    return np.deg2rad(matrix)
+
+
+def coefficients(theta: FloatArray) -> FloatArray:
+    """Basis coefficients, shape (..., 10), in volts, of parameter vectors of shape (..., 6) in the units of `UNITS`."""
+    return np.asarray(np.einsum("...ij,...j->...i", design(theta[..., ALPHA0]), theta[..., :ALPHA0]))
+
+
+def coefficients_jacobian(theta: FloatArray) -> FloatArray:
+    """Derivative of `coefficients` with respect to one parameter vector, shape (10, 6)."""
+    slope = design_slope(float(theta[ALPHA0])) @ theta[:ALPHA0]
+    return np.column_stack([design(float(theta[ALPHA0])), slope])

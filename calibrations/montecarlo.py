@@ -1,0 +1,76 @@
+"""Propagation of distributions (JCGM 101): the check on the budget."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from calibrations.compression import Compressed
+from calibrations.conditional import pseudo_inverse
+from calibrations.fit import JointFit
+from calibrations.geometry import FloatArray
+from calibrations.model import coefficients, design
+
+TRIALS = 20_000
+SEED = 20081
+
+
+@dataclass(frozen=True, kw_only=True)
+class MonteCarlo:
+    """What repeated simulated calibrations of the fitted unit give."""
+
+    trials: int
+    standard_uncertainty: FloatArray
+    """Standard deviation of each parameter over the trials, shape (6,), in the units of `model.UNITS`."""
+    interval_95: FloatArray
+    """Probabilistically symmetric 95% interval (JCGM 101, 7.7), shape (6, 2)."""
+
+
+def monte_carlo(
+    compressed: Compressed,
+    fit: JointFit,
+    nodes_deg: FloatArray,
+    standard_deviation_v: float,
+    errors_v: FloatArray,
+    trials: int,
+) -> MonteCarlo:
+    """Simulate the rows anew and refit the full nonlinear model to each.
+
+    `nodes_deg` are values of alpha0 that span what it can be; `standard_deviation_v` is the scatter of a row of
+    weight 1; `errors_v`, shape (rows, n), are the independent errors of type B, one standard uncertainty each. Work is
+    done on the rotated voltages, where white noise stays white.
+    """
+    generator = np.random.default_rng(SEED)
+    effect = compressed.rotation.T @ errors_v
+    centre = compressed.r @ coefficients(fit.theta)
+    noise = generator.normal(size=(trials, len(centre))) * standard_deviation_v
+    shared = generator.normal(size=(trials, effect.shape[1])) @ effect.T
+    theta = _refit(compressed, fit, np.unique(nodes_deg), centre + noise + shared)
+    low, high = np.quantile(theta, [0.025, 0.975], axis=0)
+    return MonteCarlo(
+        trials=trials,
+        standard_uncertainty=theta.std(axis=0, ddof=1),
+        interval_95=np.column_stack([low, high]),
+    )
+
+
+def _refit(compressed: Compressed, fit: JointFit, nodes_deg: FloatArray, z: FloatArray) -> FloatArray:
+    """Least squares for every row of `z`: the alpha0 that leaves least, then the linear parameters at it."""
+    if not fit.alpha0_fitted:
+        return np.asarray(fit.theta + (z - compressed.r @ coefficients(fit.theta)) @ fit.inverse.T)
+    alpha0_deg = _best_alpha0(compressed, nodes_deg, z)
+    inverse, _ = pseudo_inverse(compressed.r @ design(alpha0_deg))
+    return np.column_stack([np.einsum("tij,tj->ti", inverse, z), alpha0_deg])
+
+
+def _best_alpha0(compressed: Compressed, nodes_deg: FloatArray, z: FloatArray) -> FloatArray:
+    """Where on the nodes the model captures most of each row of `z`, refined by a parabola."""
+    matrices = compressed.r @ design(nodes_deg)
+    captured = np.stack(
+        [np.sum((z @ m @ i) * z, axis=1) for m, i in zip(matrices, pseudo_inverse(matrices)[0], strict=True)]
+    )
+    top = np.clip(np.argmax(captured, axis=0), 1, len(nodes_deg) - 2)
+    trial = np.arange(len(z))
+    before, at, after = (captured[top + shift, trial] for shift in (-1, 0, 1))
+    left, right = nodes_deg[top] - nodes_deg[top - 1], nodes_deg[top + 1] - nodes_deg[top]
+    turn = left**2 * (at - after) - right**2 * (at - before)
+    return np.asarray(nodes_deg[top] - 0.5 * turn / (left * (at - after) + right * (at - before)))

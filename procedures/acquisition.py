@@ -1,0 +1,36 @@
+"""How a dwell is taken: how long it lasts and when it may begin."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, kw_only=True)
+class Acquisition:
+    """Settings of every dwell of a run.
+
+    After a move the output has `settle_s` to come to rest. Then blocks of `settle_samples` are taken until the means of
+    two consecutive ones agree: they differ by no more than `settle_tolerance` standard errors of their difference, or,
+    where `settle_tolerance_v` is given, by no more than so many volts. After `settle_timeout_s` the dwell is taken in any
+    case and its point marked as not settled.
+    """
+
+    samples: int
+    """Number of samples in a dwell, at least 2."""
+    rate_hz: float
+    position_tolerance_deg: float = 0.01
+    """How far from the commanded angle the head may report itself and be there."""
+    settle_s: float = 0.0
+    settle_samples: int = 10
+    """Number of samples in a block, at least 2."""
+    settle_tolerance: float = 3.0
+    settle_tolerance_v: float | None = None
+    settle_timeout_s: float = 10.0
+
+    @property
+    def dwell_s(self) -> float:
+        """Duration of a dwell."""
+        return self.samples / self.rate_hz
+
+    @property
+    def planned_settling_s(self) -> float:
+        """Time that settling takes where the first two blocks agree."""
+        return self.settle_s + 2 * self.settle_samples / self.rate_hz

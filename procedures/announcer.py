@@ -1,0 +1,59 @@
+"""Passing events on: first to the sink, which must not fail, then to listeners, which may."""
+
+from collections.abc import Callable, Iterable
+from typing import Protocol, TypeAlias
+
+from procedures.errors import StorageError
+from procedures.events import Event, WarningRaised
+
+Listener: TypeAlias = Callable[[Event], None]
+"""Is called with every event, in the thread of the run, after the sink has taken it."""
+
+
+class Sink(Protocol):
+    """What keeps the events of a run."""
+
+    def record(self, event: Event) -> None:
+        """Take an event; when this returns from a `PointCompleted`, the point is safe.
+
+        Whatever is raised ends the run.
+        """
+        ...
+
+
+class Announcer:
+    """Passes events on. A listener that fails is dropped with a warning; a sink that fails is a `StorageError`."""
+
+    def __init__(self, sink: Sink, listeners: Iterable[Listener]) -> None:
+        self._sink = sink
+        self._listeners = list(listeners)
+
+    def announce(self, event: Event) -> None:
+        """Pass `event` on. Raises `StorageError`, and no listener hears of what could not be stored."""
+        try:
+            self._sink.record(event)
+        except Exception as error:
+            raise StorageError(f"the recording failed: {error or type(error).__name__}") from error
+        for failure in self._tell(event):
+            self.announce(WarningRaised(message=failure))
+
+    def announce_anyway(self, event: Event) -> StorageError | None:
+        """Pass `event` on to the listeners even where the sink fails; return that failure."""
+        try:
+            self.announce(event)
+        except StorageError as failure:
+            self._tell(event)
+            return failure
+        return None
+
+    def _tell(self, event: Event) -> list[str]:
+        """Call every listener; drop those that fail and return a sentence on each."""
+        failures = []
+        for listener in tuple(self._listeners):
+            try:
+                listener(event)
+            except Exception as error:  # whatever it is, watching must not end a run
+                self._listeners.remove(listener)
+                name = getattr(listener, "__qualname__", type(listener).__name__)
+                failures.append(f"the display {name} failed and is no longer served: {type(error).__name__}: {error}")
+        return failures

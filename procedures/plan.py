@@ -1,0 +1,133 @@
+"""What a programme will do and how long it will take, worked out without moving anything."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from calibrations.geometry import projections
+from procedures.acquisition import Acquisition
+from procedures.composition import advance
+from procedures.errors import ProgrammeError
+from procedures.programme import Programme
+from procedures.steps import Dwell, Mounted, Mounting, Point, Reply, Step
+
+MOUNTING_S = 60.0
+"""Time in which an operator seats a unit anew, unless it is stated."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class PlannedStep:
+    """A step and the time it should take, in seconds."""
+
+    step: Step
+    duration_s: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class Plan:
+    """Every step of a programme, as it would go with a nominal unit: 1 V/g on the x axis, no bias."""
+
+    programme: Programme
+    steps: tuple[PlannedStep, ...]
+
+    @property
+    def duration_s(self) -> float:
+        """Time that the whole should take."""
+        return sum(planned.duration_s for planned in self.steps)
+
+    @property
+    def dwells(self) -> int:
+        """Number of dwells, and so of points."""
+        return sum(isinstance(planned.step, Dwell) for planned in self.steps)
+
+    @property
+    def mount_changes(self) -> int:
+        """How often the operator must seat the unit, the first time included."""
+        return len(self.steps) - self.dwells
+
+    @property
+    def angle_range_deg(self) -> tuple[float, float]:
+        """Lowest and highest head angle of a dwell."""
+        angles_deg = [planned.step.angle_deg for planned in self.steps if isinstance(planned.step, Dwell)]
+        return min(angles_deg), max(angles_deg)
+
+
+def plan(
+    programme: Programme,
+    acquisition: Acquisition,
+    *,
+    speed_deg_s: float,
+    mounting_s: float = MOUNTING_S,
+    start_deg: float = 0.0,
+) -> Plan:
+    """Work out every step of `programme`.
+
+    A dwell takes the move from the angle before it at `speed_deg_s`, the settling where the first two blocks agree, and
+    the samples; a mounting takes `mounting_s`. The head begins at `start_deg`.
+    """
+    procedure = programme.procedure()
+    steps: list[PlannedStep] = []
+    angle_deg, points = start_deg, 0
+    step: Step | None = next(procedure)
+    while step is not None:
+        if isinstance(step, Mounting):
+            duration_s = mounting_s
+        else:
+            move_s = abs(step.angle_deg - angle_deg) / speed_deg_s
+            duration_s = move_s + acquisition.planned_settling_s + acquisition.dwell_s
+            angle_deg, points = step.angle_deg, points + 1
+        steps.append(PlannedStep(step=step, duration_s=duration_s))
+        step = advance(procedure, _nominal_reply(step, points - 1))
+    return Plan(programme=programme, steps=tuple(steps))
+
+
+def check_limits(plan: Plan, limits_deg: tuple[float, float]) -> None:
+    """Make sure that every dwell lies within the head's soft limits.
+
+    Raises
+    ------
+    ProgrammeError
+        Names file, line, angle and limits.
+    """
+    lowest_deg, highest_deg = limits_deg
+    for planned in plan.steps:
+        step = planned.step
+        if isinstance(step, Dwell) and not lowest_deg <= step.angle_deg <= highest_deg:
+            raise ProgrammeError(
+                f"{_origin(plan.programme, step)}: the {step.procedure} goes to {step.angle_deg:g} deg, outside the "
+                f"head's limits of {lowest_deg:g} to {highest_deg:g} deg; change the angles, or the limits of the stand"
+            )
+
+
+def _origin(programme: Programme, dwell: Dwell) -> str:
+    """File and line of the first procedure that asks for `dwell`."""
+    for number, part in enumerate(programme.procedures):
+        dwells = part.dwells(dwell.realisation)
+        step = next(dwells, None)
+        while step is not None and step != dwell:
+            step = advance(dwells, _nominal_point(step, 0))
+        if step == dwell:
+            return programme.where(number)
+    raise AssertionError(f"{dwell} is in no procedure of its own programme")
+
+
+def _nominal_reply(step: Step, index: int) -> Reply:
+    return Mounted(mount=step.mount) if isinstance(step, Mounting) else _nominal_point(step, index)
+
+
+def _nominal_point(dwell: Dwell, index: int) -> Point:
+    """The point of a dwell with a unit that gives 1 V/g along x and nothing else."""
+    return Point(
+        index=index,
+        angle_deg=dwell.angle_deg,
+        voltage_v=float(projections([dwell.mount], np.array([dwell.angle_deg]))[0, 0]),
+        voltage_sd_v=0.0,
+        samples=1,
+        time_s=0.0,
+        direction=0,
+        temperature_degc=None,
+        realisation=dwell.realisation,
+        procedure=dwell.procedure,
+        mount=dwell.mount,
+        settled=True,
+    )

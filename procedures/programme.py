@@ -1,0 +1,140 @@
+"""What shall be done to a unit: a programme, read from TOML and validated before anything moves."""
+
+from collections.abc import Mapping
+from hashlib import sha256
+from importlib.resources import files
+from pathlib import Path
+from typing import Annotated, Literal, TypeAlias
+
+from pydantic import BaseModel, ConfigDict, Field, PrivateAttr, model_validator
+
+from procedures.acquisition import Acquisition
+from procedures.composition import compose
+from procedures.errors import InputError, ProgrammeError
+from procedures.flip import Flip
+from procedures.steps import Procedure
+from procedures.sweep import Sweep
+from procedures.toml_lines import line_of, parse_toml, read_text
+
+Parameter: TypeAlias = Literal["u0", "kx", "ky", "kz", "kxy", "alpha0"]
+
+_SHIPPED = files("procedures") / "programmes"
+_STRICT = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+
+class Limit(BaseModel):
+    """The interval in which a parameter must lie: u0 in V, kx, ky, kz in V/g, kxy in V/g², alpha0 in deg."""
+
+    model_config = _STRICT
+
+    min: float
+    max: float
+
+    @model_validator(mode="after")
+    def _in_order(self) -> "Limit":
+        if not self.min < self.max:
+            raise ValueError(f"min = {self.min:g} is not below max = {self.max:g}")
+        return self
+
+
+class Programme(BaseModel):
+    """Procedures, repeated, and how each of their dwells is taken.
+
+    What the programme does not say of samples comes from the stand; `samples` goes before `dwell_s`.
+    """
+
+    model_config = _STRICT
+
+    name: str = Field(min_length=1)
+    realisations: int = Field(default=1, ge=1)
+    dwell_s: float | None = Field(default=None, gt=0.0)
+    """Duration of a dwell; samples = duration times the DAQ's rate, rounded."""
+    samples: int | None = Field(default=None, ge=2)
+    """Samples in a dwell."""
+    settle_s: float = Field(default=0.2, ge=0.0)
+    settle_samples: int | None = Field(default=None, ge=2)
+    """Samples in a block; without it a tenth of the dwell's, but at least 5."""
+    settle_tolerance: float = Field(default=3.0, gt=0.0)
+    settle_tolerance_v: float | None = Field(default=None, gt=0.0)
+    settle_timeout_s: float = Field(default=10.0, gt=0.0)
+    position_tolerance_deg: float = Field(default=0.01, gt=0.0)
+    procedures: tuple[Annotated[Flip | Sweep, Field(discriminator="kind")], ...] = Field(
+        min_length=1, alias="procedure"
+    )
+    limits: Mapping[Parameter, Limit] = Field(default_factory=dict)
+
+    _text: str = PrivateAttr("")
+    _source: str = PrivateAttr("")
+
+    @property
+    def text(self) -> str:
+        """The programme as it was read, TOML."""
+        return self._text
+
+    @property
+    def sha256(self) -> str:
+        """SHA-256 of the text in UTF-8, hexadecimal."""
+        return sha256(self._text.encode()).hexdigest()
+
+    def procedure(self) -> Procedure:
+        """All procedures, in order, as often as there are realisations: what an engine runs."""
+        return compose(self.procedures, self.realisations)
+
+    def acquisition(self, *, samples: int, rate_hz: float) -> Acquisition:
+        """How a dwell is taken at a stand whose DAQ samples at `rate_hz`, and takes `samples` unless told otherwise."""
+        if self.samples is not None:
+            samples = self.samples
+        elif self.dwell_s is not None:
+            samples = max(2, round(self.dwell_s * rate_hz))
+        return Acquisition(
+            samples=samples,
+            rate_hz=rate_hz,
+            position_tolerance_deg=self.position_tolerance_deg,
+            settle_s=self.settle_s,
+            settle_samples=self.settle_samples or max(5, samples // 10),
+            settle_tolerance=self.settle_tolerance,
+            settle_tolerance_v=self.settle_tolerance_v,
+            settle_timeout_s=self.settle_timeout_s,
+        )
+
+    def where(self, procedure: int) -> str:
+        """File and line of a procedure, counted from 0, for a message."""
+        line = line_of(self._text, ("procedure", procedure))
+        return self._source if line is None else f"{self._source}, line {line}"
+
+
+def shipped_programmes() -> list[str]:
+    """Names of the programmes that come along."""
+    return sorted(entry.name.removesuffix(".toml") for entry in _SHIPPED.iterdir() if entry.name.endswith(".toml"))
+
+
+def load_programme(name_or_path: str | Path) -> Programme:
+    """Read a programme that comes along, by its name, or one from a file.
+
+    Raises
+    ------
+    ProgrammeError
+        Where there is no such programme, or it is not a valid one: file, line, what is wrong and what to do.
+    """
+    if str(name_or_path) in shipped_programmes():
+        name = f"{name_or_path}.toml"
+        return programme_from_text((_SHIPPED / name).read_bytes().decode("utf-8"), name)
+    path = Path(name_or_path)
+    if not path.is_file():
+        names = ", ".join(shipped_programmes())
+        raise ProgrammeError(f"{name_or_path}: there is no such file; give a TOML file or one of {names}")
+    try:
+        return programme_from_text(read_text(path), path.name)
+    except InputError as error:
+        raise ProgrammeError(str(error)) from error
+
+
+def programme_from_text(text: str, source: str) -> Programme:
+    """Read a programme from TOML, for example from a recording; messages call it `source`. Raises `ProgrammeError`."""
+    try:
+        programme = parse_toml(text, Programme, source)
+    except InputError as error:
+        raise ProgrammeError(str(error)) from error
+    programme._text = text
+    programme._source = source
+    return programme

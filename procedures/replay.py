@@ -1,0 +1,59 @@
+"""Going on with a run that was cut off: the procedure is told again what it was told then."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from procedures.composition import advance
+from procedures.errors import JournalError
+from procedures.steps import Dwell, Mounted, Mounting, Point, Procedure, Reply, Step
+
+
+@dataclass(frozen=True, kw_only=True)
+class Replayed:
+    """Where a procedure stands after what was recorded."""
+
+    points: tuple[Point, ...]
+    pending: Step | None
+    """The step that comes next; None where nothing is left to do."""
+
+
+def replay(procedure: Procedure, journal: Iterable[Reply], tolerance_deg: float) -> Replayed:
+    """Send the recorded points into a fresh `procedure`, each compared with the step that it shall answer.
+
+    Mountings between the points answer themselves, as the points were taken in them; one after the last point is left
+    pending, whether the journal has its reply or not, for nobody knows what was done to the unit since.
+
+    Raises
+    ------
+    JournalError
+        Where a point is not what the procedure asks for: another pose, procedure, realisation or number.
+    """
+    points = tuple(reply for reply in journal if isinstance(reply, Point))
+    step = next(procedure, None)
+    for number, point in enumerate(points):
+        while isinstance(step, Mounting):
+            step = advance(procedure, Mounted(mount=step.mount))
+        _compare(number, point, step, tolerance_deg)
+        step = advance(procedure, point)
+    return Replayed(points=points, pending=step)
+
+
+def _compare(number: int, point: Point, dwell: Dwell | None, tolerance_deg: float) -> None:
+    if dwell is None:
+        raise _mismatch(number, point, "is over")
+    expected = (number, dwell.mount, dwell.procedure, dwell.realisation)
+    recorded = (point.index, point.mount, point.procedure, point.realisation)
+    if recorded != expected or not abs(point.angle_deg - dwell.angle_deg) <= tolerance_deg:
+        raise _mismatch(number, point, f"has {_pose(number, dwell)}")
+
+
+def _mismatch(number: int, point: Point, programme_says: str) -> JournalError:
+    return JournalError(
+        f"the recorded run does not belong to this programme: where it has {_pose(point.index, point)}, the programme "
+        f"{programme_says} after {number} points; resume it with the programme that it was begun with"
+    )
+
+
+def _pose(index: int, taken: Point | Dwell) -> str:
+    where = f"{taken.mount} at {taken.angle_deg:g} deg"
+    return f"point {index} ({taken.procedure}, realisation {taken.realisation}, {where})"

@@ -1,0 +1,144 @@
+"""TOML files that a user wrote, checked against a model; every complaint names the line."""
+
+import re
+import tomllib
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, TypeAlias, TypeVar
+
+from pydantic import BaseModel, ValidationError
+from pydantic_core import ErrorDetails
+
+from procedures.errors import InputError
+
+Location: TypeAlias = tuple[str | int, ...]
+"""Where a value stands: keys, and places in an array counted from 0, as in `("procedure", 1, "step_deg")`."""
+
+Model = TypeVar("Model", bound=BaseModel)
+
+_PART = r"""[A-Za-z0-9_-]+|"[^"]*"|'[^']*'"""
+_NAME = rf"(?:{_PART})(?:\s*\.\s*(?:{_PART}))*"
+_HEADER = re.compile(rf"^\s*(\[\[?)\s*({_NAME})\s*\]")
+_KEY = re.compile(rf"^\s*({_NAME})\s*=")
+_AT_LINE = re.compile(r" \(at line (\d+), column \d+\)$")
+
+_REMEDY = {"missing": "add it", "extra_forbidden": "correct its spelling or take it out"}
+
+
+def load_toml(path: Path, model: type[Model]) -> Model:
+    """Read the file `path` as a `model`.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be read, is not TOML or does not fit the model.
+    """
+    return parse_toml(read_text(path), model, path.name)
+
+
+def read_text(path: Path) -> str:
+    """Text of a UTF-8 file with its line ends as they are. Raises `InputError`."""
+    try:
+        return path.read_bytes().decode("utf-8")
+    except OSError as error:
+        raise InputError(f"{path}: {error.strerror}; give a file that can be read") from error
+    except UnicodeDecodeError as error:
+        raise InputError(f"{path}: byte {error.start} is not UTF-8; save the file as UTF-8") from error
+
+
+def parse_toml(text: str, model: type[Model], source: str) -> Model:
+    """Like `load_toml`, for text that was already read; messages call it `source`."""
+    try:
+        data = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise InputError(_syntax_complaint(str(error), source)) from error
+    try:
+        return model.model_validate(data)
+    except ValidationError as error:
+        raise InputError(_complaint(error.errors(), text, data, source)) from error
+
+
+def line_of(text: str, location: Location) -> int | None:
+    """Line, from 1, on which the value at `location` is written.
+
+    Where the value itself is not found, because it is missing or stands inside an inline table, it is the line of the
+    innermost table or key around it. None where not even that is found.
+    """
+    wanted = list(location)
+    best_line, best_length = None, 0
+    for path, line in _written(text):
+        length = _common_length(path, wanted)
+        if length == len(path) and length > best_length:
+            best_line, best_length = line, length
+    return best_line
+
+
+def _common_length(path: Sequence[str | int], wanted: Sequence[str | int]) -> int:
+    """Count the leading elements of `path` found in `wanted`, whose names of model variants are passed over."""
+    found = 0
+    for element in wanted:
+        if found < len(path) and path[found] == element:
+            found += 1
+    return found
+
+
+def _written(text: str) -> list[tuple[list[str | int], int]]:
+    """Path and line of every table header and key, in the order of the text."""
+    table: list[str | int] = []
+    counts: dict[str, int] = {}
+    found: list[tuple[list[str | int], int]] = []
+    for line, content in enumerate(text.splitlines(), start=1):
+        if header := _HEADER.match(content):
+            table = list(_parts(header[2]))
+            if header[1] == "[[":
+                counts[header[2]] = counts.get(header[2], -1) + 1
+                table.append(counts[header[2]])
+            found.append((table, line))
+        elif key := _KEY.match(content):
+            found.append(([*table, *_parts(key[1])], line))
+    return found
+
+
+def _parts(name: str) -> list[str]:
+    return [part.strip("\"'") for part in re.findall(_PART, name)]
+
+
+def _syntax_complaint(message: str, source: str) -> str:
+    at_line = _AT_LINE.search(message)
+    where = f"{source}, line {at_line[1]}" if at_line else source
+    return f"{where}: not TOML: {_AT_LINE.sub('', message)}; correct it"
+
+
+def _complaint(errors: Sequence[ErrorDetails], text: str, data: dict[str, Any], source: str) -> str:
+    first = errors[0]
+    line = line_of(text, first["loc"])
+    where = source if line is None else f"{source}, line {line}"
+    named = "".join(f"{word}: " for word in _words(first, data))
+    problem = first["msg"].removeprefix("Value error, ")
+    remedy = _REMEDY.get(first["type"], "correct it")
+    more = f" (and {len(errors) - 1} more)" if len(errors) > 1 else ""
+    return f"{where}: {named}{problem}; {remedy}{more}"
+
+
+def _words(error: ErrorDetails, data: Any) -> list[str]:
+    """Put a location into words: `["procedure 2 (sweep)", "step_deg"]`."""
+    location = [element for element in error["loc"] if element != "[key]"]
+    missing = location[-1:] if error["type"] == "missing" else []
+    words: list[str] = []
+    for number, element in enumerate(location, start=1):
+        if isinstance(element, int):
+            words[-1:] = [f"{words[-1]} {element + 1}"]
+        elif words and isinstance(data, dict) and element not in data and location[number - 1 :] != missing:
+            words[-1:] = [f"{words[-1]} ({element})"]  # the variant of the model, which the file does not spell out
+            continue
+        else:
+            words.append(element)
+        data = _inside(data, element)
+    return words
+
+
+def _inside(data: Any, element: str | int) -> Any:
+    try:
+        return data[element]
+    except (KeyError, IndexError, TypeError):
+        return None
