@@ -1,7 +1,8 @@
 """What a recording says of itself before the first point."""
 
+import json
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any
 
 FORMAT_VERSION = 1
@@ -9,7 +10,13 @@ FORMAT_VERSION = 1
 
 @dataclass(frozen=True, kw_only=True)
 class Header:
-    """Everything needed to know how a recording came about and to go on with it."""
+    """Everything needed to know how a recording came about and to go on with it.
+
+    Raises
+    ------
+    ValueError
+        Where `stand` still has its `simulated` table: what is simulated never reaches a recording.
+    """
 
     serial_number: str
     """Serial number of the unit under test."""
@@ -18,7 +25,7 @@ class Header:
     """The programme as it was read, TOML."""
     programme_sha256: str
     stand: Mapping[str, Any]
-    """The stand file as data, without its `simulated` table: what is simulated never reaches a recording."""
+    """The stand file as data, without its `simulated` table."""
     stand_path: str
     """Where the stand file lay; empty for the built-in stand."""
     stand_sha256: str
@@ -34,3 +41,36 @@ class Header:
     started_monotonic_s: float
     """The stand's monotonic clock at the same moment."""
     format_version: int = FORMAT_VERSION
+
+    def __post_init__(self) -> None:
+        if "simulated" in self.stand:
+            raise ValueError("the stand in a recording's header must be without its [simulated] table")
+
+
+def header_to_strings(header: Header) -> dict[str, str]:
+    """Give every field but `programme_text` as a string, the way an MCAP metadata record wants it.
+
+    What is not a string is written as JSON, dates and times inside the stand file as ISO 8601 strings.
+    """
+    values = {field.name: getattr(header, field.name) for field in fields(Header) if field.name != "programme_text"}
+    return {name: value if isinstance(value, str) else _to_json(value) for name, value in values.items()}
+
+
+def header_from_strings(strings: Mapping[str, str], programme_text: str) -> Header:
+    """Build the header from what `header_to_strings` gave; strings that it does not know are left out.
+
+    Raises
+    ------
+    KeyError, ValueError
+        Where a field is missing or is not what it should be.
+    """
+    values: dict[str, Any] = {
+        field.name: strings[field.name] if field.type is str else json.loads(strings[field.name])
+        for field in fields(Header)
+        if field.name != "programme_text"
+    }
+    return Header(programme_text=programme_text, **values)
+
+
+def _to_json(value: object) -> str:
+    return json.dumps(value, default=lambda moment: moment.isoformat())

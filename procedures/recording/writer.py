@@ -1,0 +1,141 @@
+"""Writing a recording while a run goes on."""
+
+import os
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from itertools import count
+from pathlib import Path
+from types import TracebackType
+from typing import Final, Self
+
+from mcap.writer import LIBRARY_IDENTIFIER, Writer
+
+from drivers.clock import Clock
+from procedures.events import Event, MountAnswered, PointCompleted, RunFinished
+from procedures.recording.errors import RecordingError
+from procedures.recording.header import Header, header_to_strings
+from procedures.recording.messages import encode, to_messages
+from procedures.recording.schemas import HEADER_METADATA, PROGRAMME_ATTACHMENT, json_schema, schema_name
+
+_DURABLE: Final = (PointCompleted, MountAnswered, RunFinished)
+
+
+class Recorder:
+    """The journal of a run, an MCAP file; a context manager that closes it.
+
+    When `record` returns from a completed point, an operator's answer or the end of the run, that is on the disk, and
+    everything before it too: the chunk is ended, written, and synchronised. A killed process loses nothing that was
+    completed, and a file cut anywhere yields the points before the cut.
+
+    Messages carry the wall clock as it stood, which goes back where somebody sets that clock back; the order in the
+    file is the order of events, and messages are numbered from 1. Their field `monotonic_s` never goes back.
+
+    Parameters
+    ----------
+    path
+        File to create; an existing one is never overwritten.
+    header
+        What the recording says of itself.
+    clock
+        The stand's clock.
+
+    Raises
+    ------
+    RecordingError
+        From the constructor, `record` and `close`, where the file exists or cannot be written (full disk, no
+        permission). What is on the disk stays readable, and the recorder is closed.
+    """
+
+    def __init__(self, path: Path, header: Header, clock: Clock) -> None:
+        self.path = path
+        self._clock = clock
+        self._sequence = count(1)
+        try:
+            self._stream = path.open("xb")
+        except FileExistsError as error:
+            raise RecordingError(
+                path, "exists already", "recordings are not overwritten: choose another name"
+            ) from error
+        except OSError as error:
+            raise _storage_error(path, error) from error
+        self._writer = Writer(self._stream)
+        self._channels: dict[str, int] = {}
+        with self._storage():
+            self._begin(header)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def record(self, event: Event) -> None:
+        """Append an event; what a run must not lose is on the disk when this returns. Raises `RecordingError`."""
+        if self._stream.closed:
+            raise RecordingError(self.path, "is closed already", "start another recording")
+        wall_ns, monotonic_s = self._clock.wall_ns(), self._clock.monotonic_s()
+        with self._storage():
+            for topic, fields in to_messages(event):
+                data = encode({"monotonic_s": monotonic_s, **fields})
+                self._writer.add_message(self._channel(topic), wall_ns, data, wall_ns, next(self._sequence))
+            if isinstance(event, _DURABLE):
+                self._make_durable()
+
+    def close(self) -> None:
+        """Write the index and the footer, and close the file; a second call does nothing. Raises `RecordingError`."""
+        if self._stream.closed:
+            return
+        with self._storage():
+            self._writer.finish()  # type: ignore[no-untyped-call]
+            self._make_durable()
+            self._stream.close()
+
+    def _begin(self, header: Header) -> None:
+        self._writer.start(library=f"tumble {header.program_version}, {LIBRARY_IDENTIFIER}")
+        programme = header.programme_text.encode()
+        started_ns = header.started_wall_ns
+        self._writer.add_attachment(started_ns, started_ns, PROGRAMME_ATTACHMENT, "application/toml", programme)
+        self._writer.add_metadata(HEADER_METADATA, header_to_strings(header))
+        self._make_durable()
+        _synchronise_folder(self.path.parent)
+
+    def _channel(self, topic: str) -> int:
+        """Channel of a topic, which is announced in the file before its first message."""
+        if topic not in self._channels:
+            schema: int = self._writer.register_schema(schema_name(topic), "jsonschema", json_schema(topic))
+            self._channels[topic] = self._writer.register_channel(topic, "json", schema)
+        return self._channels[topic]
+
+    def _make_durable(self) -> None:
+        self._writer.flush()  # type: ignore[no-untyped-call]
+        os.fsync(self._stream.fileno())
+
+    @contextmanager
+    def _storage(self) -> Iterator[None]:
+        """Close the file as it is, and say so, where the disk fails: nothing may follow half a chunk."""
+        try:
+            yield
+        except OSError as error:
+            with suppress(OSError):
+                self._stream.close()
+            raise _storage_error(self.path, error) from error
+
+
+def _storage_error(path: Path, error: OSError) -> RecordingError:
+    happened = f"cannot be written ({error.strerror or error})"
+    return RecordingError(path, happened, "make sure that the folder exists, is writable and has room")
+
+
+def _synchronise_folder(folder: Path) -> None:
+    """Put a new file's name on the disk, where the system has a way to (fsync(2), POSIX)."""
+    if sys.platform == "win32":
+        return
+    descriptor = os.open(folder, os.O_RDONLY)
+    try:
+        with suppress(OSError):  # some network file systems cannot do it for a folder
+            os.fsync(descriptor)
+    finally:
+        os.close(descriptor)

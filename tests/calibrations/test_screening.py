@@ -1,0 +1,72 @@
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from calibrations.observations import Observations, SetAside
+from calibrations.screening import set_aside_bad_rows
+
+
+def table(**columns):
+    length = len(next(iter(columns.values())))
+    arrays = {name: np.array(column) for name, column in columns.items()}
+    return Observations(**{"row": np.arange(1, length + 1), "angle_deg": np.zeros(length), **arrays})
+
+
+def test_good_rows_stay_as_they_are():
+    good = table(angle_deg=[0.0, 395.0], voltage_v=[2.5, -2.5])
+
+    screened = set_aside_bad_rows(good)
+
+    assert screened.row.tolist() == [1, 2]
+    assert screened.set_aside == ()
+
+
+@pytest.mark.parametrize(
+    ("voltage_v", "reason"),
+    [
+        (np.nan, "voltage_v is nan"),
+        (np.inf, "voltage_v is inf"),
+        (9.9e37, "overload: voltage_v is 9.9e+37"),
+        (-1.1e30, "overload: voltage_v is -1.1e+30"),
+    ],
+)
+def test_a_row_without_a_voltage_is_set_aside(voltage_v, reason):
+    screened = set_aside_bad_rows(table(voltage_v=[1.0, voltage_v, 3.0]))
+
+    assert screened.voltage_v.tolist() == [1.0, 3.0]
+    assert screened.set_aside == (SetAside(row=2, reason=reason),)
+
+
+@pytest.mark.parametrize("column", ["angle_deg", "reference_deg", "velocity_deg_s", "time_s"])
+def test_a_row_without_a_number_that_it_needs_is_set_aside(column):
+    screened = set_aside_bad_rows(table(**{column: [np.nan, 1.0]}))
+
+    assert screened.set_aside == (SetAside(row=1, reason=f"{column} is nan"),)
+    assert len(screened) == 1
+
+
+def test_a_row_is_listed_once_with_its_first_fault():
+    screened = set_aside_bad_rows(table(angle_deg=[np.nan, 0.0], voltage_v=[np.nan, 1.0]))
+
+    assert screened.set_aside == (SetAside(row=1, reason="angle_deg is nan"),)
+
+
+def test_a_missing_temperature_or_scatter_leaves_the_row():
+    screened = set_aside_bad_rows(table(voltage_v=[1.0], temperature_degc=[np.nan], voltage_sd_v=[np.nan]))
+
+    assert len(screened) == 1
+
+
+def test_a_large_number_that_is_no_voltage_is_no_overload():
+    assert len(set_aside_bad_rows(table(time_s=[1e31]))) == 1
+
+
+@given(st.lists(st.floats(), min_size=1, max_size=20))
+def test_every_row_is_either_used_or_set_aside(voltage_v):
+    screened = set_aside_bad_rows(table(voltage_v=voltage_v))
+
+    assert sorted([*screened.row.tolist(), *(entry.row for entry in screened.set_aside)]) == [
+        *range(1, len(voltage_v) + 1)
+    ]
+    assert np.all(np.abs(screened.voltage_v) <= 1e30)
