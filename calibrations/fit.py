@@ -13,7 +13,7 @@ from calibrations.model import ALPHA0, PARAMETERS, coefficients, coefficients_ja
 
 ALPHA0_REACH_DEG = 45.0
 """Beyond this the declared model repeats itself with the axes renamed."""
-_GRID_DEG = np.linspace(-ALPHA0_REACH_DEG, ALPHA0_REACH_DEG, 91)
+_GRID_DEG = np.linspace(-ALPHA0_REACH_DEG, ALPHA0_REACH_DEG, 37)
 _NODES = np.linspace(-6.0, 6.0, 49)
 
 
@@ -115,23 +115,32 @@ def alpha0_profile(compressed: Compressed, fit: JointFit, variance_v2: float, fa
     centre = float(fit.theta[ALPHA0])
     accepted = scan.squares_v2 <= limit
     told = not (accepted[0] or accepted[-1]) and abs(centre) < ALPHA0_REACH_DEG and bool(fit.estimable[ALPHA0])
-    low, high = (_crossing(compressed, centre, end, limit) for end in (-ALPHA0_REACH_DEG, ALPHA0_REACH_DEG))
+    reach = 3 * factor * float(np.sqrt(variance_v2 * (fit.inverse @ fit.inverse.T)[ALPHA0, ALPHA0]))
+    low, high = (_crossing(compressed, centre, side * reach, limit) for side in (-1.0, 1.0))
     within = np.concatenate([np.linspace(low, high, 21), _GRID_DEG[accepted]])
     if low < 0.0 < high:
         within = np.append(within, 0.0)
     return Alpha0Profile(interval_deg=(low, high), told=told, within_deg=within)
 
 
-def _crossing(compressed: Compressed, inside_deg: float, outside_deg: float, limit_v2: float) -> float:
-    """Where between the two the sum of squares first reaches the limit; `outside_deg` where it never does."""
-    for _ in range(6):
+def _crossing(compressed: Compressed, centre_deg: float, reach_deg: float, limit_v2: float) -> float:
+    """Where the sum of squares first reaches the limit, looking from the centre in the direction of `reach_deg`.
+
+    That is where a normal likelihood has long passed it; where this one has not, the whole range is searched. Its end
+    is the answer where the limit is not reached at all.
+    """
+    end_deg = float(np.copysign(ALPHA0_REACH_DEG, reach_deg))
+    near_deg = float(np.clip(centre_deg + reach_deg, -ALPHA0_REACH_DEG, ALPHA0_REACH_DEG))
+    passed = conditional(compressed, np.array([near_deg])).squares_v2[0] > limit_v2
+    inside_deg, outside_deg = centre_deg, near_deg if passed else end_deg
+    for _ in range(5):
         ladder = np.linspace(inside_deg, outside_deg, 17)
         beyond = conditional(compressed, ladder).squares_v2 > limit_v2
         if not beyond.any():
-            return outside_deg
+            return end_deg
         first = max(int(np.argmax(beyond)), 1)
         inside_deg, outside_deg = float(ladder[first - 1]), float(ladder[first])
-    return inside_deg
+    return outside_deg
 
 
 def covariance(compressed: Compressed, fit: JointFit, profile: Alpha0Profile, variance_v2: float) -> FloatArray:

@@ -22,12 +22,12 @@ def gross_errors(
     visits: what comes back at every visit is no gross error but structure.
     """
     residual = _robust_residual(basis, observations.output_v)
-    off_model = np.abs(residual) / _scale(residual, fitted)
-    alone = _off_repeats(residual, groups)
-    rejected = (off_model > GROSS_SIGMA) & (alone > GROSS_SIGMA)
+    scale = _scale(residual, fitted)
+    suspects = np.flatnonzero(np.abs(residual) > GROSS_SIGMA * scale)
     return tuple(
-        SetAside(row=int(row), reason=f"gross error: {sigma:.0f} sigma")
-        for row, sigma in zip(observations.row[rejected], off_model[rejected], strict=True)
+        SetAside(row=int(observations.row[row]), reason=f"gross error: {abs(residual[row]) / scale:.0f} sigma")
+        for row in suspects
+        if _differs_from_repeats(row, residual, groups, GROSS_SIGMA * scale)
     )
 
 
@@ -53,16 +53,7 @@ def _robust_residual(basis: FloatArray, voltage_v: FloatArray) -> FloatArray:
     return np.asarray(residual)
 
 
-def _off_repeats(residual: FloatArray, groups: NDArray[np.int64]) -> FloatArray:
-    """How far each row lies from the median of its repeats, in robust standard deviations; inf with fewer than two."""
-    distance = np.full(len(residual), np.inf)
-    order = np.argsort(groups, kind="stable")
-    for members in np.split(order, np.flatnonzero(np.diff(groups[order])) + 1):
-        if len(members) >= 3:
-            for member in members:
-                others = members[members != member]
-                distance[member] = abs(residual[member] - np.median(residual[others]))
-    compared = np.isfinite(distance)
-    if compared.any():
-        distance[compared] /= max(float(1.4826 * np.median(distance[compared])), 1e-12)
-    return distance
+def _differs_from_repeats(row: int, residual: FloatArray, groups: NDArray[np.int64], limit_v: float) -> bool:
+    others = np.flatnonzero(groups == groups[row])
+    others = others[others != row]
+    return len(others) < 2 or bool(abs(residual[row] - np.median(residual[others])) > limit_v)

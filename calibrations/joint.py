@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from calibrations.adequacy import LackOfFit, lack_of_fit
 from calibrations.compression import Compressed, compress
@@ -15,6 +16,10 @@ from calibrations.repeats import PureError, dwell_weights, pose_groups, pure_err
 
 LACK_OF_FIT_P = 0.01
 """Below this the poses disagree with the model by more than the repeats explain, and their scatter is the ruler."""
+
+
+ROUNDING_V = 1e-12
+"""Scatter below this is rounding: no voltmeter resolves a picovolt."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -69,11 +74,11 @@ def fit_jointly(observations: Observations) -> Joint:
     weights = dwell_weights(observations, observations.output_v - functions @ coefficients(first.theta), groups)
     compressed = compress(functions, observations.output_v, weights)
     fit = joint_fit(compressed)
-    error, lack, noise = _judge(observations, functions, weights, fit)
+    error, lack, noise = _judge(observations, functions, weights, groups, fit)
     profile = alpha0_profile(compressed, fit, noise.used_v**2, coverage_factor(noise.used_degrees_of_freedom))
     if not profile.told:
         fit = fit_given_alpha0(compressed, 0.0)
-        error, lack, noise = _judge(observations, functions, weights, fit)
+        error, lack, noise = _judge(observations, functions, weights, groups, fit)
     return Joint(
         observations=observations,
         basis=functions,
@@ -88,10 +93,10 @@ def fit_jointly(observations: Observations) -> Joint:
 
 
 def _judge(
-    observations: Observations, functions: FloatArray, weights: FloatArray, fit: JointFit
+    observations: Observations, functions: FloatArray, weights: FloatArray, groups: NDArray[np.int64], fit: JointFit
 ) -> tuple[PureError, LackOfFit, Noise]:
     residual = observations.output_v - functions @ coefficients(fit.theta)
-    error = pure_error(residual, pose_groups(observations), weights)
+    error = pure_error(residual, groups, weights)
     lack = lack_of_fit(fit.squares_v2, len(observations), fit.fitted, error)
     return error, lack, _noise(fit, len(observations), error, lack)
 
@@ -112,7 +117,7 @@ def _noise(fit: JointFit, rows: int, error: PureError, lack: LackOfFit) -> Noise
     return Noise(
         pure_error_v=error.standard_deviation_v if error.degrees_of_freedom else None,
         degrees_of_freedom=error.degrees_of_freedom,
-        used_v=float(np.sqrt(used)),
+        used_v=max(float(np.sqrt(used)), ROUNDING_V),
         used_degrees_of_freedom=max(used_freedom, 0),
         basis=basis_text,
     )

@@ -20,7 +20,7 @@ class MonteCarlo:
 
     trials: int
     standard_uncertainty: FloatArray
-    """Standard deviation of each parameter over the trials, shape (6,), in the units of `model.UNITS`."""
+    """Root mean square deviation of each parameter from the fitted value, bias included, shape (6,)."""
     interval_95: FloatArray
     """Probabilistically symmetric 95% interval (JCGM 101, 7.7), shape (6, 2)."""
 
@@ -48,7 +48,7 @@ def monte_carlo(
     low, high = np.quantile(theta, [0.025, 0.975], axis=0)
     return MonteCarlo(
         trials=trials,
-        standard_uncertainty=theta.std(axis=0, ddof=1),
+        standard_uncertainty=np.sqrt(np.mean((theta - fit.theta) ** 2, axis=0)),
         interval_95=np.column_stack([low, high]),
     )
 

@@ -138,7 +138,7 @@ def _column(name: str, index: int, rows: list[tuple[int, list[str]]], path: Path
             _check_mounts(cells, rows, path)
         return np.array(cells, dtype=np.str_)
     try:
-        values = np.array([float(cell) for cell in cells])
+        values = np.array([_number(cell) for cell in cells])
     except ValueError:
         if name not in FIELDS:
             return np.array(cells, dtype=np.str_)
@@ -169,9 +169,16 @@ def _check_mounts(cells: list[str], rows: list[tuple[int, list[str]]], path: Pat
             )
 
 
+def _number(cell: str) -> float:
+    """A decimal number; Python's own 1_000 is none in a table. Raises `ValueError`."""
+    if "_" in cell:
+        raise ValueError(cell)
+    return float(cell)
+
+
 def _is_number(cell: str) -> bool:
     try:
-        float(cell)
+        _number(cell)
     except ValueError:
         return False
     return True

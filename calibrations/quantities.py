@@ -1,0 +1,141 @@
+"""Numbers as people read them: digits that the uncertainty supports, SI prefixes, signs and exponents of units.
+
+The uncertainty has two significant digits and the value ends at the same decimal place (GUM 7.2.6). All text is in
+characters that every Western code page has, so that a terminal can print it.
+"""
+
+import math
+from dataclasses import dataclass
+
+_PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k"}
+_MANY = 10_000
+
+
+@dataclass(frozen=True, kw_only=True)
+class Rounded:
+    """A value and its uncertainty as texts that end at the same decimal place."""
+
+    value: str
+    uncertainty: str
+    """Empty where there is none."""
+    unit: str
+    """With its SI prefix; `°` for degrees."""
+
+    @property
+    def last_place(self) -> str:
+        """The uncertainty in units of the last place of the value, as the concise notation has it."""
+        return self.uncertainty if "." not in self.uncertainty else self.uncertainty.replace(".", "").lstrip("0")
+
+
+def rounded(value: float, uncertainty: float | None, unit: str) -> Rounded:
+    """Round a value by its uncertainty and choose the prefix of its unit.
+
+    Without an uncertainty (None, zero, not finite) the value keeps six significant digits.
+    """
+    if uncertainty is None or not math.isfinite(uncertainty) or uncertainty <= 0:
+        exponent = prefix_exponent(abs(value), unit)
+        return Rounded(value=_plain(value / 10.0**exponent, 6), uncertainty="", unit=prefixed(unit, exponent))
+    exponent = prefix_exponent(max(abs(value), uncertainty), unit)
+    if _decade(uncertainty) - exponent >= 2 and exponent + 3 in _PREFIXES:
+        exponent += 3  # in the smaller unit the uncertainty would end in a zero that means nothing
+    places = two_digit_places(uncertainty) + exponent
+    return Rounded(
+        value=fixed(value / 10.0**exponent, places),
+        uncertainty=fixed(uncertainty / 10.0**exponent, places),
+        unit=prefixed(unit, exponent),
+    )
+
+
+def format_quantity(value: float, uncertainty: float | None, unit: str) -> str:
+    """`(1.01643 ± 0.00036) V/g`: for an expanded uncertainty (GUM 7.2.4)."""
+    text = rounded(value, uncertainty, unit)
+    return join(f"({text.value} ± {text.uncertainty})" if text.uncertainty else text.value, text.unit, space=True)
+
+
+def format_concise(value: float, uncertainty: float | None, unit: str) -> str:
+    """`1.01643(18) V/g`: for a standard uncertainty (GUM 7.2.2)."""
+    text = rounded(value, uncertainty, unit)
+    return join(f"{text.value}({text.last_place})" if text.uncertainty else text.value, text.unit)
+
+
+def format_interval(low: float, high: float, unit: str) -> str:
+    """`5 mV/g to 38 mV/g`: both ends to two digits of the half width."""
+    half = (high - low) / 2
+    ends = max(abs(low), abs(high))
+    exponent = prefix_exponent(ends, unit)
+    places = two_digit_places(half) + exponent if half > 0 else 3
+    text = prefixed(unit, exponent)
+    return " to ".join(join(fixed(end / 10.0**exponent, places), text) for end in (low, high))
+
+
+def format_number(value: float, unit: str = "", digits: int = 3) -> str:
+    """`102 µV`: a number without an uncertainty of its own."""
+    exponent = prefix_exponent(abs(value), unit)
+    return join(_plain(value / 10.0**exponent, digits), prefixed(unit, exponent))
+
+
+def format_probability(p_value: float) -> str:
+    """`0.41`, or `< 0.0001` for what is smaller."""
+    return "< 0.0001" if p_value < 1e-4 else _plain(p_value, 2)
+
+
+def format_freedom(freedom: float | None) -> str:
+    """Degrees of freedom, truncated to the next lower integer (GUM G.4.1); `inf` where there is no end to them."""
+    if freedom is None:
+        return ""
+    if not math.isfinite(freedom):
+        return "inf"
+    return f"> {_MANY}" if freedom > _MANY else str(math.floor(freedom + 1e-9))
+
+
+def format_correlation(coefficient: float) -> str:
+    """`-0.04`, `0.961`, `-0.999996`: with as many digits as it takes to see how far it is from one."""
+    distance = 1 - abs(coefficient)
+    if distance < 1e-9:
+        return "1" if coefficient > 0 else "-1"
+    return fixed(coefficient, max(2, min(1 - _decade(distance), 7)) if distance < 0.1 else 2)
+
+
+def prefix_exponent(magnitude: float, unit: str) -> int:
+    """Power of ten of the SI prefix for a magnitude in `unit`; only volts and what is per volt take a prefix."""
+    if not unit.startswith("V") or not magnitude > 0 or not math.isfinite(magnitude):
+        return 0
+    decade = math.floor(math.log10(magnitude) / 3 + 1e-12) * 3
+    return min(max(decade, min(_PREFIXES)), max(_PREFIXES))
+
+
+def prefixed(unit: str, exponent: int = 0) -> str:
+    """The unit with the prefix for a power of ten, set with ², and ° for deg."""
+    return _PREFIXES[exponent] + unit.replace("^2", "²").replace("deg", "°")
+
+
+def join(number: str, unit: str, space: bool = False) -> str:
+    """Number and unit; a degree sign stands close to a bare number (SI brochure, 5.4.3)."""
+    gap = "" if not unit or (unit == "°" and not space) else " "
+    return f"{number}{gap}{unit}"
+
+
+def fixed(number: float, places: int) -> str:
+    """A number with this many decimal places; with a negative count it is rounded to tens, hundreds and so on."""
+    text = f"{round(number, places):.{max(places, 0)}f}"
+    return text.removeprefix("-") if float(text) == 0 else text
+
+
+def two_digit_places(uncertainty: float) -> int:
+    """Decimal places at which an uncertainty has two significant digits; negative for tens and beyond."""
+    return 1 - _decade(uncertainty)
+
+
+def _decade(uncertainty: float) -> int:
+    """Power of ten of the first of the two digits to which an uncertainty is rounded: 0.0996 is 0.10."""
+    return int(f"{uncertainty:.1e}".partition("e")[2])
+
+
+def _plain(number: float, digits: int) -> str:
+    """Significant digits without an exponent where the number is of everyday size."""
+    if number == 0 or not math.isfinite(number):
+        return f"{number:g}"
+    decade = int(f"{number:.{digits - 1}e}".partition("e")[2])
+    if not -4 <= decade < 9:
+        return f"{number:.{digits}g}"
+    return fixed(number, max(digits - 1 - decade, 0))

@@ -1,0 +1,45 @@
+import numpy as np
+from calibrations.gross import gross_errors
+from calibrations.model import basis
+from calibrations.repeats import pose_groups
+
+from tables import FLIPS, sweep, table
+
+
+def found(rows):
+    return gross_errors(rows, basis(rows), pose_groups(rows), 6)
+
+
+def test_clean_rows_are_kept():
+    assert found(table(*FLIPS, sweep("face-up"), seed=8)) == ()
+
+
+def test_a_gross_error_is_listed_with_its_row_and_size():
+    rows = table(*FLIPS, sweep("face-up"), seed=8)
+    rows.voltage_v[100] += 20e-4
+
+    (entry,) = found(rows)
+    assert entry.row == 101
+    assert entry.reason in {"gross error: 19 sigma", "gross error: 20 sigma", "gross error: 21 sigma"}
+
+
+def test_many_gross_errors_do_not_hide_each_other():
+    rows = table(*FLIPS, sweep("face-up"), seed=8)
+    wrong = np.arange(20, 420, 25)
+    rows.voltage_v[wrong] += 0.01
+
+    assert [entry.row for entry in found(rows)] == (wrong + 1).tolist()
+
+
+def test_what_comes_back_at_every_visit_is_structure_and_kept():
+    def bump(mount, angle_deg):
+        return np.where((mount == "face-up") & (angle_deg == 140.0), 30e-4, 0.0)
+
+    assert found(table(*FLIPS, sweep("face-up"), extra_v=bump)) == ()
+
+
+def test_without_repeats_a_row_is_judged_by_the_model_alone():
+    rows = table(sweep("face-up"), realisations=1, seed=9)
+    rows.voltage_v[30] += 20e-4
+
+    assert [entry.row for entry in found(rows)] == [31]

@@ -1,0 +1,51 @@
+import numpy as np
+import pytest
+from calibrations.observations import Observations
+from calibrations.repeats import dwell_weights, labels, mountings, pose_groups, pure_error, settings
+
+from tables import FLIPS, sweep, table
+
+
+def test_angles_within_a_few_thousandths_are_one_setting():
+    assert settings(np.array([5.001, 10.0, 4.999, 395.0])).tolist() == [0, 1, 0, 2]
+
+
+def test_the_seed_programme_has_344_degrees_of_freedom_for_pure_error():
+    rows = table(*FLIPS, sweep("face-up"))
+    error = pure_error(rows.voltage_v, pose_groups(rows), np.ones(len(rows)))
+
+    assert error.degrees_of_freedom == 430 - 86
+    assert error.standard_deviation_v == pytest.approx(1e-4, rel=0.1)
+
+
+def test_rows_of_other_direction_are_other_poses():
+    rows = Observations(row=np.arange(4), angle_deg=np.zeros(4), direction=np.array([1, 1, -1, -1]))
+
+    assert pose_groups(rows).tolist() == [1, 1, 0, 0]
+
+
+def test_labels_tell_every_combination_apart():
+    assert len(set(labels(np.array([0, 0, 1, 1]), np.array(["a", "b", "a", "b"])).tolist())) == 4
+
+
+def test_a_mounting_is_an_unbroken_run_of_one_mount():
+    mount = np.array(["face-up", "face-up", "edge", "face-up"])
+    rows = Observations(row=np.arange(4), angle_deg=np.zeros(4), mount=mount)
+
+    assert mountings(rows).tolist() == [0, 0, 1, 2]
+
+
+def test_even_noise_weighs_all_rows_alike():
+    rows = table(*FLIPS, sweep("face-up"))
+
+    assert dwell_weights(rows, rows.voltage_v - rows.voltage_v.mean(), pose_groups(rows)).tolist() == [1.0] * 430
+
+
+def test_a_noisier_procedure_weighs_less():
+    rows = table(*FLIPS, sweep("face-up"), noise_v=0.0, realisations=20)
+    flip = rows.procedure == "flip"
+    residual = np.random.default_rng(5).normal(size=len(rows)) * np.where(flip, 3e-4, 1e-4)
+    weights = dwell_weights(rows, residual, pose_groups(rows))
+
+    assert weights[~flip][0] / weights[flip][0] == pytest.approx(9.0, rel=0.4)
+    assert weights.mean() == pytest.approx(1.0)
