@@ -9,8 +9,8 @@ class Acquisition:
 
     After a move the output has `settle_s` to come to rest. Then blocks of `settle_samples` are taken until the means of
     two consecutive ones agree: they differ by no more than `settle_tolerance` standard errors of their difference, or,
-    where `settle_tolerance_v` is given, by no more than so many volts. After `settle_timeout_s` the dwell is taken in any
-    case and its point marked as not settled.
+    where `settle_tolerance_v` is given, by no more than so many volts. After `settle_timeout_s` the dwell is taken in
+    any case and its point marked as not settled.
     """
 
     samples: int

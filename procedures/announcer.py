@@ -1,6 +1,7 @@
 """Passing events on: first to the sink, which must not fail, then to listeners, which may."""
 
 from collections.abc import Callable, Iterable
+from contextlib import suppress
 from typing import Protocol, TypeAlias
 
 from procedures.errors import StorageError
@@ -30,23 +31,24 @@ class Announcer:
 
     def announce(self, event: Event) -> None:
         """Pass `event` on. Raises `StorageError`, and no listener hears of what could not be stored."""
+        self.store(event)
+        for failure in self.tell(event):
+            self.announce(WarningRaised(message=failure))
+
+    def announce_anyway(self, event: Event) -> None:
+        """Pass `event` on to the listeners even where the sink fails."""
+        with suppress(StorageError):
+            self.store(event)
+        self.tell(event)
+
+    def store(self, event: Event) -> None:
+        """Give `event` to the sink alone. Raises `StorageError`."""
         try:
             self._sink.record(event)
         except Exception as error:
             raise StorageError(f"the recording failed: {error or type(error).__name__}") from error
-        for failure in self._tell(event):
-            self.announce(WarningRaised(message=failure))
 
-    def announce_anyway(self, event: Event) -> StorageError | None:
-        """Pass `event` on to the listeners even where the sink fails; return that failure."""
-        try:
-            self.announce(event)
-        except StorageError as failure:
-            self._tell(event)
-            return failure
-        return None
-
-    def _tell(self, event: Event) -> list[str]:
+    def tell(self, event: Event) -> list[str]:
         """Call every listener; drop those that fail and return a sentence on each."""
         failures = []
         for listener in tuple(self._listeners):

@@ -12,8 +12,7 @@ class Control:
         self._pause = Event()
         self._stop = Event()
 
-    @property
-    def pause_requested(self) -> bool:
+    def pause_wanted(self) -> bool:
         """Whether the run should pause, or stay paused."""
         return self._pause.is_set()
 
@@ -29,7 +28,11 @@ class Control:
         """Ask for the end of the run; this cannot be taken back."""
         self._stop.set()
 
+    def stop_wanted(self) -> bool:
+        """Whether the run should end."""
+        return self._stop.is_set()
+
     def check(self) -> None:
         """Raise `StopRequestedError` where the run should end."""
-        if self._stop.is_set():
+        if self.stop_wanted():
             raise StopRequestedError("the operator stopped the run")

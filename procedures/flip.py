@@ -1,8 +1,8 @@
 """180° flip tests: the unit's axis down and up, in turn.
 
-Avrutov, Bondar, Meleshko 2008, equations 2 to 11: half the difference of the two outputs is the axis' scale factor, their
-mean the bias. For the x axis, where the output passes an extremum near either pole, the extremum can be sought in place of
-trusting the nominal angle; at the poles of y and z there is none.
+Avrutov, Bondar, Meleshko 2008, equations 2 to 11: half the difference of the two outputs is the axis' scale factor,
+their mean the bias. For the x axis, where the output passes an extremum near either pole, the extremum can be sought in
+place of trusting the nominal angle; at the poles of y and z there is none.
 """
 
 from collections.abc import Generator
@@ -70,9 +70,7 @@ def _seek(nominal_deg: float, span_deg: float, realisation: int, mount: str) -> 
     for reach_deg in (span_deg, span_deg / 2):
         for offset_deg in (-reach_deg, 0.0, reach_deg):
             angle_deg = _clamp(centre_deg + offset_deg, nominal_deg, span_deg)
-            seen.append(
-                (yield Dwell(angle_deg=angle_deg, procedure="seek", realisation=realisation, mount=mount))
-            )
+            seen.append((yield Dwell(angle_deg=angle_deg, procedure="seek", realisation=realisation, mount=mount)))
         centre_deg = extremum_deg(seen, nominal_deg, span_deg)
     return centre_deg
 

@@ -24,11 +24,11 @@ class Motion:
     A move may take twice the time it should, plus 5 s. A standstill must be there within 10 s.
     """
 
-    def __init__(self, head: DividingHead, clock: Clock, tolerance_deg: float, direction: Direction = 0) -> None:
+    def __init__(self, head: DividingHead, clock: Clock, tolerance_deg: float) -> None:
         self._head = head
         self._clock = clock
         self._tolerance_deg = tolerance_deg
-        self.direction: Direction = direction
+        self.direction: Direction = 0
         """Sign of the last move that was one; 0 before the first."""
 
     def travel(self, angle_deg: float, checkpoint: Callable[[], bool]) -> HeadStatus:
@@ -58,27 +58,30 @@ class Motion:
         self._head.stop()
 
     def standstill(self) -> bool:
-        """Stop the head and read its rest back: twice in a row it is not moving, and in the same place.
+        """Read the head's rest back: twice in a row it is not moving, in the same place. Until then, tell it to stop.
 
-        Never raises for what the head does: false says that no standstill could be read back in time.
+        Never raises, whatever the head does: false says that no standstill could be read back within its time, or
+        before somebody interrupted the program.
         """
-        with suppress(Exception):  # a head that does not take the command may still be standing
-            self._head.stop()
-        deadline_s = self._clock.monotonic_s() + _STANDSTILL_S
-        rested_deg = math.nan
-        while self._clock.monotonic_s() <= deadline_s:
-            angle_deg = self._resting_angle_deg()
-            if self._near(angle_deg, rested_deg):
-                return True
-            rested_deg = angle_deg
-            self._clock.sleep(POLL_S)
+        with suppress(KeyboardInterrupt):
+            deadline_s = self._clock.monotonic_s() + _STANDSTILL_S
+            rested_deg = math.nan
+            while self._clock.monotonic_s() <= deadline_s:
+                angle_deg = self._resting_angle_deg()
+                if self._near(angle_deg, rested_deg):
+                    return True
+                rested_deg = angle_deg
+                self._clock.sleep(POLL_S)
         return False
 
     def _resting_angle_deg(self) -> float:
         """Angle at which the head says it stands; NaN, which is near to nothing, where it does not say so."""
         with suppress(Exception):
             status = self._head.status()
-            return math.nan if status.moving else status.angle_deg
+            if not status.moving:
+                return status.angle_deg
+        with suppress(Exception):
+            self._head.stop()
         return math.nan
 
     def _depart(self, angle_deg: float) -> float:

@@ -3,11 +3,10 @@
 An answer counts as yes only where it is the name of the mount or a word that says so: an empty line confirms nothing.
 """
 
-import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from queue import Empty, SimpleQueue
+from queue import Empty, Queue
 from threading import Thread
 from typing import Final, Literal, Protocol, TextIO
 
@@ -52,7 +51,7 @@ def understand(text: str, mount: str) -> Answer | None:
 class Answers(BaseModel):
     """An answers file, for runs that nobody attends.
 
-    Its table `[mounts]` has `yes` or `no` by the name of the mount, and under `default` for mounts that it does not name:
+    Its table `[mounts]` has `yes` or `no` by the name of the mount, and as `default` for mounts that it does not name:
 
         [mounts]
         default = "yes"
@@ -93,28 +92,28 @@ class ScriptedOperator:
 class ConsoleOperator:
     """Asks on a terminal.
 
-    Lines are read in a thread of their own, the only way to wait for a terminal that works on Windows too. What was
-    typed before a request is no answer to it; at the end of the input a request stays unanswered.
+    Lines are read from `lines` in a thread of their own, the only way to watch a terminal that works on Windows too.
+    What was typed on a terminal before a request is no answer to it; lines from a file or a pipe are all taken, in
+    order. At the end of the input a request stays unanswered.
     """
 
-    def __init__(self, lines: TextIO = sys.stdin, show: Callable[[str], None] = print) -> None:
+    def __init__(self, lines: TextIO, show: Callable[[str], None] = print) -> None:
         self._show = show
         self._mount = ""
-        self._typed: SimpleQueue[str | None] = SimpleQueue()
+        self._forget = lines.isatty()
+        self._typed: Queue[str | None] = Queue(maxsize=100)
         self._at_end = False
-        self._reader = Thread(target=self._read, args=(lines,), name="console", daemon=True)
+        Thread(target=self._read, args=(lines,), name="console", daemon=True).start()
 
     def ask_mount(self, mount: str, prompt: str) -> None:
         """Show the prompt."""
-        if self._reader.ident is None:
-            self._reader.start()
-        while self._next_line() is not None:
+        while self._forget and self._next_line() is not None:
             pass
         self._mount = mount
         self._show(prompt)
 
     def poll(self) -> Answer | None:
-        """Look at the next line typed since; one that says nothing clear is asked again."""
+        """Look at the next line; one that says nothing clear is asked for again."""
         line = self._next_line()
         if line is None:
             return Answer(text="", confirmed=False) if self._at_end else None
@@ -132,9 +131,11 @@ class ConsoleOperator:
         return line
 
     def _read(self, lines: TextIO) -> None:
-        for line in lines:
-            self._typed.put(line)
-        self._typed.put(None)
+        try:
+            for line in lines:
+                self._typed.put(line)
+        finally:
+            self._typed.put(None)
 
 
 class SeatingOperator:

@@ -51,6 +51,11 @@ class Plan:
         angles_deg = [planned.step.angle_deg for planned in self.steps if isinstance(planned.step, Dwell)]
         return min(angles_deg), max(angles_deg)
 
+    def steps_after(self, points: int) -> tuple[PlannedStep, ...]:
+        """What is left to do once so many points are there."""
+        ends = [number for number, planned in enumerate(self.steps, start=1) if isinstance(planned.step, Dwell)]
+        return self.steps[ends[points - 1] :] if points else self.steps
+
 
 def plan(
     programme: Programme,

@@ -116,11 +116,13 @@ def _complaint(errors: Sequence[ErrorDetails], text: str, data: dict[str, Any], 
     named = "".join(f"{word}: " for word in _words(first, data))
     problem = first["msg"].removeprefix("Value error, ")
     remedy = _REMEDY.get(first["type"], "correct it")
-    more = f" (and {len(errors) - 1} more)" if len(errors) > 1 else ""
+    # A list whose items are wrong is also complained of as too short: what surrounds the first fault follows from it.
+    others = sum(first["loc"][: len(error["loc"])] != error["loc"] for error in errors)
+    more = f" (and {others} more)" if others else ""
     return f"{where}: {named}{problem}; {remedy}{more}"
 
 
-def _words(error: ErrorDetails, data: Any) -> list[str]:
+def _words(error: ErrorDetails, data: object) -> list[str]:
     """Put a location into words: `["procedure 2 (sweep)", "step_deg"]`."""
     location = [element for element in error["loc"] if element != "[key]"]
     missing = location[-1:] if error["type"] == "missing" else []
@@ -137,8 +139,9 @@ def _words(error: ErrorDetails, data: Any) -> list[str]:
     return words
 
 
-def _inside(data: Any, element: str | int) -> Any:
+def _inside(data: object, element: str | int) -> object:
+    """The value under a key or place; None where there is none."""
     try:
-        return data[element]
+        return data[element]  # type: ignore[index]  # what cannot be indexed is the exception below
     except (KeyError, IndexError, TypeError):
         return None

@@ -1,0 +1,140 @@
+import io
+import time
+from pathlib import Path
+from threading import Event
+
+import pytest
+
+from procedures.errors import InputError
+from procedures.operator import Answer, Answers, ConsoleOperator, ScriptedOperator, SeatingOperator, understand
+
+YES = Answer(text="yes", confirmed=True)
+SILENCE = Answer(text="", confirmed=False)
+
+
+@pytest.mark.parametrize("text", ["edge", " Edge\n", "yes", "YES\n", "done", "seated"])
+def test_the_mount_or_a_clear_word_confirms(text):
+    assert understand(text, "edge") == Answer(text=text.strip(), confirmed=True)
+
+
+@pytest.mark.parametrize("text", ["no", "abort\n", "Cancel"])
+def test_a_clear_word_declines(text):
+    assert understand(text, "edge") == Answer(text=text.strip(), confirmed=False)
+
+
+@pytest.mark.parametrize("text", ["", "\n", "   ", "y", "edge-back", "face-up", "ok?"])
+def test_nothing_else_says_anything(text):
+    assert understand(text, "edge") is None
+
+
+def operator(tmp_path: Path, text):
+    path = tmp_path / "answers.toml"
+    path.write_text(text, encoding="utf-8")
+    return ScriptedOperator.from_file(path)
+
+
+@pytest.mark.parametrize(
+    ("text", "mount", "answer"),
+    [
+        ('[mounts]\nedge = "yes"', "edge", YES),
+        ('[mounts]\nedge = "no"\ndefault = "yes"', "edge", Answer(text="no", confirmed=False)),
+        ('[mounts]\nedge = "no"\ndefault = "yes"', "end", YES),
+        ('[mounts]\nedge = "yes"', "end", SILENCE),
+        ("", "end", SILENCE),
+    ],
+)
+def test_an_answers_file_answers(tmp_path: Path, text, mount, answer):
+    scripted = operator(tmp_path, text)
+    assert scripted.poll() is None
+    scripted.ask_mount(mount, "Seat it.")
+    assert scripted.poll() == answer
+
+
+def test_an_answers_file_that_says_something_else_is_refused(tmp_path: Path):
+    with pytest.raises(InputError, match=r"^answers\.toml, line 2: mounts: edge: Input should be 'yes' or 'no'"):
+        operator(tmp_path, '[mounts]\nedge = "maybe"')
+
+
+class Terminal(io.StringIO):
+    """A terminal on which nobody types any more than was typed; reading past it waits."""
+
+    def __init__(self, text, typed):
+        super().__init__(text)
+        self.typed = typed
+        self.read = Event()
+
+    def isatty(self):
+        return True
+
+    def __next__(self):
+        self.typed.wait(10.0)
+        line = self.readline()
+        if not line:
+            self.read.set()
+            raise StopIteration
+        return line
+
+
+def answer_of(console):
+    """Poll until there is an answer; the reader is another thread, which gets its turn meanwhile."""
+    deadline_s = time.monotonic() + 10.0
+    while time.monotonic() < deadline_s:
+        if (answer := console.poll()) is not None:
+            return answer
+    raise AssertionError("no answer within 10 s")
+
+
+def test_lines_from_a_pipe_answer_one_request_each():
+    shown = []
+    console = ConsoleOperator(io.StringIO("edge\nno\n"), shown.append)
+    console.ask_mount("edge", "Seat it in edge.")
+    assert answer_of(console) == Answer(text="edge", confirmed=True)
+    console.ask_mount("end", "Seat it in end.")
+    assert answer_of(console) == Answer(text="no", confirmed=False)
+    assert shown == ["Seat it in edge.", "Seat it in end."]
+
+
+def test_a_stray_enter_is_asked_again():
+    shown = []
+    console = ConsoleOperator(io.StringIO("\n\nedge\n"), shown.append)
+    console.ask_mount("edge", "Seat it in edge.")
+    assert answer_of(console) == Answer(text="edge", confirmed=True)
+    again = "Type edge or yes when the unit sits there, or no to end the run."
+    assert shown == ["Seat it in edge.", again, again]
+
+
+def test_at_the_end_of_the_input_a_request_stays_unanswered():
+    console = ConsoleOperator(io.StringIO(""), lambda text: None)
+    console.ask_mount("edge", "Seat it in edge.")
+    assert answer_of(console) == SILENCE
+    console.ask_mount("end", "Seat it in end.")
+    assert answer_of(console) == SILENCE
+
+
+def test_what_was_typed_on_a_terminal_before_the_request_is_no_answer():
+    typed = Event()
+    typed.set()
+    terminal = Terminal("yes\nyes\n", typed)
+    console = ConsoleOperator(terminal, lambda text: None)
+    assert terminal.read.wait(10.0)
+    console.ask_mount("edge", "Seat it in edge.")
+    assert answer_of(console) == SILENCE
+
+
+def test_nobody_waits_for_a_terminal():
+    typed = Event()
+    console = ConsoleOperator(Terminal("edge\n", typed), lambda text: None)
+    console.ask_mount("edge", "Seat it in edge.")
+    assert console.poll() is None
+    typed.set()
+    assert answer_of(console) == Answer(text="edge", confirmed=True)
+
+
+def test_a_simulated_unit_is_seated_once_it_is_confirmed():
+    seated = []
+    operator = SeatingOperator(ScriptedOperator(Answers(mounts={"edge": "yes", "end": "no"})), seated.append)
+    operator.ask_mount("end", "Seat it in end.")
+    assert operator.poll() == Answer(text="no", confirmed=False)
+    operator.ask_mount("edge", "Seat it in edge.")
+    assert operator.poll() == YES
+    assert seated == ["edge"]
