@@ -1,0 +1,1 @@
+"""The application: stand files, wiring, jobs and the command line. The other packages know nothing of it."""

@@ -1,0 +1,5 @@
+"""`python -m app` is `tumble`."""
+
+from app.cli import main
+
+main()

@@ -1,0 +1,153 @@
+"""The main job and its parts: run, fit, store, report."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from app.exits import Exit, JobError
+from app.files import write_text
+from app.measurements import Measurement, check_limits, provenance, read_measurement
+from app.running import Job, failure, recording_path, run
+from app.wiring import Connected
+from calibrations.analysis import analyse
+from calibrations.montecarlo import TRIALS
+from calibrations.provenance import LimitCheck, Provenance
+from calibrations.records.errors import StoreError
+from calibrations.records.record import Record
+from calibrations.records.store import Store
+from calibrations.result import Calibration
+from procedures.announcer import Listener
+from procedures.errors import InputError
+
+
+@dataclass(frozen=True, kw_only=True)
+class Analysed:
+    """A raw file and what the analysis says of it."""
+
+    measurement: Measurement
+    calibration: Calibration
+    provenance: Provenance
+    limits: tuple[LimitCheck, ...]
+
+    @property
+    def inside(self) -> bool:
+        """Whether every limited parameter lies inside its limits."""
+        return all(check.inside for check in self.limits)
+
+
+def fit(
+    measurement: Measurement, serial_number: str = "", trials: int = TRIALS, folder: Path | None = None
+) -> Analysed:
+    """Analyse a raw file.
+
+    Parameters
+    ----------
+    measurement
+        The raw file.
+    serial_number
+        Of the unit, where the file does not say.
+    trials
+        Trials of the Monte Carlo check.
+    folder
+        Store in which the record will lie; paths are relative to it.
+
+    Raises
+    ------
+    InputError
+        The rows cannot be analysed.
+    """
+    try:
+        calibration = analyse(measurement.observations, measurement.uncertainty, trials)
+    except ValueError as error:
+        raise InputError(str(error)) from error
+    return Analysed(
+        measurement=measurement,
+        calibration=calibration,
+        provenance=provenance(measurement, serial_number, folder),
+        limits=check_limits(calibration, measurement.programme),
+    )
+
+
+def store(analysed: Analysed, folder: Path) -> Record:
+    """Store a calibration; a raw file that was calibrated before gets a further revision. Raises `JobError`."""
+    try:
+        records = Store(folder)
+        before = _standing_record(records, analysed.provenance)
+        return records.add(
+            analysed.calibration, analysed.provenance, analysed.limits, supersedes=before.id if before else None
+        )
+    except StoreError as error:
+        raise JobError(f"{error}; the recording is kept in {analysed.measurement.path}", Exit.STORAGE) from error
+
+
+def _standing_record(records: Store, provenance: Provenance) -> Record | None:
+    """The record that a new analysis of the same raw file supersedes."""
+    same_unit = records.find(serial_number=provenance.serial_number)
+    same_file = [record for record in same_unit if record.provenance.raw_sha256 == provenance.raw_sha256]
+    return same_file[-1] if same_file else None
+
+
+def write_report(analysed: Analysed, path: Path, record_id: str = "", revision: int = 1) -> None:
+    """Write the HTML report. Raises `JobError`."""
+    from calibrations.report import render_report  # matplotlib takes half a second
+
+    page = render_report(
+        analysed.calibration,
+        analysed.provenance,
+        limits=analysed.limits,
+        record_id=record_id,
+        revision=revision,
+    )
+    write_text(path, page)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Calibrated:
+    """What the whole job leaves behind."""
+
+    analysed: Analysed
+    record: Record
+    recording: Path
+    report: Path
+
+
+def calibrate(
+    job: Job,
+    connected: Connected,
+    folder: Path,
+    listeners: Sequence[Listener] = (),
+    tell: Callable[[str], None] = lambda _: None,
+) -> Calibrated:
+    """Run, fit, store, report: the whole job.
+
+    Parameters
+    ----------
+    job
+        Programme, unit and stand file.
+    connected
+        The instruments, and who seats the unit.
+    folder
+        Store: `recordings`, `reports` and `records.sqlite` lie in it.
+    listeners
+        Called with every event of the run.
+    tell
+        Called with a sentence when a stage begins.
+
+    Raises
+    ------
+    InputError, JobError
+        What went wrong; the recording is kept whenever there is one.
+    """
+    job.plan()
+    recording = recording_path(folder, job.serial_number, job.programme.name, connected.stand.clock)
+    outcome = run(job, connected, recording, listeners)
+    if error := failure(outcome, recording):
+        raise error
+    tell("fitting")
+    analysed = fit(read_measurement(recording), folder=folder)
+    tell("storing")
+    record = store(analysed, folder)
+    tell("reporting")
+    report = folder / "reports" / f"{record.id}.html"
+    write_report(analysed, report, record.id, record.revision)
+    return Calibrated(analysed=analysed, record=record, recording=recording, report=report)

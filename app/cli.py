@@ -1,0 +1,63 @@
+"""The command line. Commands are imported when they are called: `tumble --help` must not wait for numpy."""
+
+import sys
+from importlib import import_module
+
+import click
+
+_COMMANDS = {
+    "calibrate": "Run a programme, fit, store and report: the whole job.",
+    "run": "Run a programme and leave a recording.",
+    "plan": "Print the steps of a programme and how long they take; nothing moves.",
+    "fit": "Fit a recording or an observation table.",
+    "report": "Write the report of a recording, a table or a stored record.",
+    "records": "List, show, compare, export and verify stored calibrations.",
+    "export": "Write the observation table of a recording.",
+}
+"""Name of every command with the sentence that `--help` says of it; each is `app.commands.NAME:command`."""
+
+
+class _Commands(click.Group):
+    def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002
+        return list(_COMMANDS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:  # noqa: ARG002
+        if cmd_name not in _COMMANDS:
+            return None
+        command: click.Command = import_module(f"app.commands.{cmd_name}").command
+        return command
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002
+        with formatter.section("Commands"):
+            formatter.write_dl(list(_COMMANDS.items()))
+
+
+@click.group(cls=_Commands, context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(package_name="tumble")
+def cli() -> None:
+    """Calibrate accelerometers on a dividing head.
+
+    Exit status: 0 good; 1 outside the programme's limits; 2 bad input, wrong usage or an unanswered prompt; 3 device
+    fault; 4 stopped by the operator; 5 storage; 70 a fault of the program.
+    """
+
+
+def main() -> None:
+    """Entry point of `tumble`: one sentence for every error that a user can act on."""
+    try:
+        cli(standalone_mode=False)
+    except click.exceptions.Exit as leaving:
+        sys.exit(leaving.exit_code)
+    except click.Abort:
+        sys.exit(4)
+    except click.ClickException as error:
+        error.show()
+        sys.exit(error.exit_code)
+    except Exception as error:
+        from app.exits import status_of  # only when something went wrong
+
+        status = status_of(error)
+        if status is None:
+            raise
+        click.echo(f"tumble: {error}", err=True)
+        sys.exit(int(status))

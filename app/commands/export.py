@@ -1,0 +1,28 @@
+"""`tumble export`: from recording to observation table."""
+
+from pathlib import Path
+
+import click
+
+from app.commands import options
+from app.exits import Exit, JobError
+from app.measurements import read_measurement
+from calibrations.table import write_table
+
+
+@click.command("export")
+@click.argument("recording", type=options.EXISTING)
+@click.option("--out", type=options.EXISTING, help="Table to write; the recording's name with .csv without.")
+def command(recording: Path, out: Path | None) -> None:
+    """Write the observation table (CSV) of a recording: one row per dwell."""
+    measurement = read_measurement(recording)
+    table = out or recording.with_suffix(".csv")
+    try:
+        write_table(measurement.observations, table)
+    except OSError as error:
+        raise JobError(
+            f"{table}: cannot be written ({error.strerror}); make room or choose another", Exit.STORAGE
+        ) from error
+    for warning in measurement.observations.warnings:
+        click.echo(f"warning: {warning}", err=True)
+    click.echo(f"{len(measurement.observations)} rows in {table}", err=True)

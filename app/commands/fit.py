@@ -1,0 +1,38 @@
+"""`tumble fit`: analyse a raw file."""
+
+from pathlib import Path
+
+import click
+
+from app.calibrating import fit, store
+from app.commands import options
+from app.console import messages, show_result
+from app.exits import Exit
+from app.measurements import read_measurement
+from app.stand import load_stand
+
+
+@click.command("fit")
+@click.argument("file", type=options.EXISTING)
+@options.json_out
+@click.option("--stand", "stand_path", type=options.EXISTING, help="Stand file for the budget of a table.")
+@click.option("--serial", "serial_number", default="", help="Serial number of the unit, where the file does not say.")
+@click.option("--store", "folder", type=options.EXISTING, help="Folder of the records; without it nothing is stored.")
+def command(
+    file: Path, json_path: Path | None, stand_path: Path | None, serial_number: str, folder: Path | None
+) -> None:
+    """Fit a recording (.mcap) or an observation table (CSV)."""
+    console = messages()
+    measurement = read_measurement(file, load_stand(stand_path).recorded if stand_path else None)
+    analysed = fit(measurement, serial_number, folder=folder)
+    for warning in analysed.calibration.warnings:
+        console.print(f"warning: {warning}", markup=False, soft_wrap=True)
+    if str(json_path) != "-":
+        show_result(analysed)
+    document = analysed.calibration.as_json()
+    if folder is not None:
+        document["record"] = store(analysed, folder).id
+        console.print(f"record {document['record']}")
+    options.write_json(document, json_path)
+    if not analysed.inside:
+        raise SystemExit(int(Exit.OUTSIDE_LIMITS))

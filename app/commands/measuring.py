@@ -1,0 +1,50 @@
+"""What the commands that measure have in common: a job, and a stand that is ready for it."""
+
+from collections.abc import Callable
+from datetime import UTC, datetime
+from functools import wraps
+from pathlib import Path
+
+import click
+
+from app.commands.options import EXISTING, stand
+from app.console import messages
+from app.running import Job
+from app.stand import load_stand
+from app.wiring import connect
+from procedures.programme import load_programme
+
+_OPTIONS = (
+    stand,
+    click.option("--programme", default="seed", show_default=True, help="Name of a shipped programme, or a file."),
+    click.option("--serial", "serial_number", required=True, help="Serial number of the unit."),
+    click.option("--operator", default="", help="Who is at the stand; recorded."),
+    click.option("--answers", type=EXISTING, help="Answers to prompts, for a run that nobody attends (TOML)."),
+    click.option(
+        "--attended", is_flag=True, help="Ask for mounts on the terminal; a simulated stand then runs in real time."
+    ),
+)
+
+
+def measures(function: Callable[..., None]) -> Callable[..., None]:
+    """Give a command the options of a job; it is called with the `Job`, the `Connected` stand and its own options."""
+
+    @wraps(function)
+    def command(  # one for every option
+        stand_path: Path | None,
+        programme: str,
+        serial_number: str,
+        operator: str,
+        answers: Path | None,
+        attended: bool,
+        **own: object,
+    ) -> None:
+        loaded = load_stand(stand_path)
+        for sentence in loaded.file.expired(datetime.now(tz=UTC).date()):
+            messages().print(f"warning: {sentence}; have it calibrated", markup=False)
+        job = Job(stand=loaded, programme=load_programme(programme), serial_number=serial_number, operator=operator)
+        function(job, connect(loaded, answers, attended), **own)
+
+    for option in reversed(_OPTIONS):
+        command = option(command)
+    return command

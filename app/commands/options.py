@@ -1,0 +1,29 @@
+"""Options that several commands share."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import click
+
+from app.files import write_text
+
+EXISTING = click.Path(path_type=Path)
+STORE = Path("tumble-store")
+
+stand = click.option("--stand", "stand_path", type=EXISTING, help="Stand file; the built-in simulated stand without.")
+store = click.option(
+    "--store", "folder", type=EXISTING, default=STORE, show_default=True, help="Folder of the records."
+)
+json_out = click.option("--json", "json_path", type=EXISTING, help="Write the result as JSON; - for standard output.")
+
+
+def write_json(document: dict[str, Any], path: Path | None) -> None:
+    """Write a document where `--json` says; nowhere without it. Raises `JobError`."""
+    if path is None:
+        return
+    text = json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    if str(path) == "-":
+        click.echo(text, nl=False)
+    else:
+        write_text(path, text)

@@ -1,0 +1,134 @@
+"""`tumble records`: list, show, compare, export, verify."""
+
+from datetime import UTC, datetime
+from pathlib import Path
+
+import click
+from rich.table import Column, Table
+
+from app.commands import options
+from app.console import results
+from app.exits import Exit
+from app.recall import open_store, verify_record
+from calibrations.quantities import format_concise
+from calibrations.records.compare import compare
+from calibrations.records.export import document
+from calibrations.records.record import Record, Verdict
+
+
+@click.group("records")
+def command() -> None:
+    """List, show, compare, export and verify stored calibrations."""
+
+
+@command.command("list")
+@click.option("--serial", "serial_number", help="Only this unit.")
+@click.option("--programme", help="Only this programme.")
+@click.option("--since", type=click.DateTime(), help="Measured then or later (UTC).")
+@click.option("--until", type=click.DateTime(), help="Measured then or earlier (UTC).")
+@click.option("--verdict", type=click.Choice([str(verdict) for verdict in Verdict]), help="Only with this verdict.")
+@options.store
+@options.json_out
+def list_records(
+    serial_number: str | None,
+    programme: str | None,
+    since: datetime | None,
+    until: datetime | None,
+    verdict: str | None,
+    folder: Path,
+    json_path: Path | None,
+) -> None:
+    """List the records that stand, each in its last revision."""
+    found = open_store(folder).find(
+        serial_number=serial_number,
+        programme_name=programme,
+        since=since.replace(tzinfo=UTC) if since else None,
+        until=until.replace(tzinfo=UTC) if until else None,
+        verdict=Verdict(verdict) if verdict else None,
+    )
+    if str(json_path) != "-":
+        results().print(_listing(found))
+    options.write_json({"schema": "tumble.records/1", "records": [document(record) for record in found]}, json_path)
+
+
+def _listing(found: tuple[Record, ...]) -> Table:
+    table = Table(Column("record", no_wrap=True), "unit", "programme", "measured", "revision", "verdict", "kx")
+    for record in found:
+        kx = record.parameters["kx"]
+        value = "" if kx.value is None else format_concise(kx.value, kx.standard_uncertainty, kx.unit)
+        origin = record.provenance
+        measured = origin.measured_at or f"{record.created_at:%Y-%m-%d %H:%M}"
+        table.add_row(
+            record.id,
+            origin.serial_number,
+            origin.programme_name,
+            measured,
+            str(record.revision),
+            record.verdict,
+            value,
+        )
+    return table
+
+
+@command.command("show")
+@click.argument("record_id")
+@options.store
+def show(record_id: str, folder: Path) -> None:
+    """Show a record, by the beginning of its id."""
+    record = open_store(folder).get(record_id)
+    origin = record.provenance
+    click.echo(f"record     {record.id}, revision {record.revision}, {record.verdict}")
+    if record.supersedes:
+        click.echo(f"supersedes {record.supersedes}")
+    click.echo(f"unit       {origin.serial_number}\nprogramme  {origin.programme_name} {origin.programme_sha256[:12]}")
+    click.echo(f"measured   {origin.measured_at}\nraw file   {origin.raw_path} {origin.raw_sha256[:12]}")
+    click.echo(
+        f"program    {origin.program_version} {origin.git_commit[:12]}{' (changed)' if origin.git_dirty else ''}"
+    )
+    for name, parameter in record.parameters.items():
+        if parameter.value is None:
+            click.echo(f"  {name:7s}cannot be told: {parameter.reason}")
+        else:
+            given = "" if parameter.given_alpha0_deg is None else f"  given alpha0 = {parameter.given_alpha0_deg:g}°"
+            click.echo(
+                f"  {name:7s}{format_concise(parameter.value, parameter.standard_uncertainty, parameter.unit)}{given}"
+            )
+
+
+@command.command("compare")
+@click.argument("first")
+@click.argument("second")
+@options.store
+def compare_records(first: str, second: str, folder: Path) -> None:
+    """Compare two records: the difference of every parameter and whether it is significant."""
+    store = open_store(folder)
+    for difference in compare(store.get(first), store.get(second)):
+        click.echo(difference.sentence)
+
+
+@command.command("export")
+@click.argument("record_id")
+@options.store
+@click.option("--json", "json_path", type=options.EXISTING, default=Path("-"), help="File; standard output without.")
+def export(record_id: str, folder: Path, json_path: Path) -> None:
+    """Export a record as JSON (tumble.record/1)."""
+    options.write_json(document(open_store(folder).get(record_id)), json_path)
+
+
+@command.command("verify")
+@click.argument("record_ids", nargs=-1)
+@options.store
+def verify(record_ids: tuple[str, ...], folder: Path) -> None:
+    """Verify records, or all that stand: hash the raw files again, fit again, say whether the numbers come back."""
+    store = open_store(folder)
+    records = [store.get(record_id) for record_id in record_ids] or list(store.find())
+    failed = 0
+    for record in records:
+        verification = verify_record(store, record)
+        failed += not verification.verified
+        click.echo(f"{record.id}: {'verified' if verification.verified else 'NOT VERIFIED'}")
+        for sentence in verification.sentences:
+            click.echo(f"  {sentence}")
+    click.echo(f"{len(records) - failed} of {len(records)} records agree with their raw files")
+    if failed:
+        raise SystemExit(int(Exit.BAD_INPUT))

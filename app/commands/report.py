@@ -1,0 +1,31 @@
+"""`tumble report`: the page a person prints."""
+
+from pathlib import Path
+
+import click
+
+from app.calibrating import fit, write_report
+from app.commands import options
+from app.measurements import read_measurement
+from app.recall import recall
+from app.stand import load_stand
+
+
+@click.command("report")
+@click.argument("file_or_record")
+@click.option("--out", type=options.EXISTING, help="Page to write; beside the file, or in the store, without.")
+@click.option("--stand", "stand_path", type=options.EXISTING, help="Stand file for the budget of a table.")
+@click.option("--serial", "serial_number", default="", help="Serial number of the unit, where the file does not say.")
+@options.store
+def command(file_or_record: str, out: Path | None, stand_path: Path | None, serial_number: str, folder: Path) -> None:
+    """Write the report (HTML) of a recording, an observation table, or a stored record by its id."""
+    path = Path(file_or_record)
+    if path.is_file():
+        measurement = read_measurement(path, load_stand(stand_path).recorded if stand_path else None)
+        page = out or path.with_suffix(".html")
+        write_report(fit(measurement, serial_number), page)
+    else:
+        record, measurement = recall(folder, file_or_record)
+        page = out or folder / "reports" / f"{record.id}.html"
+        write_report(fit(measurement, record.provenance.serial_number, folder=folder), page, record.id, record.revision)
+    click.echo(f"report {page}")

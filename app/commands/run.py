@@ -1,0 +1,30 @@
+"""`tumble run`: measure, and analyse later."""
+
+from pathlib import Path
+
+import click
+
+from app.commands import options
+from app.commands.measuring import measures
+from app.console import messages, run_display
+from app.running import Job, failure, recording_path, run
+from app.wiring import Connected
+
+
+@click.command("run")
+@measures
+@options.store
+@click.option("--out", type=options.EXISTING, help="Recording to write; a new name in the store without.")
+@options.json_out
+def command(job: Job, connected: Connected, folder: Path, out: Path | None, json_path: Path | None) -> None:
+    """Run a programme and leave a recording, to be fitted later."""
+    console = messages()
+    clock = connected.stand.clock
+    recording = out or recording_path(folder, job.serial_number, job.programme.name, clock)
+    with run_display(job.plan(), clock, console) as display:
+        outcome = run(job, connected, recording, [display])
+    if error := failure(outcome, recording):
+        raise error
+    console.print(f"recording {recording}", soft_wrap=True)
+    document = {"schema": "tumble.run/1", "recording": str(recording), "points": len(outcome.points)}
+    options.write_json(document, json_path)

@@ -1,0 +1,126 @@
+"""What a person sees on the terminal: a progress bar while something runs, the result when it is there."""
+
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from rich.console import Console
+from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn
+from rich.table import Table
+
+from app.calibrating import Analysed
+from calibrations.quantities import format_concise, format_freedom, format_interval, format_number, format_probability
+from calibrations.result import Calibration, Parameter
+from calibrations.support import support
+from drivers.clock import Clock
+from procedures.announcer import Listener
+from procedures.events import Event, PointCompleted, WarningRaised
+from procedures.plan import Plan
+from procedures.progress import Progress as RunProgress
+
+_PIPED_WIDTH = 120
+"""Width of tables where the output is no terminal."""
+
+
+def results() -> Console:
+    """Where results go: standard output."""
+    return Console(highlight=False, width=None if sys.stdout.isatty() else _PIPED_WIDTH)
+
+
+def messages() -> Console:
+    """Where progress and warnings go: standard error, so that standard output stays clean for results."""
+    return Console(stderr=True, highlight=False)
+
+
+@contextmanager
+def run_display(plan: Plan, clock: Clock, console: Console) -> Iterator[Listener]:
+    """A progress bar with the time left; yields the listener that feeds it."""
+    counted = RunProgress(plan, clock)
+    columns = (SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), TextColumn("{task.fields[left]}"))
+    with Progress(*columns, console=console, transient=not console.is_terminal) as bar:
+        task = bar.add_task("measuring", total=counted.total, left="")
+
+        def listen(event: Event) -> None:
+            counted(event)
+            if isinstance(event, PointCompleted):
+                left = counted.time_left()
+                text = (
+                    f"{counted.done}/{counted.total}, {_minutes(left.time_s)} ± {_minutes(left.standard_error_s)} left"
+                )
+                description = f"{event.point.mount} {event.point.angle_deg:7.2f}°"
+                bar.update(task, completed=counted.done, description=description, left=text)
+            elif isinstance(event, WarningRaised):
+                bar.console.print(f"warning: {event.message}", markup=False)
+
+        yield listen
+
+
+def _minutes(duration_s: float) -> str:
+    """`1:02:03` or `2:03`."""
+    seconds = round(duration_s)
+    hours, rest = divmod(seconds, 3600)
+    text = f"{rest // 60:02d}:{rest % 60:02d}"
+    return f"{hours}:{text}" if hours else text
+
+
+def show_result(analysed: Analysed, console: Console | None = None) -> None:
+    """Print parameters, adequacy and what the experiment supports."""
+    console = console or results()
+    calibration = analysed.calibration
+    console.print(_parameter_table(analysed))
+    for line in _adequacy_lines(calibration):
+        console.print(line, markup=False)
+    for statement in support(calibration):
+        console.print(f"- {statement.text}", markup=False)
+    for warning in calibration.warnings:
+        console.print(f"warning: {warning}", markup=False)
+
+
+def _parameter_table(analysed: Analysed) -> Table:
+    provenance = analysed.provenance
+    table = Table(title=f"{provenance.serial_number} {provenance.programme_name}".strip(), title_justify="left")
+    for heading in ("parameter", "value (standard uncertainty)", "95% interval", "dof", "remark"):
+        table.add_column(heading, overflow="fold", no_wrap=heading != "remark")
+    limits = {check.name: check for check in analysed.limits}
+    for name, parameter in analysed.calibration.parameters.items():
+        check = limits.get(name)
+        verdict = "" if check is None else "inside limits" if check.inside else "OUTSIDE LIMITS"
+        table.add_row(name, *_cells(parameter), "; ".join(filter(None, (verdict, _remark(parameter)))))
+    return table
+
+
+def _cells(parameter: Parameter) -> tuple[str, str, str]:
+    if parameter.value is None or parameter.interval_95 is None:
+        return "cannot be told", "", ""
+    return (
+        format_concise(parameter.value, parameter.standard_uncertainty, parameter.unit),
+        format_interval(*parameter.interval_95, parameter.unit),
+        format_freedom(parameter.degrees_of_freedom),
+    )
+
+
+def _remark(parameter: Parameter) -> str:
+    if parameter.value is None:
+        return parameter.reason
+    if parameter.given_alpha0_deg is not None:
+        return f"given alpha0 = {parameter.given_alpha0_deg:g}°"
+    return f"rests on {parameter.rests_on} alone" if parameter.rests_on else ""
+
+
+def _adequacy_lines(calibration: Calibration) -> Iterator[str]:
+    observations, noise = calibration.observations, calibration.noise
+    yield f"rows: {observations.rows_read} read, {len(observations)} used, {len(observations.set_aside)} set aside"
+    for entry in observations.set_aside[:10]:
+        yield f"  row {entry.row}: {entry.reason}"
+    if noise.pure_error_v is not None:
+        yield f"pure error of a dwell: {format_number(noise.pure_error_v, 'V')} ({noise.degrees_of_freedom} dof)"
+    yield f"residual: {format_number(calibration.residual_rms_v, 'V')} rms"
+    if calibration.held_out_rms_v is not None:
+        yield f"held-out error: {format_number(calibration.held_out_rms_v, 'V')} rms"
+    if calibration.lack_of_fit_p is not None:
+        probability = format_probability(calibration.lack_of_fit_p)
+        yield f"lack of fit: p {probability if probability.startswith('<') else f'= {probability}'}"
+    if calibration.closure and calibration.closure.worst:
+        first, second, difference, sigmas = calibration.closure.worst
+        size = f"{format_number(abs(difference), 'V', 2)}, {sigmas:.1f} standard uncertainties"
+        yield f"flip closure: u0 of the {first} and {second} flips differ by {size}"

@@ -1,0 +1,55 @@
+"""What the exit status of `tumble` says, and which exception means which."""
+
+from enum import IntEnum
+
+from calibrations.records.errors import RecordError, StoreError
+from drivers.errors import DeviceError
+from procedures.errors import InputError, StorageError
+from procedures.events import FinishReason
+
+
+class Exit(IntEnum):
+    """Exit status of every command."""
+
+    GOOD = 0
+    OUTSIDE_LIMITS = 1
+    BAD_INPUT = 2
+    """Also wrong usage, and a prompt that nobody answered."""
+    DEVICE_FAULT = 3
+    STOPPED = 4
+    STORAGE = 5
+    INTERNAL = 70
+    """A fault of the program (EX_SOFTWARE of sysexits.h)."""
+
+
+class JobError(Exception):
+    """A job that ended early; carries its exit status and, where there is one, the recording that was kept."""
+
+    def __init__(self, message: str, status: Exit) -> None:
+        super().__init__(message)
+        self.status = status
+
+
+FINISHED = {
+    FinishReason.COMPLETED: Exit.GOOD,
+    FinishReason.STOPPED: Exit.STOPPED,
+    FinishReason.UNANSWERED: Exit.BAD_INPUT,
+    FinishReason.DEVICE_FAULT: Exit.DEVICE_FAULT,
+    FinishReason.STORAGE: Exit.STORAGE,
+    FinishReason.INTERNAL: Exit.INTERNAL,
+}
+"""Exit status of a run by the reason why it ended."""
+
+
+def status_of(error: Exception) -> Exit | None:
+    """Exit status for an exception that a user can do something about; None for a fault of the program."""
+    kinds: list[tuple[type[Exception], Exit]] = [
+        (DeviceError, Exit.DEVICE_FAULT),
+        (StorageError, Exit.STORAGE),
+        (StoreError, Exit.STORAGE),
+        (InputError, Exit.BAD_INPUT),
+        (RecordError, Exit.BAD_INPUT),
+    ]
+    if isinstance(error, JobError):
+        return error.status
+    return next((status for kind, status in kinds if isinstance(error, kind)), None)

@@ -1,0 +1,142 @@
+"""Raw files, recordings and tables alike, as what the analysis needs of them."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+
+from app.identity import program_identity
+from app.stand import StandFile
+from calibrations.budget import StandUncertainty
+from calibrations.observations import Observations
+from calibrations.provenance import LimitCheck, Provenance
+from calibrations.records.raw import file_sha256, stored_path
+from calibrations.result import Calibration
+from calibrations.table import TableError, read_table
+from procedures.errors import InputError
+from procedures.programme import Programme, programme_from_text
+from procedures.recording.errors import RecordingError
+from procedures.recording.header import Header
+
+RECORDING_SUFFIX = ".mcap"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Measurement:
+    """A raw file: its rows, and what it says of itself."""
+
+    path: Path
+    sha256: str
+    observations: Observations
+    stand: Mapping[str, Any]
+    """The stand file as data, without what is simulated; empty for a table."""
+    header: Header | None = None
+    """None for a table."""
+
+    @property
+    def uncertainty(self) -> StandUncertainty:
+        """What the stand adds to the budget; nothing where there is no stand file. Raises `InputError`."""
+        if not self.stand:
+            return StandUncertainty()
+        try:
+            return StandFile.model_validate(self.stand).uncertainty
+        except ValidationError as error:
+            first = error.errors()[0]
+            where = ".".join(map(str, first["loc"]))
+            raise InputError(f"{self.path}: the stand file in it does not fit: {where}: {first['msg']}") from error
+
+    @property
+    def programme(self) -> Programme | None:
+        """The programme that was run; None for a table. Raises `ProgrammeError`."""
+        return programme_from_text(self.header.programme_text, str(self.path)) if self.header else None
+
+
+def read_measurement(path: Path, stand: Mapping[str, Any] | None = None) -> Measurement:
+    """Read a recording (`.mcap`) or an observation table.
+
+    Parameters
+    ----------
+    path
+        File to read.
+    stand
+        Stand file as data, in place of what the recording holds.
+
+    Raises
+    ------
+    InputError
+        Unreadable or malformed, or without a single complete point: one sentence.
+    """
+    if path.suffix.lower() == RECORDING_SUFFIX:
+        measurement = _read_recording(path, stand)
+    else:
+        try:
+            observations = read_table(path)
+        except TableError as error:
+            raise InputError(str(error)) from error
+        measurement = Measurement(path=path, sha256=file_sha256(path), observations=observations, stand=stand or {})
+    if not len(measurement.observations):
+        aside = measurement.observations.rows_read
+        raise InputError(f"{path}: no usable row ({aside} set aside); measure again")
+    return measurement
+
+
+def _read_recording(path: Path, stand: Mapping[str, Any] | None) -> Measurement:
+    from procedures.recording.observations import observations  # MCAP only where there is a recording
+    from procedures.recording.reader import read_recording
+
+    try:
+        recording = read_recording(path)
+    except RecordingError as error:
+        raise InputError(str(error)) from error
+    header = recording.header
+    return Measurement(
+        path=path,
+        sha256=file_sha256(path),
+        observations=observations(recording),
+        stand=header.stand if stand is None else stand,
+        header=header,
+    )
+
+
+def provenance(measurement: Measurement, serial_number: str = "", folder: Path | None = None) -> Provenance:
+    """Where a calibration of `measurement` comes from; the raw file's path is relative to `folder` if it lies in it."""
+    header, program = measurement.header, program_identity()
+    programme = measurement.programme
+    return Provenance(
+        serial_number=serial_number or (header.serial_number if header else "") or measurement.path.stem,
+        operator=header.operator if header else "",
+        programme_name=programme.name if programme else "",
+        programme_sha256=header.programme_sha256 if header else "",
+        stand_name=str(measurement.stand.get("name", "")),
+        stand=measurement.stand,
+        raw_path=stored_path(folder or Path(), measurement.path),
+        raw_sha256=measurement.sha256,
+        measured_at=_iso(header.started_wall_ns) if header else "",
+        program_version=program.version,
+        git_commit=program.git_commit,
+        git_dirty=program.git_dirty,
+        packages=program.packages,
+    )
+
+
+def check_limits(calibration: Calibration, programme: Programme | None) -> tuple[LimitCheck, ...]:
+    """Hold the parameters against the programme's limits; what has no value is not inside."""
+    checks = []
+    for name, limit in (programme.limits if programme else {}).items():
+        value = calibration.parameters[name].value
+        checks.append(
+            LimitCheck(
+                name=name,
+                minimum=limit.min,
+                maximum=limit.max,
+                inside=value is not None and limit.min <= value <= limit.max,
+            )
+        )
+    return tuple(checks)
+
+
+def _iso(wall_ns: int) -> str:
+    return datetime.fromtimestamp(wall_ns / 1e9, tz=UTC).isoformat(timespec="seconds")

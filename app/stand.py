@@ -1,0 +1,170 @@
+"""Stand files: what stands where, how well it is known, and how to reach it."""
+
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from datetime import date
+from hashlib import sha256
+from importlib.resources import files
+from pathlib import Path
+from typing import Any, Literal, Self
+
+from pydantic import BaseModel, ConfigDict, Field, model_validator
+
+from calibrations.budget import StandUncertainty
+from calibrations.gravity import Gravity, normal_gravity
+from drivers.simulated import Simulated
+from procedures.toml_lines import parse_toml, read_text
+
+_STRICT = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+
+class Site(BaseModel):
+    """Where the stand is: latitude and height, or a measured gravity."""
+
+    model_config = _STRICT
+
+    latitude_deg: float | None = Field(default=None, ge=-90.0, le=90.0)
+    height_m: float = Field(default=0.0, ge=-500.0, le=9000.0)
+    gravity_m_s2: float | None = Field(default=None, gt=9.7, lt=9.9)
+    gravity_uncertainty_m_s2: float = Field(default=1e-5, ge=0.0)
+    """Standard uncertainty of a typed gravity."""
+    reference_temperature_degc: float = Field(default=23.0, alias="reference_temperature_degC")
+
+    @model_validator(mode="after")
+    def _one_way(self) -> Self:
+        if self.latitude_deg is not None and self.gravity_m_s2 is not None:
+            raise ValueError("latitude_deg and gravity_m_s2 both given: say where the stand is in one of the two ways")
+        return self
+
+    @property
+    def gravity(self) -> Gravity | None:
+        """Local gravity; None where the file says neither of the two."""
+        if self.gravity_m_s2 is not None:
+            return Gravity(value_m_s2=self.gravity_m_s2, standard_uncertainty_m_s2=self.gravity_uncertainty_m_s2)
+        return None if self.latitude_deg is None else normal_gravity(self.latitude_deg, self.height_m)
+
+
+class Instrument(BaseModel):
+    """What every instrument may carry."""
+
+    model_config = _STRICT
+
+    driver: Literal["simulated"]
+    url: str = ""
+    serial: str = ""
+    certificate: str = ""
+    calibration_due: date | None = None
+
+
+class HeadTable(Instrument):
+    """The dividing head."""
+
+    steps_per_deg: float = 1000.0
+    """Counts of the device per degree, sign included."""
+    limits_deg: tuple[float, float]
+    """Soft limits; there is no 'unlimited'."""
+    speed_deg_s: float = Field(default=20.0, gt=0.0)
+    accuracy_arcsec: float = Field(default=0.0, ge=0.0)
+    """Standard uncertainty of the reading."""
+    seating_arcsec: float = Field(default=0.0, ge=0.0)
+    """Repeatability of the unit in its seat, per mounting."""
+
+    @model_validator(mode="after")
+    def _in_order(self) -> Self:
+        low, high = self.limits_deg
+        if not low < high:
+            raise ValueError(f"limits_deg: {low:g} is not below {high:g}")
+        if self.steps_per_deg == 0:
+            raise ValueError("steps_per_deg is 0: give the counts per degree")
+        return self
+
+
+class DaqTable(Instrument):
+    """The voltmeter."""
+
+    samples: int = Field(default=100, ge=2)
+    """Per dwell, unless the programme says otherwise."""
+    rate_hz: float = Field(default=100.0, gt=0.0)
+    gain_uncertainty: float = Field(default=0.0, ge=0.0)
+    offset_uncertainty_v: float = Field(default=0.0, ge=0.0)
+
+
+class StandRecordTable(BaseModel):
+    """Whether stored corrections of the stand are applied."""
+
+    model_config = _STRICT
+
+    use: Literal[False] = False
+
+
+class StandFile(BaseModel):
+    """A stand file as written."""
+
+    model_config = _STRICT
+
+    name: str = Field(min_length=1)
+    site: Site = Site()
+    head: HeadTable
+    daq: DaqTable
+    simulated: Simulated | None = None
+    stand_record: StandRecordTable = StandRecordTable()
+
+    @property
+    def uncertainty(self) -> StandUncertainty:
+        """What the stand adds to the budget."""
+        return StandUncertainty(
+            head_accuracy_arcsec=self.head.accuracy_arcsec,
+            seating_arcsec=self.head.seating_arcsec,
+            daq_gain=self.daq.gain_uncertainty,
+            daq_offset_v=self.daq.offset_uncertainty_v,
+            gravity=self.site.gravity,
+        )
+
+    def expired(self, today: date) -> list[str]:
+        """A sentence for every instrument whose calibration is overdue."""
+        instruments = {"head": self.head, "daq": self.daq}
+        return [
+            f"stand {self.name}: the calibration of the {name} was due on {table.calibration_due.isoformat()}"
+            for name, table in instruments.items()
+            if table.calibration_due is not None and table.calibration_due < today
+        ]
+
+
+@dataclass(frozen=True, kw_only=True)
+class LoadedStand:
+    """A stand file with where it came from."""
+
+    file: StandFile
+    path: Path | None
+    """None for the stand that is built in."""
+    sha256: str
+    """Of the whole file."""
+    recorded: Mapping[str, Any]
+    """The file as data without its `simulated` table: what may be recorded."""
+
+
+def load_stand(path: Path | None = None) -> LoadedStand:
+    """Read a stand file, or the built-in simulated stand where there is no path.
+
+    Raises
+    ------
+    InputError
+        Unreadable or invalid: file, line, what is wrong and what to do.
+    """
+    text = (files("app") / "stands" / "simulated.toml").read_text("utf-8") if path is None else read_text(path)
+    file = parse_toml(text, StandFile, "the built-in stand" if path is None else str(path))
+    return LoadedStand(
+        file=file, path=path, sha256=sha256(text.encode()).hexdigest(), recorded=without_simulated(tomllib.loads(text))
+    )
+
+
+def without_simulated(data: Mapping[str, Any]) -> dict[str, Any]:
+    """The tables of a stand file without `simulated`, dates as ISO 8601 text."""
+    return {key: _plain(value) for key, value in data.items() if key != "simulated"}
+
+
+def _plain(value: Any) -> Any:  # noqa: ANN401  # whatever TOML holds
+    if isinstance(value, Mapping):
+        return {key: _plain(inner) for key, inner in value.items()}
+    return value.isoformat() if isinstance(value, date) else value
