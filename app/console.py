@@ -1,7 +1,7 @@
 """What a person sees on the terminal: a progress bar while something runs, the result when it is there."""
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 
 from rich.console import Console
@@ -30,6 +30,12 @@ def results() -> Console:
 def messages() -> Console:
     """Where progress and warnings go: standard error, so that standard output stays clean for results."""
     return Console(stderr=True, highlight=False)
+
+
+def warn(sentences: Iterable[str]) -> None:
+    """Print warnings on standard error."""
+    for sentence in sentences:
+        messages().print(f"warning: {sentence}", markup=False, soft_wrap=True)
 
 
 @contextmanager
@@ -72,8 +78,6 @@ def show_result(analysed: Analysed, console: Console | None = None) -> None:
         console.print(line, markup=False)
     for statement in support(calibration):
         console.print(f"- {statement.text}", markup=False)
-    for warning in calibration.warnings:
-        console.print(f"warning: {warning}", markup=False)
 
 
 def _parameter_table(analysed: Analysed) -> Table:

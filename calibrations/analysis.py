@@ -40,9 +40,7 @@ def analyse(observations: Observations, stand: StandUncertainty | None = None, t
         raise ValueError(f"{observations.source}: no usable row; every one was set aside")
     stand = stand or StandUncertainty()
     fitted = fit_jointly(observations)
-    verdicts = identify(
-        fitted.observations, fitted.compressed, fitted.fit, fitted.profile.within_deg, fitted.noise.used_v**2
-    )
+    verdicts = identify(fitted)
     listed = sources(fitted.observations, fitted.slope_v_per_deg, stand)
     type_a = covariance(fitted.compressed, fitted.fit, fitted.profile, fitted.noise.used_v**2)
     type_b = {source.name: _spread(fitted, source) for source in listed}

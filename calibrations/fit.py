@@ -18,7 +18,12 @@ _NODES = np.linspace(-6.0, 6.0, 49)
 
 
 def coverage_factor(freedom: float, probability: float = 0.95) -> float:
-    """Two-sided Student factor k for a coverage probability (GUM, G.3); `freedom` may be infinite."""
+    """Two-sided Student factor k for a coverage probability (GUM, G.3); `freedom` may be infinite.
+
+    Infinite where there are no degrees of freedom.
+    """
+    if freedom <= 0:
+        return float("inf")
     return float(stdtrit(min(freedom, 1e9), 0.5 + probability / 2))
 
 
@@ -110,6 +115,8 @@ def alpha0_profile(compressed: Compressed, fit: JointFit, variance_v2: float, fa
 
     `variance_v2` is the variance of a row of weight 1, `factor` the Student factor.
     """
+    if not np.isfinite(factor):
+        return Alpha0Profile(interval_deg=(-ALPHA0_REACH_DEG, ALPHA0_REACH_DEG), told=False, within_deg=_GRID_DEG)
     limit = fit.squares_v2 + variance_v2 * factor**2
     scan = conditional(compressed, _GRID_DEG)
     centre = float(fit.theta[ALPHA0])

@@ -26,7 +26,7 @@ def gross_errors(
     suspects = np.flatnonzero(np.abs(residual) > GROSS_SIGMA * scale)
     return tuple(
         SetAside(row=int(observations.row[row]), reason=f"gross error: {abs(residual[row]) / scale:.0f} sigma")
-        for row in suspects
+        for row in suspects.tolist()
         if _differs_from_repeats(row, residual, groups, GROSS_SIGMA * scale)
     )
 

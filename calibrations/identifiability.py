@@ -9,6 +9,7 @@ from calibrations.compression import Compressed, compress
 from calibrations.conditional import conditional, pseudo_inverse
 from calibrations.fit import JointFit, names
 from calibrations.geometry import MOUNTS, FloatArray
+from calibrations.joint import Joint
 from calibrations.model import ALPHA0, LINEAR, PARAMETERS, basis, coefficients_jacobian
 from calibrations.observations import Observations
 
@@ -18,6 +19,7 @@ MATERIAL = 0.1
 """A shift below this part of the standard uncertainty does not matter."""
 _SETTLING_SWEEP_DEG = np.arange(0.0, 400.0, 5.0)
 
+_NO_SPARE_ROWS = "there are no more rows than parameters, so that nothing is left to state an uncertainty by"
 _NEEDS = {
     "kx": "no row has gravity along Ox, or nothing parts it from another parameter",
     "ky": "no row has gravity along Oy, or nothing parts it from another parameter",
@@ -44,20 +46,16 @@ class Identification:
     """What `rests_on` or `given_alpha0_deg` means, in one sentence; empty where there is none."""
 
 
-def identify(
-    observations: Observations,
-    compressed: Compressed,
-    fit: JointFit,
-    within_deg: FloatArray,
-    variance_v2: float,
-) -> dict[str, Identification]:
-    """Judge every parameter of `fit`, by name.
+def identify(joint: Joint) -> dict[str, Identification]:
+    """Judge every parameter of a joint fit, by name.
 
-    `within_deg` are values of alpha0 that its interval contains; a parameter is told only if every one of them gives it
-    a bounded interval.
+    A parameter is told only if every alpha0 that its interval contains gives it a bounded interval.
     """
+    observations, compressed, fit = joint.observations, joint.compressed, joint.fit
+    if joint.noise.used_degrees_of_freedom < 1:
+        return dict.fromkeys(PARAMETERS, Identification(told=False, reason=_NO_SPARE_ROWS))
     if fit.alpha0_fitted:
-        told = _told_within(compressed, within_deg)
+        told = _told_within(compressed, joint.profile.within_deg)
         verdicts = {name: _linear_verdict(name, bool(ok)) for name, ok in zip(LINEAR, told, strict=True)}
         verdicts["alpha0"] = Identification(told=True)
         return _with_dependence(observations, compressed, fit, verdicts)
@@ -67,7 +65,7 @@ def identify(
         reason="its 95% interval reaches 45 deg: only kxy parts it from ky and kz here, and kxy is not large enough",
         settled_by=mounts_that_settle(observations, fit),
     )
-    return _with_condition(compressed, fit, variance_v2, verdicts)
+    return _with_condition(compressed, fit, joint.noise.used_v**2, verdicts)
 
 
 def _told_within(compressed: Compressed, alpha0_deg: FloatArray) -> NDArray[np.bool_]:

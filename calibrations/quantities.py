@@ -59,13 +59,21 @@ def format_concise(value: float, uncertainty: float | None, unit: str) -> str:
 
 
 def format_interval(low: float, high: float, unit: str) -> str:
-    """`5 mV/g to 38 mV/g`: both ends to two digits of the half width."""
+    """`5 to 38 mV/g`: both ends to two digits of the half width."""
     half = (high - low) / 2
     ends = max(abs(low), abs(high))
     exponent = prefix_exponent(ends, unit)
     places = two_digit_places(half) + exponent if half > 0 else 3
-    text = prefixed(unit, exponent)
-    return " to ".join(join(fixed(end / 10.0**exponent, places), text) for end in (low, high))
+    ends_text = " to ".join(fixed(end / 10.0**exponent, places) for end in (low, high))
+    return join(ends_text, prefixed(unit, exponent))
+
+
+def format_limits(minimum: float | None, maximum: float | None, unit: str) -> str:
+    """`0.95 to 1.05 V/g`, `from 2 mV`, `up to 3°`: limits as somebody wrote them, without zeros at their ends."""
+    exponent = prefix_exponent(max(abs(end) for end in (minimum, maximum, 0.0) if end is not None), unit)
+    low, high = ("" if end is None else f"{end / 10.0**exponent:.6g}" for end in (minimum, maximum))
+    text = f"{low} to {high}" if low and high else f"from {low}" if low else f"up to {high}"
+    return join(text, prefixed(unit, exponent))
 
 
 def format_number(value: float, unit: str = "", digits: int = 3) -> str:
@@ -93,7 +101,7 @@ def format_correlation(coefficient: float) -> str:
     distance = 1 - abs(coefficient)
     if distance < 1e-9:
         return "1" if coefficient > 0 else "-1"
-    return fixed(coefficient, max(2, min(1 - _decade(distance), 7)) if distance < 0.1 else 2)
+    return fixed(coefficient, max(3, -_decade(distance)) if distance < 0.1 else 2)
 
 
 def prefix_exponent(magnitude: float, unit: str) -> int:
@@ -138,4 +146,4 @@ def _plain(number: float, digits: int) -> str:
     decade = int(f"{number:.{digits - 1}e}".partition("e")[2])
     if not -4 <= decade < 9:
         return f"{number:.{digits}g}"
-    return fixed(number, max(digits - 1 - decade, 0))
+    return fixed(number, digits - 1 - decade)

@@ -120,7 +120,9 @@ def _digits(value: float, expanded: float) -> str:
 
 def _relative(ratio: float) -> str:
     """A ratio in per cent, or in ppm where that reads better."""
-    return f"{format_number(ratio * 100, digits=2)}%" if ratio >= 1e-3 else f"{format_number(ratio * 1e6, digits=2)} ppm"
+    return (
+        f"{format_number(ratio * 100, digits=2)}%" if ratio >= 1e-3 else f"{format_number(ratio * 1e6, digits=2)} ppm"
+    )
 
 
 def _untold(parameter: Parameter) -> Statement:

@@ -7,7 +7,7 @@ import click
 from app.calibrating import calibrate
 from app.commands import options
 from app.commands.measuring import measures
-from app.console import messages, run_display, show_result
+from app.console import messages, run_display, show_result, warn
 from app.exits import Exit
 from app.running import Job
 from app.wiring import Connected
@@ -22,6 +22,7 @@ def command(job: Job, connected: Connected, folder: Path, json_path: Path | None
     console = messages()
     with run_display(job.plan(), connected.stand.clock, console) as display:
         done = calibrate(job, connected, folder, [display])
+    warn(done.analysed.calibration.warnings)
     if str(json_path) != "-":
         show_result(done.analysed)
     console.print(f"recording {done.recording}\nrecord    {done.record.id}\nreport    {done.report}", soft_wrap=True)

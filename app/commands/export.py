@@ -5,6 +5,7 @@ from pathlib import Path
 import click
 
 from app.commands import options
+from app.console import warn
 from app.exits import Exit, JobError
 from app.measurements import read_measurement
 from calibrations.table import write_table
@@ -23,6 +24,5 @@ def command(recording: Path, out: Path | None) -> None:
         raise JobError(
             f"{table}: cannot be written ({error.strerror}); make room or choose another", Exit.STORAGE
         ) from error
-    for warning in measurement.observations.warnings:
-        click.echo(f"warning: {warning}", err=True)
+    warn(measurement.observations.warnings)
     click.echo(f"{len(measurement.observations)} rows in {table}", err=True)

@@ -6,7 +6,7 @@ import click
 
 from app.calibrating import fit, store
 from app.commands import options
-from app.console import messages, show_result
+from app.console import messages, show_result, warn
 from app.exits import Exit
 from app.measurements import read_measurement
 from app.stand import load_stand
@@ -22,17 +22,15 @@ def command(
     file: Path, json_path: Path | None, stand_path: Path | None, serial_number: str, folder: Path | None
 ) -> None:
     """Fit a recording (.mcap) or an observation table (CSV)."""
-    console = messages()
     measurement = read_measurement(file, load_stand(stand_path).recorded if stand_path else None)
     analysed = fit(measurement, serial_number, folder=folder)
-    for warning in analysed.calibration.warnings:
-        console.print(f"warning: {warning}", markup=False, soft_wrap=True)
+    warn(analysed.calibration.warnings)
     if str(json_path) != "-":
         show_result(analysed)
     document = analysed.calibration.as_json()
     if folder is not None:
         document["record"] = store(analysed, folder).id
-        console.print(f"record {document['record']}")
+        messages().print(f"record {document['record']}")
     options.write_json(document, json_path)
     if not analysed.inside:
         raise SystemExit(int(Exit.OUTSIDE_LIMITS))

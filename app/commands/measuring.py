@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 
 from app.commands.options import EXISTING, stand
-from app.console import messages
+from app.console import warn
 from app.running import Job
 from app.stand import load_stand
 from app.wiring import connect
@@ -40,8 +40,7 @@ def measures(function: Callable[..., None]) -> Callable[..., None]:
         **own: object,
     ) -> None:
         loaded = load_stand(stand_path)
-        for sentence in loaded.file.expired(datetime.now(tz=UTC).date()):
-            messages().print(f"warning: {sentence}; have it calibrated", markup=False)
+        warn(loaded.file.expired(datetime.now(tz=UTC).date()))
         job = Job(stand=loaded, programme=load_programme(programme), serial_number=serial_number, operator=operator)
         function(job, connect(loaded, answers, attended), **own)
 

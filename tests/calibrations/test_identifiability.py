@@ -67,5 +67,12 @@ def test_a_single_pose_tells_nothing():
     assert [p.value for p in found.values()] == [None] * 6
 
 
+def test_no_spare_rows_leave_every_parameter_without_an_uncertainty_and_so_null():
+    found = parameters(("flip", "face-up", [-90.0, 90.0]), realisations=1)
+
+    assert [p.value for p in found.values()] == [None] * 6
+    assert "no more rows than parameters" in found["u0"].reason
+
+
 def test_the_end_mount_alone_cannot_tell_kx():
     assert parameters(sweep("end"))["kx"].value is None
