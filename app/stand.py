@@ -125,9 +125,9 @@ class StandFile(BaseModel):
         """A sentence for every instrument whose calibration is overdue."""
         instruments = {"head": self.head, "daq": self.daq}
         return [
-            f"stand {self.name}: the calibration of the {name} was due on {table.calibration_due.isoformat()}; have it done"
+            f"stand {self.name}: the calibration of the {name} was due on {due.isoformat()}; have it done"
             for name, table in instruments.items()
-            if table.calibration_due is not None and table.calibration_due < today
+            if (due := table.calibration_due) is not None and due < today
         ]
 
 
