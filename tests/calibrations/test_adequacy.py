@@ -1,11 +1,11 @@
 import numpy as np
 import pytest
+from tables import FLIPS, sweep, table
+
 from calibrations.adequacy import lack_of_fit
 from calibrations.flips import flip_closure
 from calibrations.observations import Observations
 from calibrations.repeats import PureError
-
-from tables import FLIPS, sweep, table
 
 NO_KXY = {"u0": 2.5, "kx": 1.0, "ky": 0.01, "kz": 0.002, "kxy": 0.0, "alpha0": 0.0}
 

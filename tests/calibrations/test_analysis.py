@@ -1,12 +1,12 @@
 import numpy as np
 import pytest
+from scipy import stats
+from tables import FLIPS, UNIT, output, sweep, table
+
 from calibrations.analysis import analyse
 from calibrations.budget import StandUncertainty
 from calibrations.gravity import Gravity
 from calibrations.observations import Observations
-from scipy import stats
-
-from tables import FLIPS, UNIT, output, sweep, table
 
 REVERSAL = (*FLIPS, sweep("face-up", 10.0), sweep("face-down", 10.0), sweep("edge", 10.0))
 

@@ -1,14 +1,14 @@
 import numpy as np
 import pytest
-from calibrations.compression import compress
-from calibrations.conditional import conditional
-from calibrations.fit import alpha0_profile, coverage_factor, covariance, fit_given_alpha0, joint_fit
-from calibrations.model import ALPHA0, PARAMETERS, basis, coefficients
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import least_squares
-
 from tables import FLIPS, UNIT, sweep, table
+
+from calibrations.compression import compress
+from calibrations.conditional import conditional
+from calibrations.fit import alpha0_profile, covariance, coverage_factor, fit_given_alpha0, joint_fit
+from calibrations.model import ALPHA0, PARAMETERS, basis, coefficients
 
 
 def compressed(rows):

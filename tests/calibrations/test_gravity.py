@@ -1,4 +1,5 @@
 import pytest
+
 from calibrations.gravity import normal_gravity
 
 

@@ -1,9 +1,9 @@
 import numpy as np
+from tables import FLIPS, sweep, table
+
 from calibrations.gross import gross_errors
 from calibrations.model import basis
 from calibrations.repeats import pose_groups
-
-from tables import FLIPS, sweep, table
 
 
 def found(rows):

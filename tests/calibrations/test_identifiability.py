@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
-from calibrations.analysis import analyse
-
 from tables import FLIPS, UNIT, sweep, table
+
+from calibrations.analysis import analyse
 
 
 def parameters(*parts, **options):

@@ -1,9 +1,9 @@
 import numpy as np
 import pytest
+from tables import FLIPS, sweep, table
+
 from calibrations.observations import Observations
 from calibrations.repeats import dwell_weights, labels, mountings, pose_groups, pure_error, settings
-
-from tables import FLIPS, sweep, table
 
 
 def test_angles_within_a_few_thousandths_are_one_setting():

@@ -1,10 +1,10 @@
 import numpy as np
 import pytest
-from calibrations.table import TableError, read_table, write_table
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-
 from tables import FLIPS, sweep, table
+
+from calibrations.table import TableError, read_table, write_table
 
 HEADER = "realisation,procedure,mount,angle_deg,voltage_V\n"
 

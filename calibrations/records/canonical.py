@@ -1,0 +1,50 @@
+"""One spelling for every JSON document, so that its hash means something."""
+
+import hashlib
+import json
+import math
+from collections.abc import Mapping
+from datetime import date
+from typing import Any
+
+import numpy as np
+
+
+def plain(content: Mapping[str, Any]) -> dict[str, Any]:
+    """Return `content` as JSON has it.
+
+    Dates and times become ISO 8601 texts, tuples lists, NumPy scalars numbers. NaN and infinity, which JSON does not
+    have, become null.
+
+    Raises
+    ------
+    TypeError
+        For a value that has no such form.
+    """
+    return {str(key): _plain(value) for key, value in content.items()}
+
+
+def _plain(value: object) -> object:
+    if value is None or isinstance(value, str | bool | int):
+        return value
+    if isinstance(value, float):
+        return float(value) if math.isfinite(value) else None
+    if isinstance(value, Mapping):
+        return plain(value)
+    if isinstance(value, list | tuple):
+        return [_plain(entry) for entry in value]
+    if isinstance(value, date):
+        return value.isoformat()
+    if isinstance(value, np.generic):
+        return _plain(value.item())
+    raise TypeError(f"a record cannot hold {value!r} of type {type(value).__name__}")
+
+
+def canonical_text(content: object) -> str:
+    """JSON with sorted keys, no spaces, and the shortest digits that give each number back (Python's `json`)."""
+    return json.dumps(content, sort_keys=True, separators=(",", ":"), ensure_ascii=False, allow_nan=False)
+
+
+def canonical_sha256(content: Mapping[str, Any]) -> str:
+    """SHA-256 of the canonical text in UTF-8, in hexadecimal digits."""
+    return hashlib.sha256(canonical_text(content).encode()).hexdigest()

@@ -1,0 +1,46 @@
+"""A record as one JSON document, `tumble.record/1`, that carries its own hash."""
+
+from collections.abc import Mapping
+from dataclasses import fields
+from typing import Any
+
+from calibrations.provenance import LimitCheck, Provenance
+from calibrations.records.canonical import canonical_sha256, canonical_text, plain
+from calibrations.records.record import Record
+from calibrations.records.times import utc_text
+
+
+def document(record: Record) -> dict[str, Any]:
+    """Everything that the record says, with `content_sha256`: the hash of the canonical text of all other keys."""
+    return content(record) | {"content_sha256": record.content_sha256}
+
+
+def document_text(record: Record) -> str:
+    """Return the document in canonical spelling (`canonical.canonical_text`), with a line end."""
+    return canonical_text(document(record)) + "\n"
+
+
+def is_intact(document: Mapping[str, Any]) -> bool:
+    """Whether the document is what was recorded."""
+    rest = {key: value for key, value in document.items() if key != "content_sha256"}
+    return bool(document.get("content_sha256") == canonical_sha256(rest))
+
+
+def content(record: Record) -> dict[str, Any]:
+    """The document without its hash."""
+    return {
+        "schema": f"tumble.record/{record.format_version}",
+        "id": record.id,
+        "revision": record.revision,
+        "supersedes": record.supersedes,
+        "created_at": utc_text(record.created_at),
+        "verdict": str(record.verdict),
+        "limits": [flat(check) for check in record.limits],
+        "provenance": flat(record.provenance),
+        "result": plain(record.result),
+    }
+
+
+def flat(data: Provenance | LimitCheck) -> dict[str, Any]:
+    """The fields of a dataclass as JSON has them."""
+    return plain({field.name: getattr(data, field.name) for field in fields(data)})

@@ -1,0 +1,65 @@
+"""Tables of the store, the same for SQLite and PostgreSQL.
+
+The JSON columns of `records` hold everything; the other columns, and the table `parameters`, repeat parts of them for
+queries and for trends over units and time. Times are UTC as ISO 8601 texts (see `times`).
+"""
+
+from sqlalchemy import JSON, Boolean, Column, Double, ForeignKey, Integer, MetaData, String, Table
+
+from calibrations.records.immutability import protect
+
+STORE_VERSION = 1
+"""Of the tables below. A store with a newer one is not opened."""
+
+METADATA = MetaData()
+
+STORE = Table("store", METADATA, Column("version", Integer, primary_key=True, autoincrement=False))
+"""One row: the version of the tables."""
+
+RECORDS = Table(
+    "records",
+    METADATA,
+    Column("id", String, primary_key=True),
+    Column("format_version", Integer, nullable=False),
+    Column("revision", Integer, nullable=False),
+    # Unique: of two revisions of one record nobody could say which one stands.
+    Column("supersedes", ForeignKey("records.id"), unique=True),
+    Column("created_at", String, nullable=False),
+    Column("serial_number", String, nullable=False, index=True),
+    Column("operator", String, nullable=False),
+    Column("programme_name", String, nullable=False),
+    Column("programme_sha256", String, nullable=False),
+    Column("stand_name", String, nullable=False),
+    Column("raw_path", String, nullable=False),
+    Column("raw_sha256", String, nullable=False),
+    Column("measured_at", String),
+    Column("program_version", String, nullable=False),
+    Column("git_commit", String, nullable=False),
+    Column("git_dirty", Boolean, nullable=False),
+    Column("complete", Boolean, nullable=False),
+    Column("verdict", String, nullable=False),
+    Column("limits", JSON, nullable=False),
+    Column("provenance", JSON, nullable=False),
+    Column("result", JSON, nullable=False),
+    Column("content_sha256", String, nullable=False),
+)
+
+PARAMETERS = Table(
+    "parameters",
+    METADATA,
+    Column("record_id", ForeignKey("records.id"), primary_key=True),
+    Column("model", String, primary_key=True),  # always `declared`: part of the key, which cannot grow later
+    Column("name", String, primary_key=True),
+    Column("unit", String, nullable=False),
+    Column("value", Double),
+    Column("standard_uncertainty", Double),
+    Column("type_a", Double),
+    Column("degrees_of_freedom", Double),  # null: infinite, or no value
+    Column("lower_95", Double),
+    Column("upper_95", Double),
+    Column("given_alpha0_deg", Double),
+    Column("reason", String, nullable=False),
+)
+
+protect(RECORDS, keys=(("id",), ("supersedes",)))
+protect(PARAMETERS, keys=(("record_id", "model", "name"),))

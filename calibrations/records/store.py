@@ -1,0 +1,183 @@
+"""A folder of calibration records."""
+
+import secrets
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from datetime import datetime
+from pathlib import Path
+from typing import Any
+
+from sqlalchemy import ColumnElement, Connection, Select, exists, func, insert, select
+
+from calibrations.provenance import LimitCheck, Provenance
+from calibrations.records.canonical import canonical_sha256, plain
+from calibrations.records.database import open_database, storage_errors, writing
+from calibrations.records.errors import RecordError, StoreError
+from calibrations.records.export import content, flat
+from calibrations.records.raw import resolved_path, stored_path
+from calibrations.records.record import FORMAT_VERSION, Record, Verdict, verdict_of
+from calibrations.records.rows import parameter_rows, record_from_row, record_row
+from calibrations.records.schema import PARAMETERS, RECORDS
+from calibrations.records.times import utc_now, utc_text
+from calibrations.result import Calibration
+
+DATABASE = "records.sqlite"
+
+_NEWER = RECORDS.alias("newer")
+_STANDS = ~exists().where(_NEWER.c.supersedes == RECORDS.c.id)
+_MEASURED_AT = func.coalesce(RECORDS.c.measured_at, RECORDS.c.created_at)
+"""Start of the run, or when the record was made where the source does not say."""
+
+
+class Store:
+    """Records in a folder. They can be added and read, not changed and not deleted.
+
+    Every method raises `StoreError` where the storage fails; then nothing was written.
+
+    Parameters
+    ----------
+    folder
+        Made where it does not exist.
+    now
+        The clock that dates the records, in UTC.
+    busy_timeout_s
+        How long to wait for another program that writes.
+    """
+
+    def __init__(self, folder: Path, now: Callable[[], datetime] = utc_now, busy_timeout_s: float = 30.0) -> None:
+        self.folder = folder
+        self.path = folder / DATABASE
+        self._now = now
+        with storage_errors(folder):
+            folder.mkdir(parents=True, exist_ok=True)
+        self._engine = open_database(self.path, busy_timeout_s)
+
+    @classmethod
+    def existing(cls, folder: Path) -> "Store":
+        """Open a store to read in it; raise `StoreError` rather than make one."""
+        if not (folder / DATABASE).is_file():
+            raise StoreError(folder, f"there is no {DATABASE} in this folder", "name the folder of a store")
+        return cls(folder)
+
+    def add(
+        self,
+        calibration: Calibration,
+        provenance: Provenance,
+        limits: Sequence[LimitCheck] = (),
+        supersedes: str | None = None,
+    ) -> Record:
+        """Record a calibration, in one transaction.
+
+        `supersedes` is the id of the record that this one, another analysis of the same raw file, takes the place of.
+
+        Raises
+        ------
+        RecordError
+            `supersedes` names no record, one that is superseded already, or one of another raw file.
+        """
+        with storage_errors(self.path), writing(self._engine) as connection:
+            old = self._revisable(connection, supersedes, provenance) if supersedes else None
+            record = _new_record(calibration, provenance, limits, old, self._now())
+            connection.execute(insert(RECORDS), record_row(record))
+            connection.execute(insert(PARAMETERS), parameter_rows(record))
+        return record
+
+    def get(self, id_prefix: str) -> Record:
+        """Return the record whose id begins so. Raises `RecordError` where none does, or several do."""
+        found = self._records(
+            select(RECORDS).where(RECORDS.c.id.startswith(id_prefix, autoescape=True)).order_by(RECORDS.c.id).limit(5)
+        )
+        if not found:
+            raise RecordError(f"{self.path}: no record has an id that begins with {id_prefix!r}; list the records")
+        if len(found) > 1:
+            listed = ", ".join(record.id for record in found)
+            raise RecordError(f"{self.path}: {id_prefix!r} fits several records ({listed}); give more of the id")
+        return found[0]
+
+    def find(
+        self,
+        *,
+        serial_number: str | None = None,
+        programme_name: str | None = None,
+        since: datetime | None = None,
+        until: datetime | None = None,
+        verdict: Verdict | None = None,
+    ) -> tuple[Record, ...]:
+        """Records that stand (no newer revision) and fit everything given, in the order of measurement.
+
+        `since` and `until`, both included, need a time zone.
+        """
+        conditions = [
+            RECORDS.c.serial_number == serial_number if serial_number is not None else None,
+            RECORDS.c.programme_name == programme_name if programme_name is not None else None,
+            utc_text(since) <= _MEASURED_AT if since else None,
+            utc_text(until) >= _MEASURED_AT if until else None,
+            RECORDS.c.verdict == str(verdict) if verdict else None,
+        ]
+        given: list[ColumnElement[bool]] = [condition for condition in conditions if condition is not None]
+        return self._records(select(RECORDS).where(_STANDS, *given).order_by(_MEASURED_AT, RECORDS.c.id))
+
+    def latest(self, serial_number: str) -> Record | None:
+        """Return the record of a unit that was measured last, in its last revision."""
+        query = select(RECORDS).where(_STANDS, RECORDS.c.serial_number == serial_number)
+        found = self._records(query.order_by(_MEASURED_AT.desc(), RECORDS.c.id.desc()).limit(1))
+        return found[0] if found else None
+
+    def revisions(self, record: Record) -> tuple[Record, ...]:
+        """Return the record with those it supersedes, the first one first."""
+        chain = [record]
+        while (older := chain[0].supersedes) is not None:
+            chain.insert(0, self.get(older))
+        return tuple(chain)
+
+    def raw_file(self, record: Record) -> Path:
+        """Where the raw file of a record lies."""
+        return resolved_path(self.folder, record.provenance.raw_path)
+
+    def raw_path(self, raw_file: Path) -> str:
+        """Return what to put as `raw_path` into the provenance: relative to the folder where the file lies inside."""
+        return stored_path(self.folder, raw_file)
+
+    def rows(self, record: Record) -> tuple[dict[str, Any], list[dict[str, Any]]]:
+        """What the tables hold of a record, the row of `records` and the rows of `parameters`, to be verified."""
+        with storage_errors(self.path), self._engine.connect() as connection:
+            row = connection.execute(select(RECORDS).where(RECORDS.c.id == record.id)).mappings().one()
+            parameters = connection.execute(select(PARAMETERS).where(PARAMETERS.c.record_id == record.id)).mappings()
+            return dict(row), [dict(parameter) for parameter in parameters]
+
+    def _records(self, query: Select[Any]) -> tuple[Record, ...]:
+        with storage_errors(self.path), self._engine.connect() as connection:
+            return tuple(record_from_row(dict(row)) for row in connection.execute(query).mappings())
+
+    def _revisable(self, connection: Connection, record_id: str, provenance: Provenance) -> Record:
+        row = connection.execute(select(RECORDS).where(RECORDS.c.id == record_id)).mappings().one_or_none()
+        if row is None:
+            raise RecordError(f"{self.path}: there is no record {record_id} to supersede; give the whole id")
+        newer = connection.execute(select(RECORDS.c.id).where(RECORDS.c.supersedes == record_id)).scalar_one_or_none()
+        if newer is not None:
+            raise RecordError(f"{self.path}: {record_id} is superseded already; supersede {newer}")
+        if row["raw_sha256"] != provenance.raw_sha256:
+            raise RecordError(f"{self.path}: {record_id} comes from another raw file; add a record without supersedes")
+        return record_from_row(dict(row))
+
+
+def _new_record(
+    calibration: Calibration,
+    provenance: Provenance,
+    limits: Sequence[LimitCheck],
+    old: Record | None,
+    created_at: datetime,
+) -> Record:
+    record = Record(
+        id=f"{created_at:%Y%m%d-%H%M%S}-{secrets.token_hex(3)}",
+        format_version=FORMAT_VERSION,
+        revision=old.revision + 1 if old else 1,
+        supersedes=old.id if old else None,
+        created_at=created_at,
+        verdict=verdict_of(limits),
+        limits=tuple(limits),
+        provenance=Provenance(**flat(provenance)),
+        result=plain(calibration.as_json()),
+        content_sha256="",
+    )
+    return replace(record, content_sha256=canonical_sha256(content(record)))

@@ -1,0 +1,151 @@
+"""Whether a record can be believed: file and record untouched, and the numbers come back."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+from pathlib import Path
+from typing import Any
+
+from calibrations.records.canonical import plain
+from calibrations.records.export import document, is_intact
+from calibrations.records.raw import file_sha256
+from calibrations.records.record import Record, parameters_from_json
+from calibrations.records.rows import parameter_rows, record_row
+from calibrations.records.store import Store
+from calibrations.result import Calibration, Parameter
+
+TOLERANCE = 1e-6
+"""By how much of its standard uncertainty a number may differ from the one recorded.
+
+The same data give the same bits on one machine; another processor or linear algebra library rounds differently. Changing
+the last bit of every voltage moved parameters by up to 1e-8 of their uncertainty: a millionth is a hundred times that,
+and a change of data or method moves them by far more.
+"""
+
+Refit = Callable[[Path, Mapping[str, Any]], Calibration]
+"""From the raw file and the stand file as data to the calibration."""
+
+
+class RawFile(StrEnum):
+    """What became of the raw file."""
+
+    INTACT = "intact"
+    CHANGED = "changed"
+    MISSING = "missing"
+
+
+@dataclass(frozen=True, kw_only=True)
+class ParameterCheck:
+    """One parameter as recorded and as fitted again; None where one of the two does not have it."""
+
+    name: str
+    recorded: Parameter | None
+    refitted: Parameter | None
+    agrees: bool
+    """Value, uncertainty and interval to within `TOLERANCE`, the conditions exactly."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Verification:
+    """What was found; `verified` sums it up."""
+
+    record_id: str
+    raw_path: Path
+    raw_file: RawFile
+    altered: tuple[str, ...]
+    """What the store holds differently from what was recorded: `content`, `column operator`, `parameters`."""
+    parameters: tuple[ParameterCheck, ...]
+    """Empty where the raw file is not intact: then nothing is fitted."""
+    recorded_with: str
+    """Version of the program that made the record."""
+    verified_with: str
+    """Version of the program that verified it."""
+
+    @property
+    def verified(self) -> bool:
+        """Raw file and record intact, every number back."""
+        return self.raw_file is RawFile.INTACT and not self.altered and all(check.agrees for check in self.parameters)
+
+    @property
+    def sentences(self) -> tuple[str, ...]:
+        """The findings in words."""
+        lines = [f"Raw file {self.raw_path}: {self.raw_file}."]
+        lines.append(f"Altered in the store: {', '.join(self.altered)}." if self.altered else "The record is intact.")
+        different = [check.name for check in self.parameters if not check.agrees]
+        if different:
+            lines.append(f"Fitted again, these do not come back: {', '.join(different)}.")
+        elif self.parameters:
+            lines.append(f"Fitted again, every parameter comes back to {TOLERANCE:g} of its standard uncertainty.")
+        else:
+            lines.append("Nothing was fitted again.")
+        if self.recorded_with != self.verified_with:
+            lines.append(f"Recorded with version {self.recorded_with}, verified with {self.verified_with}.")
+        return tuple(lines)
+
+
+def verify(record: Record, store: Store, refit: Refit, program_version: str) -> Verification:
+    """Hash the raw file and the record again, and fit again from the raw file.
+
+    Parameters
+    ----------
+    record
+        A record of `store`.
+    refit
+        Reads the raw file and analyses it; its errors are passed on.
+    program_version
+        Version of the program that verifies.
+    """
+    raw_path = store.raw_file(record)
+    raw_file = _raw_file(raw_path, record.provenance.raw_sha256)
+    again = refit(raw_path, record.provenance.stand) if raw_file is RawFile.INTACT else None
+    return Verification(
+        record_id=record.id,
+        raw_path=raw_path,
+        raw_file=raw_file,
+        altered=_altered(record, store),
+        parameters=_checks(record, again) if again else (),
+        recorded_with=record.provenance.program_version,
+        verified_with=program_version,
+    )
+
+
+def _raw_file(path: Path, sha256: str) -> RawFile:
+    if not path.is_file():
+        return RawFile.MISSING
+    return RawFile.INTACT if file_sha256(path) == sha256 else RawFile.CHANGED
+
+
+def _altered(record: Record, store: Store) -> tuple[str, ...]:
+    row, parameters = store.rows(record)
+    columns = [f"column {name}" for name, value in record_row(record).items() if row[name] != value]
+    return (
+        *(() if is_intact(document(record)) else ("content",)),
+        *columns,
+        *(() if _by_name(parameters) == _by_name(parameter_rows(record)) else ("parameters",)),
+    )
+
+
+def _by_name(rows: list[dict[str, Any]]) -> dict[tuple[str, str], dict[str, Any]]:
+    return {(row["model"], row["name"]): row for row in rows}
+
+
+def _checks(record: Record, again: Calibration) -> tuple[ParameterCheck, ...]:
+    recorded, refitted = record.parameters, parameters_from_json(plain(again.as_json()))
+    return tuple(_check(name, recorded.get(name), refitted.get(name)) for name in {**recorded, **refitted})
+
+
+def _check(name: str, recorded: Parameter | None, refitted: Parameter | None) -> ParameterCheck:
+    agrees = recorded is not None and refitted is not None and _agree(recorded, refitted)
+    return ParameterCheck(name=name, recorded=recorded, refitted=refitted, agrees=agrees)
+
+
+def _agree(a: Parameter, b: Parameter) -> bool:
+    if (a.unit, a.given_alpha0_deg) != (b.unit, b.given_alpha0_deg):
+        return False
+    allowed = TOLERANCE * (a.standard_uncertainty or 0.0)
+    pairs = zip(_numbers(a), _numbers(b), strict=True)
+    return all(x == y if x is None or y is None else abs(x - y) <= allowed for x, y in pairs)
+
+
+def _numbers(parameter: Parameter) -> tuple[float | None, ...]:
+    return (parameter.value, parameter.standard_uncertainty, *(parameter.interval_95 or (None, None)))

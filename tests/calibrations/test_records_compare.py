@@ -1,0 +1,113 @@
+"""Two records side by side."""
+
+from dataclasses import replace
+
+import pytest
+from records_examples import calibration, provenance, sweep_only
+
+from calibrations.records.compare import compare
+from calibrations.records.store import Store
+from calibrations.result import Parameter
+
+
+@pytest.fixture
+def record(tmp_path):
+    """Makes a record whose only parameter is kx, as given."""
+    store = Store(tmp_path)
+
+    def make(raw="aa", freedom=float("inf"), **fields):
+        told = {"value": 1.0, "standard_uncertainty": 3e-4, "type_a": 3e-4, "interval_95": (0.9, 1.1), **fields}
+        kx = Parameter(**({"name": "kx", "unit": "V/g", "degrees_of_freedom": freedom} | told))
+        return store.add(replace(calibration(), parameters={kx.name: kx}), provenance(raw_sha256=raw * 32))
+
+    return make
+
+
+def test_a_difference_has_the_root_sum_of_squares_as_its_uncertainty(record):
+    (kx,) = compare(record(), record("bb", value=1.001, standard_uncertainty=4e-4))
+    assert kx.difference == pytest.approx(1e-3)
+    assert kx.standard_uncertainty == pytest.approx(5e-4)
+    assert kx.significance == pytest.approx(2.0)
+
+
+def test_the_p_value_is_two_sided_and_normal_where_the_freedom_is_infinite(record):
+    (kx,) = compare(record(), record("bb", value=1.0 - 1.96 * 5e-4, standard_uncertainty=4e-4))
+    assert kx.p_value == pytest.approx(0.05, abs=1e-4)  # the usual table of the normal distribution
+
+
+def test_few_degrees_of_freedom_make_the_p_value_larger(record):
+    # Equal u with 5 degrees of freedom each: 10 effective ones, whose two-sided 5 % point is 2.228 (table of t).
+    first = record(freedom=5.0)
+    (kx,) = compare(first, record("bb", freedom=5.0, value=1.0 + 2.228 * 3e-4 * 2**0.5))
+    assert kx.p_value == pytest.approx(0.05, abs=1e-4)
+
+
+@pytest.mark.parametrize(("value", "judgement"), [(1.002, ": significant (p = "), (1.0001, ": not significant (p = ")])
+def test_the_sentence_says_whether_the_change_is_significant(record, value, judgement):
+    (kx,) = compare(record(), record("bb", value=value))
+    assert kx.sentence.startswith("kx changed by +")
+    assert judgement in kx.sentence
+
+
+def test_two_analyses_of_one_raw_file_differ_by_the_analysis(record):
+    (kx,) = compare(record(), record(value=1.0005))
+    assert kx.sentence == (
+        "kx changed by +0.0005 V/g, standard uncertainty 0.00042 V/g: "
+        "both records come from one raw file, so this is what the analysis changed."
+    )
+
+
+def test_two_equal_analyses_of_one_raw_file_show_no_change(record):
+    (kx,) = compare(record(), record())
+    assert kx.sentence == "kx did not change: both records come from one raw file."
+
+
+def test_a_difference_without_uncertainty_has_no_significance(record):
+    (kx,) = compare(record(standard_uncertainty=0.0), record("bb", value=1.5, standard_uncertainty=0.0))
+    assert (kx.difference, kx.significance, kx.p_value) == (0.5, None, None)
+    assert kx.sentence == "kx changed by +0.5 V/g, standard uncertainty 0 V/g."
+
+
+UNTOLD = {"value": None, "standard_uncertainty": None, "type_a": None, "freedom": None, "interval_95": None}
+
+
+@pytest.mark.parametrize(
+    ("fields", "obstacle"),
+    [
+        (UNTOLD | {"reason": "one mount"}, "the second record has no value (one mount)"),
+        (UNTOLD, "the second record has no value"),
+        ({"unit": "mV/g"}, "it is in V/g in the first record and in mV/g in the second"),
+        ({"given_alpha0_deg": 0.0}, "the first value stands for alpha0 as fitted, the second for alpha0 = 0°"),
+    ],
+)
+def test_what_cannot_be_subtracted_is_said_so(record, fields, obstacle):
+    (kx,) = compare(record(), record("bb", **fields))
+    assert (kx.difference, kx.standard_uncertainty, kx.significance, kx.p_value) == (None, None, None, None)
+    assert kx.sentence == f"kx cannot be compared: {obstacle}."
+
+
+def test_values_for_the_same_given_alpha0_are_compared(record):
+    (kx,) = compare(record(given_alpha0_deg=0.0), record("bb", given_alpha0_deg=0.0, value=1.1))
+    assert kx.difference == pytest.approx(0.1)
+
+
+def test_a_parameter_that_only_one_record_has_is_named(record):
+    _, ky = compare(record(), record("bb", name="ky"))
+    assert ky.sentence == "ky cannot be compared: only one of the records has it."
+
+
+def test_a_changed_scale_factor_is_found_and_nothing_else(tmp_path):
+    store = Store(tmp_path)
+    first = store.add(calibration(seed=1), provenance())
+    second = store.add(calibration(seed=2, kx=1.001), provenance(raw_sha256="bb" * 32))
+    p_values = {difference.name: difference.p_value for difference in compare(first, second)}
+    assert p_values.pop("kx") < 1e-6
+    assert min(p_values.values()) > 1e-3
+
+
+def test_a_full_calibration_and_a_single_sweep_share_all_but_kz(tmp_path):
+    store = Store(tmp_path)
+    differences = compare(
+        store.add(calibration(), provenance()), store.add(sweep_only(), provenance(raw_sha256="bb" * 32))
+    )
+    assert [d.name for d in differences if d.difference is None] == ["kz"]
