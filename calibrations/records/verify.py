@@ -17,9 +17,9 @@ from calibrations.result import Calibration, Parameter
 TOLERANCE = 1e-6
 """By how much of its standard uncertainty a number may differ from the one recorded.
 
-The same data give the same bits on one machine; another processor or linear algebra library rounds differently. Changing
-the last bit of every voltage moved parameters by up to 1e-8 of their uncertainty: a millionth is a hundred times that,
-and a change of data or method moves them by far more.
+The same data give the same bits on one machine; another processor or linear algebra library rounds differently.
+Changing the last bit of every voltage moved parameters by up to 1e-8 of their uncertainty: a millionth is a hundred
+times that, and a change of data or method moves them by far more.
 """
 
 Refit = Callable[[Path, Mapping[str, Any]], Calibration]
