@@ -1,8 +1,8 @@
-"""Reduces any number of rows to the ten numbers that the declared model can see.
+"""Reduces any number of rows to the few numbers that a model can see.
 
-The model is a combination of ten functions of the pose. An orthogonal transformation separates what those can follow
-from the rest, whose sum of squares no parameter changes: so a fit, a profile or a Monte Carlo trial works on ten
-numbers instead of thousands of rows, with the same result to rounding.
+The declared model is a combination of ten functions of the pose, an augmented one of a few more. An orthogonal
+transformation separates what those can follow from the rest, whose sum of squares no parameter changes: so a fit, a
+profile or a Monte Carlo trial works on some ten numbers instead of thousands of rows, with the same result to rounding.
 """
 
 from dataclasses import dataclass
@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from calibrations.geometry import FloatArray
+from calibrations.model import BASIS_SIZE
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -17,17 +18,25 @@ class Compressed:
     """Weighted rows seen through the basis: `z = r @ coefficients + noise`, noise of equal variance."""
 
     r: FloatArray
-    """Triangular factor, shape (10, 10)."""
+    """Triangular factor, shape (columns, columns)."""
     z: FloatArray
-    """Rotated voltages, shape (10,), in volts."""
+    """Rotated voltages, shape (columns,), in volts."""
     rotation: FloatArray
-    """Weighted orthonormal columns, shape (rows, 10): `rotation.T @ error_v` is what an error in the rows does to z."""
+    """Weighted orthonormal columns, shape (rows, columns): `rotation.T @ error_v` is what row errors do to z."""
     rest_v2: float
     """Weighted sum of squares that no choice of coefficients can reach, in square volts."""
 
+    @property
+    def terms(self) -> int:
+        """Number of columns beyond the ten of the declared model."""
+        return len(self.z) - BASIS_SIZE
+
 
 def compress(basis: FloatArray, voltage_v: FloatArray, weights: FloatArray) -> Compressed:
-    """Compress rows; `basis` has shape (rows, 10), the others (rows,)."""
+    """Compress rows.
+
+    `basis` holds the ten functions of the declared model and any further columns, shape (rows, columns).
+    """
     root = np.sqrt(weights)
     padding = max(0, basis.shape[1] - basis.shape[0])
     padded = np.pad(basis * root[:, None], ((0, padding), (0, 0)))

@@ -20,18 +20,21 @@ class Conditional:
     alpha0_deg: FloatArray
     """Shape (n,)."""
     linear: FloatArray
-    """u0, kx, ky, kz, kxy, shape (n, 5); of those that the rows cannot tell apart, the smallest."""
+    """u0, kx, ky, kz, kxy and the further coefficients, shape (n, 5 + terms).
+
+    Of those that the rows cannot tell apart, the smallest.
+    """
     cofactor: FloatArray
-    """Covariance of `linear` per unit variance of a row, shape (n, 5, 5)."""
+    """Covariance of `linear` per unit variance of a row, shape (n, 5 + terms, 5 + terms)."""
     estimable: NDArray[np.bool_]
-    """Whether the rows determine each linear parameter, shape (n, 5)."""
+    """Whether the rows determine each linear parameter, shape (n, 5 + terms)."""
     squares_v2: FloatArray
     """Weighted sum of squared residuals, shape (n,), in square volts."""
 
 
 def conditional(compressed: Compressed, alpha0_deg: FloatArray) -> Conditional:
     """Solve the linear part of the declared model at each of `alpha0_deg`, shape (n,)."""
-    matrix = compressed.r @ design(alpha0_deg)
+    matrix = compressed.r @ design(alpha0_deg, compressed.terms)
     inverse, estimable = pseudo_inverse(matrix)
     linear = inverse @ compressed.z
     misfit = compressed.z - np.einsum("nij,nj->ni", matrix, linear)

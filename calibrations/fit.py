@@ -9,7 +9,7 @@ from scipy.special import stdtrit
 from calibrations.compression import Compressed
 from calibrations.conditional import conditional, pseudo_inverse
 from calibrations.geometry import FloatArray
-from calibrations.model import ALPHA0, PARAMETERS, coefficients, coefficients_jacobian
+from calibrations.model import ALPHA0, PARAMETERS, coefficients, coefficients_jacobian, parameter_vector
 
 ALPHA0_REACH_DEG = 45.0
 """Beyond this the declared model repeats itself with the axes renamed."""
@@ -32,16 +32,19 @@ class JointFit:
     """Least-squares parameters of the declared model, before anybody asks what they are worth."""
 
     theta: FloatArray
-    """Parameter vector in the order and units of `model.UNITS`; alpha0 is 0 where it is not fitted."""
+    """Parameter vector in the order and units of `model.UNITS`, then the coefficients of further columns.
+
+    alpha0 is what it was held at where it is not fitted.
+    """
     alpha0_fitted: bool
     squares_v2: float
     """Weighted sum of squared residuals, in square volts."""
     jacobian: FloatArray
-    """Derivative of the rotated voltages, shape (10, 6); the column of alpha0 is zero where it is not fitted."""
+    """Derivative of the rotated voltages, shape (10 + terms, 6 + terms); zero for an alpha0 that is not fitted."""
     inverse: FloatArray
-    """Pseudo-inverse of `jacobian`, shape (6, 10): what an error in z does to the parameters."""
+    """Pseudo-inverse of `jacobian`, shape (6 + terms, 10 + terms): what an error in z does to the parameters."""
     estimable: NDArray[np.bool_]
-    """Which parameters the rows determine at this solution, shape (6,)."""
+    """Which parameters the rows determine at this solution, shape (6 + terms,)."""
 
     @property
     def fitted(self) -> int:
@@ -50,10 +53,10 @@ class JointFit:
 
 
 def joint_fit(compressed: Compressed) -> JointFit:
-    """Fit all six parameters: the best alpha0 of a scan over its whole range, then Gauss-Newton."""
+    """Fit all parameters: the best alpha0 of a scan over its whole range, then Gauss-Newton."""
     scan = conditional(compressed, _GRID_DEG)
     best = int(np.argmin(scan.squares_v2))
-    theta = np.append(scan.linear[best], _GRID_DEG[best])
+    theta = parameter_vector(scan.linear[best], _GRID_DEG[best])
     for _ in range(50):
         step = _inverse(compressed, theta, True)[1] @ (compressed.z - compressed.r @ coefficients(theta))
         step *= min(1.0, 2.0 / max(abs(step[ALPHA0]), 1e-300))
@@ -67,7 +70,7 @@ def joint_fit(compressed: Compressed) -> JointFit:
 def fit_given_alpha0(compressed: Compressed, alpha0_deg: float) -> JointFit:
     """Fit the linear parameters with alpha0 held."""
     linear = conditional(compressed, np.array([alpha0_deg])).linear[0]
-    return _solution(compressed, np.append(linear, alpha0_deg), False)
+    return _solution(compressed, parameter_vector(linear, alpha0_deg), False)
 
 
 def _solution(compressed: Compressed, theta: FloatArray, alpha0_fitted: bool) -> JointFit:
@@ -151,7 +154,7 @@ def _crossing(compressed: Compressed, centre_deg: float, reach_deg: float, limit
 
 
 def covariance(compressed: Compressed, fit: JointFit, profile: Alpha0Profile, variance_v2: float) -> FloatArray:
-    """Covariance of all six parameters, shape (6, 6), in the units of `model.UNITS`.
+    """Covariance of all parameters, shape (6 + terms, 6 + terms), in the units of `model.UNITS`.
 
     Where alpha0 is fitted it is integrated over: the others are normal for given alpha0, and alpha0 is weighted by the
     likelihood of its profile. For a sharp alpha0 this is the usual inverse of the normal matrix; for a blunt one it
@@ -164,12 +167,13 @@ def covariance(compressed: Compressed, fit: JointFit, profile: Alpha0Profile, va
     each = conditional(compressed, nodes)
     weight = np.exp(-0.5 * (each.squares_v2 - fit.squares_v2) / variance_v2) * np.gradient(nodes)
     weight /= weight.sum()
-    shift = np.column_stack([each.linear, nodes]) - fit.theta
+    shift = parameter_vector(each.linear, nodes) - fit.theta
     result = np.einsum("n,ni,nj->ij", weight, shift, shift)
-    result[:ALPHA0, :ALPHA0] += variance_v2 * np.einsum("n,nij->ij", weight, each.cofactor)
+    others = np.delete(np.arange(len(fit.theta)), ALPHA0)
+    result[np.ix_(others, others)] += variance_v2 * np.einsum("n,nij->ij", weight, each.cofactor)
     return np.asarray(result)
 
 
 def names(mask: NDArray[np.bool_]) -> tuple[str, ...]:
     """Names of the parameters at which `mask`, shape (6,), is true."""
-    return tuple(name for name, selected in zip(PARAMETERS, mask, strict=True) if selected)
+    return tuple(name for name, selected in zip(PARAMETERS, mask, strict=False) if selected)

@@ -43,24 +43,29 @@ def basis(observations: Observations) -> FloatArray:
     )
 
 
-def design(alpha0_deg: FloatArray | float) -> FloatArray:
-    """How the ten basis coefficients follow from the linear parameters, shape (..., 10, 5), for given alpha0."""
+def design(alpha0_deg: FloatArray | float, terms: int = 0) -> FloatArray:
+    """How the coefficients of all columns follow from the linear parameters at given alpha0.
+
+    Shape (..., 10 + terms, 5 + terms). The first ten columns are those of `basis`; each of `terms` further columns,
+    linear additions to the declared model, has a coefficient of its own.
+    """
     alpha0_rad = np.deg2rad(np.asarray(alpha0_deg, dtype=float))
     cos, sin = np.cos(alpha0_rad), np.sin(alpha0_rad)
-    matrix = np.zeros((*alpha0_rad.shape, BASIS_SIZE, len(LINEAR)))
+    matrix = np.zeros((*alpha0_rad.shape, BASIS_SIZE + terms, ALPHA0 + terms))
     matrix[..., 0, 0] = 1.0
     for axis in range(3):
         matrix[..., 1 + 2 * axis, 1 + axis] = cos
         matrix[..., 2 + 2 * axis, 1 + axis] = sin
     matrix[..., 7, 4], matrix[..., 8, 4], matrix[..., 9, 4] = cos**2, cos * sin, sin**2
+    matrix[..., BASIS_SIZE:, ALPHA0:] = np.eye(terms)
     return matrix
 
 
 def design_slope(alpha0_deg: float) -> FloatArray:
-    """Derivative of `design` with respect to alpha0, per degree, shape (10, 5)."""
+    """Derivative of the first ten rows and five columns of `design` with respect to alpha0, per degree."""
     alpha0_rad = np.deg2rad(alpha0_deg)
     cos, sin = np.cos(alpha0_rad), np.sin(alpha0_rad)
-    matrix = np.zeros((BASIS_SIZE, len(LINEAR)))
+    matrix = np.zeros((BASIS_SIZE, ALPHA0))
     for axis in range(3):
         matrix[1 + 2 * axis, 1 + axis] = -sin
         matrix[2 + 2 * axis, 1 + axis] = cos
@@ -68,12 +73,28 @@ def design_slope(alpha0_deg: float) -> FloatArray:
     return np.deg2rad(matrix)
 
 
+def parameter_vector(linear: FloatArray, alpha0_deg: FloatArray | float) -> FloatArray:
+    """Put alpha0 in its place among linear parameters of shape (..., 5 + terms)."""
+    return np.insert(linear, ALPHA0, alpha0_deg, axis=-1)
+
+
+def linear_parameters(theta: FloatArray) -> FloatArray:
+    """The parameter vector, shape (..., 6 + terms), without alpha0."""
+    return np.delete(theta, ALPHA0, axis=-1)
+
+
 def coefficients(theta: FloatArray) -> FloatArray:
-    """Basis coefficients, shape (..., 10), in volts, of parameter vectors of shape (..., 6) in the units of `UNITS`."""
-    return np.asarray(np.einsum("...ij,...j->...i", design(theta[..., ALPHA0]), theta[..., :ALPHA0]))
+    """Coefficients of all columns, shape (..., 10 + terms), in volts, of parameter vectors of shape (..., 6 + terms).
+
+    Parameters are in the units of `UNITS`, those of further columns in volts per unit of the column.
+    """
+    matrix = design(theta[..., ALPHA0], theta.shape[-1] - len(PARAMETERS))
+    return np.asarray(np.einsum("...ij,...j->...i", matrix, linear_parameters(theta)))
 
 
 def coefficients_jacobian(theta: FloatArray) -> FloatArray:
-    """Derivative of `coefficients` with respect to one parameter vector, shape (10, 6)."""
-    slope = design_slope(float(theta[ALPHA0])) @ theta[:ALPHA0]
-    return np.column_stack([design(float(theta[ALPHA0])), slope])
+    """Derivative of `coefficients` with respect to one parameter vector, shape (10 + terms, 6 + terms)."""
+    terms = len(theta) - len(PARAMETERS)
+    slope = np.zeros(BASIS_SIZE + terms)
+    slope[:BASIS_SIZE] = design_slope(float(theta[ALPHA0])) @ theta[:ALPHA0]
+    return np.insert(design(float(theta[ALPHA0]), terms), ALPHA0, slope, axis=1)

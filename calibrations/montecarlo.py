@@ -8,7 +8,7 @@ from calibrations.compression import Compressed
 from calibrations.conditional import pseudo_inverse
 from calibrations.fit import JointFit
 from calibrations.geometry import FloatArray
-from calibrations.model import coefficients, design
+from calibrations.model import coefficients, design, parameter_vector
 
 TRIALS = 20_000
 SEED = 20081
@@ -58,13 +58,13 @@ def _refit(compressed: Compressed, fit: JointFit, nodes_deg: FloatArray, z: Floa
     if not fit.alpha0_fitted:
         return np.asarray(fit.theta + (z - compressed.r @ coefficients(fit.theta)) @ fit.inverse.T)
     alpha0_deg = _best_alpha0(compressed, nodes_deg, z)
-    inverse, _ = pseudo_inverse(compressed.r @ design(alpha0_deg))
-    return np.column_stack([np.einsum("tij,tj->ti", inverse, z), alpha0_deg])
+    inverse, _ = pseudo_inverse(compressed.r @ design(alpha0_deg, compressed.terms))
+    return parameter_vector(np.einsum("tij,tj->ti", inverse, z), alpha0_deg)
 
 
 def _best_alpha0(compressed: Compressed, nodes_deg: FloatArray, z: FloatArray) -> FloatArray:
     """Where on the nodes the model captures most of each row of `z`, refined by a parabola."""
-    matrices = compressed.r @ design(nodes_deg)
+    matrices = compressed.r @ design(nodes_deg, compressed.terms)
     captured = np.stack(
         [np.sum((z @ m @ i) * z, axis=1) for m, i in zip(matrices, pseudo_inverse(matrices)[0], strict=True)]
     )

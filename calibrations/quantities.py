@@ -36,7 +36,7 @@ def rounded(value: float, uncertainty: float | None, unit: str) -> Rounded:
         exponent = prefix_exponent(abs(value), unit)
         return Rounded(value=_plain(value / 10.0**exponent, 6), uncertainty="", unit=prefixed(unit, exponent))
     exponent = prefix_exponent(max(abs(value), uncertainty), unit)
-    if _decade(uncertainty) - exponent >= 2 and exponent + 3 in _PREFIXES:
+    if _takes_prefix(unit) and _decade(uncertainty) - exponent >= 2 and exponent + 3 in _PREFIXES:
         exponent += 3  # in the smaller unit the uncertainty would end in a zero that means nothing
     places = two_digit_places(uncertainty) + exponent
     return Rounded(
@@ -49,7 +49,9 @@ def rounded(value: float, uncertainty: float | None, unit: str) -> Rounded:
 def format_quantity(value: float, uncertainty: float | None, unit: str) -> str:
     """`(1.01643 ± 0.00036) V/g`: for an expanded uncertainty (GUM 7.2.4)."""
     text = rounded(value, uncertainty, unit)
-    return join(f"({text.value} ± {text.uncertainty})" if text.uncertainty else text.value, text.unit, space=True)
+    if not text.uncertainty:
+        return join(text.value, text.unit)
+    return f"({text.value} ± {text.uncertainty}) {text.unit}"
 
 
 def format_concise(value: float, uncertainty: float | None, unit: str) -> str:
@@ -106,7 +108,7 @@ def format_correlation(coefficient: float) -> str:
 
 def prefix_exponent(magnitude: float, unit: str) -> int:
     """Power of ten of the SI prefix for a magnitude in `unit`; only volts and what is per volt take a prefix."""
-    if not unit.startswith("V") or not magnitude > 0 or not math.isfinite(magnitude):
+    if not _takes_prefix(unit) or not magnitude > 0 or not math.isfinite(magnitude):
         return 0
     decade = math.floor(math.log10(magnitude) / 3 + 1e-12) * 3
     return min(max(decade, min(_PREFIXES)), max(_PREFIXES))
@@ -117,16 +119,19 @@ def prefixed(unit: str, exponent: int = 0) -> str:
     return _PREFIXES[exponent] + unit.replace("^2", "²").replace("deg", "°")
 
 
-def join(number: str, unit: str, space: bool = False) -> str:
-    """Number and unit; a degree sign stands close to a bare number (SI brochure, 5.4.3)."""
-    gap = "" if not unit or (unit == "°" and not space) else " "
-    return f"{number}{gap}{unit}"
+def join(number: str, unit: str) -> str:
+    """Number and unit; a degree sign stands close to its number (SI brochure, 5.4.3)."""
+    return f"{number}{unit}" if unit in ("", "°") else f"{number} {unit}"
 
 
 def fixed(number: float, places: int) -> str:
     """A number with this many decimal places; with a negative count it is rounded to tens, hundreds and so on."""
     text = f"{round(number, places):.{max(places, 0)}f}"
     return text.removeprefix("-") if float(text) == 0 else text
+
+
+def _takes_prefix(unit: str) -> bool:
+    return unit.startswith("V")
 
 
 def two_digit_places(uncertainty: float) -> int:

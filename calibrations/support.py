@@ -23,7 +23,7 @@ class Kind(StrEnum):
     SIGNIFICANCE = "significance"
     """Whether the 95% interval excludes zero, and how many digits the uncertainty supports."""
     UNTOLD = "untold"
-    """A parameter without a value: why."""
+    """Parameters without a value: why."""
     DEPENDENCE = "dependence"
     """On what the values rest."""
     CONDITION = "condition"
@@ -52,7 +52,7 @@ def support(calibration: Calibration) -> tuple[Statement, ...]:
     parameters = tuple(calibration.parameters.values())
     return (
         *_significances(parameters),
-        *(_untold(parameter) for parameter in parameters if parameter.value is None),
+        *_untold(parameters),
         *_dependences(parameters),
         *_conditions(parameters),
         *_correlations(calibration),
@@ -125,9 +125,13 @@ def _relative(ratio: float) -> str:
     )
 
 
-def _untold(parameter: Parameter) -> Statement:
-    text = f"{parameter.name} cannot be told: {parameter.reason}.{_remedy(parameter.settled_by)}"
-    return Statement(about=(parameter.name,), kind=Kind.UNTOLD, text=text)
+def _untold(parameters: Sequence[Parameter]) -> Iterator[Statement]:
+    """One statement for all parameters that lack a value for the same reason."""
+    untold = [parameter for parameter in parameters if parameter.value is None]
+    for reason, settled_by in dict.fromkeys((p.reason, p.settled_by) for p in untold):
+        names = tuple(p.name for p in untold if (p.reason, p.settled_by) == (reason, settled_by))
+        text = f"{series(names)} cannot be told: {reason}.{_remedy(settled_by)}"
+        yield Statement(about=names, kind=Kind.UNTOLD, text=text)
 
 
 def _remedy(mounts: Sequence[str]) -> str:
