@@ -16,6 +16,7 @@ from calibrations.model import ALPHA0, PARAMETERS, UNITS
 from calibrations.montecarlo import TRIALS, MonteCarlo, monte_carlo
 from calibrations.observations import Observations
 from calibrations.published import published_method
+from calibrations.quantities import format_number
 from calibrations.result import BudgetLine, Calibration, Parameter, PerAcceleration
 
 
@@ -140,7 +141,7 @@ def _budget(
         BudgetLine(
             name="scatter of the data",
             kind="A",
-            symbol=f"{noise.used_v * 1e6:.3g} µV a dwell",
+            symbol=f"{format_number(noise.used_v, 'V')} a dwell",
             contributions=contributions(type_a),
             degrees_of_freedom=noise.used_degrees_of_freedom,
         ),
@@ -160,7 +161,7 @@ def _budget(
 def _simulate(fitted: Joint, listed: tuple[Source, ...], trials: int) -> MonteCarlo:
     errors = np.column_stack([np.zeros((len(fitted.observations), 1)), *(source.errors_v for source in listed)])
     nodes = fitted.profile.nodes_deg(float(fitted.fit.theta[ALPHA0]))
-    return monte_carlo(fitted.compressed, fitted.fit, nodes, fitted.noise.used_v, errors, trials)
+    return monte_carlo(fitted.compressed, fitted.fit, nodes, fitted.noise, errors, trials)
 
 
 def _by_name(simulated: MonteCarlo, told: list[str]) -> dict[str, tuple[float, tuple[float, float]]]:

@@ -36,7 +36,8 @@ class FlipClosure:
     p_value: float | None
     """Chance of such a disagreement from the scatter of repeats alone; None with fewer than two flips."""
     worst: tuple[str, str, float, float] | None
-    """The two axes that differ most, by how many volts, and by how many standard uncertainties of the difference."""
+    """The two axes that differ most, by how many volts more than the joint fit expects, and by how many standard
+    uncertainties of the difference."""
 
 
 def flip_closure(observations: Observations, expected_v: FloatArray, error: PureError) -> FlipClosure | None:
@@ -63,7 +64,8 @@ def flip_closure(observations: Observations, expected_v: FloatArray, error: Pure
 def _worst(means: dict[str, FlipMean]) -> tuple[str, str, float, float]:
     names = list(means)
     pairs = [(a, b) for i, a in enumerate(names) for b in names[i + 1 :]]
-    differences = [means[a].u0_v - means[b].u0_v for a, b in pairs]
+    excess = {name: mean.u0_v - mean.expected_v for name, mean in means.items()}
+    differences = [excess[a] - excess[b] for a, b in pairs]
     sigmas = [
         abs(difference) / np.hypot(means[a].standard_uncertainty_v, means[b].standard_uncertainty_v)
         for difference, (a, b) in zip(differences, pairs, strict=True)

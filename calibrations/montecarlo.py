@@ -8,6 +8,7 @@ from calibrations.compression import Compressed
 from calibrations.conditional import pseudo_inverse
 from calibrations.fit import JointFit
 from calibrations.geometry import FloatArray
+from calibrations.joint import Noise
 from calibrations.model import coefficients, design, parameter_vector
 
 TRIALS = 20_000
@@ -29,20 +30,22 @@ def monte_carlo(
     compressed: Compressed,
     fit: JointFit,
     nodes_deg: FloatArray,
-    standard_deviation_v: float,
+    scatter: Noise,
     errors_v: FloatArray,
     trials: int,
 ) -> MonteCarlo:
     """Simulate the rows anew and refit the full nonlinear model to each.
 
-    `nodes_deg` are values of alpha0 that span what it can be; `standard_deviation_v` is the scatter of a row of
-    weight 1; `errors_v`, shape (rows, n), are the independent errors of type B, one standard uncertainty each. Work is
-    done on the rotated voltages, where white noise stays white.
+    `nodes_deg` are values of alpha0 that span what it can be; `scatter` is that of a row of weight 1, with few degrees
+    of freedom a Student distribution (JCGM 101, 6.4.9); `errors_v`, shape (rows, n), are the independent errors of
+    type B, one standard uncertainty each. Work is done on the rotated voltages, where white noise stays white.
     """
     generator = np.random.default_rng(SEED)
     effect = compressed.rotation.T @ errors_v
     centre = compressed.r @ coefficients(fit.theta)
-    noise = generator.normal(size=(trials, len(centre))) * standard_deviation_v
+    freedom = max(scatter.used_degrees_of_freedom, 1)
+    ruler_v = scatter.used_v * np.sqrt(freedom / generator.chisquare(freedom, size=(trials, 1)))
+    noise = generator.normal(size=(trials, len(centre))) * ruler_v
     shared = generator.normal(size=(trials, effect.shape[1])) @ effect.T
     theta = _refit(compressed, fit, np.unique(nodes_deg), centre + noise + shared)
     low, high = np.quantile(theta, [0.025, 0.975], axis=0)

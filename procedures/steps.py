@@ -1,7 +1,7 @@
 """What a procedure asks of the stand, and what it gets back.
 
-A procedure is a generator: it yields steps and is sent what came of each. Steps are frozen data, so that a recording can
-hold them and a resumed run can compare them.
+A procedure is a generator: it yields steps and is sent what came of each. Steps are frozen data, so that a recording
+can hold them and a resumed run can compare them.
 """
 
 from collections.abc import Generator

@@ -7,7 +7,7 @@ import pytest
 
 @pytest.fixture(scope="session")
 def shared() -> Path:
-    """Folder with measured and blind-made tables beside the checkout; a test that needs it says so where it is absent."""
+    """Folder with measured and blind-made tables beside the checkout; where it is absent, tests of them say so."""
     folder = Path(__file__).resolve().parents[2] / "shared"
     if not folder.is_dir():
         pytest.skip(f"needs the tables in {folder}, which is not there")

@@ -1,0 +1,118 @@
+"""How an effect is declared: by the columns that it adds to the model, and by what its coefficients are called."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Literal, TypeAlias
+
+import numpy as np
+
+from calibrations.effects.scene import Scene
+from calibrations.geometry import FloatArray
+
+Owner: TypeAlias = Literal["unit", "stand", "daq"]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Form:
+    """One shape of an effect: what is linear in its coefficients, for given values of what is not."""
+
+    columns: FloatArray
+    """Volts per unit of each coefficient, shape (rows, coefficients)."""
+    scanned: Mapping[str, float] = field(default_factory=dict)
+    """Values of what enters nonlinearly (order, time constant, threshold, period), by contract key."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Quantity:
+    """A number with its standard uncertainty (None where it has none, as a whole-numbered order) and unit."""
+
+    value: float
+    standard_uncertainty: float | None
+    unit: str
+
+
+Forms: TypeAlias = Callable[[Scene], Sequence[Form]]
+Reported: TypeAlias = Callable[[Form, FloatArray, FloatArray], Mapping[str, Quantity]]
+"""From form, coefficients and their covariance to what is reported, by contract key."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Effect:
+    """A physical effect that the declared model lacks."""
+
+    name: str
+    """A word of the contract, or of the user."""
+    belongs_to: Owner
+    symbol: str
+    source: str
+    forms: Forms
+    """Every shape to try; none where the table lacks what the effect depends on."""
+    report: Reported
+
+
+def single(column: FloatArray | None) -> tuple[Form, ...]:
+    """One form with one column; none without a column."""
+    return () if column is None else (Form(columns=np.asarray(column, dtype=float)[:, None]),)
+
+
+def plain(key: str, unit: str) -> Reported:
+    """Report the only coefficient under its key."""
+
+    def report(_form: Form, coefficients: FloatArray, covariance: FloatArray) -> dict[str, Quantity]:
+        uncertainty = float(np.sqrt(covariance[0, 0]))
+        return {key: Quantity(value=float(coefficients[0]), standard_uncertainty=uncertainty, unit=unit)}
+
+    return report
+
+
+def harmonic(_form: Form, coefficients: FloatArray, covariance: FloatArray) -> dict[str, Quantity]:
+    """Report a sine and a cosine coefficient as A sin(n φ + p): amplitude and phase in degrees."""
+    sine, cosine = float(coefficients[0]), float(coefficients[1])
+    amplitude = float(np.hypot(sine, cosine))
+    along = np.array([sine, cosine]) / amplitude
+    across = np.array([-cosine, sine]) / amplitude**2
+    phase_deg = float(np.rad2deg(np.arctan2(cosine, sine)) % 360.0)
+    u_amplitude = float(np.sqrt(along @ covariance @ along))
+    u_phase_deg = float(np.rad2deg(np.sqrt(across @ covariance @ across)))
+    return {
+        "amplitude_deg": Quantity(value=amplitude, standard_uncertainty=u_amplitude, unit="deg"),
+        "phase_deg": Quantity(value=phase_deg, standard_uncertainty=u_phase_deg, unit="deg"),
+    }
+
+
+def with_scanned(report: Reported, **units: str) -> Reported:
+    """Report the scanned values too, under their keys, with these units."""
+
+    def extended(form: Form, coefficients: FloatArray, covariance: FloatArray) -> dict[str, Quantity]:
+        scanned = {
+            key: Quantity(value=form.scanned[key], standard_uncertainty=None, unit=unit) for key, unit in units.items()
+        }
+        return {**report(form, coefficients, covariance), **scanned}
+
+    return extended
+
+
+def spread(key: str, unit: str) -> Reported:
+    """Report the standard deviation of levels that happened, their own uncertainty taken out.
+
+    The coefficients are those of `contrasts`.
+    """
+
+    def report(_form: Form, coefficients: FloatArray, covariance: FloatArray) -> dict[str, Quantity]:
+        count = len(coefficients)
+        mean_square = float(coefficients @ coefficients) / count
+        noise = float(np.trace(covariance)) / count
+        value = float(np.sqrt(max(mean_square - noise, 0.0)))
+        uncertainty = float(np.sqrt(coefficients @ covariance @ coefficients)) / max(count * value, 1e-300)
+        return {key: Quantity(value=value, standard_uncertainty=uncertainty, unit=unit)}
+
+    return report
+
+
+def contrasts(levels: int) -> FloatArray:
+    """Orthonormal contrasts, shape (levels, levels - 1): every combination of levels with mean zero (Helmert)."""
+    matrix = np.zeros((levels, levels - 1))
+    for column in range(levels - 1):
+        matrix[: column + 1, column] = -1.0
+        matrix[column + 1, column] = column + 1.0
+    return np.asarray(matrix / np.linalg.norm(matrix, axis=0))

@@ -1,0 +1,113 @@
+"""What an effect may depend on: everything that is known of each row once the declared model is fitted."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from calibrations.geometry import FloatArray, projections
+from calibrations.observations import Observations
+from calibrations.repeats import labels, mountings
+
+PAUSE_S = 60.0
+"""Two dwells further apart than this did not follow directly on one another."""
+_BACK_DEG = 1.0
+"""How far before its present angle the head is looked at to tell whence ax came."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Scene:
+    """Rows as an effect sees them; what the table does not say is None."""
+
+    observations: Observations
+    alpha0_deg: float
+    output_v: FloatArray
+    """Output by the fit, shape (rows,): free of noise, as close to the truth as the fit is."""
+    slope_v_per_deg: FloatArray
+    """Change of the output with the true angle, shape (rows,)."""
+    response_v_per_g: FloatArray
+    """Change of the output with ax, ay and az, by the fit, shape (3,)."""
+    reference_temperature_degc: float = 23.0
+
+    @cached_property
+    def gravity_g(self) -> FloatArray:
+        """Projections ax, ay, az, shape (rows, 3)."""
+        return projections(self.observations.mounts, self.observations.angle_deg + self.alpha0_deg)
+
+    @property
+    def ax_g(self) -> FloatArray:
+        """Projection on the input axis, shape (rows,)."""
+        return np.asarray(self.gravity_g[:, 0])
+
+    @property
+    def angle_deg(self) -> FloatArray:
+        """Head angle as reported."""
+        return self.observations.angle_deg
+
+    @cached_property
+    def hours(self) -> FloatArray | None:
+        """Time since the first row, in hours."""
+        time_s = self.observations.time_s
+        return None if time_s is None else (time_s - time_s[0]) / 3600.0
+
+    @cached_property
+    def temperature_k(self) -> FloatArray | None:
+        """Temperature above the reference, in kelvin; missing values are the mean."""
+        measured = self.observations.temperature_degc
+        if measured is None or not np.isfinite(measured).any():
+            return None
+        filled = np.where(np.isfinite(measured), measured, np.nanmean(measured))
+        return np.asarray(filled - self.reference_temperature_degc)
+
+    @cached_property
+    def direction(self) -> NDArray[np.int64]:
+        """Sign of the last move of the head; from the angles where the table does not say, 0 where nothing does."""
+        if self.observations.direction is not None:
+            return self.observations.direction
+        step = np.sign(np.diff(self.angle_deg, prepend=self.angle_deg[:1])).astype(np.int64)
+        return np.asarray(np.where(self._remounted, 0, step))
+
+    @cached_property
+    def realisation(self) -> NDArray[np.int64]:
+        """Number of the realisation of each row, from 0."""
+        return labels(self.observations.realisations)
+
+    @cached_property
+    def mounting(self) -> NDArray[np.int64]:
+        """Number of the mounting of each row, from 0."""
+        return mountings(self.observations)
+
+    @cached_property
+    def rising(self) -> FloatArray:
+        """How ax was last approached: 1 after it rose, -1 after it fell, 0 where that is not known."""
+        before_deg = self.angle_deg - self.direction * _BACK_DEG
+        before = projections(self.observations.mounts, before_deg + self.alpha0_deg)[:, 0]
+        return np.asarray(np.where(self.direction == 0, 0.0, np.sign(self.ax_g - before)))
+
+    @cached_property
+    def left_over_v(self) -> FloatArray:
+        """Output of the previous dwell minus that of this one where it followed directly, else 0."""
+        return np.asarray(np.where(self._follows, np.roll(self.output_v, 1) - self.output_v, 0.0))
+
+    @property
+    def variance_v2(self) -> FloatArray | None:
+        """Variance of the samples within the dwell."""
+        deviation = self.observations.voltage_sd_v
+        if deviation is None or not np.isfinite(deviation).all():
+            return None
+        return np.asarray(deviation**2)
+
+    @property
+    def _remounted(self) -> NDArray[np.bool_]:
+        """Whether the unit was seated anew, or the table begins, just before the row."""
+        return np.asarray(np.diff(self.mounting, prepend=-1) != 0)
+
+    @property
+    def _follows(self) -> NDArray[np.bool_]:
+        hours = self.hours
+        pause = np.zeros(len(self.angle_deg), dtype=bool)
+        if hours is not None:
+            pause = np.diff(hours, prepend=hours[0]) * 3600.0 > PAUSE_S
+        gap = np.diff(self.observations.row, prepend=self.observations.row[0]) > 1
+        return np.asarray(~self._remounted & ~pause & ~gap)

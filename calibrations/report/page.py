@@ -1,0 +1,87 @@
+"""Puts the sections together into one page."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+from markupsafe import Markup
+
+from calibrations.provenance import LimitCheck, Provenance
+from calibrations.report import evidence, uncertainty
+from calibrations.report.origin import origin
+from calibrations.report.results import header, results
+from calibrations.report.subject import Subject
+from calibrations.result import Calibration
+
+_TEMPLATES = Environment(
+    loader=PackageLoader("calibrations", "report"),
+    autoescape=True,
+    undefined=StrictUndefined,
+    trim_blocks=True,
+    lstrip_blocks=True,
+)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Section:
+    """One section of the page."""
+
+    anchor: str
+    title: str
+    content: Callable[[Subject], Mapping[str, Any]]
+
+    def render(self, subject: Subject) -> Markup:
+        """The section without its heading: the template `<anchor>.html.j2` with what `content` gives."""
+        return Markup(_TEMPLATES.get_template(f"{self.anchor}.html.j2").render(self.content(subject)))
+
+
+SECTIONS = (
+    Section(anchor="results", title="Results", content=results),
+    Section(anchor="support", title="What this experiment could support", content=evidence.supported),
+    Section(anchor="fit", title="Fit", content=evidence.fit),
+    Section(anchor="residuals", title="Residuals", content=evidence.residuals),
+    Section(anchor="closure", title="Closure of the flips", content=evidence.closure),
+    Section(anchor="quality", title="Noise, lack of fit and rows", content=evidence.quality),
+    Section(anchor="budget", title="Uncertainty budget", content=uncertainty.budget),
+    Section(anchor="correlation", title="Correlation", content=uncertainty.correlation),
+    Section(anchor="published", title="Comparison with the published method", content=uncertainty.published),
+    Section(anchor="origin", title="Provenance", content=origin),
+)
+"""The sections of the page in their order."""
+
+
+def render_report(
+    calibration: Calibration,
+    provenance: Provenance,
+    *,
+    limits: Sequence[LimitCheck] = (),
+    record_id: str = "",
+    revision: int = 1,
+) -> str:
+    """One HTML page that needs nothing else: style and plots are inside, there is no script.
+
+    The same input gives the same text.
+
+    Parameters
+    ----------
+    calibration
+        Result of the analysis.
+    provenance
+        Where it comes from.
+    limits
+        Checks against the limits of the programme; without them there is no verdict.
+    record_id
+        Identifier in the store; empty where there is none.
+    revision
+        Revision of the record, from 1.
+    """
+    subject = Subject(
+        calibration=calibration,
+        provenance=provenance,
+        limits=tuple(limits),
+        record_id=record_id,
+        revision=revision,
+    )
+    bodies = [(section, section.render(subject)) for section in SECTIONS]
+    return _TEMPLATES.get_template("page.html.j2").render(subject=subject, sections=bodies, **header(subject))
