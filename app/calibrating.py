@@ -149,5 +149,8 @@ def calibrate(
     record = store(analysed, folder)
     tell("reporting")
     report = folder / "reports" / f"{record.id}.html"
-    write_report(analysed, report, record.id, record.revision)
+    try:
+        write_report(analysed, report, record.id, record.revision)
+    except JobError as error:
+        raise JobError(f"{error}; record {record.id} of {recording} is stored", error.status) from error
     return Calibrated(analysed=analysed, record=record, recording=recording, report=report)

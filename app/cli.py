@@ -1,6 +1,7 @@
 """The command line. Commands are imported when they are called: `tumble --help` must not wait for numpy."""
 
 import sys
+import traceback
 from importlib import import_module
 
 import click
@@ -45,19 +46,20 @@ def cli() -> None:
 def main() -> None:
     """Entry point of `tumble`: one sentence for every error that a user can act on."""
     try:
-        cli(standalone_mode=False)
-    except click.exceptions.Exit as leaving:
-        sys.exit(leaving.exit_code)
+        cli(prog_name="tumble", standalone_mode=False)
     except click.Abort:
+        click.echo("tumble: interrupted; what was recorded is kept", err=True)
         sys.exit(4)
     except click.ClickException as error:
         error.show()
         sys.exit(error.exit_code)
     except Exception as error:
-        from app.exits import status_of  # only when something went wrong
+        from app.exits import Exit, status_of  # only when something went wrong
 
         status = status_of(error)
         if status is None:
-            raise
+            traceback.print_exc()
+            click.echo("tumble: a fault of the program; report it with the lines above", err=True)
+            sys.exit(int(Exit.INTERNAL))
         click.echo(f"tumble: {error}", err=True)
         sys.exit(int(status))

@@ -40,10 +40,10 @@ def warn(sentences: Iterable[str]) -> None:
 
 @contextmanager
 def run_display(plan: Plan, clock: Clock, console: Console) -> Iterator[Listener]:
-    """A progress bar with the time left; yields the listener that feeds it."""
+    """A progress bar with the time left, on a terminal; yields the listener that feeds it."""
     counted = RunProgress(plan, clock)
     columns = (SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), TextColumn("{task.fields[left]}"))
-    with Progress(*columns, console=console, transient=not console.is_terminal) as bar:
+    with Progress(*columns, console=console, disable=not console.is_terminal) as bar:
         task = bar.add_task("measuring", total=counted.total, left="")
 
         def listen(event: Event) -> None:
@@ -56,7 +56,7 @@ def run_display(plan: Plan, clock: Clock, console: Console) -> Iterator[Listener
                 description = f"{event.point.mount} {event.point.angle_deg:7.2f}°"
                 bar.update(task, completed=counted.done, description=description, left=text)
             elif isinstance(event, WarningRaised):
-                bar.console.print(f"warning: {event.message}", markup=False)
+                bar.console.print(f"warning: {event.message}", markup=False, soft_wrap=True)
 
         yield listen
 

@@ -8,6 +8,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from app.files import is_recording
 from app.identity import program_identity
 from app.stand import StandFile
 from calibrations.budget import StandUncertainty
@@ -20,8 +21,6 @@ from procedures.errors import InputError
 from procedures.programme import Programme, programme_from_text
 from procedures.recording.errors import RecordingError
 from procedures.recording.header import Header
-
-RECORDING_SUFFIX = ".mcap"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -46,7 +45,9 @@ class Measurement:
         except ValidationError as error:
             first = error.errors()[0]
             where = ".".join(map(str, first["loc"]))
-            raise InputError(f"{self.path}: the stand file in it does not fit: {where}: {first['msg']}") from error
+            raise InputError(
+                f"{self.path}: the stand file in it does not fit: {where}: {first['msg']}; give one with --stand"
+            ) from error
 
     @property
     def programme(self) -> Programme | None:
@@ -69,7 +70,7 @@ def read_measurement(path: Path, stand: Mapping[str, Any] | None = None) -> Meas
     InputError
         Unreadable or malformed, or without a single complete point: one sentence.
     """
-    if path.suffix.lower() == RECORDING_SUFFIX:
+    if is_recording(path):
         measurement = _read_recording(path, stand)
     else:
         try:

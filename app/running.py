@@ -60,7 +60,7 @@ def run(job: Job, connected: Connected, recording: Path, listeners: Sequence[Lis
     InputError
         The programme does not fit the stand; nothing has moved.
     JobError
-        The recording cannot be created; nothing has moved.
+        The recording cannot be created, and nothing has moved; or it cannot be closed after the run.
     """
     from procedures.recording.writer import Recorder  # the MCAP library takes 0.1 s
 
@@ -72,11 +72,13 @@ def run(job: Job, connected: Connected, recording: Path, listeners: Sequence[Lis
         recorder = Recorder(recording, _header(job, stand.clock), stand.clock)
     except (OSError, RecordingError) as error:
         raise JobError(_storage_sentence(recording, error), Exit.STORAGE) from error
-    with recorder:
-        acquisition = job.programme.acquisition(samples=daq.samples, rate_hz=daq.rate_hz)
-        engine = Engine(stand, connected.operator, recorder, acquisition, [*connected.listeners, *listeners])
-        with _stopping_on_signals(engine):
+    acquisition = job.programme.acquisition(samples=daq.samples, rate_hz=daq.rate_hz)
+    engine = Engine(stand, connected.operator, recorder, acquisition, [*connected.listeners, *listeners])
+    try:
+        with recorder, _stopping_on_signals(engine):
             return engine.run(job.programme.procedure())
+    except RecordingError as error:  # from closing it: what fails during the run is in the outcome
+        raise JobError(f"{error}; its complete points can be read", Exit.STORAGE) from error
 
 
 def failure(outcome: Outcome, recording: Path) -> JobError | None:

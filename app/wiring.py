@@ -3,7 +3,10 @@
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
+
+import click
 
 from app.stand import LoadedStand
 from drivers.clock import Clock, SystemClock, VirtualClock
@@ -47,7 +50,9 @@ def connect(loaded: LoadedStand, answers: Path | None = None, attended: bool = F
 def _operator(answers: Path | None, attended: bool) -> Operator:
     if answers is not None:
         return ScriptedOperator.from_file(answers)
-    return ConsoleOperator(sys.stdin) if attended else ScriptedOperator(Answers(mounts={"default": "yes"}))
+    if attended:
+        return ConsoleOperator(sys.stdin, show=partial(click.echo, err=True))
+    return ScriptedOperator(Answers(mounts={"default": "yes"}))
 
 
 def _simulated(loaded: LoadedStand, clock: Clock) -> SimulatedStand:

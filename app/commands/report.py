@@ -20,7 +20,7 @@ from app.stand import load_stand
 def command(file_or_record: str, out: Path | None, stand_path: Path | None, serial_number: str, folder: Path) -> None:
     """Write the report (HTML) of a recording, an observation table, or a stored record by its id."""
     path = Path(file_or_record)
-    if path.is_file():
+    if path.is_file() or path.suffix:  # an id has none
         measurement = read_measurement(path, load_stand(stand_path).recorded if stand_path else None)
         page = out or path.with_suffix(".html")
         write_report(fit(measurement, serial_number), page)

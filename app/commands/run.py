@@ -7,8 +7,10 @@ import click
 from app.commands import options
 from app.commands.measuring import measures
 from app.console import messages, run_display
+from app.files import RECORDING_SUFFIX, is_recording
 from app.running import Job, failure, recording_path, run
 from app.wiring import Connected
+from procedures.errors import InputError
 
 
 @click.command("run")
@@ -20,6 +22,8 @@ def command(job: Job, connected: Connected, folder: Path, out: Path | None, json
     """Run a programme and leave a recording, to be fitted later."""
     console = messages()
     clock = connected.stand.clock
+    if out and not is_recording(out):
+        raise InputError(f"{out}: is no name of a recording; end it in {RECORDING_SUFFIX}")
     recording = out or recording_path(folder, job.serial_number, job.programme.name, clock)
     with run_display(job.plan(), clock, console) as display:
         outcome = run(job, connected, recording, [display])

@@ -43,3 +43,10 @@ def test_the_uncertainty_is_the_scatter_between_realisations():
 
 def test_too_few_angles_for_five_coefficients_are_no_sweep():
     assert published_method(table(("sweep", "face-up", [0.0, 90.0, 180.0, 270.0]), noise_v=0.0))["kxy"].value is None
+
+
+def test_a_dead_unit_gives_numbers_all_the_same():
+    dead = table(sweep("face-up"), noise_v=0.0)
+    dead.voltage_v[:] = 0.0
+
+    assert published_method(dead)["alpha0"].value == 0.0

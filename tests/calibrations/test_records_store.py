@@ -29,6 +29,11 @@ def test_a_record_gives_back_the_parameters_of_the_calibration(store):
     assert record.parameters == calibration().parameters
 
 
+def test_the_parameters_of_a_record_keep_their_usual_order(store):
+    record = Store.existing(store.folder).get(store.add(calibration(), provenance()).id)
+    assert list(record.parameters) == ["u0", "kx", "ky", "kz", "kxy", "alpha0"]
+
+
 def test_a_parameter_without_value_keeps_its_reason(store):
     kz = store.get(store.add(sweep_only(), provenance()).id).parameters["kz"]
     assert (kz.value, kz.degrees_of_freedom, kz.interval_95) == (None, None, None)

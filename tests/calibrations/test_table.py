@@ -97,6 +97,14 @@ def test_a_last_line_without_an_end_is_read_with_a_warning(tmp_path):
             "unit.csv, line 3, column realisation: 1.5 where a whole number from 1 is expected",
         ),
         (
+            "angle_deg,realisation,voltage_V\n0,1e300,2.5\n",
+            "unit.csv, line 2, column realisation: 1e+300 where a whole number from 1 is expected",
+        ),
+        (
+            "angle_deg,realisation,voltage_V\n0,1e300,2.5\n",
+            "unit.csv, line 2, column realisation: 1e+300 where a whole number from 1 is expected",
+        ),
+        (
             "angle_deg,angle_deg,voltage_V\n0,0,2\n",
             "unit.csv, line 1, column angle_deg: named twice; rename or remove one",
         ),

@@ -1,0 +1,91 @@
+"""Fixtures of the application's tests."""
+
+import json
+import shutil
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+from app_jobs import STAND, TINY, Ran, tumble
+
+from calibrations import analysis
+
+
+@dataclass(frozen=True, kw_only=True)
+class Done:
+    """A store with one calibration in it."""
+
+    ran: Ran
+    store: Path
+    document: dict
+
+    @property
+    def recording(self):
+        return next(self.store.glob("recordings/SN-7/*.mcap"))
+
+
+@pytest.fixture(scope="session")
+def calibrated(tmp_path_factory):
+    """`tumble calibrate` on the built-in stand, to be looked at only."""
+    folder = tmp_path_factory.mktemp("calibrated")
+    ran = tumble(
+        "calibrate", "--programme", "quick", "--serial", "SN-7", "--operator", "Оксана",
+        "--store", folder / "store", "--json", folder / "fit.json",
+    )  # fmt: skip
+    assert ran.status == 0, ran.err
+    return Done(ran=ran, store=folder / "store", document=json.loads((folder / "fit.json").read_text("utf-8")))
+
+
+@pytest.fixture(autouse=True)
+def few_trials(monkeypatch):
+    """Monte Carlo takes most of the time of a fit; how well it does is tested elsewhere."""
+    simulate = analysis.monte_carlo
+    monkeypatch.setattr(analysis, "monte_carlo", lambda *arguments: simulate(*arguments[:-1], 100))
+
+
+@pytest.fixture
+def copied(calibrated, tmp_path):
+    """The same at another place, to be changed."""
+    shutil.copytree(calibrated.store, tmp_path / "copied")
+    return Done(ran=calibrated.ran, store=tmp_path / "copied", document=calibrated.document)
+
+
+@pytest.fixture
+def write(tmp_path):
+    """Writes a file and returns its path."""
+
+    def write_file(name, text):
+        path = tmp_path / name
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
+        return path
+
+    return write_file
+
+
+@pytest.fixture
+def tiny(write):
+    """Programme of six dwells."""
+    return write("tiny.toml", TINY)
+
+
+@pytest.fixture
+def stand(write):
+    """Stand file like the one that is built in."""
+    return write("bench-1.toml", STAND)
+
+
+@pytest.fixture(scope="session")
+def tiny_recording(tmp_path_factory):
+    """Recording of the six dwells, to be looked at only."""
+    folder = tmp_path_factory.mktemp("tiny")
+    (folder / "tiny.toml").write_text(TINY)
+    assert (
+        tumble("run", "--programme", folder / "tiny.toml", "--serial", "SN-7", "--out", folder / "x.mcap").status == 0
+    )
+    return folder / "x.mcap"
+
+
+@pytest.fixture
+def no_report(monkeypatch):
+    """Drawing takes two seconds; a test of something else does without."""
+    monkeypatch.setattr("calibrations.report.render_report", lambda *_, **__: "<html></html>")

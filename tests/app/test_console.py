@@ -1,0 +1,63 @@
+import io
+
+import pytest
+from app_jobs import STAND, tumble
+from rich.console import Console
+
+from app.console import run_display
+from app.running import Job, run
+from app.stand import load_stand
+from app.wiring import connect
+from procedures.programme import load_programme
+
+
+@pytest.fixture
+def shown(tiny, tmp_path):
+    """What a terminal shows of a run of six dwells."""
+    stand = load_stand()
+    job = Job(stand=stand, programme=load_programme(tiny), serial_number="A")
+    connected = connect(stand)
+    terminal = io.StringIO()
+    console = Console(file=terminal, force_terminal=True, width=100)
+    with run_display(job.plan(), connected.stand.clock, console) as display:
+        run(job, connected, tmp_path / "x.mcap", [display])
+    return terminal.getvalue()
+
+
+def test_a_terminal_shows_how_far_a_run_is(shown):
+    assert "face-up  300.00°" in shown
+    assert "6/6, 00:00 ± 00:00 left" in shown
+
+
+def test_nothing_of_a_run_is_shown_where_there_is_no_terminal(tiny, tmp_path):
+    ran = tumble("run", "--programme", tiny, "--serial", "A", "--out", tmp_path / "x.mcap")
+
+    assert ran.err == f"recording {tmp_path / 'x.mcap'}\n"
+
+
+def test_a_warning_of_the_run_is_one_line(write, tiny, tmp_path):
+    stand = write("narrow.toml", STAND + "range_v = 3.0\n")
+
+    ran = tumble("run", "--stand", stand, "--programme", tiny, "--serial", "A", "--out", tmp_path / "x.mcap")
+
+    overload = "10 of 10 samples are overloads or no numbers; the point will be set aside"
+    assert f"warning: point 4 (face-up at 240 deg): {overload}" in ran.err.splitlines()
+
+
+def test_rows_that_are_set_aside_are_shown_with_their_reason(write, tiny, tmp_path):
+    stand = write("narrow.toml", STAND + "range_v = 3.0\n")
+    tumble("run", "--stand", stand, "--programme", tiny, "--serial", "A", "--out", tmp_path / "x.mcap")
+
+    lines = tumble("fit", tmp_path / "x.mcap").out.splitlines()
+
+    assert "rows: 6 read, 4 used, 2 set aside" in lines
+    assert [line[:8] for line in lines if line.startswith("  row ")] == ["  row 5:", "  row 6:"]
+
+
+def test_what_a_value_stands_on_is_remarked(shared):
+    sweeps = tumble("fit", shared / "cases" / "19-absorbed-k_xx-sweeps-only.csv").out
+    flips = tumble("fit", shared / "data" / "flip_mpu9250_y.csv").out
+
+    assert "rests on kxy alone" in sweeps
+    assert "given alpha0 = 0°" in flips
+    assert "flip closure: u0 of the y and z flips differ by 6.5 mV, 18.2 standard uncertainties" in flips

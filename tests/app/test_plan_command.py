@@ -1,0 +1,37 @@
+import json
+
+from app_jobs import tumble
+
+
+def test_a_plan_shows_every_step_and_the_whole_duration(tiny):
+    lines = tumble("plan", tiny).out.splitlines()
+
+    assert lines[0] == "    1  0:00:00  seat the unit in face-up (60 s allowed)"
+    assert lines[1] == "    2  0:01:00  sweep 1: face-up at 0° (0.2 s)"
+    assert lines[2] == "    3  0:01:00  sweep 1: face-up at 60° (3.2 s)"
+    assert lines[-1] == "tiny: 6 dwells between 0° and 300°, 1 mountings by hand, 0:01:16 in all"
+    assert len(lines) == 8
+
+
+def test_a_plan_as_json_counts_and_times_the_steps(tiny):
+    document = json.loads(tumble("plan", tiny, "--json", "-").out)
+
+    assert document["schema"] == "tumble.plan/1"
+    assert (document["programme"], document["dwells"], document["mount_changes"]) == ("tiny", 6, 1)
+    assert document["angle_range_deg"] == [0.0, 300.0]
+    assert document["steps"][0] == {"step": "mounting", "mount": "face-up", "duration_s": 60.0}
+    assert [step["angle_deg"] for step in document["steps"][1:]] == [0.0, 60.0, 120.0, 180.0, 240.0, 300.0]
+    assert document["duration_s"] == sum(step["duration_s"] for step in document["steps"])
+
+
+def test_the_published_programme_has_430_dwells():
+    document = json.loads(tumble("plan", "seed", "--json", "-").out)
+
+    assert document["dwells"] == 430
+
+
+def test_a_plan_leaves_nothing_behind(tiny, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+
+    assert tumble("plan", tiny).status == 0
+    assert [path.name for path in tmp_path.iterdir()] == ["tiny.toml"]
