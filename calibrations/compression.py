@@ -5,7 +5,9 @@ transformation separates what those can follow from the rest, whose sum of squar
 profile or a Monte Carlo trial works on some ten numbers instead of thousands of rows, with the same result to rounding.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import numpy as np
 
@@ -29,20 +31,28 @@ class Compressed:
     @property
     def terms(self) -> int:
         """Number of columns beyond the ten of the declared model."""
-        return len(self.z) - BASIS_SIZE
+        return int(self.r.shape[1]) - BASIS_SIZE
 
 
-def compress(basis: FloatArray, voltage_v: FloatArray, weights: FloatArray) -> Compressed:
+Whiten: TypeAlias = Callable[[FloatArray], FloatArray]
+"""A symmetric linear transformation of columns, shape (rows, n) or (rows,), after which noise is white."""
+
+
+def unchanged(columns: FloatArray) -> FloatArray:
+    """For noise that is white already."""
+    return columns
+
+
+def compress(basis: FloatArray, voltage_v: FloatArray, weights: FloatArray, whiten: Whiten = unchanged) -> Compressed:
     """Compress rows.
 
     `basis` holds the ten functions of the declared model and any further columns, shape (rows, columns).
     """
     root = np.sqrt(weights)
     padding = max(0, basis.shape[1] - basis.shape[0])
-    padded = np.pad(basis * root[:, None], ((0, padding), (0, 0)))
-    q, r = np.linalg.qr(padded)
+    q, r = np.linalg.qr(np.pad(whiten(basis * root[:, None]), ((0, padding), (0, 0))))
     q = q[: basis.shape[0]]
-    weighted_v = voltage_v * root
+    weighted_v = whiten(voltage_v * root)
     z = q.T @ weighted_v
     rest = weighted_v - q @ z
-    return Compressed(r=r, z=z, rotation=q * root[:, None], rest_v2=float(rest @ rest))
+    return Compressed(r=r, z=z, rotation=whiten(q) * root[:, None], rest_v2=float(rest @ rest))

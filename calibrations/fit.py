@@ -56,7 +56,12 @@ def joint_fit(compressed: Compressed) -> JointFit:
     """Fit all parameters: the best alpha0 of a scan over its whole range, then Gauss-Newton."""
     scan = conditional(compressed, _GRID_DEG)
     best = int(np.argmin(scan.squares_v2))
-    theta = parameter_vector(scan.linear[best], _GRID_DEG[best])
+    return refined_fit(compressed, parameter_vector(scan.linear[best], _GRID_DEG[best]))
+
+
+def refined_fit(compressed: Compressed, start: FloatArray) -> JointFit:
+    """Fit all parameters by Gauss-Newton from a parameter vector that is near the best."""
+    theta = start
     for _ in range(50):
         step = _inverse(compressed, theta, True)[1] @ (compressed.z - compressed.r @ coefficients(theta))
         step *= min(1.0, 2.0 / max(abs(step[ALPHA0]), 1e-300))

@@ -2,12 +2,17 @@
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.special import stdtrit
 
 from calibrations.geometry import FloatArray
 from calibrations.observations import Observations, SetAside
 
 GROSS_SIGMA = 6.0
 """A row this many robust standard deviations off is a gross error; among 10,000 good rows none is expected."""
+_CHANCE = 1e-5
+"""Chance at which a good row of a short table may be that far off; there the scale itself is uncertain."""
+_EFFICIENCY = 0.37
+"""Of the median absolute deviation (Huber and Ronchetti, Robust Statistics, 5.1): so many of the spare rows count."""
 _HUBER = 1.345
 """Tuning of Huber's weights: 95% efficient on normal noise (Huber and Ronchetti, Robust Statistics, 4.5)."""
 
@@ -23,12 +28,19 @@ def gross_errors(
     """
     residual = _robust_residual(basis, observations.output_v)
     scale = _scale(residual, fitted)
-    suspects = np.flatnonzero(np.abs(residual) > GROSS_SIGMA * scale)
+    limit_v = _sigmas(len(residual) - fitted) * scale
+    suspects = np.flatnonzero(np.abs(residual) > limit_v)
     return tuple(
         SetAside(row=int(observations.row[row]), reason=f"gross error: {abs(residual[row]) / scale:.0f} sigma")
         for row in suspects.tolist()
-        if _differs_from_repeats(row, residual, groups, GROSS_SIGMA * scale)
+        if _differs_from_repeats(row, residual, groups, limit_v)
     )
+
+
+def _sigmas(spare_rows: int) -> float:
+    """How many robust standard deviations make a gross error: more where few rows are to spare."""
+    student = float(stdtrit(max(_EFFICIENCY * spare_rows, 1.0), 1.0 - _CHANCE / 2))
+    return max(GROSS_SIGMA, student)
 
 
 def _scale(residual: FloatArray, fitted: int) -> float:

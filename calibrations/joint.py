@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from calibrations.adequacy import LackOfFit, lack_of_fit
-from calibrations.compression import Compressed, compress
+from calibrations.compression import Compressed, Whiten, compress, unchanged
 from calibrations.fit import Alpha0Profile, JointFit, alpha0_profile, coverage_factor, fit_given_alpha0, joint_fit
 from calibrations.geometry import FloatArray
 from calibrations.gross import gross_errors
@@ -72,7 +72,27 @@ def fit_jointly(observations: Observations) -> Joint:
     even = np.ones(len(observations))
     first = joint_fit(compress(functions, observations.output_v, even))
     weights = dwell_weights(observations, observations.output_v - functions @ coefficients(first.theta), groups)
-    compressed = compress(functions, observations.output_v, weights)
+    return fit_rows(observations, functions, weights)
+
+
+def fit_rows(
+    observations: Observations, functions: FloatArray, weights: FloatArray, whiten: Whiten = unchanged
+) -> Joint:
+    """Fit rows that are taken as they are.
+
+    Parameters
+    ----------
+    observations
+        Rows without gross errors.
+    functions
+        The ten functions of the declared model and any further columns, shape (rows, 10 + terms).
+    weights
+        Relative weight of each row, shape (rows,).
+    whiten
+        What makes weighted rows independent of each other.
+    """
+    groups = pose_groups(observations)
+    compressed = compress(functions, observations.output_v, weights, whiten)
     fit = joint_fit(compressed)
     error, lack, noise = _judge(observations, functions, weights, groups, fit)
     profile = alpha0_profile(compressed, fit, noise.used_v**2, coverage_factor(noise.used_degrees_of_freedom))

@@ -70,7 +70,7 @@ def _sweep(observations: Observations) -> dict[str, float]:
     if len(alpha) < 5 or np.linalg.matrix_rank(matrix, tol=1e-6 * len(alpha)) < 5:
         return {}
     c0, c1, c2, c3, c4 = np.linalg.lstsq(matrix, observations.output_v[rows], rcond=None)[0]
-    alpha0 = 0.5 * np.arctan(c4 / c3)
+    alpha0 = 0.5 * np.arctan(c4 / c3) if c3 else 0.0
     return {
         "u0": float(c0),
         "kx": float(-(c1 * np.cos(alpha0) + c2 * np.sin(alpha0))),

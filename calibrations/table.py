@@ -29,6 +29,8 @@ FIELDS = {
 
 _INTEGERS = {"realisation", "direction", "samples"}
 _TEXTS = {"procedure", "mount"}
+_MOST = 2**53
+"""Beyond this a floating-point number no longer counts."""
 
 
 class TableError(ValueError):
@@ -151,7 +153,11 @@ def _column(name: str, index: int, rows: list[tuple[int, list[str]]], path: Path
 
 
 def _integers(name: str, values: np.ndarray, rows: list[tuple[int, list[str]]], path: Path) -> np.ndarray:
-    wrong = ~np.isin(values, (-1, 0, 1)) if name == "direction" else ~((values >= 1) & (values % 1 == 0))
+    wrong = (
+        ~np.isin(values, (-1, 0, 1))
+        if name == "direction"
+        else ~((values >= 1) & (values <= _MOST) & (values % 1 == 0))
+    )
     if wrong.any():
         first = int(np.argmax(wrong))
         expected = "1, -1 or 0" if name == "direction" else "a whole number from 1"

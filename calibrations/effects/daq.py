@@ -4,23 +4,21 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from calibrations.effects.effect import Effect, Form, Quantity, plain, single, with_scanned
+from calibrations.effects.effect import Effect, Form, Quantity, plain, scan, single, with_scanned
 from calibrations.effects.scene import Scene
 from calibrations.geometry import FloatArray
 
 
-def _nonlinearity(scene: Scene) -> Sequence[Form]:
-    """A sine of the voltage with any phase; periods from four times the span down to an eighth of it."""
+def _sine(scene: Scene, period_v: float) -> Form:
+    """A sine of the voltage with any phase."""
+    phase = 2 * np.pi * scene.output_v / period_v
+    return Form(columns=np.column_stack([np.sin(phase), np.cos(phase)]), scanned={"period_V": period_v})
+
+
+def _periods_v(scene: Scene) -> Sequence[float]:
+    """From four times the span of the output down to an eighth of it."""
     span_v = float(np.ptp(scene.output_v))
-    if span_v <= 0:
-        return ()
-    return tuple(
-        Form(
-            columns=np.column_stack([np.sin(2 * np.pi * scene.output_v / p), np.cos(2 * np.pi * scene.output_v / p)]),
-            scanned={"period_V": p},
-        )
-        for p in (span_v / np.arange(0.25, 8.01, 0.125)).tolist()
-    )
+    return tuple((span_v / np.arange(0.25, 8.01, 0.125)).tolist()) if span_v > 0 else ()
 
 
 def _amplitude(_form: Form, coefficients: FloatArray, covariance: FloatArray) -> dict[str, Quantity]:
@@ -30,14 +28,14 @@ def _amplitude(_form: Form, coefficients: FloatArray, covariance: FloatArray) ->
     return {"amplitude": Quantity(value=amplitude, standard_uncertainty=uncertainty, unit="V")}
 
 
-def _range_step(scene: Scene) -> Sequence[Form]:
-    """An offset above a threshold, tried at evenly spaced places within the span of the output."""
-    inner = np.quantile(scene.output_v, np.linspace(0.02, 0.98, 65))
-    thresholds = np.unique(inner)
-    return tuple(
-        Form(columns=(scene.output_v > threshold).astype(float)[:, None], scanned={"threshold_V": threshold})
-        for threshold in thresholds.tolist()
-    )
+def _step(scene: Scene, threshold_v: float) -> Form:
+    """An offset above a threshold."""
+    return Form(columns=(scene.output_v > threshold_v).astype(float)[:, None], scanned={"threshold_V": threshold_v})
+
+
+def _thresholds_v(scene: Scene) -> Sequence[float]:
+    """Evenly spaced among the outputs."""
+    return tuple(np.unique(np.quantile(scene.output_v, np.linspace(0.02, 0.98, 65))).tolist())
 
 
 DAQ_EFFECTS = (
@@ -54,15 +52,17 @@ DAQ_EFFECTS = (
         belongs_to="daq",
         symbol="A sin(2π u/P + p)",
         source="integral nonlinearity of the converter",
-        forms=_nonlinearity,
+        forms=scan(_sine, _periods_v),
         report=with_scanned(_amplitude, period_V="V"),
+        at=_sine,
     ),
     Effect(
         name="range_step",
         belongs_to="daq",
         symbol="s where u > u_t",
         source="autoranging",
-        forms=_range_step,
+        forms=scan(_step, _thresholds_v),
         report=with_scanned(plain("step", "V"), threshold_V="V"),
+        at=_step,
     ),
 )

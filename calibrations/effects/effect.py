@@ -48,11 +48,20 @@ class Effect:
     forms: Forms
     """Every shape to try; none where the table lacks what the effect depends on."""
     report: Reported
+    at: Callable[[Scene, float], Form] | None = None
+    """The form for any value of what is scanned, where that is a continuous quantity."""
+    additive: bool = False
+    """Whether coefficients of two forms add up to one reported coefficient; otherwise the larger is reported."""
 
 
 def single(column: FloatArray | None) -> tuple[Form, ...]:
     """One form with one column; none without a column."""
     return () if column is None else (Form(columns=np.asarray(column, dtype=float)[:, None]),)
+
+
+def scan(at: Callable[[Scene, float], Form], values: Callable[[Scene], Sequence[float]]) -> Forms:
+    """One form for each of the values to try."""
+    return lambda scene: tuple(at(scene, value) for value in values(scene))
 
 
 def plain(key: str, unit: str) -> Reported:

@@ -12,8 +12,8 @@ from calibrations.repeats import labels, mountings
 
 PAUSE_S = 60.0
 """Two dwells further apart than this did not follow directly on one another."""
-_BACK_DEG = 1.0
-"""How far before its present angle the head is looked at to tell whence ax came."""
+_STEPS = 33
+"""In how many places the way from one pose to the next is looked at for turning points."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -78,12 +78,32 @@ class Scene:
         """Number of the mounting of each row, from 0."""
         return mountings(self.observations)
 
+    def play(self, reach_g: FloatArray) -> FloatArray:
+        """Where a play of half width `reach_g`, shape (n,), stands within its slack, from -1 to 1, shape (rows, n).
+
+        -1 once ax has risen by twice the reach, 1 once it has fallen so far. The head is taken to have gone straight
+        from each pose to the next, and the unit straight from one mount into the other; the slack starts in its middle.
+        """
+        drawn = np.full(len(reach_g), self.ax_g[0])
+        found = np.empty((len(self.angle_deg), len(reach_g)))
+        for row, turns in enumerate(self._ax_on_the_way):
+            for ax_g in turns:
+                drawn = np.clip(drawn, ax_g - reach_g, ax_g + reach_g)
+            found[row] = (drawn - self.ax_g[row]) / reach_g
+        return found
+
     @cached_property
-    def rising(self) -> FloatArray:
-        """How ax was last approached: 1 after it rose, -1 after it fell, 0 where that is not known."""
-        before_deg = self.angle_deg - self.direction * _BACK_DEG
-        before = projections(self.observations.mounts, before_deg + self.alpha0_deg)[:, 0]
-        return np.asarray(np.where(self.direction == 0, 0.0, np.sign(self.ax_g - before)))
+    def _ax_on_the_way(self) -> list[FloatArray]:
+        """Ax at every turning point between the pose before and each pose, and at the pose itself."""
+        mounts, angle_deg = self.observations.mounts, self.angle_deg + self.alpha0_deg
+        fine = np.linspace(0.0, 1.0, _STEPS)
+        before_deg = np.where(self._remounted, angle_deg, np.roll(angle_deg, 1))
+        way_deg = before_deg[:, None] + (angle_deg - before_deg)[:, None] * fine
+        ax_g = projections(np.repeat(mounts, _STEPS), way_deg.ravel())[:, 0].reshape(way_deg.shape)
+        turning = np.zeros(ax_g.shape, dtype=bool)
+        turning[:, 1:-1] = np.diff(np.sign(np.diff(ax_g, axis=1)), axis=1) != 0
+        turning[:, -1] = True
+        return [ax_g[row, turning[row]] for row in range(len(ax_g))]
 
     @cached_property
     def left_over_v(self) -> FloatArray:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from calibrations.effects.effect import Effect, Form, contrasts, plain, single, spread, with_scanned
+from calibrations.effects.effect import Effect, Form, contrasts, plain, scan, single, spread, with_scanned
 from calibrations.effects.scene import Scene
 
 _IEEE = "IEEE Std 1293-2018, model equation"
@@ -22,26 +22,35 @@ def _product(name: str, unit: str, powers: tuple[int, int, int], symbol: str) ->
     )
 
 
-def _hysteresis(scene: Scene) -> Sequence[Form]:
-    """Lower after ax rose, higher after it fell: a gap of even width, and one that closes towards the poles."""
-    if not scene.rising.any():
+def _play(scene: Scene, reach_g: float) -> Form:
+    """A play on ax: lower after ax rose, higher after it fell, by half the gap once the slack is taken up.
+
+    The elementary operator of Prandtl and Ishlinskii (Visintin, Differential Models of Hysteresis, III.2), of which any
+    hysteresis is a sum.
+    """
+    return Form(columns=scene.play(np.array([reach_g])), scanned={"reach_g": reach_g})
+
+
+def _reaches_g(scene: Scene) -> Sequence[float]:
+    """From next to no slack to most of the range; none where ax only ever went one way."""
+    steps = np.diff(scene.ax_g)
+    if not (steps > 0).any() or not (steps < 0).any():
         return ()
-    lens = np.sqrt(np.clip(1.0 - scene.ax_g**2, 0.0, None))
-    return (
-        Form(columns=-scene.rising[:, None], scanned={"closing": 0.0}),
-        Form(columns=(-scene.rising * lens)[:, None], scanned={"closing": 1.0}),
-    )
+    return (0.005, 0.02, 0.05, 0.08, 0.12, 0.18, 0.27, 0.4)
 
 
-def _warm_up(scene: Scene) -> Sequence[Form]:
-    """Exponential in time, settled at zero; time constants from a few dwells to the whole run."""
+def _warm_up(scene: Scene, tau_s: float) -> Form:
+    """Exponential in time, settled at zero."""
+    assert scene.hours is not None
+    return Form(columns=np.exp(-scene.hours * 3600.0 / tau_s)[:, None], scanned={"tau_s": tau_s})
+
+
+def _time_constants_s(scene: Scene) -> Sequence[float]:
+    """From a few dwells to most of the run."""
     if scene.hours is None or scene.hours[-1] <= 0:
         return ()
     run_s = float(scene.hours[-1]) * 3600.0
-    return tuple(
-        Form(columns=np.exp(-scene.hours * 3600.0 / tau_s)[:, None], scanned={"tau_s": tau_s})
-        for tau_s in np.geomspace(run_s / 60.0, run_s / 1.5, 12).tolist()
-    )
+    return tuple(np.geomspace(run_s / 60.0, run_s / 1.5, 12).tolist())
 
 
 def _realisation_bias(scene: Scene) -> Sequence[Form]:
@@ -67,10 +76,12 @@ UNIT_EFFECTS = (
     Effect(
         name="hysteresis",
         belongs_to="unit",
-        symbol="-h sign(ax rising)",
+        symbol="h play(ax)",
         source="IEEE Std 528, hysteresis error",
-        forms=_hysteresis,
+        forms=scan(_play, _reaches_g),
         report=plain("hysteresis", "V"),
+        at=_play,
+        additive=True,
     ),
     Effect(
         name="bias_temperature",
@@ -109,8 +120,10 @@ UNIT_EFFECTS = (
         belongs_to="unit",
         symbol="w exp(-t/τ)",
         source="IEEE Std 528, warm-up time",
-        forms=_warm_up,
+        forms=scan(_warm_up, _time_constants_s),
         report=with_scanned(plain("amplitude", "V"), tau_s="s"),
+        at=_warm_up,
+        additive=True,
     ),
     Effect(
         name="realisation_bias",

@@ -6,6 +6,7 @@ from datetime import datetime
 from enum import StrEnum
 from typing import Any
 
+from calibrations.model import PARAMETERS
 from calibrations.provenance import LimitCheck, Provenance
 from calibrations.result import Parameter
 
@@ -62,8 +63,10 @@ class Record:
 
 
 def parameters_from_json(result: Mapping[str, Any]) -> dict[str, Parameter]:
-    """Parameters of a `tumble.fit/1` document; the inverse of `Parameter.as_json`."""
-    return {name: _parameter(name, content) for name, content in result["parameters"].items()}
+    """Parameters of a `tumble.fit/1` document in their usual order; the inverse of `Parameter.as_json`."""
+    stored = result["parameters"]
+    order = sorted(stored, key=lambda name: PARAMETERS.index(name) if name in PARAMETERS else len(PARAMETERS))
+    return {name: _parameter(name, stored[name]) for name in order}
 
 
 def _parameter(name: str, content: Mapping[str, Any]) -> Parameter:

@@ -1,0 +1,61 @@
+"""Everything that a residual may be traced to in one table: effects in all their forms, as columns side by side."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.special import chdtri
+
+from calibrations.effects.effect import Effect, Form
+from calibrations.effects.scene import Scene
+from calibrations.effects.unnamed import Structure
+from calibrations.geometry import FloatArray
+
+FALSE_ALARM = 0.002
+"""Chance that a clean table is given any effect at all, shared evenly among the effects that it could show."""
+
+UNNAMED = 10.0
+"""What a shape without a name must earn beyond a named one: a known cause is the better guess."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Candidate:
+    """One form of one effect, and where its columns stand among all columns."""
+
+    effect: Effect
+    form: Form
+    columns: slice
+    entry: float
+    """By how much -2 ln L must fall for the effect to be believed, all forms that were tried counted."""
+
+    @property
+    def coefficients(self) -> int:
+        """How many numbers are fitted: columns, and what was scanned for."""
+        return int(self.form.columns.shape[1]) + len(self.form.scanned)
+
+
+def candidates(effects: Sequence[Effect], scene: Scene) -> tuple[Candidate, ...]:
+    """All forms of all effects that the table can show at all."""
+    tried = [(effect, forms) for effect in effects if (forms := effect.forms(scene))]
+    return tuple(_numbered(tried))
+
+
+def _numbered(tried: Sequence[tuple[Effect, Sequence[Form]]]) -> Iterator[Candidate]:
+    start = 0
+    for effect, forms in tried:
+        chance = FALSE_ALARM / len(tried) / len(forms)
+        handicap = UNNAMED if isinstance(effect, Structure) else 0.0
+        for form in forms:
+            width = form.columns.shape[1]
+            yield Candidate(
+                effect=effect,
+                form=form,
+                columns=slice(start, start + width),
+                entry=float(chdtri(width, chance)) + handicap,
+            )
+            start += width
+
+
+def all_columns(offered: Sequence[Candidate], rows: int) -> FloatArray:
+    """The columns of all candidates side by side, shape (rows, columns)."""
+    return np.column_stack([np.empty((rows, 0)), *(candidate.form.columns for candidate in offered)])

@@ -1,0 +1,61 @@
+"""What every explanation of a table starts from: its rows, the declared model, the scene that effects see."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from calibrations.compression import compress
+from calibrations.effects.effect import Form
+from calibrations.effects.scene import Scene
+from calibrations.fit import fit_given_alpha0, joint_fit
+from calibrations.geometry import FloatArray
+from calibrations.joint import Joint
+from calibrations.model import ALPHA0, BASIS_SIZE, PARAMETERS, coefficients, coefficients_jacobian
+from calibrations.tracing.noise import Modes, NoiseModel, Whitening, slow_modes, whitening
+
+
+@dataclass(frozen=True, kw_only=True)
+class Ground:
+    """A table, fitted with the declared model, ready to be explained."""
+
+    joint: Joint
+    scene: Scene
+    modes: Modes | None
+
+    @property
+    def rows(self) -> int:
+        """Number of rows in use."""
+        return len(self.joint.observations)
+
+    @property
+    def declared(self) -> FloatArray:
+        """The ten functions of the declared model, shape (rows, 10)."""
+        return self.joint.basis[:, :BASIS_SIZE]
+
+    def whitening(self, noise: NoiseModel) -> Whitening:
+        """The transformation that makes this noise white."""
+        return whitening(self.modes, noise, self.rows)
+
+    def deviance(self, forms: Sequence[Form], noise: NoiseModel) -> float:
+        """-2 ln L of the declared model with these forms in this noise, up to a constant of the table."""
+        white = self.whitening(noise)
+        functions = np.column_stack([self.declared, *(form.columns for form in forms)])
+        compressed = compress(functions, self.joint.observations.output_v, self.joint.weights, white)
+        fit = joint_fit(compressed) if self.joint.fit.alpha0_fitted else fit_given_alpha0(compressed, 0.0)
+        return self.rows * float(np.log(max(fit.squares_v2, 1e-300) / self.rows)) + white.log_determinant
+
+
+def ground(joint: Joint, reference_temperature_degc: float = 23.0) -> Ground:
+    """Prepare a fitted table; `joint` may already hold further columns, which then shape output and slope."""
+    theta = joint.fit.theta[: len(PARAMETERS)]
+    declared = joint.basis[:, :BASIS_SIZE]
+    scene = Scene(
+        observations=joint.observations,
+        alpha0_deg=float(theta[ALPHA0]),
+        output_v=np.asarray(declared @ coefficients(theta)),
+        slope_v_per_deg=np.asarray(declared @ coefficients_jacobian(theta)[:, ALPHA0]),
+        response_v_per_g=theta[1:4],
+        reference_temperature_degc=reference_temperature_degc,
+    )
+    return Ground(joint=joint, scene=scene, modes=slow_modes(scene.hours, joint.weights))

@@ -1,0 +1,131 @@
+"""One table with all its candidates, reduced to a square matrix in which any set of effects is fitted in no time."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from calibrations.compression import Compressed
+from calibrations.fit import JointFit, fit_given_alpha0, joint_fit, refined_fit
+from calibrations.geometry import FloatArray
+from calibrations.model import BASIS_SIZE, coefficients_jacobian
+from calibrations.tracing.candidates import Candidate
+from calibrations.tracing.noise import Whitening
+
+_ABSORBED = 1e-5
+"""A column of which less than this part is left beside the model is taken as absorbed by it."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Explanation:
+    """A set of candidates, fitted jointly with the declared model."""
+
+    chosen: tuple[int, ...]
+    """Numbers of the candidates, in the order in which they were added."""
+    fit: JointFit
+    deviance: float
+    """-2 ln L, up to a constant of the table."""
+
+
+class Problem:
+    """Declared model, candidates and noise of one table.
+
+    Parameters
+    ----------
+    basis
+        Functions of the declared model, shape (rows, 10).
+    columns
+        Columns of all candidates side by side, shape (rows, n).
+    output_v
+        Shape (rows,), in volts.
+    weights
+        Shape (rows,).
+    offered
+        The candidates.
+    white
+        What makes the noise white.
+    alpha0_told
+        Whether alpha0 is fitted; it is held at 0 otherwise.
+    """
+
+    def __init__(
+        self,
+        basis: FloatArray,
+        columns: FloatArray,
+        output_v: FloatArray,
+        weights: FloatArray,
+        offered: Sequence[Candidate],
+        white: Whitening,
+        alpha0_told: bool,
+    ) -> None:
+        root = np.sqrt(weights)[:, None]
+        scale = np.linalg.norm(columns, axis=0)
+        self._scale = np.where(scale > 0, scale, 1.0)
+        everything = white(np.column_stack([basis, columns / self._scale, output_v]) * root)
+        triangular: FloatArray = np.linalg.qr(everything, mode="r")  # type: ignore[assignment]
+        self._r, self._z = triangular[:, :-1], triangular[:, -1]
+        self._rows = len(output_v)
+        self._log_determinant = white.log_determinant
+        self._alpha0_told = alpha0_told
+        self.offered = tuple(offered)
+
+    def explain(self, chosen: tuple[int, ...], near: FloatArray | None = None) -> Explanation:
+        """Fit the declared model with the chosen candidates; `near` is a parameter vector of the declared part."""
+        compressed = self._compressed(chosen)
+        if not self._alpha0_told:
+            fit = fit_given_alpha0(compressed, 0.0)
+        elif near is None:
+            fit = joint_fit(compressed)
+        else:
+            fit = refined_fit(compressed, np.concatenate([near, np.zeros(compressed.terms)]))
+        return Explanation(chosen=chosen, fit=fit, deviance=self._deviance(fit.squares_v2))
+
+    def gains(self, explanation: Explanation) -> FloatArray:
+        """By how much each candidate would lower the deviance, linearised at the explanation; shape (candidates,)."""
+        jacobian = coefficients_jacobian(explanation.fit.theta)[:BASIS_SIZE, :6]
+        model = np.column_stack([self._r[:, :BASIS_SIZE] @ jacobian, self._r[:, self._columns(explanation.chosen)]])
+        left, values, _ = np.linalg.svd(model / np.maximum(np.linalg.norm(model, axis=0), 1e-300), full_matrices=False)
+        span = left[:, values > _ABSORBED * values[0]]
+        others = self._r[:, BASIS_SIZE:]
+        free = others - span @ (span.T @ others)
+        residual = self._z - span @ (span.T @ self._z)
+        squares = float(residual @ residual)
+        fall = np.array([self._fall(free[:, c.columns], others[:, c.columns], residual) for c in self.offered])
+        fall[list(explanation.chosen)] = 0.0
+        return np.asarray(-self._rows * np.log1p(-np.clip(fall / squares, 0.0, 1 - 1e-12)))
+
+    def unscaled(self, explanation: Explanation) -> FloatArray:
+        """Coefficients of the chosen candidates in their own units, one after the other."""
+        scale = np.concatenate([np.empty(0), *(self._scale[self.offered[i].columns] for i in explanation.chosen)])
+        return np.asarray(explanation.fit.theta[6:] / scale)
+
+    def _fall(self, free: FloatArray, whole: FloatArray, residual: FloatArray) -> float:
+        """Fall of the sum of squares when columns are added of which `free` is left beside the model."""
+        if free.shape[1] == 1:
+            length = float(free[:, 0] @ free[:, 0])
+            if length <= (_ABSORBED * float(np.linalg.norm(whole))) ** 2:
+                return 0.0
+            return float(free[:, 0] @ residual) ** 2 / length
+        left, values, _ = np.linalg.svd(free, full_matrices=False)
+        along = left[:, values > _ABSORBED * np.linalg.norm(whole)].T @ residual
+        return float(along @ along)
+
+    def _compressed(self, chosen: tuple[int, ...]) -> Compressed:
+        """The rows as only the declared model and the chosen candidates see them."""
+        picked = np.column_stack([self._r[:, :BASIS_SIZE], self._r[:, self._columns(chosen)], self._z])
+        triangular: FloatArray = np.linalg.qr(picked, mode="r")  # type: ignore[assignment]
+        size = min(triangular.shape[0], triangular.shape[1] - 1)
+        rest = float(triangular[-1, -1] ** 2) if triangular.shape[0] > size else 0.0
+        padded = np.zeros((triangular.shape[1] - 1, triangular.shape[1]))
+        padded[:size] = triangular[:size]
+        return Compressed(r=padded[:, :-1], z=padded[:, -1], rotation=np.empty((0, 0)), rest_v2=rest)
+
+    def _columns(self, chosen: tuple[int, ...]) -> list[int]:
+        return [
+            BASIS_SIZE + column
+            for number in chosen
+            for column in range(self.offered[number].columns.start, self.offered[number].columns.stop)
+        ]
+
+    def _deviance(self, squares_v2: float) -> float:
+        return self._rows * float(np.log(max(squares_v2, 1e-300) / self._rows)) + self._log_determinant
