@@ -1,0 +1,1 @@
+"""Programs that measure this project; run from the root of the repository."""
