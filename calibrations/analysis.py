@@ -39,8 +39,11 @@ def analyse(observations: Observations, stand: StandUncertainty | None = None, t
     """
     if not len(observations):
         raise ValueError(f"{observations.source}: no usable row; every one was set aside")
-    stand = stand or StandUncertainty()
-    fitted = fit_jointly(observations)
+    return assess(fit_jointly(observations), stand or StandUncertainty(), trials)
+
+
+def assess(fitted: Joint, stand: StandUncertainty, trials: int = TRIALS) -> Calibration:
+    """What a joint fit says of the parameters; further columns in it are taken into account."""
     verdicts = identify(fitted)
     listed = sources(fitted.observations, fitted.slope_v_per_deg, stand)
     type_a = covariance(fitted.compressed, fitted.fit, fitted.profile, fitted.noise.used_v**2)
@@ -126,6 +129,7 @@ def _interval(
 
 def _correlation(matrix: FloatArray, parameters: Mapping[str, Parameter]) -> FloatArray:
     known = np.array([parameter.value is not None for parameter in parameters.values()])
+    matrix = matrix[: len(known), : len(known)]
     deviation = np.sqrt(np.where(known & (np.diag(matrix) > 0), np.diag(matrix), np.nan))
     return np.asarray(matrix / np.outer(deviation, deviation))
 

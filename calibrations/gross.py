@@ -27,13 +27,19 @@ def gross_errors(
     visits: what comes back at every visit is no gross error but structure.
     """
     residual = _robust_residual(basis, observations.output_v)
-    scale = _scale(residual, fitted)
-    limit_v = _sigmas(len(residual) - fitted) * scale
-    suspects = np.flatnonzero(np.abs(residual) > limit_v)
+    return unlike_repeats(observations.row, residual, groups, _scale(residual, fitted), len(residual) - fitted)
+
+
+def unlike_repeats(
+    rows: NDArray[np.int64], residual_v: FloatArray, groups: NDArray[np.int64], scale_v: float, spare_rows: int
+) -> tuple[SetAside, ...]:
+    """Rows whose residual is far too large, and differs as much from the repeats of the pose."""
+    limit_v = _sigmas(spare_rows) * scale_v
+    suspects = np.flatnonzero(np.abs(residual_v) > limit_v)
     return tuple(
-        SetAside(row=int(observations.row[row]), reason=f"gross error: {abs(residual[row]) / scale:.0f} sigma")
+        SetAside(row=int(rows[row]), reason=f"gross error: {abs(residual_v[row]) / scale_v:.0f} sigma")
         for row in suspects.tolist()
-        if _differs_from_repeats(row, residual, groups, limit_v)
+        if _differs_from_repeats(row, residual_v, groups, limit_v)
     )
 
 

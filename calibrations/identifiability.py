@@ -69,7 +69,7 @@ def identify(joint: Joint) -> dict[str, Identification]:
 
 
 def _told_within(compressed: Compressed, alpha0_deg: FloatArray) -> NDArray[np.bool_]:
-    return np.asarray(conditional(compressed, alpha0_deg).estimable.all(axis=0))
+    return np.asarray(conditional(compressed, alpha0_deg).estimable[:, :ALPHA0].all(axis=0))
 
 
 def _linear_verdict(name: str, told: bool) -> Identification:
@@ -127,7 +127,7 @@ def _with_dependence(
 
 def mounts_that_settle(observations: Observations, fit: JointFit) -> tuple[str, ...]:
     """Mounts of which one sweep, added to the rows, would tell alpha0 without leaning on kxy."""
-    theta = fit.theta.copy()
+    theta = fit.theta[: len(PARAMETERS)].copy()
     theta[PARAMETERS.index("kxy")] = 0.0
     theta[PARAMETERS.index("kx")] = theta[PARAMETERS.index("kx")] or 1.0
     present = set(observations.mounts.tolist())

@@ -11,7 +11,7 @@ from calibrations.fit import Alpha0Profile, JointFit, alpha0_profile, coverage_f
 from calibrations.geometry import FloatArray
 from calibrations.gross import gross_errors
 from calibrations.model import ALPHA0, PARAMETERS, basis, coefficients, coefficients_jacobian
-from calibrations.observations import Observations
+from calibrations.observations import Observations, SetAside
 from calibrations.repeats import PureError, dwell_weights, pose_groups, pure_error
 
 LACK_OF_FIT_P = 0.01
@@ -62,12 +62,16 @@ class Joint:
 
 
 def fit_jointly(observations: Observations) -> Joint:
-    """Fit the declared model to all rows; with alpha0 held at 0 where the data cannot tell it."""
-    groups = pose_groups(observations)
-    rejected = gross_errors(observations, basis(observations), groups, len(PARAMETERS))
+    """Fit the declared model to all rows but gross errors; alpha0 is held at 0 where the data cannot tell it."""
+    rejected = gross_errors(observations, basis(observations), pose_groups(observations), len(PARAMETERS))
+    return fit_without(observations, rejected)
+
+
+def fit_without(observations: Observations, rejected: tuple[SetAside, ...]) -> Joint:
+    """Fit the declared model to all rows but those that are to be set aside."""
     if rejected:
         observations = observations.without(rejected)
-        groups = pose_groups(observations)
+    groups = pose_groups(observations)
     functions = basis(observations)
     even = np.ones(len(observations))
     first = joint_fit(compress(functions, observations.output_v, even))

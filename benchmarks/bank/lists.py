@@ -49,7 +49,7 @@ def designs_for(name: str) -> tuple[str, ...]:
     return ("sfdre", "bfdreEn", "sfdreEn") if name in _END else ALL_DESIGNS
 
 
-def singles(seeds: range = DEVELOPMENT, visible: tuple[float, ...] = (15.0, 30.0, 60.0)) -> Wanted:
+def singles(seeds: range = DEVELOPMENT, visible: tuple[float, ...] = (12.0, 20.0, 40.0)) -> Wanted:
     """Every named effect alone, in every design that can show it, at each strength."""
     specs = [
         Spec(design=design, effects=((name, units),))
@@ -86,7 +86,7 @@ def triples(seeds: range = DEVELOPMENT, count: int = 100, visible: float = 40.0)
     return _several("triples", 3, seeds, count, visible)
 
 
-def novel(seeds: range = DEVELOPMENT, visible: tuple[float, ...] = (30.0, 60.0)) -> Wanted:
+def novel(seeds: range = DEVELOPMENT, visible: tuple[float, ...] = (20.0, 40.0)) -> Wanted:
     """Every effect outside the catalogue alone, in several designs."""
     specs = [
         Spec(design=design, effects=((name, units),))

@@ -11,7 +11,8 @@ from calibrations.effects.scene import Scene
 from calibrations.fit import fit_given_alpha0, joint_fit
 from calibrations.geometry import FloatArray
 from calibrations.joint import Joint
-from calibrations.model import ALPHA0, BASIS_SIZE, PARAMETERS, coefficients, coefficients_jacobian
+from calibrations.model import ALPHA0, BASIS_SIZE, PARAMETERS, basis, coefficients, coefficients_jacobian
+from calibrations.observations import Observations
 from calibrations.tracing.noise import Modes, NoiseModel, Whitening, slow_modes, whitening
 
 
@@ -47,15 +48,20 @@ class Ground:
 
 
 def ground(joint: Joint, reference_temperature_degc: float = 23.0) -> Ground:
-    """Prepare a fitted table; `joint` may already hold further columns, which then shape output and slope."""
-    theta = joint.fit.theta[: len(PARAMETERS)]
-    declared = joint.basis[:, :BASIS_SIZE]
-    scene = Scene(
-        observations=joint.observations,
+    """Prepare a table fitted with the declared model."""
+    scene = scene_of(joint.observations, joint.fit.theta, reference_temperature_degc)
+    return Ground(joint=joint, scene=scene, modes=slow_modes(scene.hours, joint.weights))
+
+
+def scene_of(observations: Observations, theta: FloatArray, reference_temperature_degc: float = 23.0) -> Scene:
+    """Rows as effects see them, for given declared parameters."""
+    theta = theta[: len(PARAMETERS)]
+    functions = basis(observations)
+    return Scene(
+        observations=observations,
         alpha0_deg=float(theta[ALPHA0]),
-        output_v=np.asarray(declared @ coefficients(theta)),
-        slope_v_per_deg=np.asarray(declared @ coefficients_jacobian(theta)[:, ALPHA0]),
+        output_v=np.asarray(functions @ coefficients(theta)),
+        slope_v_per_deg=np.asarray(functions @ coefficients_jacobian(theta)[:, ALPHA0]),
         response_v_per_g=theta[1:4],
         reference_temperature_degc=reference_temperature_degc,
     )
-    return Ground(joint=joint, scene=scene, modes=slow_modes(scene.hours, joint.weights))

@@ -62,12 +62,17 @@ class Problem:
         scale = np.linalg.norm(columns, axis=0)
         self._scale = np.where(scale > 0, scale, 1.0)
         everything = white(np.column_stack([basis, columns / self._scale, output_v]) * root)
-        triangular: FloatArray = np.linalg.qr(everything, mode="r")  # type: ignore[assignment]
-        self._r, self._z = triangular[:, :-1], triangular[:, -1]
+        if everything.shape[0] > 2 * everything.shape[1]:
+            everything = np.linalg.qr(everything, mode="r")  # type: ignore[assignment]
+        self._r, self._z = everything[:, :-1], everything[:, -1]
+        self._lengths = np.linalg.norm(self._r[:, BASIS_SIZE:], axis=0)
         self._rows = len(output_v)
         self._log_determinant = white.log_determinant
         self._alpha0_told = alpha0_told
         self.offered = tuple(offered)
+        widths = np.array([candidate.columns.stop - candidate.columns.start for candidate in offered], dtype=int)
+        self._starts = np.array([candidate.columns.start for candidate in offered], dtype=int)
+        self._single, self._wide = np.flatnonzero(widths == 1), np.flatnonzero(widths > 1)
 
     def explain(self, chosen: tuple[int, ...], near: FloatArray | None = None) -> Explanation:
         """Fit the declared model with the chosen candidates; `near` is a parameter vector of the declared part."""
@@ -89,26 +94,28 @@ class Problem:
         others = self._r[:, BASIS_SIZE:]
         free = others - span @ (span.T @ others)
         residual = self._z - span @ (span.T @ self._z)
-        squares = float(residual @ residual)
-        fall = np.array([self._fall(free[:, c.columns], others[:, c.columns], residual) for c in self.offered])
+        fall = self._falls(free, residual)
         fall[list(explanation.chosen)] = 0.0
-        return np.asarray(-self._rows * np.log1p(-np.clip(fall / squares, 0.0, 1 - 1e-12)))
+        return np.asarray(-self._rows * np.log1p(-np.clip(fall / float(residual @ residual), 0.0, 1 - 1e-12)))
 
     def unscaled(self, explanation: Explanation) -> FloatArray:
         """Coefficients of the chosen candidates in their own units, one after the other."""
         scale = np.concatenate([np.empty(0), *(self._scale[self.offered[i].columns] for i in explanation.chosen)])
         return np.asarray(explanation.fit.theta[6:] / scale)
 
-    def _fall(self, free: FloatArray, whole: FloatArray, residual: FloatArray) -> float:
-        """Fall of the sum of squares when columns are added of which `free` is left beside the model."""
-        if free.shape[1] == 1:
-            length = float(free[:, 0] @ free[:, 0])
-            if length <= (_ABSORBED * float(np.linalg.norm(whole))) ** 2:
-                return 0.0
-            return float(free[:, 0] @ residual) ** 2 / length
-        left, values, _ = np.linalg.svd(free, full_matrices=False)
-        along = left[:, values > _ABSORBED * np.linalg.norm(whole)].T @ residual
-        return float(along @ along)
+    def _falls(self, free: FloatArray, residual: FloatArray) -> FloatArray:
+        """Fall of the sum of squares with each candidate, of whose columns `free` is left beside the model."""
+        falls = np.zeros(len(self.offered))
+        lengths = np.einsum("ij,ij->j", free, free)
+        seen = lengths > (_ABSORBED * self._lengths) ** 2
+        alone = np.where(seen, (residual @ free) ** 2 / np.where(seen, lengths, 1.0), 0.0)
+        falls[self._single] = alone[self._starts[self._single]]
+        for number in self._wide:
+            columns = self.offered[number].columns
+            left, values, _ = np.linalg.svd(free[:, columns], full_matrices=False)
+            along = left[:, values > _ABSORBED * self._lengths[columns].max()].T @ residual
+            falls[number] = along @ along
+        return falls
 
     def _compressed(self, chosen: tuple[int, ...]) -> Compressed:
         """The rows as only the declared model and the chosen candidates see them."""

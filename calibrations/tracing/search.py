@@ -50,7 +50,7 @@ def _continued(problem: Problem, followed: Iterable[Explanation]) -> list[Explan
         for number in _promising(problem, explanation, BRANCHES if explanation.chosen else 3 * BRANCHES):
             key = frozenset((*explanation.chosen, number))
             if key not in found:
-                found[key] = problem.explain((*explanation.chosen, number))
+                found[key] = problem.explain((*explanation.chosen, number), explanation.fit.theta[:6])
     return sorted(found.values(), key=lambda explanation: price(problem, explanation))[:BEAM]
 
 
@@ -73,14 +73,16 @@ def _promising(problem: Problem, explanation: Explanation, count: int) -> list[i
 
 def _dropped(problem: Problem, explanation: Explanation) -> list[Explanation]:
     chosen = explanation.chosen
-    return [problem.explain(chosen[:place] + chosen[place + 1 :]) for place in range(len(chosen))]
+    near = explanation.fit.theta[:6]
+    return [problem.explain(chosen[:place] + chosen[place + 1 :], near) for place in range(len(chosen))]
 
 
 def _exchanged(problem: Problem, explanation: Explanation) -> list[Explanation]:
     """Every effect exchanged for each of the few that promise most in its place, or for another form of its own."""
     exchanged = []
     for place in range(len(explanation.chosen)):
-        without = problem.explain(explanation.chosen[:place] + explanation.chosen[place + 1 :])
+        chosen = explanation.chosen[:place] + explanation.chosen[place + 1 :]
+        without = problem.explain(chosen, explanation.fit.theta[:6])
         for number in _promising(problem, without, BRANCHES):
-            exchanged.append(problem.explain((*without.chosen, number)))
+            exchanged.append(problem.explain((*without.chosen, number), without.fit.theta[:6]))
     return exchanged

@@ -1,25 +1,25 @@
 """Traces what the declared model leaves to named effects, to noise that remembers, or to structure without a name."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from calibrations.effects.effect import Effect, Form
 from calibrations.effects.unnamed import STRUCTURES, Structure
-from calibrations.tracing.candidates import Candidate, all_columns, candidates
+from calibrations.tracing.candidates import all_columns, candidates
 from calibrations.tracing.ground import Ground
 from calibrations.tracing.noise import NoiseModel
 from calibrations.tracing.problem import Problem
 from calibrations.tracing.search import search
 
-FLICKER_FLOOR = 0.3
+FLICKER_FLOOR = 0.25
 """Floor of the Allan deviation up to which flicker is taken as the ordinary noise of a unit, in dwell deviations."""
 MOST_FLICKER = FLICKER_FLOOR**2 / (2 * np.log(2))
 """The same as variance of the first mode (IEEE Std 952, annex C: floor² = 2 ln 2 h)."""
 FLICKER_PRICE = 3.84
-WALK_PRICE = 16.0
-"""What a random walk must earn: like an effect with one coefficient among some thirty."""
+WALK_PRICE = 10.0
+"""What a random walk must earn: in flicker it is the cheaper explanation by that much once in hundreds of tables."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -28,6 +28,8 @@ class Found:
 
     effect: Effect
     form: Form
+    number: int
+    """Of the candidate whose form this is, or from whose form it was refined."""
     entry: float
 
     @property
@@ -55,41 +57,63 @@ class Trace:
         return tuple(found for found in self.found if isinstance(found.effect, Structure))
 
 
-def trace(ground: Ground, effects: Sequence[Effect]) -> Trace:
-    """Find the effects of a table.
+class Tracer:
+    """A table with everything that it may be traced to.
 
-    The search is made in white noise first. Where what it finds, or what it leaves, could as well be noise that
-    remembers, it is made again in such noise, and the cheaper explanation is taken.
+    Parameters
+    ----------
+    ground
+        The table, fitted with the declared model.
+    effects
+        The catalogue.
     """
-    offered = candidates((*effects, *STRUCTURES), ground.scene)
-    columns = all_columns(offered, ground.rows)
-    best = _searched(ground, offered, columns, NoiseModel())
-    for noise in _other_noises(ground, best):
-        trial = _searched(ground, offered, columns, noise)
-        if _price(trial) < _price(best):
-            best = trial
-    return refined(ground, best)
+
+    def __init__(self, ground: Ground, effects: Sequence[Effect]) -> None:
+        self.ground = ground
+        self.effects = tuple(effects)
+        self._offered = candidates((*effects, *STRUCTURES), ground.scene)
+        self._columns = all_columns(self._offered, ground.rows)
+        self._problems: dict[NoiseModel, Problem] = {}
+
+    def problem(self, noise: NoiseModel) -> Problem:
+        """The table in a kind of noise."""
+        if noise not in self._problems:
+            joint = self.ground.joint
+            self._problems[noise] = Problem(
+                self.ground.declared,
+                self._columns,
+                joint.observations.output_v,
+                joint.weights,
+                self._offered,
+                self.ground.whitening(noise),
+                joint.fit.alpha0_fitted,
+            )
+        return self._problems[noise]
+
+    def trace(self) -> Trace:
+        """Find the effects of the table.
+
+        The search is made in white noise first. Where what it finds, or what it leaves, could as well be noise that
+        remembers, it is made again in such noise, and the cheaper explanation is taken.
+        """
+        best = self._searched(NoiseModel())
+        for noise in _other_noises(self.ground, best):
+            trial = self._searched(noise)
+            if _price(trial) < _price(best):
+                best = trial
+        return refined(self.ground, best)
+
+    def _searched(self, noise: NoiseModel) -> Trace:
+        problem = self.problem(noise)
+        explanation = search(problem)
+        chosen = tuple(found(problem, number) for number in explanation.chosen)
+        return Trace(found=chosen, noise=noise, deviance=explanation.deviance)
 
 
-def _searched(ground: Ground, offered: Sequence[Candidate], columns: np.ndarray, noise: NoiseModel) -> Trace:
-    joint = ground.joint
-    problem = Problem(
-        ground.declared,
-        columns,
-        joint.observations.output_v,
-        joint.weights,
-        offered,
-        ground.whitening(noise),
-        joint.fit.alpha0_fitted,
-    )
-    explanation = search(problem)
-    found = tuple(_found(problem, number) for number in explanation.chosen)
-    return Trace(found=found, noise=noise, deviance=explanation.deviance)
-
-
-def _found(problem: Problem, number: int) -> Found:
+def found(problem: Problem, number: int) -> Found:
+    """A candidate of a problem, as found."""
     candidate = problem.offered[number]
-    return Found(effect=candidate.effect, form=candidate.form, entry=candidate.entry)
+    return Found(effect=candidate.effect, form=candidate.form, number=number, entry=candidate.entry)
 
 
 def _price(trace: Trace) -> float:
@@ -156,4 +180,4 @@ def refined_one(ground: Ground, item: Found, others: Sequence[Form], noise: Nois
     better = (low + high) / 2
     if deviance(better) >= deviance(value):
         return item
-    return Found(effect=item.effect, form=at(ground.scene, better), entry=item.entry)
+    return replace(item, form=at(ground.scene, better))

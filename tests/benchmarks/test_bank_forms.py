@@ -127,7 +127,7 @@ def test_a_misreading_is_true_minus_reported_and_rows_count_from_one(shared):
 def test_every_form_of_hysteresis_lags_as_the_example_does(shared):
     run, reading_v, unit, coefficients = example(shared, "07")
     plain_v = left_over_v(run, reading_v, unit, ())
-    for shape in ("play", "approach", "lens"):
+    for shape in ("play", "approach", "two plays"):
         effect = drawn("hysteresis", run, shape)
         assert left_over_v(run, reading_v, unit, ((effect, coefficients["hysteresis"]),)) < 0.9 * plain_v
 
