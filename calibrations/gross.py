@@ -6,6 +6,7 @@ from scipy.special import stdtrit
 
 from calibrations.geometry import FloatArray
 from calibrations.observations import Observations, SetAside
+from calibrations.repeats import mountings
 
 GROSS_SIGMA = 6.0
 """A row this many robust standard deviations off is a gross error; among 10,000 good rows none is expected."""
@@ -26,19 +27,29 @@ def gross_errors(
     parameters. Where a pose was visited at least three times, a row must also differ from the median of the other
     visits: what comes back at every visit is no gross error but structure.
     """
-    residual = _robust_residual(basis, observations.output_v)
-    return unlike_repeats(observations.row, residual, groups, _scale(residual, fitted), len(residual) - fitted)
+    residual = robust_residual(basis, observations.output_v)
+    return unlike_repeats(observations, residual, groups, _scale(residual, fitted), len(residual) - fitted)
 
 
 def unlike_repeats(
-    rows: NDArray[np.int64], residual_v: FloatArray, groups: NDArray[np.int64], scale_v: float, spare_rows: int
+    observations: Observations,
+    residual_v: FloatArray,
+    groups: NDArray[np.int64],
+    scale_v: float,
+    spare_rows: int,
 ) -> tuple[SetAside, ...]:
-    """Rows whose residual is far too large, and differs as much from the repeats of the pose."""
+    """Rows whose residual is far too large, and differs as much from the repeats of the pose.
+
+    Where all rows of a mounting are far off, the seat is, and they are kept.
+    """
     limit_v = _sigmas(spare_rows) * scale_v
-    suspects = np.flatnonzero(np.abs(residual_v) > limit_v)
+    suspects = np.abs(residual_v) > limit_v
+    mounting = mountings(observations)
+    visits = np.bincount(mounting)
+    seat_off = (np.bincount(mounting, suspects) == visits) & (visits > 1)
     return tuple(
-        SetAside(row=int(rows[row]), reason=f"gross error: {abs(residual_v[row]) / scale_v:.0f} sigma")
-        for row in suspects.tolist()
+        SetAside(row=int(observations.row[row]), reason=f"gross error: {abs(residual_v[row]) / scale_v:.0f} sigma")
+        for row in np.flatnonzero(suspects & ~seat_off[mounting]).tolist()
         if _differs_from_repeats(row, residual_v, groups, limit_v)
     )
 
@@ -56,7 +67,7 @@ def _scale(residual: FloatArray, fitted: int) -> float:
     return max(float(1.4826 * np.median(np.abs(residual)) * np.sqrt(rows / freedom)), 1e-12)
 
 
-def _robust_residual(basis: FloatArray, voltage_v: FloatArray) -> FloatArray:
+def robust_residual(basis: FloatArray, voltage_v: FloatArray) -> FloatArray:
     """Residual of Huber's M-estimate of the basis coefficients, by reweighting."""
     weights = np.ones(len(voltage_v))
     residual = voltage_v

@@ -105,9 +105,7 @@ def _with_dependence(
     observations: Observations, compressed: Compressed, fit: JointFit, verdicts: dict[str, Identification]
 ) -> dict[str, Identification]:
     """Say which parameters rest on kxy alone: without it alpha0 would have no bounded interval."""
-    without = fit.theta.copy()
-    without[PARAMETERS.index("kxy")] = 0.0
-    _, determined = pseudo_inverse(compressed.r @ coefficients_jacobian(without))
+    determined = determined_without_kxy(compressed, fit)
     if determined[ALPHA0]:
         return verdicts
     mounts = mounts_that_settle(observations, fit)
@@ -123,6 +121,13 @@ def _with_dependence(
         else verdict
         for name, verdict in verdicts.items()
     }
+
+
+def determined_without_kxy(compressed: Compressed, fit: JointFit) -> NDArray[np.bool_]:
+    """Which parameters would be determined if kxy were zero, shape (6 + terms,)."""
+    without = fit.theta.copy()
+    without[PARAMETERS.index("kxy")] = 0.0
+    return pseudo_inverse(compressed.r @ coefficients_jacobian(without))[1]
 
 
 def mounts_that_settle(observations: Observations, fit: JointFit) -> tuple[str, ...]:

@@ -50,6 +50,8 @@ class Effect:
     report: Reported
     at: Callable[[Scene, float], Form] | None = None
     """The form for any value of what is scanned, where that is a continuous quantity."""
+    drawn: bool = False
+    """Whether the coefficients are levels drawn at random, as many as there are seats or turn-ons."""
     additive: bool = False
     """Whether coefficients of two forms add up to one reported coefficient; otherwise the larger is reported."""
 
@@ -102,18 +104,16 @@ def with_scanned(report: Reported, **units: str) -> Reported:
 
 
 def spread(key: str, unit: str) -> Reported:
-    """Report the standard deviation of levels that happened, their own uncertainty taken out.
+    """Report the standard deviation of the levels that happened.
 
-    The coefficients are those of `contrasts`.
+    The coefficients are those of `contrasts`; their covariance is what is not known of them.
     """
 
     def report(_form: Form, coefficients: FloatArray, covariance: FloatArray) -> dict[str, Quantity]:
         count = len(coefficients)
-        mean_square = float(coefficients @ coefficients) / count
-        noise = float(np.trace(covariance)) / count
-        value = float(np.sqrt(max(mean_square - noise, 0.0)))
-        uncertainty = float(np.sqrt(coefficients @ covariance @ coefficients)) / max(count * value, 1e-300)
-        return {key: Quantity(value=value, standard_uncertainty=uncertainty, unit=unit)}
+        value = float(np.sqrt((coefficients @ coefficients + np.trace(covariance)) / count))
+        known = float(np.sqrt(coefficients @ covariance @ coefficients)) / (count * value)
+        return {key: Quantity(value=value, standard_uncertainty=known, unit=unit)}
 
     return report
 

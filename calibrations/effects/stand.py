@@ -109,5 +109,6 @@ STAND_EFFECTS = (
         source="repeatability of the seat",
         forms=_seating,
         report=spread("seating", "deg"),
+        drawn=True,
     ),
 )

@@ -132,6 +132,7 @@ UNIT_EFFECTS = (
         source="IEEE Std 528, turn-on to turn-on bias",
         forms=_realisation_bias,
         report=spread("realisation_bias", "V"),
+        drawn=True,
     ),
     Effect(
         name="vibration_rectification",

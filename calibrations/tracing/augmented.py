@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from calibrations.effects.effect import Form, Quantity
+from calibrations.effects.effect import Effect, Form, Quantity
 from calibrations.effects.scene import Scene
 from calibrations.fit import covariance
 from calibrations.geometry import FloatArray
@@ -34,7 +34,7 @@ class Augmented:
 
     def residual_v(self, scene: Scene) -> FloatArray:
         """Measured minus fitted for any rows of the same table, shape (rows,), in volts."""
-        forms = [_form_in(scene, item).columns for item in self.found]
+        forms = [form_in(scene, item).columns for item in self.found]
         columns = np.column_stack([basis(scene.observations), *forms])
         used = columns.shape[1] + len(PARAMETERS) - BASIS_SIZE
         return np.asarray(scene.observations.output_v - columns @ coefficients(self.joint.fit.theta[:used]))
@@ -66,17 +66,17 @@ class Augmented:
         }
 
 
-def augment(ground: Ground, trace: Trace, found: Sequence[Found] | None = None) -> Augmented:
-    """Fit the declared model with what was found, or with other effects in its place.
+def augment(ground: Ground, trace: Trace) -> Augmented:
+    """Fit the declared model with what was found.
 
     What was scanned for counts as fitted: the change of each form with its scanned value is a column of its own.
     """
-    chosen = tuple(trace.found if found is None else found)
+    chosen = trace.found
     first = _fit(ground, trace, [item.form.columns for item in chosen])
     slices = _slices([item.form.columns.shape[1] for item in chosen])
     start = len(PARAMETERS)
     tangents = [
-        _tangent(ground, item, first.fit.theta[start + where.start : start + where.stop])
+        tangent(ground.scene, item, first.fit.theta[start + where.start : start + where.stop])
         for item, where in zip(chosen, slices, strict=True)
     ]
     joint = _fit(ground, trace, [*(item.form.columns for item in chosen), *(t for t in tangents if t is not None)])
@@ -86,18 +86,32 @@ def augment(ground: Ground, trace: Trace, found: Sequence[Found] | None = None) 
         joint=joint,
         found=chosen,
         columns=tuple(slices),
-        scanned=tuple(None if tangent is None else next(numbers) for tangent in tangents),
+        scanned=tuple(None if t is None else next(numbers) for t in tangents),
         coefficients=joint.fit.theta[start:],
         covariance=everything[start:, start:],
     )
 
 
+def level_quantities(ground: Ground, trace: Trace, best: Augmented, effect: Effect) -> Mapping[str, Quantity]:
+    """Levels of an effect as they happened: their best linear unbiased prediction (Henderson's equations)."""
+    (form,) = effect.forms(ground.scene)
+    root = np.sqrt(ground.joint.weights)
+    columns, scaled = form.columns * root[:, None], ground.memory.levels[effect.name]
+    unit = np.linalg.norm(scaled[:, 0]) / np.linalg.norm(columns[:, 0])
+    variance = dict(trace.noise.levels)[effect.name] * unit**2
+    whiten = ground.memory.whitening(trace.noise)
+    residual, seen = whiten(best.joint.residual_v * root), whiten(columns)
+    predicted = variance * seen.T @ residual
+    left = variance * np.eye(columns.shape[1]) - variance**2 * seen.T @ seen
+    return effect.report(form, predicted, best.joint.noise.used_v**2 * left)
+
+
 def _fit(ground: Ground, trace: Trace, columns: Sequence[FloatArray]) -> Joint:
     functions = np.column_stack([ground.declared, *columns])
-    return fit_rows(ground.joint.observations, functions, ground.joint.weights, ground.whitening(trace.noise))
+    return fit_rows(ground.joint.observations, functions, ground.joint.weights, ground.memory.whitening(trace.noise))
 
 
-def _form_in(scene: Scene, item: Found) -> Form:
+def form_in(scene: Scene, item: Found) -> Form:
     """The form of an effect found, for the rows of another scene of the same table."""
     if item.effect.at is not None:
         (value,) = item.form.scanned.values()
@@ -110,13 +124,13 @@ def _slices(widths: Sequence[int]) -> list[slice]:
     return [slice(end - width, end) for end, width in zip(ends, widths, strict=True)]
 
 
-def _tangent(ground: Ground, item: Found, coefficients: FloatArray) -> FloatArray | None:
+def tangent(scene: Scene, item: Found, coefficients: FloatArray) -> FloatArray | None:
     """Change of the effect with its scanned value, shape (rows, 1); None where that is no smooth change."""
     if item.effect.at is None:
         return None
     (value,) = item.form.scanned.values()
     step = _STEP * value
-    above, below = (item.effect.at(ground.scene, value + side * step).columns for side in (1.0, -1.0))
+    above, below = (item.effect.at(scene, value + side * step).columns for side in (1.0, -1.0))
     change = (above - below) @ coefficients / (2 * step)
     smooth = np.count_nonzero(change) > len(change) // 10
     return np.asarray(change[:, None]) if smooth else None

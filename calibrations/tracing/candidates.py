@@ -14,6 +14,8 @@ from calibrations.geometry import FloatArray
 FALSE_ALARM = 0.002
 """Chance that a clean table is given any effect at all, shared evenly among the effects that it could show."""
 
+ANOTHER_SHAPE = 0.02
+"""Chance that an effect with one of the shapes of the catalogue is given a second one."""
 UNNAMED = 10.0
 """What a shape without a name must earn beyond a named one: a known cause is the better guess."""
 
@@ -27,6 +29,8 @@ class Candidate:
     columns: slice
     entry: float
     """By how much -2 ln L must fall for the effect to be believed, all forms that were tried counted."""
+    again: float
+    """The same for a second form of an effect that is there already: its shape need not be one of the catalogue's."""
 
     @property
     def coefficients(self) -> int:
@@ -43,7 +47,7 @@ def candidates(effects: Sequence[Effect], scene: Scene) -> tuple[Candidate, ...]
 def _numbered(tried: Sequence[tuple[Effect, Sequence[Form]]]) -> Iterator[Candidate]:
     start = 0
     for effect, forms in tried:
-        chance = FALSE_ALARM / len(tried) / len(forms)
+        chance, second = FALSE_ALARM / len(tried) / len(forms), ANOTHER_SHAPE / len(forms)
         handicap = UNNAMED if isinstance(effect, Structure) else 0.0
         for form in forms:
             width = form.columns.shape[1]
@@ -52,6 +56,7 @@ def _numbered(tried: Sequence[tuple[Effect, Sequence[Form]]]) -> Iterator[Candid
                 form=form,
                 columns=slice(start, start + width),
                 entry=float(chdtri(width, chance)) + handicap,
+                again=float(chdtri(width, second)) + handicap,
             )
             start += width
 

@@ -6,14 +6,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from calibrations.compression import compress
-from calibrations.effects.effect import Form
+from calibrations.effects.effect import Effect, Form
 from calibrations.effects.scene import Scene
 from calibrations.fit import fit_given_alpha0, joint_fit
 from calibrations.geometry import FloatArray
+from calibrations.identifiability import determined_without_kxy
 from calibrations.joint import Joint
 from calibrations.model import ALPHA0, BASIS_SIZE, PARAMETERS, basis, coefficients, coefficients_jacobian
 from calibrations.observations import Observations
-from calibrations.tracing.noise import Modes, NoiseModel, Whitening, slow_modes, whitening
+from calibrations.tracing.noise import Memory, NoiseModel, scaled_levels, slow_modes
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -22,7 +23,9 @@ class Ground:
 
     joint: Joint
     scene: Scene
-    modes: Modes | None
+    effects: tuple[Effect, ...]
+    """The catalogue."""
+    memory: Memory
 
     @property
     def rows(self) -> int:
@@ -34,23 +37,42 @@ class Ground:
         """The ten functions of the declared model, shape (rows, 10)."""
         return self.joint.basis[:, :BASIS_SIZE]
 
-    def whitening(self, noise: NoiseModel) -> Whitening:
-        """The transformation that makes this noise white."""
-        return whitening(self.modes, noise, self.rows)
-
     def deviance(self, forms: Sequence[Form], noise: NoiseModel) -> float:
         """-2 ln L of the declared model with these forms in this noise, up to a constant of the table."""
-        white = self.whitening(noise)
+        white = self.memory.whitening(noise)
         functions = np.column_stack([self.declared, *(form.columns for form in forms)])
         compressed = compress(functions, self.joint.observations.output_v, self.joint.weights, white)
         fit = joint_fit(compressed) if self.joint.fit.alpha0_fitted else fit_given_alpha0(compressed, 0.0)
         return self.rows * float(np.log(max(fit.squares_v2, 1e-300) / self.rows)) + white.log_determinant
 
 
-def ground(joint: Joint, reference_temperature_degc: float = 23.0) -> Ground:
-    """Prepare a table fitted with the declared model."""
-    scene = scene_of(joint.observations, joint.fit.theta, reference_temperature_degc)
-    return Ground(joint=joint, scene=scene, modes=slow_modes(scene.hours, joint.weights))
+def ground(joint: Joint, effects: Sequence[Effect], reference_temperature_degc: float = 23.0) -> Ground:
+    """Prepare a table fitted with the declared model.
+
+    Where alpha0 rests on kxy alone, an effect that is not yet known may have moved it by many degrees: then effects are
+    seen from alpha0 = 0, which is nearer the truth.
+    """
+    fit = joint.fit
+    if fit.alpha0_fitted and not determined_without_kxy(joint.compressed, fit)[ALPHA0]:
+        fit = fit_given_alpha0(joint.compressed, 0.0)
+    return _ground(joint, effects, scene_of(joint.observations, fit.theta, reference_temperature_degc))
+
+
+def seen_anew(base: Ground, theta: FloatArray) -> Ground:
+    """The same table seen from better parameters."""
+    scene = scene_of(base.joint.observations, theta, base.scene.reference_temperature_degc)
+    return _ground(base.joint, base.effects, scene)
+
+
+def _ground(joint: Joint, effects: Sequence[Effect], scene: Scene) -> Ground:
+    drawn = {effect.name: forms[0].columns for effect in effects if effect.drawn and (forms := effect.forms(scene))}
+    levels = {name: scaled_levels(columns, joint.weights) for name, columns in drawn.items()}
+    return Ground(
+        joint=joint,
+        scene=scene,
+        effects=tuple(effects),
+        memory=Memory(modes=slow_modes(scene.hours, joint.weights), levels=levels),
+    )
 
 
 def scene_of(observations: Observations, theta: FloatArray, reference_temperature_degc: float = 23.0) -> Scene:

@@ -13,16 +13,15 @@ from calibrations.effects.effect import Effect, Quantity
 from calibrations.effects.unnamed import Structure
 from calibrations.gross import unlike_repeats
 from calibrations.joint import Joint, fit_jointly, fit_without
-from calibrations.model import PARAMETERS
+from calibrations.model import ALPHA0, PARAMETERS
 from calibrations.observations import Observations, SetAside
 from calibrations.repeats import pose_groups
 from calibrations.result import Calibration, Parameter
-from calibrations.tracing.augmented import Augmented, augment
-from calibrations.tracing.ground import Ground, ground, scene_of
+from calibrations.tracing.augmented import Augmented, augment, level_quantities
+from calibrations.tracing.ground import Ground, ground, scene_of, seen_anew
 from calibrations.tracing.misreading import Misreading, misreadings
-from calibrations.tracing.noise import NoiseModel
-from calibrations.tracing.rivals import CLOSE, Rival, names, rivals, with_best_names
-from calibrations.tracing.trace import WALK_PRICE, Found, Trace, Tracer
+from calibrations.tracing.rivals import CLOSE, Rival, rivals, with_best_names
+from calibrations.tracing.trace import WALK, Trace, Tracer
 
 RIVALS_APART = 2.0
 """A parameter that differs between rivals by more than so many standard uncertainties cannot be told."""
@@ -78,9 +77,9 @@ def close_loop(
             break
         explained = _explained(fit_without(observations, rejected), effects)
     tracer, trace, best = explained.tracer, explained.trace, explained.best
-    close = {name: _close(tracer, trace, name) for name in names(trace)}
+    close = {name: _close(tracer, trace, name) for name in trace.names}
     misread = misreadings(observations, best.joint)
-    augmented = _with_rivals(assess(best.joint, uncertainty, trials=0), explained.base, trace, close)
+    augmented = _with_rivals(assess(best.joint, uncertainty, trials=0), explained.base, close)
     return Loop(
         declared=assess(declared, uncertainty, trials=0),
         augmented=augmented,
@@ -90,8 +89,12 @@ def close_loop(
     )
 
 
-_ROUNDS = 2
-"""How often gross errors are judged anew once effects are known."""
+_ROUNDS = 3
+"""How often a table is looked at anew once effects are known."""
+_MOVED_DEG = 0.02
+"""A change of alpha0 that changes what effects look like."""
+_FAR_DEG = 10.0
+"""An alpha0 beyond this is not believed."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -105,10 +108,18 @@ class _Explained:
 
 
 def _explained(joint: Joint, effects: Sequence[Effect]) -> _Explained:
-    base = ground(joint)
-    tracer = Tracer(base, effects)
-    trace = with_best_names(tracer, tracer.trace())
-    return _Explained(base=base, tracer=tracer, trace=trace, best=augment(base, trace))
+    """Trace a table; again, where what was found shows that it was looked at from a wrong alpha0."""
+    base = ground(joint, effects)
+    for _ in range(_ROUNDS):
+        tracer = Tracer(base)
+        trace = with_best_names(tracer, tracer.trace())
+        best = augment(base, trace)
+        alpha0_deg = float(best.joint.fit.theta[ALPHA0])
+        moved_deg = abs(alpha0_deg - base.scene.alpha0_deg)
+        if not trace.found or moved_deg < _MOVED_DEG or abs(alpha0_deg) > _FAR_DEG:
+            break
+        base = seen_anew(base, best.joint.fit.theta)
+    return _Explained(base=tracer.ground, tracer=tracer, trace=trace, best=best)
 
 
 def _rejected_rows(joint: Joint) -> set[int]:
@@ -121,7 +132,7 @@ def _gross_errors(observations: Observations, explained: _Explained) -> tuple[Se
     scene = scene_of(observations, joint.fit.theta)
     residual = explained.best.residual_v(scene)
     spare = len(joint.observations) - joint.fit.fitted
-    return unlike_repeats(observations.row, residual, pose_groups(observations), joint.noise.used_v, spare)
+    return unlike_repeats(observations, residual, pose_groups(observations), joint.noise.used_v, spare)
 
 
 def _close(tracer: Tracer, trace: Trace, name: str) -> list[Rival]:
@@ -135,41 +146,44 @@ def _effects(
     close: Mapping[str, Sequence[Rival]],
     misread: Sequence[Misreading],
 ) -> tuple[EffectFound, ...]:
-    found = [_effect(base, trace, best, name, close[name]) for name in names(trace)]
-    if trace.noise.walk:
-        found.append(_walk(base, trace, best.joint))
+    found = [_effect(base, trace, best, name, close[name]) for name in trace.names]
     if misread:
         found.append(_misreading(misread))
     return tuple(sorted(found, key=lambda effect: effect.p_value))
 
 
 def _effect(base: Ground, trace: Trace, best: Augmented, name: str, close: Sequence[Rival]) -> EffectFound:
-    items = [item for item in trace.found if item.effect.name == name]
-    without = [item.form for item in trace.found if item.effect.name != name]
-    gain = base.deviance(without, trace.noise) - trace.deviance
-    width = sum(item.form.columns.shape[1] for item in items)
+    rest = trace.without(name)
+    gain = base.deviance(rest.forms, rest.noise) - trace.deviance
+    width = sum(item.form.columns.shape[1] for item in trace.found if item.effect.name == name) or 1
     return EffectFound(
         name=name,
-        also_possible=tuple(rival.found.effect.name for rival in close),
-        belongs_to=items[0].effect.belongs_to,
-        coefficients=best.quantities(name),
+        also_possible=tuple(rival.name for rival in close),
+        belongs_to=_owner(base, name),
+        coefficients=_coefficients(base, trace, best, name),
         p_value=float(chdtrc(width, max(gain, 0.0))),
     )
 
 
-def _walk(base: Ground, trace: Trace, joint: Joint) -> EffectFound:
+def _owner(base: Ground, name: str) -> str:
+    return "unit" if name == WALK else next(effect.belongs_to for effect in base.effects if effect.name == name)
+
+
+def _coefficients(base: Ground, trace: Trace, best: Augmented, name: str) -> Mapping[str, Quantity]:
+    if name == WALK:
+        return _walk(base, trace, best.joint)
+    if any(item.effect.name == name for item in trace.found):
+        return best.quantities(name)
+    effect = next(effect for effect in base.effects if effect.name == name)
+    return level_quantities(base, trace, best, effect)
+
+
+def _walk(base: Ground, trace: Trace, joint: Joint) -> Mapping[str, Quantity]:
     """Random walk: the variance of the first mode is q T / π² (Karhunen-Loève expansion of the centred walk)."""
     hours = base.scene.hours
     span_h = float(np.ptp(hours)) if hours is not None else 1.0
     rate = float(joint.noise.used_v * np.pi * np.sqrt(trace.noise.walk / span_h))
-    gain = base.deviance([item.form for item in trace.found], NoiseModel()) - trace.deviance
-    return EffectFound(
-        name="bias_random_walk",
-        also_possible=(),
-        belongs_to="unit",
-        coefficients={"bias_random_walk": Quantity(value=rate, standard_uncertainty=rate / 4.0, unit="V/√h")},
-        p_value=float(chdtrc(1, max(gain - WALK_PRICE, 0.0))),
-    )
+    return {WALK: Quantity(value=rate, standard_uncertainty=rate / 4.0, unit="V/√h")}
 
 
 def _misreading(misread: Sequence[Misreading]) -> EffectFound:
@@ -187,24 +201,21 @@ def _unexplained(trace: Trace) -> Unexplained | None:
     return Unexplained(depends_on=first.effect.depends_on, description=first.effect.describe(first.form))
 
 
-def _with_rivals(
-    calibration: Calibration, base: Ground, trace: Trace, close: Mapping[str, Sequence[Rival]]
-) -> Calibration:
+def _with_rivals(calibration: Calibration, base: Ground, close: Mapping[str, Sequence[Rival]]) -> Calibration:
     """Take back the parameters that depend on which of two rivals is true."""
     parameters = dict(calibration.parameters)
     for name, listed in close.items():
-        kept = [item for item in trace.found if item.effect.name != name]
         for rival in listed:
-            theta = augment(base, trace, [*kept, rival.found]).joint.fit.theta
+            theta = augment(base, rival.trace).joint.fit.theta
             for index, parameter in enumerate(PARAMETERS):
-                parameters[parameter] = _judged(parameters[parameter], float(theta[index]), name, rival.found)
+                parameters[parameter] = _judged(parameters[parameter], float(theta[index]), name, rival.name)
     return replace(calibration, parameters=parameters)
 
 
-def _judged(parameter: Parameter, other: float, name: str, rival: Found) -> Parameter:
+def _judged(parameter: Parameter, other: float, name: str, rival: str) -> Parameter:
     if parameter.value is None or parameter.standard_uncertainty is None:
         return parameter
     if abs(other - parameter.value) <= RIVALS_APART * parameter.standard_uncertainty:
         return parameter
-    reason = f"it differs between {name} and {rival.effect.name}, which this experiment cannot tell apart"
+    reason = f"it differs between {name} and {rival}, which this experiment cannot tell apart"
     return replace(parameter, value=None, standard_uncertainty=None, type_a=None, interval_95=None, reason=reason)

@@ -1,11 +1,13 @@
-"""Noise that remembers: flicker and random walk beside white noise, as slow modes of the time of the run.
+"""Noise that remembers, beside white noise: flicker, random walk, and levels drawn anew at every seat or turn-on.
 
 A mean-free random walk is a sum of cosines with variances falling as 1/k² (Karhunen-Loève expansion of the centred
 Wiener process), flicker one with variances falling as 1/k (power spectral density h/f). What the modes do not reach is
-white to the eye of a dwell.
+white to the eye of a dwell. Levels (seating, turn-on bias) are columns with independent coefficients of one variance.
 """
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -16,25 +18,27 @@ MODES = 100
 
 @dataclass(frozen=True, kw_only=True)
 class NoiseModel:
-    """Variances of the first mode relative to the variance of a dwell."""
+    """Variances relative to the variance of a dwell."""
 
     flicker: float = 0.0
+    """Of the first mode."""
     walk: float = 0.0
+    """Of the first mode."""
+    levels: tuple[tuple[str, float], ...] = ()
+    """Mean variance of a row by the levels of each effect, by name."""
 
     @property
     def white(self) -> bool:
         """Whether there is nothing but white noise."""
-        return self.flicker == 0.0 and self.walk == 0.0
+        return self.flicker == 0.0 and self.walk == 0.0 and not self.levels
 
+    def with_level(self, name: str, variance: float) -> "NoiseModel":
+        """The same with the levels of an effect."""
+        return replace(self, levels=(*self.without(name).levels, (name, variance)))
 
-@dataclass(frozen=True, kw_only=True)
-class Modes:
-    """Slow modes at the times of the rows."""
-
-    orthonormal: FloatArray
-    """Shape (rows, modes)."""
-    triangular: FloatArray
-    """Shape (modes, modes): cosines = orthonormal @ triangular."""
+    def without(self, name: str) -> "NoiseModel":
+        """The same without the levels of an effect."""
+        return replace(self, levels=tuple(level for level in self.levels if level[0] != name))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -42,7 +46,7 @@ class Whitening:
     """A linear transformation after which the noise is white."""
 
     directions: FloatArray
-    """Orthonormal, shape (rows, modes)."""
+    """Orthonormal, shape (rows, n)."""
     shrink: FloatArray
     """By how much each direction is shortened, from 0 to 1."""
     log_determinant: float
@@ -55,29 +59,60 @@ class Whitening:
         return np.asarray(columns - self.directions @ scaled)
 
 
-def slow_modes(hours: FloatArray | None, weights: FloatArray) -> Modes | None:
-    """Cosines over the run; None where the table has no time or too few rows."""
+@dataclass(frozen=True, kw_only=True)
+class Memory:
+    """Everything in a table along which noise can remember."""
+
+    modes: FloatArray
+    """Cosines over the run, weighted, shape (rows, modes); no columns where the table has no time or too few rows."""
+    levels: Mapping[str, FloatArray] = field(default_factory=dict)
+    """Columns of each effect that draws levels, weighted and scaled to a mean square of one row, by name."""
+
+    @cached_property
+    def _factors(self) -> dict[tuple[str, ...], tuple[FloatArray, FloatArray]]:
+        return {}
+
+    def whitening(self, noise: NoiseModel) -> Whitening:
+        """The transformation for a noise model; the identity for white noise."""
+        rows = len(self.modes)
+        if noise.white:
+            return Whitening(directions=np.empty((rows, 0)), shrink=np.empty(0), log_determinant=0.0)
+        slow = bool(noise.flicker or noise.walk)
+        names = tuple(name for name, _ in noise.levels)
+        orthonormal, triangular = self._factor(slow, names)
+        order = np.arange(1, self.modes.shape[1] * slow + 1)
+        variances = [noise.flicker / order + noise.walk / order**2]
+        variances += [np.full(self.levels[name].shape[1], variance) for name, variance in noise.levels]
+        inner = (triangular * np.concatenate(variances)) @ triangular.T
+        values, vectors = np.linalg.eigh(inner)
+        values = np.clip(values, 0.0, None)
+        return Whitening(
+            directions=orthonormal @ vectors,
+            shrink=1.0 - 1.0 / np.sqrt(1.0 + values),
+            log_determinant=float(np.sum(np.log1p(values))),
+        )
+
+    def _factor(self, slow: bool, names: tuple[str, ...]) -> tuple[FloatArray, FloatArray]:
+        key = ("*" if slow else "", *names)
+        if key not in self._factors:
+            parts = [self.modes] if slow else []
+            factored = np.linalg.qr(np.column_stack([*parts, *(self.levels[name] for name in names)]))
+            self._factors[key] = (factored.Q, factored.R)
+        return self._factors[key]
+
+
+def slow_modes(hours: FloatArray | None, weights: FloatArray) -> FloatArray:
+    """Weighted cosines over the run, shape (rows, modes)."""
     rows = len(weights)
     count = min(MODES, rows // 4)
     if hours is None or count < 4 or np.ptp(hours) <= 0:
-        return None
+        return np.empty((rows, 0))
     phase = np.pi * (hours - hours.min()) / np.ptp(hours)
     cosines = np.sqrt(2.0) * np.cos(np.outer(phase, np.arange(1, count + 1)))
-    orthonormal, triangular = np.linalg.qr(cosines * np.sqrt(weights)[:, None])
-    return Modes(orthonormal=orthonormal, triangular=triangular)
+    return np.asarray(cosines * np.sqrt(weights)[:, None])
 
 
-def whitening(modes: Modes | None, noise: NoiseModel, rows: int) -> Whitening:
-    """The transformation for a noise model; the identity for white noise."""
-    if modes is None or noise.white:
-        return Whitening(directions=np.empty((rows, 0)), shrink=np.empty(0), log_determinant=0.0)
-    order = np.arange(1, modes.triangular.shape[1] + 1)
-    variance = noise.flicker / order + noise.walk / order**2
-    inner = (modes.triangular * variance) @ modes.triangular.T
-    values, vectors = np.linalg.eigh(inner)
-    values = np.clip(values, 0.0, None)
-    return Whitening(
-        directions=modes.orthonormal @ vectors,
-        shrink=1.0 - 1.0 / np.sqrt(1.0 + values),
-        log_determinant=float(np.sum(np.log1p(values))),
-    )
+def scaled_levels(columns: FloatArray, weights: FloatArray) -> FloatArray:
+    """Weighted level columns, scaled to a mean square of one row."""
+    weighted = columns * np.sqrt(weights)[:, None]
+    return np.asarray(weighted / np.sqrt(np.mean(np.sum(weighted**2, axis=1))))

@@ -1,8 +1,9 @@
 """Finds the set of effects that explains a table. Several are followed at once, so that a first guess can be wrong."""
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
+from calibrations.tracing.candidates import Candidate
 from calibrations.tracing.problem import Explanation, Problem
 
 BEAM = 6
@@ -30,7 +31,16 @@ def search(problem: Problem, most: int = MOST) -> Explanation:
 
 def price(problem: Problem, explanation: Explanation) -> float:
     """Deviance plus the entry of every effect."""
-    return explanation.deviance + sum(problem.offered[number].entry for number in explanation.chosen)
+    return explanation.deviance + entries([problem.offered[number] for number in explanation.chosen])
+
+
+def entries(chosen: Sequence[Candidate]) -> float:
+    """What effects must earn together; the second form of an effect earns less than another effect."""
+    total, seen = 0.0, set()
+    for candidate in chosen:
+        total += candidate.again if candidate.effect.name in seen else candidate.entry
+        seen.add(candidate.effect.name)
+    return total
 
 
 def settled(problem: Problem, explanation: Explanation) -> Explanation:
@@ -64,7 +74,8 @@ def _promising(problem: Problem, explanation: Explanation, count: int) -> list[i
     best: dict[str, tuple[float, int]] = {}
     for number, candidate in enumerate(problem.offered):
         name = candidate.effect.name
-        worth = (float(gains[number]) - candidate.entry, number)
+        entry = candidate.again if present[name] else candidate.entry
+        worth = (float(gains[number]) - entry, number)
         if number not in explanation.chosen and present[name] < 2 and worth > best.get(name, (float("-inf"), -1)):
             best[name] = worth
     ranked = sorted(best.values(), reverse=True)

@@ -7,11 +7,11 @@ import numpy as np
 
 from calibrations.effects.effect import Effect, Form
 from calibrations.effects.unnamed import STRUCTURES, Structure
-from calibrations.tracing.candidates import all_columns, candidates
+from calibrations.tracing.candidates import Candidate, all_columns, candidates
 from calibrations.tracing.ground import Ground
 from calibrations.tracing.noise import NoiseModel
 from calibrations.tracing.problem import Problem
-from calibrations.tracing.search import search
+from calibrations.tracing.search import entries, search
 
 FLICKER_FLOOR = 0.25
 """Floor of the Allan deviation up to which flicker is taken as the ordinary noise of a unit, in dwell deviations."""
@@ -20,22 +20,29 @@ MOST_FLICKER = FLICKER_FLOOR**2 / (2 * np.log(2))
 FLICKER_PRICE = 3.84
 WALK_PRICE = 10.0
 """What a random walk must earn: in flicker it is the cheaper explanation by that much once in hundreds of tables."""
+LEVEL_PRICE = 16.0
+"""What levels drawn at random must earn: one variance, among some thirty effects."""
+WALK = "bias_random_walk"
 
 
 @dataclass(frozen=True, kw_only=True)
 class Found:
-    """An effect in a form."""
+    """A candidate that explains something, its form refined."""
 
-    effect: Effect
+    candidate: Candidate
     form: Form
     number: int
-    """Of the candidate whose form this is, or from whose form it was refined."""
-    entry: float
+    """Of the candidate."""
+
+    @property
+    def effect(self) -> Effect:
+        """The effect of which this is a form."""
+        return self.candidate.effect
 
     @property
     def coefficients(self) -> int:
         """How many numbers are fitted: columns, and what was scanned for."""
-        return int(self.form.columns.shape[1]) + len(self.form.scanned)
+        return self.candidate.coefficients
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -52,6 +59,23 @@ class Trace:
         return tuple(found for found in self.found if not isinstance(found.effect, Structure))
 
     @property
+    def names(self) -> tuple[str, ...]:
+        """Names of all effects of the catalogue that were found, those that are noise that remembers included."""
+        drawn = [name for name, _ in self.noise.levels]
+        walk = [WALK] if self.noise.walk else []
+        return tuple(dict.fromkeys([*(found.effect.name for found in self.named), *drawn, *walk]))
+
+    @property
+    def forms(self) -> list[Form]:
+        """Forms of everything that is in the model as columns."""
+        return [found.form for found in self.found]
+
+    def without(self, name: str) -> "Trace":
+        """The trace without one effect; its deviance is that of the whole still."""
+        noise = replace(self.noise, walk=0.0) if name == WALK else self.noise.without(name)
+        return replace(self, found=tuple(item for item in self.found if item.effect.name != name), noise=noise)
+
+    @property
     def unnamed(self) -> tuple[Found, ...]:
         """Structure that no effect of the catalogue explains."""
         return tuple(found for found in self.found if isinstance(found.effect, Structure))
@@ -64,14 +88,12 @@ class Tracer:
     ----------
     ground
         The table, fitted with the declared model.
-    effects
-        The catalogue.
     """
 
-    def __init__(self, ground: Ground, effects: Sequence[Effect]) -> None:
+    def __init__(self, ground: Ground) -> None:
         self.ground = ground
-        self.effects = tuple(effects)
-        self._offered = candidates((*effects, *STRUCTURES), ground.scene)
+        self.effects = ground.effects
+        self._offered = candidates((*ground.effects, *STRUCTURES), ground.scene)
         self._columns = all_columns(self._offered, ground.rows)
         self._problems: dict[NoiseModel, Problem] = {}
 
@@ -85,7 +107,7 @@ class Tracer:
                 joint.observations.output_v,
                 joint.weights,
                 self._offered,
-                self.ground.whitening(noise),
+                self.ground.memory.whitening(noise),
                 joint.fit.alpha0_fitted,
             )
         return self._problems[noise]
@@ -98,10 +120,22 @@ class Tracer:
         """
         best = self._searched(NoiseModel())
         for noise in _other_noises(self.ground, best):
-            trial = self._searched(noise)
-            if _price(trial) < _price(best):
-                best = trial
+            best = min(best, self._searched(noise), key=trace_price)
+        drawn = self._with_drawn_levels(best)
+        if drawn.noise.levels != best.noise.levels:
+            again = self._with_drawn_levels(self._searched(drawn.noise))
+            best = min(drawn, again, key=trace_price)
         return refined(self.ground, best)
+
+    def _with_drawn_levels(self, trace: Trace) -> Trace:
+        """Take effects that draw levels out of the columns: of levels, only the variance is a parameter."""
+        names = list(dict.fromkeys(item.effect.name for item in trace.found if item.effect.drawn))
+        kept = tuple(item for item in trace.found if not item.effect.drawn)
+        noise = trace.noise
+        for name in names:
+            noise = best_level(self.ground, [item.form for item in kept], noise, name)
+        deviance = self.ground.deviance([item.form for item in kept], noise)
+        return Trace(found=kept, noise=noise, deviance=deviance)
 
     def _searched(self, noise: NoiseModel) -> Trace:
         problem = self.problem(noise)
@@ -113,18 +147,20 @@ class Tracer:
 def found(problem: Problem, number: int) -> Found:
     """A candidate of a problem, as found."""
     candidate = problem.offered[number]
-    return Found(effect=candidate.effect, form=candidate.form, number=number, entry=candidate.entry)
+    return Found(candidate=candidate, form=candidate.form, number=number)
 
 
-def _price(trace: Trace) -> float:
+def trace_price(trace: Trace) -> float:
+    """Deviance plus what everything in the trace must earn."""
     flicker = FLICKER_PRICE if trace.noise.flicker else 0.0
     walk = WALK_PRICE if trace.noise.walk else 0.0
-    return trace.deviance + flicker + walk + sum(found.entry for found in trace.found)
+    levels = LEVEL_PRICE * len(trace.noise.levels)
+    return trace.deviance + flicker + walk + levels + entries([found.candidate for found in trace.found])
 
 
 def _other_noises(ground: Ground, white: Trace) -> list[NoiseModel]:
     """Noises worth a search of their own: the best flicker and walk, with nothing else and with what was found."""
-    if ground.modes is None:
+    if not ground.memory.modes.shape[1]:
         return []
     noises = []
     for forms in ((), tuple(found.form for found in white.found)):
@@ -156,6 +192,25 @@ def refined(ground: Ground, trace: Trace, rounds: int = 2) -> Trace:
             found[place] = refined_one(ground, item, others, trace.noise)
     deviance = ground.deviance([item.form for item in found], trace.noise)
     return Trace(found=tuple(found), noise=trace.noise, deviance=deviance)
+
+
+def best_walk(ground: Ground, forms: Sequence[Form], noise: NoiseModel) -> NoiseModel:
+    """The noise with the random walk that fits best in place of flicker."""
+    walks = [replace(noise, flicker=0.0, walk=walk.walk) for walk in _WALKS]
+    return _best_noise(ground, forms, walks)[0]
+
+
+def best_level(ground: Ground, forms: Sequence[Form], noise: NoiseModel, name: str) -> NoiseModel:
+    """The noise with the levels of an effect drawn with the variance that fits best."""
+    low, high = np.log(1e-4), np.log(1e4)
+
+    def deviance(logarithm: float) -> float:
+        return ground.deviance(forms, noise.with_level(name, float(np.exp(logarithm))))
+
+    for _ in range(20):
+        inner, outer = high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)
+        low, high = (low, outer) if deviance(inner) < deviance(outer) else (inner, high)
+    return noise.with_level(name, float(np.exp((low + high) / 2)))
 
 
 _GOLDEN = (np.sqrt(5.0) - 1) / 2

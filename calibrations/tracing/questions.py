@@ -1,0 +1,178 @@
+"""Questions before answers: a table that contradicts its own description is asked about, not explained."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from calibrations.compression import compress
+from calibrations.fit import fit_given_alpha0
+from calibrations.geometry import MOUNTS, FloatArray
+from calibrations.gross import robust_residual
+from calibrations.model import basis, coefficients
+from calibrations.observations import Observations
+from calibrations.repeats import labels, settings
+
+_MOST_REALISATIONS = 50
+_CLEARER = 20.0
+"""Another reading of the table must leave so many times less than the description does."""
+_MOSTLY = 0.6
+"""A block of which more than this part is far off comes from another mount."""
+_PAUSE_S = 30.0
+_WHOLE_TURN_RAD = 7.5
+
+
+@dataclass(frozen=True, kw_only=True)
+class Questioned:
+    """A table with what there is to ask about it."""
+
+    observations: Observations
+    """The table as it is analysed: with realisations numbered where the repeats are clear."""
+    questions: tuple[str, ...]
+    """One sentence each."""
+    answerable: bool
+    """False where nothing can be traced before a question is answered."""
+
+
+def questioned(observations: Observations) -> Questioned:
+    """Look for contradictions between a table and its description."""
+    for ask in (_radians, _mounts):
+        if question := ask(observations):
+            return Questioned(observations=observations, questions=(question,), answerable=False)
+    questions = []
+    if question := _sign(observations):
+        questions.append(question)
+    repeats = _clear_repeats(observations)
+    if repeats is not None:
+        count = int(repeats.max())
+        questions.append(
+            f"{observations.source}: there is no column realisation, yet every pose comes back {count} times; "
+            f"taken as {count} realisations, add the column if that is not so"
+        )
+        observations = replace(observations, realisation=repeats)
+    return Questioned(observations=observations, questions=tuple(questions), answerable=True)
+
+
+def _left_v(observations: Observations) -> float:
+    """Root mean square that the declared model leaves with alpha0 held at 0, in volts."""
+    functions = basis(observations)
+    compressed = compress(functions, observations.output_v, np.ones(len(observations)))
+    theta = fit_given_alpha0(compressed, 0.0).theta
+    return float(np.sqrt(np.mean((observations.output_v - functions @ coefficients(theta)) ** 2)))
+
+
+def _radians(observations: Observations) -> str:
+    if len(observations) < 8 or np.abs(observations.angle_deg).max() > _WHOLE_TURN_RAD:
+        return ""
+    turned = replace(observations, angle_deg=np.rad2deg(observations.angle_deg))
+    if _left_v(observations) < _CLEARER / 4 * _left_v(turned) or np.ptp(observations.angle_deg) < np.pi / 2:
+        return ""
+    return (
+        f"{observations.source}: angle_deg runs from {observations.angle_deg.min():.4g} to "
+        f"{observations.angle_deg.max():.4g} and the output fits radians; are these radians? Write degrees"
+    )
+
+
+def _mounts(observations: Observations) -> str:
+    """A table without mounts whose rows cannot all come from one."""
+    if observations.mount is not None or len(observations) < 8:
+        return ""
+    blocks = _blocks(observations)
+    residual = robust_residual(basis(observations), observations.output_v)
+    noise_v = min(_noise_v(observations, blocks), float(1.4826 * np.median(np.abs(residual))))
+    off = np.bincount(blocks, np.abs(residual) > _CLEARER * max(noise_v, 1e-9)) / np.bincount(blocks)
+    if not np.any((off > _MOSTLY) & (np.bincount(blocks) > 1)):
+        return ""
+    guessed = _guessed_mounts(observations, blocks)
+    others = sorted({str(mount) for mount in guessed} - {"face-up"})
+    looks = " and ".join(others) if others else "the unit seated another way about its input axis"
+    first = int(np.flatnonzero(off[blocks] > _MOSTLY)[0])
+    return (
+        f"{observations.source}: there is no column mount, but the rows cannot come from one mount: row "
+        f"{observations.row[first]} and others look like {looks}; add the column"
+    )
+
+
+def _beside_a_sine(observations: Observations, inside: NDArray[np.bool_]) -> FloatArray:
+    angle = np.deg2rad(observations.angle_deg[inside])
+    sine = np.column_stack([np.ones_like(angle), np.sin(angle), np.cos(angle)])
+    volts = observations.output_v[inside]
+    return np.asarray(volts - sine @ np.linalg.lstsq(sine, volts, rcond=None)[0])
+
+
+def _noise_v(observations: Observations, blocks: NDArray[np.int64]) -> float:
+    """Typical scatter of a block about a sine of its own: what any mount could explain."""
+    left = []
+    for block in range(int(blocks.max()) + 1):
+        inside = blocks == block
+        if np.count_nonzero(inside) >= 8:
+            left.append(np.std(_beside_a_sine(observations, inside)))
+    return float(np.median(left)) if left else float("inf")
+
+
+def _blocks(observations: Observations) -> NDArray[np.int64]:
+    """Runs of rows between pauses or changes of procedure: a unit is seated anew only there."""
+    breaks = np.zeros(len(observations), dtype=bool)
+    if observations.time_s is not None:
+        breaks |= np.diff(observations.time_s, prepend=observations.time_s[0]) > _PAUSE_S
+    if observations.procedure is not None:
+        breaks[1:] |= observations.procedure[1:] != observations.procedure[:-1]
+    if not breaks.any():
+        breaks[1:] = np.abs(np.diff(observations.angle_deg)) > 300.0
+    return np.cumsum(breaks)
+
+
+def _guessed_mounts(observations: Observations, blocks: NDArray[np.int64]) -> NDArray[np.str_]:
+    """The mount in which a nominal unit comes closest to each block; the scale is that of the whole table."""
+    volts = observations.output_v
+    centre, scale = float(np.median(volts)), float(np.ptp(volts)) / 2
+    nominal = {mount: centre + scale * _ax(mount, observations.angle_deg) for mount in MOUNTS}
+    guessed = np.full(len(volts), "face-up", dtype="<U10")
+    for block in range(int(blocks.max()) + 1):
+        inside = blocks == block
+        misfit = {mount: float(np.sum((volts[inside] - nominal[mount][inside]) ** 2)) for mount in MOUNTS}
+        closest = min(misfit.values())
+        guessed[inside] = next(mount for mount in MOUNTS if misfit[mount] <= 1.05 * closest + 1e-12)
+    return guessed
+
+
+def _ax(mount: str, angle_deg: FloatArray) -> FloatArray:
+    rotation = MOUNTS[mount]
+    angle = np.deg2rad(angle_deg)
+    return np.asarray(-rotation[0, 0] * np.sin(angle) - rotation[0, 1] * np.cos(angle))
+
+
+def _sign(observations: Observations) -> str:
+    functions = basis(observations)
+    compressed = compress(functions, observations.output_v, np.ones(len(observations)))
+    fit = fit_given_alpha0(compressed, 0.0)
+    kx = float(fit.theta[1])
+    if not fit.estimable[1] or kx >= 0 or abs(kx) < 10 * _left_v(observations):
+        return ""
+    return (
+        f"{observations.source}: kx comes out as {kx:.4g} V/g; is the output inverted, or the sign of g? Here a "
+        "projection is positive where the axis points down"
+    )
+
+
+def _clear_repeats(observations: Observations) -> NDArray[np.int64] | None:
+    """Realisation of each row where the table falls into parts with the same poses; None where it does not."""
+    if observations.realisation is not None:
+        return None
+    columns: list[NDArray[np.generic]] = [observations.mounts, settings(observations.angle_deg)]
+    if observations.procedure is not None:
+        columns.append(observations.procedure)
+    pose = labels(*columns)
+    place = observations.row - 1
+    length = int(observations.rows_read)
+    for count in range(min(_MOST_REALISATIONS, length // 6), 1, -1):
+        if length % count == 0 and _same_poses(pose, place // (length // count), count):
+            return place // (length // count) + 1
+    return None
+
+
+def _same_poses(pose: NDArray[np.int64], part: NDArray[np.int64], count: int) -> bool:
+    """Whether all parts have the same poses, a few rows set aside allowed for."""
+    visits = np.zeros((count, int(pose.max()) + 1))
+    np.add.at(visits, (part, pose), 1)
+    return bool(np.abs(visits - np.median(visits, axis=0)).sum() <= 0.02 * len(pose))
