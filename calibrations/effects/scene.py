@@ -35,7 +35,7 @@ class Scene:
         """Projections ax, ay, az, shape (rows, 3)."""
         return projections(self.observations.mounts, self.observations.angle_deg + self.alpha0_deg)
 
-    @property
+    @cached_property
     def ax_g(self) -> FloatArray:
         """Projection on the input axis, shape (rows,)."""
         return np.asarray(self.gravity_g[:, 0])
@@ -78,22 +78,22 @@ class Scene:
         """Number of the mounting of each row, from 0."""
         return mountings(self.observations)
 
-    def play(self, reach_g: FloatArray) -> FloatArray:
-        """Where a play of half width `reach_g`, shape (n,), stands within its slack, from -1 to 1, shape (rows, n).
+    def play(self, reach_g: float) -> FloatArray:
+        """Where a play of half width `reach_g` stands within its slack, from -1 to 1, shape (rows,).
 
         -1 once ax has risen by twice the reach, 1 once it has fallen so far. The head is taken to have gone straight
         from each pose to the next, and the unit straight from one mount into the other; the slack starts in its middle.
         """
-        drawn = np.full(len(reach_g), self.ax_g[0])
-        found = np.empty((len(self.angle_deg), len(reach_g)))
-        for row, turns in enumerate(self._ax_on_the_way):
+        drawn = float(self.ax_g[0])
+        found = []
+        for turns in self._ax_on_the_way:
             for ax_g in turns:
-                drawn = np.clip(drawn, ax_g - reach_g, ax_g + reach_g)
-            found[row] = (drawn - self.ax_g[row]) / reach_g
-        return found
+                drawn = min(max(drawn, ax_g - reach_g), ax_g + reach_g)
+            found.append(drawn)
+        return (np.array(found) - self.ax_g) / reach_g
 
     @cached_property
-    def _ax_on_the_way(self) -> list[FloatArray]:
+    def _ax_on_the_way(self) -> list[list[float]]:
         """Ax at every turning point between the pose before and each pose, and at the pose itself."""
         mounts, angle_deg = self.observations.mounts, self.angle_deg + self.alpha0_deg
         fine = np.linspace(0.0, 1.0, _STEPS)
@@ -103,7 +103,7 @@ class Scene:
         turning = np.zeros(ax_g.shape, dtype=bool)
         turning[:, 1:-1] = np.diff(np.sign(np.diff(ax_g, axis=1)), axis=1) != 0
         turning[:, -1] = True
-        return [ax_g[row, turning[row]] for row in range(len(ax_g))]
+        return [ax_g[row, turning[row]].tolist() for row in range(len(ax_g))]
 
     @cached_property
     def left_over_v(self) -> FloatArray:

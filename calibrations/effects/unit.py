@@ -28,7 +28,7 @@ def _play(scene: Scene, reach_g: float) -> Form:
     The elementary operator of Prandtl and Ishlinskii (Visintin, Differential Models of Hysteresis, III.2), of which any
     hysteresis is a sum.
     """
-    return Form(columns=scene.play(np.array([reach_g])), scanned={"reach_g": reach_g})
+    return Form(columns=scene.play(reach_g)[:, None], scanned={"reach_g": reach_g})
 
 
 def _reaches_g(scene: Scene) -> Sequence[float]:

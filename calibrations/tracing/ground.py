@@ -5,16 +5,19 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from calibrations.compression import compress
+from calibrations.compression import Compressed, compress
 from calibrations.effects.effect import Effect, Form
 from calibrations.effects.scene import Scene
-from calibrations.fit import fit_given_alpha0, joint_fit
+from calibrations.fit import JointFit, fit_given_alpha0, joint_fit, refined_fit
 from calibrations.geometry import FloatArray
 from calibrations.identifiability import determined_without_kxy
 from calibrations.joint import Joint
 from calibrations.model import ALPHA0, BASIS_SIZE, PARAMETERS, basis, coefficients, coefficients_jacobian
 from calibrations.observations import Observations
 from calibrations.tracing.noise import Memory, NoiseModel, scaled_levels, slow_modes
+
+_BLUNT_DEG = 0.5
+"""An alpha0 whose interval is wider may jump when an effect is added."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -42,8 +45,18 @@ class Ground:
         white = self.memory.whitening(noise)
         functions = np.column_stack([self.declared, *(form.columns for form in forms)])
         compressed = compress(functions, self.joint.observations.output_v, self.joint.weights, white)
-        fit = joint_fit(compressed) if self.joint.fit.alpha0_fitted else fit_given_alpha0(compressed, 0.0)
+        fit = self._fit(compressed)
         return self.rows * float(np.log(max(fit.squares_v2, 1e-300) / self.rows)) + white.log_determinant
+
+    def _fit(self, compressed: Compressed) -> JointFit:
+        """Fit with alpha0 searched for where it is blunt, refined where it is sharp, held where it cannot be told."""
+        if not self.joint.fit.alpha0_fitted:
+            return fit_given_alpha0(compressed, 0.0)
+        low, high = self.joint.profile.interval_deg
+        if high - low > _BLUNT_DEG:
+            return joint_fit(compressed)
+        start = self.joint.fit.theta[: len(PARAMETERS)]
+        return refined_fit(compressed, np.concatenate([start, np.zeros(compressed.terms)]))
 
 
 def ground(joint: Joint, effects: Sequence[Effect], reference_temperature_degc: float = 23.0) -> Ground:

@@ -72,7 +72,9 @@ class Problem:
         self.offered = tuple(offered)
         widths = np.array([candidate.columns.stop - candidate.columns.start for candidate in offered], dtype=int)
         self._starts = np.array([candidate.columns.start for candidate in offered], dtype=int)
-        self._single, self._wide = np.flatnonzero(widths == 1), np.flatnonzero(widths > 1)
+        self._single, self._double, self._wide = (
+            np.flatnonzero(test) for test in (widths == 1, widths == 2, widths > 2)
+        )
 
     def explain(self, chosen: tuple[int, ...], near: FloatArray | None = None) -> Explanation:
         """Fit the declared model with the chosen candidates; `near` is a parameter vector of the declared part."""
@@ -110,12 +112,23 @@ class Problem:
         seen = lengths > (_ABSORBED * self._lengths) ** 2
         alone = np.where(seen, (residual @ free) ** 2 / np.where(seen, lengths, 1.0), 0.0)
         falls[self._single] = alone[self._starts[self._single]]
+        falls[self._double] = self._falls_of_pairs(free, residual, alone)
         for number in self._wide:
             columns = self.offered[number].columns
             left, values, _ = np.linalg.svd(free[:, columns], full_matrices=False)
             along = left[:, values > _ABSORBED * self._lengths[columns].max()].T @ residual
             falls[number] = along @ along
         return falls
+
+    def _falls_of_pairs(self, free: FloatArray, residual: FloatArray, alone: FloatArray) -> FloatArray:
+        """The same for the candidates of two columns: what the first explains, then what the second adds."""
+        first, second = self._starts[self._double], self._starts[self._double] + 1
+        a, b = free[:, first], free[:, second]
+        squares = np.maximum(np.einsum("ij,ij->j", a, a), 1e-300)
+        beside = b - a * (np.einsum("ij,ij->j", a, b) / squares)
+        lengths = np.einsum("ij,ij->j", beside, beside)
+        seen = lengths > (_ABSORBED * self._lengths[second]) ** 2
+        return np.asarray(alone[first] + np.where(seen, (residual @ beside) ** 2 / np.where(seen, lengths, 1.0), 0.0))
 
     def _compressed(self, chosen: tuple[int, ...]) -> Compressed:
         """The rows as only the declared model and the chosen candidates see them."""
