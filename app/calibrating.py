@@ -1,8 +1,9 @@
-"""The main job and its parts: run, fit, store, report."""
+"""The main job and its parts: run, fit, trace, store, report."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 from app.exits import Exit, JobError
 from app.files import write_text
@@ -16,6 +17,9 @@ from calibrations.records.errors import StoreError
 from calibrations.records.record import Record
 from calibrations.records.store import Store
 from calibrations.result import Calibration
+from calibrations.tracing.document import result_document
+from calibrations.tracing.loop import Loop, close_loop
+from calibrations.tracing.questions import questioned
 from procedures.announcer import Listener
 from procedures.errors import InputError
 
@@ -33,6 +37,17 @@ class Analysed:
     def inside(self) -> bool:
         """Whether every limited parameter lies inside its limits."""
         return all(check.inside for check in self.limits)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Traced(Analysed):
+    """The same with the loop closed: what the residual was traced to, and what that does to the parameters."""
+
+    loop: Loop
+
+    def as_json(self) -> dict[str, Any]:
+        """The result as `tumble.fit/1`, with the closed loop (`tumble.loop/1`) under `loop`."""
+        return result_document(self.calibration, self.loop)
 
 
 def fit(
@@ -56,6 +71,7 @@ def fit(
     InputError
         The rows cannot be analysed.
     """
+    measurement = replace(measurement, observations=questioned(measurement.observations).observations)
     try:
         calibration = analyse(measurement.observations, measurement.uncertainty, trials)
     except ValueError as error:
@@ -68,16 +84,41 @@ def fit(
     )
 
 
-def store(analysed: Analysed, folder: Path) -> Record:
+def trace(analysed: Analysed) -> Traced:
+    """Close the loop on a raw file that was analysed."""
+    measurement = analysed.measurement
+    return Traced(
+        **vars(analysed),
+        loop=close_loop(measurement.observations, measurement.uncertainty, measurement.reference_temperature_degc),
+    )
+
+
+def store(traced: Traced, folder: Path) -> Record:
     """Store a calibration; a raw file that was calibrated before gets a further revision. Raises `JobError`."""
     try:
         records = Store(folder)
-        before = _standing_record(records, analysed.provenance)
+        before = _standing_record(records, traced.provenance)
         return records.add(
-            analysed.calibration, analysed.provenance, analysed.limits, supersedes=before.id if before else None
+            traced.calibration,
+            traced.provenance,
+            traced.limits,
+            supersedes=before.id if before else None,
+            loop=traced.loop,
         )
     except StoreError as error:
-        raise JobError(f"{error}; the recording is kept in {analysed.measurement.path}", Exit.STORAGE) from error
+        raise JobError(f"{error}; the recording is kept in {traced.measurement.path}", Exit.STORAGE) from error
+
+
+def _make_ready(folder: Path) -> None:
+    """Find out before anything is measured whether the store will take the result. Raises `JobError`."""
+    try:
+        Store(folder)
+        (folder / "reports").mkdir(exist_ok=True)
+    except StoreError as error:
+        raise JobError(f"{error}; nothing was measured", Exit.STORAGE) from error
+    except OSError as error:
+        sentence = f"{folder / 'reports'}: cannot be made ({error.strerror}); nothing was measured"
+        raise JobError(sentence, Exit.STORAGE) from error
 
 
 def _standing_record(records: Store, provenance: Provenance) -> Record | None:
@@ -87,16 +128,17 @@ def _standing_record(records: Store, provenance: Provenance) -> Record | None:
     return same_file[-1] if same_file else None
 
 
-def write_report(analysed: Analysed, path: Path, record_id: str = "", revision: int = 1) -> None:
+def write_report(traced: Traced, path: Path, record_id: str = "", revision: int = 1) -> None:
     """Write the HTML report. Raises `JobError`."""
     from calibrations.report import render_report  # matplotlib takes half a second
 
     page = render_report(
-        analysed.calibration,
-        analysed.provenance,
-        limits=analysed.limits,
+        traced.calibration,
+        traced.provenance,
+        limits=traced.limits,
         record_id=record_id,
         revision=revision,
+        loop=traced.loop,
     )
     write_text(path, page)
 
@@ -105,7 +147,7 @@ def write_report(analysed: Analysed, path: Path, record_id: str = "", revision: 
 class Calibrated:
     """What the whole job leaves behind."""
 
-    analysed: Analysed
+    analysed: Traced
     record: Record
     recording: Path
     report: Path
@@ -118,7 +160,7 @@ def calibrate(
     listeners: Sequence[Listener] = (),
     tell: Callable[[str], None] = lambda _: None,
 ) -> Calibrated:
-    """Run, fit, store, report: the whole job.
+    """Run, fit, trace what is left, store, report: the whole job.
 
     Parameters
     ----------
@@ -139,18 +181,21 @@ def calibrate(
         What went wrong; the recording is kept whenever there is one.
     """
     job.plan()
+    _make_ready(folder)
     recording = recording_path(folder, job.serial_number, job.programme.name, connected.stand.clock)
     outcome = run(job, connected, recording, listeners)
     if error := failure(outcome, recording):
         raise error
     tell("fitting")
     analysed = fit(read_measurement(recording), folder=folder)
+    tell("tracing")
+    traced = trace(analysed)
     tell("storing")
-    record = store(analysed, folder)
+    record = store(traced, folder)
     tell("reporting")
     report = folder / "reports" / f"{record.id}.html"
     try:
-        write_report(analysed, report, record.id, record.revision)
+        write_report(traced, report, record.id, record.revision)
     except JobError as error:
         raise JobError(f"{error}; record {record.id} of {recording} is stored", error.status) from error
-    return Calibrated(analysed=analysed, record=record, recording=recording, report=report)
+    return Calibrated(analysed=traced, record=record, recording=recording, report=report)

@@ -1,5 +1,6 @@
 """The command line. Commands are imported when they are called: `tumble --help` must not wait for numpy."""
 
+import os
 import sys
 import traceback
 from importlib import import_module
@@ -7,15 +8,16 @@ from importlib import import_module
 import click
 
 _COMMANDS = {
-    "calibrate": "Run a programme, fit, store and report: the whole job.",
+    "calibrate": "Run a programme, fit, close the loop, store and report: the whole job.",
     "run": "Run a programme and leave a recording.",
     "plan": "Print the steps of a programme and how long they take; nothing moves.",
     "fit": "Fit a recording or an observation table.",
+    "close-loop": "Trace what the declared model leaves of a recording or a table to its causes.",
     "report": "Write the report of a recording, a table or a stored record.",
     "records": "List, show, compare, export and verify stored calibrations.",
     "export": "Write the observation table of a recording.",
 }
-"""Name of every command with the sentence that `--help` says of it; each is `app.commands.NAME:command`."""
+"""Name of every command with the sentence that `--help` says of it; each is `app.commands.NAME:command` (_ for -)."""
 
 
 class _Commands(click.Group):
@@ -25,7 +27,7 @@ class _Commands(click.Group):
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:  # noqa: ARG002
         if cmd_name not in _COMMANDS:
             return None
-        command: click.Command = import_module(f"app.commands.{cmd_name}").command
+        command: click.Command = import_module(f"app.commands.{cmd_name.replace('-', '_')}").command
         return command
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002
@@ -46,10 +48,17 @@ def cli() -> None:
 def main() -> None:
     """Entry point of `tumble`: one sentence for every error that a user can act on."""
     try:
-        cli(prog_name="tumble", standalone_mode=False)
-    except click.Abort:
-        click.echo("tumble: interrupted; what was recorded is kept", err=True)
+        with cli.make_context("tumble", sys.argv[1:]) as context:
+            cli.invoke(context)
+        sys.stdout.flush()
+    except click.exceptions.Exit as leaving:
+        if leaving.exit_code:
+            sys.exit(leaving.exit_code)
+    except (click.Abort, KeyboardInterrupt):
+        click.echo("tumble: interrupted; a recording keeps its complete points", err=True)
         sys.exit(4)
+    except BrokenPipeError:  # whoever read the output has seen enough
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     except click.ClickException as error:
         error.show()
         sys.exit(error.exit_code)

@@ -18,6 +18,8 @@ from procedures.events import Event, PointCompleted, WarningRaised
 from procedures.plan import Plan
 from procedures.progress import Progress as RunProgress
 
+_LISTED = 20
+"""Rows set aside that are listed on the terminal."""
 _PIPED_WIDTH = 120
 """Width of tables where the output is no terminal."""
 
@@ -114,10 +116,14 @@ def _remark(parameter: Parameter) -> str:
 def _adequacy_lines(calibration: Calibration) -> Iterator[str]:
     observations, noise = calibration.observations, calibration.noise
     yield f"rows: {observations.rows_read} read, {len(observations)} used, {len(observations.set_aside)} set aside"
-    for entry in observations.set_aside[:10]:
+    for entry in observations.set_aside[:_LISTED]:
         yield f"  row {entry.row}: {entry.reason}"
+    if len(observations.set_aside) > _LISTED:
+        yield f"  and {len(observations.set_aside) - _LISTED} more; --json lists all"
     if noise.pure_error_v is not None:
         yield f"pure error of a dwell: {format_number(noise.pure_error_v, 'V')} ({noise.degrees_of_freedom} dof)"
+    used = format_number(noise.used_v, "V")
+    yield f"uncertainties rest on the {noise.basis}: {used} ({noise.used_degrees_of_freedom} dof)"
     yield f"residual: {format_number(calibration.residual_rms_v, 'V')} rms"
     if calibration.held_out_rms_v is not None:
         yield f"held-out error: {format_number(calibration.held_out_rms_v, 'V')} rms"

@@ -1,5 +1,6 @@
 """What the exit status of `tumble` says, and which exception means which."""
 
+import errno
 from enum import IntEnum
 
 from calibrations.records.errors import RecordError, StoreError
@@ -41,6 +42,9 @@ FINISHED = {
 """Exit status of a run by the reason why it ended."""
 
 
+_NO_ROOM = {errno.ENOSPC, errno.EDQUOT, errno.EROFS}
+
+
 def status_of(error: Exception) -> Exit | None:
     """Exit status for an exception that a user can do something about; None for a fault of the program."""
     kinds: list[tuple[type[Exception], Exit]] = [
@@ -52,4 +56,6 @@ def status_of(error: Exception) -> Exit | None:
     ]
     if isinstance(error, JobError):
         return error.status
+    if isinstance(error, OSError) and error.errno in _NO_ROOM:
+        return Exit.STORAGE
     return next((status for kind, status in kinds if isinstance(error, kind)), None)

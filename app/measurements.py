@@ -10,7 +10,7 @@ from pydantic import ValidationError
 
 from app.files import is_recording
 from app.identity import program_identity
-from app.stand import StandFile
+from app.stand import Site, StandFile
 from calibrations.budget import StandUncertainty
 from calibrations.observations import Observations
 from calibrations.provenance import LimitCheck, Provenance
@@ -38,10 +38,21 @@ class Measurement:
     @property
     def uncertainty(self) -> StandUncertainty:
         """What the stand adds to the budget; nothing where there is no stand file. Raises `InputError`."""
+        file = self._stand_file
+        return file.uncertainty if file else StandUncertainty()
+
+    @property
+    def reference_temperature_degc(self) -> float:
+        """Temperature to which parameters refer; 23 °C where there is no stand file. Raises `InputError`."""
+        file = self._stand_file
+        return (file.site if file else Site()).reference_temperature_degc
+
+    @property
+    def _stand_file(self) -> StandFile | None:
         if not self.stand:
-            return StandUncertainty()
+            return None
         try:
-            return StandFile.model_validate(self.stand).uncertainty
+            return StandFile.model_validate(self.stand)
         except ValidationError as error:
             first = error.errors()[0]
             where = ".".join(map(str, first["loc"]))

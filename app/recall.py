@@ -4,14 +4,13 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from app.calibrating import fit
+from app.calibrating import fit, trace
 from app.identity import program_identity
 from app.measurements import Measurement, read_measurement
 from calibrations.records.errors import StoreError
 from calibrations.records.record import Record
 from calibrations.records.store import Store
 from calibrations.records.verify import Verification, verify
-from calibrations.result import Calibration
 from procedures.errors import InputError
 
 
@@ -35,5 +34,5 @@ def verify_record(store: Store, record: Record) -> Verification:
     return verify(record, store, _refit, program_identity().version)
 
 
-def _refit(path: Path, stand: Mapping[str, Any]) -> Calibration:
-    return fit(read_measurement(path, stand), trials=0).calibration
+def _refit(path: Path, stand: Mapping[str, Any]) -> dict[str, Any]:
+    return trace(fit(read_measurement(path, stand), trials=0)).as_json()

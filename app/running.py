@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from datetime import UTC, datetime
+from hashlib import sha256
 from pathlib import Path
 from types import FrameType
 
@@ -21,6 +22,10 @@ from procedures.plan import Plan, check_limits, plan
 from procedures.programme import Programme
 from procedures.recording.errors import RecordingError
 from procedures.recording.header import Header
+
+_LONGEST_NAME = 60
+_RESERVED = {"CON", "PRN", "AUX", "NUL", *(f"{port}{n}" for port in ("COM", "LPT") for n in range(1, 10))}
+"""Names of devices on Windows."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -104,8 +109,11 @@ def recording_path(folder: Path, serial_number: str, programme: str, clock: Cloc
 
 
 def _safe(text: str) -> str:
-    """Text as a file name on any system."""
-    return re.sub(r"[^A-Za-z0-9._-]+", "_", text).strip("._") or "unnamed"
+    """Text as a file name on any system: what had to be changed gets a hash, so that no two texts share a name."""
+    plain = re.sub(r"[^A-Za-z0-9._-]+", "_", text).strip("._")[:_LONGEST_NAME]
+    if plain == text and plain.split(".")[0].upper() not in _RESERVED:
+        return plain
+    return f"{plain or 'unit'}-{sha256(text.encode()).hexdigest()[:8]}"
 
 
 def _header(job: Job, clock: Clock) -> Header:

@@ -14,6 +14,7 @@ from pydantic import BaseModel, ConfigDict, Field, model_validator
 from calibrations.budget import StandUncertainty
 from calibrations.gravity import Gravity, normal_gravity
 from drivers.simulated import Simulated
+from procedures.programme import MOST_SAMPLES
 from procedures.toml_lines import parse_toml, read_text
 
 _STRICT = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
@@ -64,7 +65,7 @@ class HeadTable(Instrument):
     """Counts of the device per degree, sign included."""
     limits_deg: tuple[float, float]
     """Soft limits; there is no 'unlimited'."""
-    speed_deg_s: float = Field(default=20.0, gt=0.0)
+    speed_deg_s: float = Field(default=20.0, ge=1e-3, le=1e4)
     accuracy_arcsec: float = Field(default=0.0, ge=0.0)
     """Standard uncertainty of the reading."""
     seating_arcsec: float = Field(default=0.0, ge=0.0)
@@ -83,9 +84,9 @@ class HeadTable(Instrument):
 class DaqTable(Instrument):
     """The voltmeter."""
 
-    samples: int = Field(default=100, ge=2)
+    samples: int = Field(default=100, ge=2, le=MOST_SAMPLES)
     """Per dwell, unless the programme says otherwise."""
-    rate_hz: float = Field(default=100.0, gt=0.0)
+    rate_hz: float = Field(default=100.0, ge=1e-2, le=1e6)
     gain_uncertainty: float = Field(default=0.0, ge=0.0)
     offset_uncertainty_v: float = Field(default=0.0, ge=0.0)
 

@@ -11,7 +11,7 @@ from calibrations.flips import flip_closure
 from calibrations.geometry import FloatArray
 from calibrations.gravity import Gravity
 from calibrations.identifiability import Identification, identify
-from calibrations.joint import Joint, fit_jointly
+from calibrations.joint import LACK_OF_FIT_P, Joint, fit_jointly
 from calibrations.model import ALPHA0, PARAMETERS, UNITS
 from calibrations.montecarlo import TRIALS, MonteCarlo, monte_carlo
 from calibrations.observations import Observations
@@ -68,8 +68,24 @@ def assess(fitted: Joint, stand: StandUncertainty, trials: int = TRIALS) -> Cali
         budget=_budget(fitted, type_a, listed, type_b, told),
         monte_carlo=_by_name(_simulate(fitted, listed, trials), told) if trials else {},
         per_acceleration=_per_acceleration(parameters, stand.gravity) if stand.gravity else {},
-        warnings=fitted.observations.warnings,
+        warnings=(*fitted.observations.warnings, *_doubts(fitted)),
     )
+
+
+def _doubts(fitted: Joint) -> tuple[str, ...]:
+    """What the test of lack of fit says beyond its p: that the model fails, or that repeats differ as a whole."""
+    p_value, source = fitted.lack.p_value, fitted.observations.source
+    if p_value is not None and p_value < LACK_OF_FIT_P:
+        return (
+            f"{source}: the declared model does not describe the poses (lack of fit, p = {p_value:.2g}); uncertainties "
+            "rest on that disagreement",
+        )
+    if p_value is not None and p_value > 1 - LACK_OF_FIT_P / 10:
+        return (
+            f"{source}: repeats scatter far more than the poses about the model (p = {p_value:.4f}): something changes "
+            "between the realisations, and uncertainties that take rows as independent are too small",
+        )
+    return ()
 
 
 def _spread(fitted: Joint, source: Source) -> FloatArray:

@@ -11,10 +11,14 @@ from calibrations.geometry import FloatArray
 from calibrations.observations import Observations
 from calibrations.repeats import PureError
 
-POLES: Final = {"x": ("face-up", -90.0, 90.0), "y": ("face-up", 180.0, 0.0), "z": ("edge", 180.0, 0.0)}
+POLES: Final[dict[str, tuple[str, float, float]]] = {
+    "x": ("face-up", -90.0, 90.0),
+    "y": ("face-up", 180.0, 0.0),
+    "z": ("edge", 180.0, 0.0),
+}
 """Mount and head angles of each flip: first the pole where the axis points down, then the one where it points up."""
 
-_SEEKING_DEG = 5.0
+SEEKING_DEG = 45.0
 """A flip may seek its extremum this far from the nominal pole."""
 
 
@@ -96,5 +100,5 @@ def at_pole(observations: Observations, mount: str, pole_deg: float) -> NDArray[
     if observations.procedure is None:
         near = np.abs(away) < 1e-3
     else:
-        near = (observations.procedure == "flip") & (np.abs(away) < _SEEKING_DEG)
+        near = (observations.procedure == "flip") & (np.abs(away) < SEEKING_DEG)
     return np.asarray((observations.mounts == mount) & near)

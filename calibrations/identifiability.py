@@ -62,10 +62,15 @@ def identify(joint: Joint) -> dict[str, Identification]:
     verdicts = {name: _linear_verdict(name, bool(ok)) for name, ok in zip(LINEAR, fit.estimable[:ALPHA0], strict=True)}
     verdicts["alpha0"] = Identification(
         told=False,
-        reason="its 95% interval reaches 45 deg: only kxy parts it from ky and kz here, and kxy is not large enough",
+        reason=_untold_alpha0(verdicts["kxy"].told),
         settled_by=mounts_that_settle(observations, fit),
     )
     return _with_condition(compressed, fit, joint.noise.used_v**2, verdicts)
+
+
+def _untold_alpha0(kxy_told: bool) -> str:
+    why = "is not large enough" if kxy_told else "cannot be told"
+    return f"its 95% interval reaches 45 deg: only kxy parts it from ky and kz here, and kxy {why}"
 
 
 def _told_within(compressed: Compressed, alpha0_deg: FloatArray) -> NDArray[np.bool_]:

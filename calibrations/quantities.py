@@ -115,8 +115,8 @@ def prefix_exponent(magnitude: float, unit: str) -> int:
 
 
 def prefixed(unit: str, exponent: int = 0) -> str:
-    """The unit with the prefix for a power of ten, set with ², and ° for deg."""
-    return _PREFIXES[exponent] + unit.replace("^2", "²").replace("deg", "°")
+    """The unit with the prefix for a power of ten, set with ² and ³, and ° for deg; √h is written as a power."""
+    return _PREFIXES[exponent] + unit.replace("^2", "²").replace("^3", "³").replace("deg", "°").replace("√h", "h^½")
 
 
 def join(number: str, unit: str) -> str:

@@ -7,6 +7,7 @@ from typing import Any
 from calibrations.flips import FlipClosure
 from calibrations.geometry import FloatArray
 from calibrations.joint import Noise
+from calibrations.model import UNITS
 from calibrations.observations import Observations, SetAside
 from calibrations.published import PublishedValue
 
@@ -127,7 +128,7 @@ class Calibration:
             "held_out_rms_V": self.held_out_rms_v,
             "lack_of_fit_p": self.lack_of_fit_p,
             "flip_closure": closure_json(self.closure),
-            "published_method": {"parameters": {name: _published_json(v) for name, v in self.published.items()}},
+            "published_method": {"parameters": {name: _published_json(name, v) for name, v in self.published.items()}},
             "budget": [_budget_json(line) for line in self.budget],
             "monte_carlo": {
                 name: {"standard_uncertainty": u, "interval_95": list(interval)}
@@ -150,10 +151,10 @@ def rows_json(observations: Observations) -> dict[str, Any]:
     }
 
 
-def closure_json(closure: FlipClosure | None) -> dict[str, Any] | None:
+def closure_json(closure: FlipClosure | None) -> dict[str, Any]:
     """Closure of the flips as `tumble.fit/1` has it."""
     if closure is None:
-        return None
+        return {"p_value": None, "reason": "there is no complete flip"}
     result: dict[str, Any] = {
         axis: {"u0_V": mean.u0_v, "standard_uncertainty": mean.standard_uncertainty_v or None}
         for axis, mean in closure.axes.items()
@@ -169,8 +170,12 @@ def _aside_json(entry: SetAside) -> dict[str, Any]:
     return {"row": entry.row, "reason": entry.reason}
 
 
-def _published_json(value: PublishedValue) -> dict[str, Any]:
-    result: dict[str, Any] = {"value": value.value, "standard_uncertainty": value.standard_uncertainty}
+def _published_json(name: str, value: PublishedValue) -> dict[str, Any]:
+    result: dict[str, Any] = {
+        "value": value.value,
+        "standard_uncertainty": value.standard_uncertainty,
+        "unit": UNITS[name],
+    }
     return result | ({"reason": value.reason} if value.reason else {})
 
 

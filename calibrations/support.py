@@ -13,6 +13,8 @@ from calibrations.joint import LACK_OF_FIT_P
 from calibrations.quantities import format_correlation, format_interval, format_number, format_probability
 from calibrations.result import Calibration, Parameter
 
+_SIGN_ONLY = 0.5
+"""An expanded uncertainty beyond this part of the value leaves nothing but its sign."""
 STRONG_CORRELATION = 0.9
 """Above this a parameter cannot be used without the one it hangs together with."""
 
@@ -87,10 +89,11 @@ def series(names: Sequence[str], last: str = "and") -> str:
 
 
 def significant_digits(value: float, expanded: float) -> int:
-    """Digits of a value before the first one that the expanded uncertainty touches; 0 where it covers all."""
+    """Digits of a value whose last unit is no less than the expanded uncertainty; 0 where that is over half of it."""
     if value == 0 or not expanded > 0:
         return 0
-    return max(math.floor(math.log10(abs(value))) - math.floor(math.log10(expanded)), 0)
+    ratio = expanded / abs(value)
+    return 0 if ratio > _SIGN_ONLY else math.ceil(-math.log10(ratio))
 
 
 def _significances(parameters: Sequence[Parameter]) -> Iterator[Statement]:
@@ -105,6 +108,11 @@ def _significance(parameter: Parameter, value: float, interval: tuple[float, flo
     span = format_interval(low, high, parameter.unit)
     if not parameter.significant:
         return f"{parameter.name} cannot be told from zero: its 95% interval, {span}, includes it."
+    if parameter.rests_on:
+        return (
+            f"{parameter.name} differs from zero if there is no undeclared second-order term: its 95% interval, "
+            f"{span}, excludes it then."
+        )
     return (
         f"{parameter.name} differs from zero: its 95% interval, {span}, excludes it. {_digits(value, (high - low) / 2)}"
     )

@@ -145,10 +145,8 @@ def _column(name: str, index: int, rows: list[tuple[int, list[str]]], path: Path
         if name not in FIELDS:
             return np.array(cells, dtype=np.str_)
         line, cell = next((line, cells[index]) for line, cells in rows if not _is_number(cells[index]))
-        raise TableError(
-            f"{path}, line {line}, column {name}: {cell!r} is not a number; "
-            "write it with a decimal point, or nan where there is none"
-        ) from None
+        how = "as a whole number" if name in _INTEGERS else "with a decimal point, or nan where there is none"
+        raise TableError(f"{path}, line {line}, column {name}: {cell!r} is not a number; write it {how}") from None
     return _integers(name, values, rows, path) if name in _INTEGERS else values
 
 

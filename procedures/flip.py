@@ -6,21 +6,16 @@ place of trusting the nominal angle; at the poles of y and z there is none.
 """
 
 from collections.abc import Generator
-from types import MappingProxyType
-from typing import Final, Literal, TypeAlias
+from typing import Literal, TypeAlias
 
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, field_validator, model_validator
 
+from calibrations.flips import POLES, SEEKING_DEG
 from procedures.composition import Dwells
 from procedures.steps import Dwell, Point
 
 Axis: TypeAlias = Literal["x", "y", "z"]
-
-POLES: Final = MappingProxyType(
-    {"x": ("face-up", (-90.0, 90.0)), "y": ("face-up", (180.0, 0.0)), "z": ("edge", (180.0, 0.0))}
-)
-"""Mount of each axis and the head angles at which it points down and up."""
 
 
 class Flip(BaseModel):
@@ -32,7 +27,7 @@ class Flip(BaseModel):
     axes: tuple[Axis, ...] = Field(min_length=1)
     pole: Literal["nominal", "extremum"] = "nominal"
     """`extremum` seeks the extremum at the two x poles; y and z are always taken at their nominal angles."""
-    span_deg: float = Field(default=10.0, gt=0.0, le=45.0)
+    span_deg: float = Field(default=10.0, gt=0.0, le=SEEKING_DEG)
     """How far from the nominal x pole the extremum is sought, in degrees to either side."""
 
     @field_validator("axes")
@@ -51,7 +46,7 @@ class Flip(BaseModel):
     def dwells(self, realisation: int) -> Dwells:
         """Carry out the flips once."""
         for axis in self.axes:
-            mount, poles_deg = POLES[axis]
+            mount, *poles_deg = POLES[axis]
             for nominal_deg in poles_deg:
                 angle_deg = nominal_deg
                 if axis == "x" and self.pole == "extremum":

@@ -19,6 +19,10 @@ from procedures.toml_lines import line_of, parse_toml, read_text
 Parameter: TypeAlias = Literal["u0", "kx", "ky", "kz", "kxy", "alpha0"]
 
 _SHIPPED = files("procedures") / "programmes"
+MOST_SAMPLES = 10_000_000
+"""In a dwell."""
+MOST_DWELLS = 1_000_000
+"""In a run."""
 _STRICT = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
 
@@ -46,10 +50,10 @@ class Programme(BaseModel):
     model_config = _STRICT
 
     name: str = Field(min_length=1)
-    realisations: int = Field(default=1, ge=1)
-    dwell_s: float | None = Field(default=None, gt=0.0)
+    realisations: int = Field(default=1, ge=1, le=10_000)
+    dwell_s: float | None = Field(default=None, gt=0.0, le=86_400.0)
     """Duration of a dwell; samples = duration times the DAQ's rate, rounded."""
-    samples: int | None = Field(default=None, ge=2)
+    samples: int | None = Field(default=None, ge=2, le=MOST_SAMPLES)
     """Samples in a dwell."""
     settle_s: float = Field(default=0.2, ge=0.0)
     settle_samples: int | None = Field(default=None, ge=2)

@@ -25,7 +25,7 @@ class Sweep(BaseModel):
     mount: Annotated[str, AfterValidator(_known_mount)] = "face-up"
     start_deg: float = 0.0
     step_deg: float
-    points: int = Field(ge=1)
+    points: int = Field(ge=1, le=100_000)
     order: Literal["up", "there-and-back", "shuffled"] = "up"
     seed: int = Field(default=0, ge=0)
     """Seed of the order `shuffled`; the others do not use it."""

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import click
 
-from app.calibrating import fit, store
+from app.calibrating import fit, store, trace
 from app.commands import options
 from app.console import messages, show_result, warn
 from app.exits import Exit
@@ -29,7 +29,7 @@ def command(
         show_result(analysed)
     document = analysed.calibration.as_json()
     if folder is not None:
-        document["record"] = store(analysed, folder).id
+        document["record"] = store(trace(analysed), folder).id
         messages().print(f"record {document['record']}")
     options.write_json(document, json_path)
     if not analysed.inside:

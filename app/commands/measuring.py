@@ -12,8 +12,10 @@ from app.console import warn
 from app.running import Job
 from app.stand import load_stand
 from app.wiring import connect
+from procedures.errors import InputError
 from procedures.programme import load_programme
 
+_LONGEST_SERIAL = 100
 _OPTIONS = (
     stand,
     click.option("--programme", default="seed", show_default=True, help="Name of a shipped programme, or a file."),
@@ -39,6 +41,8 @@ def measures(function: Callable[..., None]) -> Callable[..., None]:
         attended: bool,
         **own: object,
     ) -> None:
+        if not serial_number.strip() or len(serial_number) > _LONGEST_SERIAL:
+            raise InputError(f"--serial: give the unit's serial number, 1 to {_LONGEST_SERIAL} characters")
         loaded = load_stand(stand_path)
         warn(loaded.file.expired(datetime.now(tz=UTC).date()))
         job = Job(stand=loaded, programme=load_programme(programme), serial_number=serial_number, operator=operator)

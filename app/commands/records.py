@@ -1,5 +1,6 @@
 """`tumble records`: list, show, compare, export, verify."""
 
+from collections.abc import Mapping
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from calibrations.quantities import format_concise
 from calibrations.records.compare import compare
 from calibrations.records.export import document
 from calibrations.records.record import Record, Verdict
+from calibrations.result import Parameter
 
 
 @click.group("records")
@@ -85,7 +87,15 @@ def show(record_id: str, folder: Path) -> None:
     click.echo(
         f"program    {origin.program_version} {origin.git_commit[:12]}{' (changed)' if origin.git_dirty else ''}"
     )
-    for name, parameter in record.parameters.items():
+    effects = [effect["name"] for effect in record.result.get("loop", {}).get("effects", [])]
+    _show_parameters(record.models["declared"])
+    if effects:
+        click.echo(f"with {', '.join(effects)}")
+        _show_parameters(record.models["augmented"])
+
+
+def _show_parameters(parameters: Mapping[str, Parameter]) -> None:
+    for name, parameter in parameters.items():
         if parameter.value is None:
             click.echo(f"  {name:7s}cannot be told: {parameter.reason}")
         else:
@@ -111,7 +121,7 @@ def compare_records(first: str, second: str, folder: Path) -> None:
 @options.store
 @click.option("--json", "json_path", type=options.EXISTING, default=Path("-"), help="File; standard output without.")
 def export(record_id: str, folder: Path, json_path: Path) -> None:
-    """Export a record as JSON (tumble.record/1)."""
+    """Export a record as JSON (tumble.record/2)."""
     options.write_json(document(open_store(folder).get(record_id)), json_path)
 
 

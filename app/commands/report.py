@@ -4,7 +4,7 @@ from pathlib import Path
 
 import click
 
-from app.calibrating import fit, write_report
+from app.calibrating import fit, trace, write_report
 from app.commands import options
 from app.measurements import read_measurement
 from app.recall import recall
@@ -23,9 +23,10 @@ def command(file_or_record: str, out: Path | None, stand_path: Path | None, seri
     if path.is_file() or path.suffix:  # an id has none
         measurement = read_measurement(path, load_stand(stand_path).recorded if stand_path else None)
         page = out or path.with_suffix(".html")
-        write_report(fit(measurement, serial_number), page)
+        write_report(trace(fit(measurement, serial_number)), page)
     else:
         record, measurement = recall(folder, file_or_record)
         page = out or folder / "reports" / f"{record.id}.html"
-        write_report(fit(measurement, record.provenance.serial_number, folder=folder), page, record.id, record.revision)
+        analysed = fit(measurement, record.provenance.serial_number, folder=folder)
+        write_report(trace(analysed), page, record.id, record.revision)
     click.echo(f"report {page}")

@@ -4,7 +4,7 @@
 - `record.Record`: one record; `record.Verdict`: how it stands against the limits of its programme.
 - `verify.verify`: whether file and record are untouched and the numbers come back from the raw file.
 - `compare.compare`: what changed from one record to another, and whether that is significant.
-- `export.document`, `export.document_text`: a record as JSON (`tumble.record/1`); `export.is_intact` checks one.
+- `export.document`, `export.document_text`: a record as JSON (`tumble.record/2`); `export.is_intact` checks one.
 - `raw.file_sha256`: the hash that ties a record to its raw file.
 - `errors.StoreError`, `errors.RecordError`: what goes wrong.
 - `schema.METADATA`: the tables, for SQLite and PostgreSQL.

@@ -1,4 +1,4 @@
-"""A record as one JSON document, `tumble.record/1`, that carries its own hash."""
+"""A record as one JSON document, `tumble.record/2`, that carries its own hash."""
 
 from collections.abc import Mapping
 from dataclasses import fields

@@ -10,8 +10,11 @@ from calibrations.model import PARAMETERS
 from calibrations.provenance import LimitCheck, Provenance
 from calibrations.result import Parameter
 
-FORMAT_VERSION = 1
-"""Of the records that this program writes: what a record holds and how its hash is taken."""
+FORMAT_VERSION = 2
+"""Of the records that this program writes: what a record holds and how its hash is taken.
+
+1 had no closed loop. Records of every format are read.
+"""
 
 
 class Verdict(StrEnum):
@@ -47,7 +50,7 @@ class Record:
     limits: tuple[LimitCheck, ...]
     provenance: Provenance
     result: Mapping[str, Any]
-    """The calibration as `tumble.fit/1`."""
+    """The calibration as `tumble.fit/1`, with the closed loop (`tumble.loop/1`) under `loop` where it was closed."""
     content_sha256: str
     """Of everything above, see `export.document`."""
 
@@ -58,8 +61,19 @@ class Record:
 
     @property
     def parameters(self) -> Mapping[str, Parameter]:
-        """The parameters by name, as the calibration had them."""
+        """The parameters of the declared model by name, as the calibration had them."""
         return parameters_from_json(self.result)
+
+    @property
+    def models(self) -> Mapping[str, Mapping[str, Parameter]]:
+        """The parameters of every model in the record, see `models_from_json`."""
+        return models_from_json(self.result)
+
+
+def models_from_json(result: Mapping[str, Any]) -> dict[str, Mapping[str, Parameter]]:
+    """Parameters of the model `declared` and, where the loop was closed, of the model `augmented`, by name."""
+    models: dict[str, Mapping[str, Parameter]] = {"declared": parameters_from_json(result)}
+    return models | ({"augmented": parameters_from_json(result["loop"]["augmented"])} if "loop" in result else {})
 
 
 def parameters_from_json(result: Mapping[str, Any]) -> dict[str, Parameter]:

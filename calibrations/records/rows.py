@@ -41,14 +41,18 @@ def record_row(record: Record) -> dict[str, Any]:
 
 def parameter_rows(record: Record) -> list[dict[str, Any]]:
     """The rows of `parameters`."""
-    return [_parameter_row(record.id, parameter) for parameter in record.parameters.values()]
+    return [
+        _parameter_row(record.id, model, parameter)
+        for model, parameters in record.models.items()
+        for parameter in parameters.values()
+    ]
 
 
-def _parameter_row(record_id: str, parameter: Parameter) -> dict[str, Any]:
+def _parameter_row(record_id: str, model: str, parameter: Parameter) -> dict[str, Any]:
     freedom, (lower_95, upper_95) = parameter.degrees_of_freedom, parameter.interval_95 or (None, None)
     return {
         "record_id": record_id,
-        "model": "declared",
+        "model": model,
         "name": parameter.name,
         "unit": parameter.unit,
         "value": parameter.value,

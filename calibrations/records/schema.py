@@ -48,7 +48,7 @@ PARAMETERS = Table(
     "parameters",
     METADATA,
     Column("record_id", ForeignKey("records.id"), primary_key=True),
-    Column("model", String, primary_key=True),  # always `declared`: part of the key, which cannot grow later
+    Column("model", String, primary_key=True),  # `declared`, or `augmented`: with the effects found
     Column("name", String, primary_key=True),
     Column("unit", String, nullable=False),
     Column("value", Double),

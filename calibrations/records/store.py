@@ -1,7 +1,7 @@
 """A folder of calibration records."""
 
 import secrets
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
@@ -20,6 +20,8 @@ from calibrations.records.rows import parameter_rows, record_from_row, record_ro
 from calibrations.records.schema import PARAMETERS, RECORDS
 from calibrations.records.times import utc_now, utc_text
 from calibrations.result import Calibration
+from calibrations.tracing.document import result_document
+from calibrations.tracing.loop import Loop
 
 DATABASE = "records.sqlite"
 
@@ -65,19 +67,22 @@ class Store:
         provenance: Provenance,
         limits: Sequence[LimitCheck] = (),
         supersedes: str | None = None,
+        loop: Loop | None = None,
     ) -> Record:
         """Record a calibration, in one transaction.
 
         `supersedes` is the id of the record that this one, another analysis of the same raw file, takes the place of.
+        With `loop`, closed on the same raw file, the record holds the augmented model beside the declared one.
 
         Raises
         ------
         RecordError
             `supersedes` names no record, one that is superseded already, or one of another raw file.
         """
+        result = plain(result_document(calibration, loop))
         with storage_errors(self.path), writing(self._engine) as connection:
             old = self._revisable(connection, supersedes, provenance) if supersedes else None
-            record = _new_record(calibration, provenance, limits, old, self._now())
+            record = _new_record(result, provenance, limits, old, self._now())
             connection.execute(insert(RECORDS), record_row(record))
             connection.execute(insert(PARAMETERS), parameter_rows(record))
         return record
@@ -162,7 +167,7 @@ class Store:
 
 
 def _new_record(
-    calibration: Calibration,
+    result: Mapping[str, Any],
     provenance: Provenance,
     limits: Sequence[LimitCheck],
     old: Record | None,
@@ -177,7 +182,7 @@ def _new_record(
         verdict=verdict_of(limits),
         limits=tuple(limits),
         provenance=Provenance(**flat(provenance)),
-        result=plain(calibration.as_json()),
+        result=result,
         content_sha256="",
     )
     return replace(record, content_sha256=canonical_sha256(content(record)))

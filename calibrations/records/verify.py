@@ -9,10 +9,10 @@ from typing import Any
 from calibrations.records.canonical import plain
 from calibrations.records.export import document, is_intact
 from calibrations.records.raw import file_sha256
-from calibrations.records.record import Record, parameters_from_json
+from calibrations.records.record import Record, models_from_json
 from calibrations.records.rows import parameter_rows, record_row
 from calibrations.records.store import Store
-from calibrations.result import Calibration, Parameter
+from calibrations.result import Parameter
 
 TOLERANCE = 1e-6
 """By how much of its standard uncertainty a number may differ from the one recorded.
@@ -22,8 +22,8 @@ Changing the last bit of every voltage moved parameters by up to 1e-8 of their u
 times that, and a change of data or method moves them by far more.
 """
 
-Refit = Callable[[Path, Mapping[str, Any]], Calibration]
-"""From the raw file and the stand file as data to the calibration."""
+Refit = Callable[[Path, Mapping[str, Any]], Mapping[str, Any]]
+"""From the raw file and the stand file as data to the result, as records hold it."""
 
 
 class RawFile(StrEnum):
@@ -38,11 +38,18 @@ class RawFile(StrEnum):
 class ParameterCheck:
     """One parameter as recorded and as fitted again; None where one of the two does not have it."""
 
+    model: str
+    """`declared` or `augmented`."""
     name: str
     recorded: Parameter | None
     refitted: Parameter | None
     agrees: bool
     """Value, uncertainty and interval to within `TOLERANCE`, the conditions exactly."""
+
+    @property
+    def words(self) -> str:
+        """What to call it in a sentence."""
+        return self.name if self.model == "declared" else f"{self.name} of the {self.model} model"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -71,7 +78,7 @@ class Verification:
         """The findings in words."""
         lines = [f"Raw file {self.raw_path}: {self.raw_file}."]
         lines.append(f"Altered in the store: {', '.join(self.altered)}." if self.altered else "The record is intact.")
-        different = [check.name for check in self.parameters if not check.agrees]
+        different = [check.words for check in self.parameters if not check.agrees]
         if different:
             lines.append(f"Fitted again, these do not come back: {', '.join(different)}.")
         elif self.parameters:
@@ -129,14 +136,19 @@ def _by_name(rows: list[dict[str, Any]]) -> dict[tuple[str, str], dict[str, Any]
     return {(row["model"], row["name"]): row for row in rows}
 
 
-def _checks(record: Record, again: Calibration) -> tuple[ParameterCheck, ...]:
-    recorded, refitted = record.parameters, parameters_from_json(plain(again.as_json()))
-    return tuple(_check(name, recorded.get(name), refitted.get(name)) for name in {**recorded, **refitted})
+def _checks(record: Record, again: Mapping[str, Any]) -> tuple[ParameterCheck, ...]:
+    """Every parameter of the models in the record; a record of format 1 has the declared model alone."""
+    refitted = models_from_json(plain(again))
+    return tuple(
+        _check(model, name, recorded.get(name), refitted.get(model, {}).get(name))
+        for model, recorded in record.models.items()
+        for name in {**recorded, **refitted.get(model, {})}
+    )
 
 
-def _check(name: str, recorded: Parameter | None, refitted: Parameter | None) -> ParameterCheck:
+def _check(model: str, name: str, recorded: Parameter | None, refitted: Parameter | None) -> ParameterCheck:
     agrees = recorded is not None and refitted is not None and _agree(recorded, refitted)
-    return ParameterCheck(name=name, recorded=recorded, refitted=refitted, agrees=agrees)
+    return ParameterCheck(model=model, name=name, recorded=recorded, refitted=refitted, agrees=agrees)
 
 
 def _agree(a: Parameter, b: Parameter) -> bool:

@@ -9,10 +9,12 @@ from markupsafe import Markup
 
 from calibrations.provenance import LimitCheck, Provenance
 from calibrations.report import evidence, uncertainty
+from calibrations.report.loop import closed_loop
 from calibrations.report.origin import origin
 from calibrations.report.results import header, results
 from calibrations.report.subject import Subject
 from calibrations.result import Calibration
+from calibrations.tracing.loop import Loop
 
 _TEMPLATES = Environment(
     loader=PackageLoader("calibrations", "report"),
@@ -39,6 +41,7 @@ class Section:
 SECTIONS = (
     Section(anchor="results", title="Results", content=results),
     Section(anchor="support", title="What this experiment could support", content=evidence.supported),
+    Section(anchor="loop", title="What the model left unexplained", content=closed_loop),
     Section(anchor="fit", title="Fit", content=evidence.fit),
     Section(anchor="residuals", title="Residuals", content=evidence.residuals),
     Section(anchor="closure", title="Closure of the flips", content=evidence.closure),
@@ -58,6 +61,7 @@ def render_report(
     limits: Sequence[LimitCheck] = (),
     record_id: str = "",
     revision: int = 1,
+    loop: Loop | None = None,
 ) -> str:
     """One HTML page that needs nothing else: style and plots are inside, there is no script.
 
@@ -75,6 +79,8 @@ def render_report(
         Identifier in the store; empty where there is none.
     revision
         Revision of the record, from 1.
+    loop
+        The loop closed on the same table; None where it was not.
     """
     subject = Subject(
         calibration=calibration,
@@ -82,6 +88,7 @@ def render_report(
         limits=tuple(limits),
         record_id=record_id,
         revision=revision,
+        loop=loop,
     )
     bodies = [(section, section.render(subject)) for section in SECTIONS]
     return _TEMPLATES.get_template("page.html.j2").render(subject=subject, sections=bodies, **header(subject))

@@ -26,7 +26,7 @@ from calibrations.report.drawing import (
 )
 from calibrations.result import Calibration
 
-_BINS = 30
+BINS = 30
 """Groups of equally many rows whose means are shown against a quantity that never repeats."""
 
 
@@ -36,11 +36,12 @@ def angle_figure(calibration: Calibration) -> Markup:
     observations = calibration.observations
     mounts = mounts_of(observations)
     figure, axes = sheet(WIDE_IN, 0.6 + min(1.6, 8.0 / len(mounts)) * len(mounts), len(mounts), 1)
-    residual_uv, angles = _weighted_uv(calibration), np.mod(observations.angle_deg, 360.0)
+    residual_uv, angles = weighted_uv(calibration), np.mod(observations.angle_deg, 360.0)
     poses = pose_groups(observations)
     for index, (panel, mount) in enumerate(zip(axes, mounts, strict=True)):
         at = observations.mounts == mount
-        _residuals(panel, calibration, angles[at], residual_uv[at], poses[at], index)
+        band(panel, scatter_uv(calibration))
+        mark_residuals(panel, angles[at], residual_uv[at], poses[at], scatter_uv(calibration), index)
         panel.set_title(mount)
         panel.set_ylabel("residual (µV)")
     axes[-1].set_xlabel("head angle within the turn (°)")
@@ -66,10 +67,9 @@ def covariate_figures(calibration: Calibration) -> dict[str, Markup]:
 
 def _covariate_figure(calibration: Calibration, values: FloatArray, name: str, label: str) -> Markup:
     figure, (panel,) = sheet(HALF_IN, 2.8)
-    distinct, groups = np.unique(values, return_inverse=True)
-    if len(distinct) > _BINS:
-        groups = np.argsort(np.argsort(values, kind="stable")) * _BINS // len(values)
-    _residuals(panel, calibration, values, _weighted_uv(calibration), groups, 0)
+    groups = groups_of(values)
+    band(panel, scatter_uv(calibration))
+    mark_residuals(panel, values, weighted_uv(calibration), groups, scatter_uv(calibration), 0)
     panel.set_xlabel(label)
     panel.set_ylabel("residual (µV)")
     if name == "realisation":
@@ -80,7 +80,7 @@ def _covariate_figure(calibration: Calibration, values: FloatArray, name: str, l
 @styled
 def normal_figure(calibration: Calibration) -> Markup:
     """Ordered residuals against normal quantiles (Blom's positions), with the line of normal scatter of their size."""
-    residual_uv = np.sort(_weighted_uv(calibration))
+    residual_uv = np.sort(weighted_uv(calibration))
     count = len(residual_uv)
     quantiles = ndtri((np.arange(1, count + 1) - 0.375) / (count + 0.25))
     figure, (panel,) = sheet(HALF_IN, 2.8)
@@ -92,33 +92,44 @@ def normal_figure(calibration: Calibration) -> Markup:
     return to_svg(figure, "normal", "Normal probability plot of the residuals")
 
 
-def _weighted_uv(calibration: Calibration) -> FloatArray:
+def weighted_uv(calibration: Calibration) -> FloatArray:
     """Residuals on the scale of a row of weight 1, in microvolts."""
     return np.asarray(calibration.residual_v * np.sqrt(calibration.weights) * MICRO)
 
 
-def _residuals(
-    panel: Axes,
-    calibration: Calibration,
-    values: FloatArray,
-    residual_uv: FloatArray,
-    groups: NDArray[np.int64],
-    colour: int,
-) -> None:
-    """Band of the scatter of repeats, the rows, and the means of groups with twice their standard uncertainty."""
+def scatter_uv(calibration: Calibration) -> float:
+    """Scatter of one dwell between repeats, or about the fit where there are none, in microvolts."""
     noise = calibration.noise
-    scatter_uv = (noise.used_v if noise.pure_error_v is None else noise.pure_error_v) * MICRO
-    panel.axhspan(-scatter_uv, scatter_uv, color=BAND, alpha=0.18, linewidth=0)
+    return (noise.used_v if noise.pure_error_v is None else noise.pure_error_v) * MICRO
+
+
+def groups_of(values: FloatArray, bins: int = BINS) -> NDArray[np.int64]:
+    """Group of each row: equal values, or, where there are too many of them, neighbours in groups of equal size."""
+    distinct, groups = np.unique(values, return_inverse=True)
+    if len(distinct) > bins:
+        groups = np.argsort(np.argsort(values, kind="stable")) * bins // len(values)
+    return np.asarray(groups, dtype=np.int64)
+
+
+def band(panel: Axes, scatter: float) -> None:
+    """The line of zero with the scatter of a row on both sides."""
+    panel.axhspan(-scatter, scatter, color=BAND, alpha=0.18, linewidth=0)
     panel.axhline(0.0, color=INK, linewidth=0.7)
-    cloud(panel, values, residual_uv, colour, strong=False)
+
+
+def mark_residuals(
+    panel: Axes, values: FloatArray, residuals: FloatArray, groups: NDArray[np.int64], scatter: float, colour: int
+) -> None:
+    """Mark the rows, and the means of groups with twice their standard uncertainty."""
+    cloud(panel, values, residuals, colour, strong=False)
     _, group = np.unique(groups, return_inverse=True)
     count = np.bincount(group)
     if count.max() < 2:
         return
     panel.errorbar(
         np.bincount(group, values) / count,
-        np.bincount(group, residual_uv) / count,
-        yerr=2 * scatter_uv / np.sqrt(count),
+        np.bincount(group, residuals) / count,
+        yerr=2 * scatter / np.sqrt(count),
         fmt=MARKERS[colour % len(MARKERS)],
         color=COLOURS[colour % len(COLOURS)],
         markersize=3,

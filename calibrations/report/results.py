@@ -18,6 +18,7 @@ from calibrations.quantities import (
 from calibrations.report.subject import Subject
 from calibrations.result import Parameter
 from calibrations.support import equals, series
+from calibrations.tracing.words import found_sentences
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -72,6 +73,8 @@ def notices(subject: Subject) -> list[str]:
             "The declared model does not describe the data: the poses disagree with it by more than the repeats "
             f"explain (p {equals(calibration.lack_of_fit_p)}). The uncertainties rest on that disagreement."
         )
+    if subject.loop and (traced := found_sentences(subject.loop)):
+        found.append(" ".join((*traced, "What that does to the parameters is said below the results.")))
     if subject.provenance.git_dirty:
         found.append("The program that computed this had changes that are in no commit.")
     return found

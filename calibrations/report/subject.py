@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from calibrations.provenance import LimitCheck, Provenance
 from calibrations.result import Calibration, Parameter
+from calibrations.tracing.loop import Loop
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -16,6 +17,8 @@ class Subject:
     record_id: str = ""
     """Empty where the result is in no store."""
     revision: int = 1
+    loop: Loop | None = None
+    """None where the loop was not closed."""
 
     @property
     def told(self) -> tuple[Parameter, ...]:

@@ -25,10 +25,9 @@ _RESOLVED = 3 * math.sqrt(0.025 * 0.975 / TRIALS) / 0.0584
 """Three standard deviations of an end of a simulated interval, in units of u; 0.0584 is the normal density there."""
 _FEW, _CURVED = "few degrees of freedom", "not linear"
 _WHY = {
-    _FEW: "The simulation takes the scatter as known. With few degrees of freedom it is not, and the wider interval of "
-    "the budget is the one to use.",
-    _CURVED: "Where the model is not linear over the width of the uncertainty, the simulated interval is the one "
-    "to use (JCGM 101, 8.1).",
+    _FEW: "With few degrees of freedom the ends of both intervals are themselves uncertain.",
+    _CURVED: "Where the model is not linear over the width of the uncertainty, the stated interval already integrates "
+    "over alpha0 and takes its wider side for both; the simulated one shows how lopsided the estimates are.",
 }
 """Why the intervals of budget and simulation may differ, and what to do then."""
 

@@ -4,12 +4,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.special import chdtri
+from scipy.special import fdtri
 
 from calibrations.effects.effect import Effect, Form
 from calibrations.effects.scene import Scene
 from calibrations.effects.unnamed import Structure
 from calibrations.geometry import FloatArray
+from calibrations.model import PARAMETERS
 
 FALSE_ALARM = 0.002
 """Chance that a clean table is given any effect at all, shared evenly among the effects that it could show."""
@@ -41,10 +42,10 @@ class Candidate:
 def candidates(effects: Sequence[Effect], scene: Scene) -> tuple[Candidate, ...]:
     """All forms of all effects that the table can show at all."""
     tried = [(effect, forms) for effect in effects if (forms := effect.forms(scene))]
-    return tuple(_numbered(tried))
+    return tuple(_numbered(tried, len(scene.angle_deg)))
 
 
-def _numbered(tried: Sequence[tuple[Effect, Sequence[Form]]]) -> Iterator[Candidate]:
+def _numbered(tried: Sequence[tuple[Effect, Sequence[Form]]], rows: int) -> Iterator[Candidate]:
     start = 0
     for effect, forms in tried:
         chance, second = FALSE_ALARM / len(tried) / len(forms), ANOTHER_SHAPE / len(forms)
@@ -55,10 +56,16 @@ def _numbered(tried: Sequence[tuple[Effect, Sequence[Form]]]) -> Iterator[Candid
                 effect=effect,
                 form=form,
                 columns=slice(start, start + width),
-                entry=float(chdtri(width, chance)) + handicap,
-                again=float(chdtri(width, second)) + handicap,
+                entry=_entry(width, chance, rows) + handicap,
+                again=_entry(width, second, rows) + handicap,
             )
             start += width
+
+
+def _entry(width: int, chance: float, rows: int) -> float:
+    """Fall of the deviance that an F test with so many columns and rows asks for at this chance."""
+    spare = max(rows - len(PARAMETERS) - width, 1)
+    return float(rows * np.log1p(width * fdtri(width, spare, 1.0 - chance) / spare))
 
 
 def all_columns(offered: Sequence[Candidate], rows: int) -> FloatArray:

@@ -1,10 +1,14 @@
-"""The closed loop as JSON (`tumble.loop/1`)."""
+"""The closed loop as JSON (`tumble.loop/1`), and as a part of the result of a calibration."""
 
+import math
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from calibrations.effects.effect import Quantity
 from calibrations.result import Calibration, rows_json
-from calibrations.tracing.loop import EffectFound, Loop
+from calibrations.tracing.experiments import Experiment
+from calibrations.tracing.loop import EffectFound, Loop, Unexplained
+from calibrations.tracing.misreading import Misreading
 
 SCHEMA = "tumble.loop/1"
 
@@ -17,15 +21,21 @@ def document(loop: Loop) -> dict[str, Any]:
         "rows": rows_json(loop.augmented.observations),
         "noise": {"pure_error_V": noise.pure_error_v, "degrees_of_freedom": noise.degrees_of_freedom},
         "declared": model_json(loop.declared),
-        "effects": [_effect_json(effect) for effect in loop.effects],
-        "unexplained": (
-            {"depends_on": loop.unexplained.depends_on, "description": loop.unexplained.description}
-            if loop.unexplained
-            else None
-        ),
+        "effects": [_effect_json(effect, loop.misread) for effect in loop.effects],
+        "unexplained": _unexplained_json(loop.unexplained),
         "augmented": model_json(loop.augmented),
-        "next_experiment": [],
+        "next_experiment": [_experiment_json(experiment) for experiment in loop.next_experiment],
+        "warnings": list(loop.augmented.warnings),
     }
+
+
+def _experiment_json(experiment: Experiment) -> dict[str, Any]:
+    return {"separates": list(experiment.separates), "why": experiment.why, "command": experiment.command}
+
+
+def result_document(calibration: Calibration, loop: Loop | None) -> dict[str, Any]:
+    """A calibration as `tumble.fit/1`, with the closed loop under `loop` where it was closed."""
+    return calibration.as_json() | ({} if loop is None else {"loop": document(loop)})
 
 
 def model_json(calibration: Calibration) -> dict[str, Any]:
@@ -38,19 +48,35 @@ def model_json(calibration: Calibration) -> dict[str, Any]:
     }
 
 
-def _effect_json(effect: EffectFound) -> dict[str, Any]:
+def _effect_json(effect: EffectFound, misread: Sequence[Misreading]) -> dict[str, Any]:
     return {
         "name": effect.name,
         "also_possible": list(effect.also_possible),
         "belongs_to": effect.belongs_to,
-        "coefficients": {key: _quantity_json(quantity) for key, quantity in effect.coefficients.items()},
+        "coefficients": _misread_json(misread) if effect.name == "misreading" else _quantities(effect.coefficients),
         "p_value": effect.p_value,
     }
 
 
+def _misread_json(misread: Sequence[Misreading]) -> dict[str, Any]:
+    """Which rows were misread, and what has to be added to their angles to have the true ones."""
+    return {"rows": [entry.row for entry in misread], "error_deg": [entry.error_deg for entry in misread]}
+
+
+def _quantities(coefficients: Mapping[str, Quantity]) -> dict[str, Any]:
+    return {key: _quantity_json(quantity) for key, quantity in coefficients.items()}
+
+
 def _quantity_json(quantity: Quantity) -> dict[str, Any]:
+    uncertainty = quantity.standard_uncertainty
     return {
         "value": quantity.value,
-        "standard_uncertainty": quantity.standard_uncertainty,
+        "standard_uncertainty": uncertainty if uncertainty is not None and math.isfinite(uncertainty) else None,
         "unit": quantity.unit,
     }
+
+
+def _unexplained_json(unexplained: Unexplained | None) -> dict[str, Any] | None:
+    if unexplained is None:
+        return None
+    return {"depends_on": unexplained.depends_on, "description": unexplained.description}

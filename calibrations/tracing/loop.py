@@ -18,8 +18,10 @@ from calibrations.observations import Observations, SetAside
 from calibrations.repeats import pose_groups
 from calibrations.result import Calibration, Parameter
 from calibrations.tracing.augmented import Augmented, augment, level_quantities
+from calibrations.tracing.experiments import Experiment, next_experiments
 from calibrations.tracing.ground import Ground, ground, scene_of, seen_anew
 from calibrations.tracing.misreading import Misreading, misreadings
+from calibrations.tracing.questions import questioned
 from calibrations.tracing.rivals import CLOSE, Rival, rivals, with_best_names
 from calibrations.tracing.trace import WALK, Trace, Tracer
 
@@ -56,12 +58,19 @@ class Loop:
     """In the order of the evidence."""
     unexplained: Unexplained | None
     misread: tuple[Misreading, ...]
+    next_experiment: tuple[Experiment, ...] = ()
+    """What would part the rivals that are left."""
 
 
 def close_loop(
-    observations: Observations, stand: StandUncertainty | None = None, effects: Sequence[Effect] = CATALOGUE
+    observations: Observations,
+    stand: StandUncertainty | None = None,
+    reference_temperature_degc: float = 23.0,
+    effects: Sequence[Effect] = CATALOGUE,
 ) -> Loop:
     """Fit the declared model, trace what it leaves, add what was found, and say what that changes.
+
+    A table that contradicts its own description is asked about instead: the questions are among its warnings.
 
     Raises
     ------
@@ -69,13 +78,18 @@ def close_loop(
         No voltage, or no usable row.
     """
     uncertainty = stand or StandUncertainty()
+    asked = questioned(observations)
+    observations = asked.observations
     declared = fit_jointly(observations)
-    explained = _explained(declared, effects)
+    if not asked.answerable:
+        calibration = assess(declared, uncertainty, trials=0)
+        return Loop(declared=calibration, augmented=calibration, effects=(), unexplained=None, misread=())
+    explained = _explained(declared, effects, reference_temperature_degc)
     for _ in range(_ROUNDS):
         rejected = _gross_errors(observations, explained)
         if {entry.row for entry in rejected} == _rejected_rows(explained.base.joint):
             break
-        explained = _explained(fit_without(observations, rejected), effects)
+        explained = _explained(fit_without(observations, rejected), effects, reference_temperature_degc)
     tracer, trace, best = explained.tracer, explained.trace, explained.best
     close = {name: _close(tracer, trace, name) for name in trace.names}
     misread = misreadings(observations, best.joint)
@@ -86,6 +100,7 @@ def close_loop(
         effects=_effects(explained.base, trace, best, close, misread),
         unexplained=_unexplained(trace),
         misread=misread,
+        next_experiment=next_experiments(explained.base, trace, close),
     )
 
 
@@ -107,9 +122,9 @@ class _Explained:
     best: Augmented
 
 
-def _explained(joint: Joint, effects: Sequence[Effect]) -> _Explained:
+def _explained(joint: Joint, effects: Sequence[Effect], reference_temperature_degc: float) -> _Explained:
     """Trace a table; again, where what was found shows that it was looked at from a wrong alpha0."""
-    base = ground(joint, effects)
+    base = ground(joint, effects, reference_temperature_degc)
     for _ in range(_ROUNDS):
         tracer = Tracer(base)
         trace = with_best_names(tracer, tracer.trace())
@@ -218,4 +233,13 @@ def _judged(parameter: Parameter, other: float, name: str, rival: str) -> Parame
     if abs(other - parameter.value) <= RIVALS_APART * parameter.standard_uncertainty:
         return parameter
     reason = f"it differs between {name} and {rival}, which this experiment cannot tell apart"
-    return replace(parameter, value=None, standard_uncertainty=None, type_a=None, interval_95=None, reason=reason)
+    return Parameter(
+        name=parameter.name,
+        unit=parameter.unit,
+        value=None,
+        standard_uncertainty=None,
+        type_a=None,
+        degrees_of_freedom=None,
+        interval_95=None,
+        reason=reason,
+    )

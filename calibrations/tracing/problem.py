@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from calibrations.compression import Compressed
+from calibrations.conditional import SINGULAR
 from calibrations.fit import JointFit, fit_given_alpha0, joint_fit, refined_fit
 from calibrations.geometry import FloatArray
 from calibrations.model import BASIS_SIZE, coefficients_jacobian
@@ -91,14 +92,18 @@ class Problem:
         """By how much each candidate would lower the deviance, linearised at the explanation; shape (candidates,)."""
         jacobian = coefficients_jacobian(explanation.fit.theta)[:BASIS_SIZE, :6]
         model = np.column_stack([self._r[:, :BASIS_SIZE] @ jacobian, self._r[:, self._columns(explanation.chosen)]])
-        left, values, _ = np.linalg.svd(model / np.maximum(np.linalg.norm(model, axis=0), 1e-300), full_matrices=False)
+        length = np.linalg.norm(model, axis=0)
+        seen = length > SINGULAR * length.max()
+        left, values, _ = np.linalg.svd(model[:, seen] / length[seen], full_matrices=False)
         span = left[:, values > _ABSORBED * values[0]]
         others = self._r[:, BASIS_SIZE:]
         free = others - span @ (span.T @ others)
         residual = self._z - span @ (span.T @ self._z)
         fall = self._falls(free, residual)
         fall[list(explanation.chosen)] = 0.0
-        return np.asarray(-self._rows * np.log1p(-np.clip(fall / float(residual @ residual), 0.0, 1 - 1e-12)))
+        return np.asarray(
+            -self._rows * np.log1p(-np.clip(fall / max(float(residual @ residual), 1e-300), 0.0, 1 - 1e-12))
+        )
 
     def unscaled(self, explanation: Explanation) -> FloatArray:
         """Coefficients of the chosen candidates in their own units, one after the other."""

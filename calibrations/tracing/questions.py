@@ -13,6 +13,8 @@ from calibrations.model import basis, coefficients
 from calibrations.observations import Observations
 from calibrations.repeats import labels, settings
 
+_FEWEST_ROWS = 8
+"""Fewer rows contradict nothing."""
 _MOST_REALISATIONS = 50
 _CLEARER = 20.0
 """Another reading of the table must leave so many times less than the description does."""
@@ -27,7 +29,7 @@ class Questioned:
     """A table with what there is to ask about it."""
 
     observations: Observations
-    """The table as it is analysed: with realisations numbered where the repeats are clear."""
+    """The table as it is analysed: questions among its warnings, realisations numbered where repeats are clear."""
     questions: tuple[str, ...]
     """One sentence each."""
     answerable: bool
@@ -36,9 +38,11 @@ class Questioned:
 
 def questioned(observations: Observations) -> Questioned:
     """Look for contradictions between a table and its description."""
+    if observations.voltage_v is None or len(observations) < _FEWEST_ROWS:
+        return Questioned(observations=observations, questions=(), answerable=True)
     for ask in (_radians, _mounts):
         if question := ask(observations):
-            return Questioned(observations=observations, questions=(question,), answerable=False)
+            return Questioned(observations=_with(observations, (question,)), questions=(question,), answerable=False)
     questions = []
     if question := _sign(observations):
         questions.append(question)
@@ -50,7 +54,12 @@ def questioned(observations: Observations) -> Questioned:
             f"taken as {count} realisations, add the column if that is not so"
         )
         observations = replace(observations, realisation=repeats)
-    return Questioned(observations=observations, questions=tuple(questions), answerable=True)
+    return Questioned(observations=_with(observations, tuple(questions)), questions=tuple(questions), answerable=True)
+
+
+def _with(observations: Observations, questions: tuple[str, ...]) -> Observations:
+    """The table with what there is to ask among its warnings."""
+    return replace(observations, warnings=tuple(dict.fromkeys((*observations.warnings, *questions))))
 
 
 def _left_v(observations: Observations) -> float:
@@ -62,7 +71,7 @@ def _left_v(observations: Observations) -> float:
 
 
 def _radians(observations: Observations) -> str:
-    if len(observations) < 8 or np.abs(observations.angle_deg).max() > _WHOLE_TURN_RAD:
+    if np.abs(observations.angle_deg).max() > _WHOLE_TURN_RAD:
         return ""
     turned = replace(observations, angle_deg=np.rad2deg(observations.angle_deg))
     if _left_v(observations) < _CLEARER / 4 * _left_v(turned) or np.ptp(observations.angle_deg) < np.pi / 2:
@@ -75,7 +84,7 @@ def _radians(observations: Observations) -> str:
 
 def _mounts(observations: Observations) -> str:
     """A table without mounts whose rows cannot all come from one."""
-    if observations.mount is not None or len(observations) < 8:
+    if observations.mount is not None:
         return ""
     blocks = _blocks(observations)
     residual = robust_residual(basis(observations), observations.output_v)

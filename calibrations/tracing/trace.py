@@ -23,6 +23,8 @@ WALK_PRICE = 10.0
 LEVEL_PRICE = 16.0
 """What levels drawn at random must earn: one variance, among some thirty effects."""
 WALK = "bias_random_walk"
+FEWEST_ROWS = 18
+"""With fewer rows, three for each declared parameter, nothing is traced."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -118,6 +120,8 @@ class Tracer:
         The search is made in white noise first. Where what it finds, or what it leaves, could as well be noise that
         remembers, it is made again in such noise, and the cheaper explanation is taken.
         """
+        if self.ground.rows < FEWEST_ROWS:
+            return Trace(found=(), noise=NoiseModel(), deviance=self.ground.deviance((), NoiseModel()))
         best = self._searched(NoiseModel())
         for noise in _other_noises(self.ground, best):
             best = min(best, self._searched(noise), key=trace_price)

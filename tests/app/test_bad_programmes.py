@@ -59,9 +59,10 @@ def test_a_bad_programme_is_named_with_line_and_remedy(write, tmp_path, monkeypa
 
 
 def test_an_unknown_programme_is_answered_with_those_that_come_along(tmp_path, monkeypatch):
-    complaint = "sead: there is no such file; give a TOML file or one of quick, reversal, seed"
+    complaint = refused("sead", tmp_path, monkeypatch)
 
-    assert refused("sead", tmp_path, monkeypatch) == complaint
+    assert complaint.startswith("sead: there is no such file; give a TOML file or one of probe-back, ")
+    assert complaint.endswith(", quick, reversal, seed")
 
 
 def test_a_programme_beyond_the_limits_of_the_head_moves_nothing(write, tmp_path, monkeypatch):

@@ -6,7 +6,7 @@ import pytest
 from app_jobs import STAND, tumble
 
 ROOT = Path(__file__).resolve().parents[2]
-COMMANDS = ["calibrate", "run", "plan", "fit", "report", "records", "export"]
+COMMANDS = ["calibrate", "run", "plan", "fit", "close-loop", "report", "records", "export"]
 LOOK = """
 import sys
 from app.cli import main

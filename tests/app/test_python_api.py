@@ -27,7 +27,7 @@ def test_the_stages_are_told_in_their_order(tiny, tmp_path, no_report):
 
     calibrate(job, connect(stand), tmp_path, tell=told.append)
 
-    assert told == ["fitting", "storing", "reporting"]
+    assert told == ["fitting", "tracing", "storing", "reporting"]
 
 
 def test_a_run_in_another_thread_leaves_signals_alone_and_is_heard(tiny, tmp_path):

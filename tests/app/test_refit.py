@@ -80,7 +80,7 @@ def test_a_run_says_where_its_recording_lies(tiny, tmp_path):
     ran = tumble("run", "--programme", tiny, "--serial", "SN 7/б", "--store", tmp_path, "--json", tmp_path / "run.json")
 
     document = json.loads((tmp_path / "run.json").read_text())
-    (recording,) = (tmp_path / "recordings" / "SN_7").glob("*-tiny.mcap")
+    (recording,) = (tmp_path / "recordings").glob("SN_7-*/*-tiny.mcap")
     assert (document["recording"], document["points"]) == (str(recording), 6)
     assert f"recording {recording}" in ran.err
     assert read_recording(recording).header.serial_number == "SN 7/б"

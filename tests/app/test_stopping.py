@@ -6,6 +6,7 @@ from app_jobs import at_call, raiser, tumble
 from app.running import Job, failure, run
 from app.stand import load_stand
 from app.wiring import connect
+from calibrations.records.store import Store
 from drivers.errors import DeviceError
 from drivers.simulated.daq import SimulatedDaq
 from drivers.simulated.head import SimulatedHead
@@ -63,7 +64,7 @@ def test_calibrate_that_is_stopped_stores_nothing(tiny, tmp_path, monkeypatch):
     ran = tumble("calibrate", "--programme", tiny, "--serial", "A", "--store", tmp_path)
 
     assert ran.status == 4
-    assert not (tmp_path / "records.sqlite").exists()
+    assert Store.existing(tmp_path).find() == ()
     assert len(list(tmp_path.glob("recordings/A/*.mcap"))) == 1
 
 
@@ -128,4 +129,4 @@ def test_an_interrupt_outside_a_run_is_status_4(tiny_recording, monkeypatch):
     ran = tumble("fit", tiny_recording)
 
     assert ran.status == 4
-    assert ran.err.strip() == "tumble: interrupted; what was recorded is kept"
+    assert ran.err.strip() == "tumble: interrupted; a recording keeps its complete points"

@@ -2,7 +2,7 @@
 
 Run as a program it makes the fixture of the present format, which then stays as it is for good:
 
-    python tests/calibrations/records_examples.py tests/calibrations/fixtures/records_v1.sqlite
+    python tests/calibrations/records_examples.py tests/calibrations/fixtures/records_v2.sqlite
 """
 
 import hashlib
@@ -13,6 +13,7 @@ from itertools import count
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from loop_examples import with_k_xx
 from tables import FLIPS, UNIT, sweep, table
 
 from calibrations.analysis import analyse
@@ -77,7 +78,7 @@ def _write_fixture(target):
     with TemporaryDirectory() as folder:
         store = Store(Path(folder), now=minutes_pass())
         first = store.add(calibration(), provenance(), [KX_INSIDE, KY_OUTSIDE])
-        store.add(sweep_only(), provenance(), supersedes=first.id)
+        store.add(with_k_xx().declared, provenance(), supersedes=first.id, loop=with_k_xx())
         target.write_bytes((Path(folder) / DATABASE).read_bytes())
 
 

@@ -21,7 +21,7 @@ def record(tmp_path_factory):
 
 def test_a_document_says_what_it_is_and_holds_the_whole_chain(record):
     exported = document(record)
-    assert exported["schema"] == "tumble.record/1"
+    assert exported["schema"] == "tumble.record/2"
     assert exported["result"] == calibration().as_json()
     assert exported["provenance"]["raw_sha256"] == record.provenance.raw_sha256
     assert exported["limits"] == [{"name": "kx", "minimum": 0.95, "maximum": 1.05, "inside": True}]

@@ -48,7 +48,7 @@ def test_a_chain_of_strong_correlations_is_one_group():
 def test_the_scale_factor_differs_from_zero_and_has_digits():
     text = next(t for t in texts(reversed_(), Kind.SIGNIFICANCE) if t.startswith("kx"))
     assert "differs from zero" in text
-    assert "supports 4 significant digits" in text
+    assert "supports 5 significant digits" in text
 
 
 def test_an_interval_that_holds_zero_is_said_to_hold_it():
@@ -62,7 +62,7 @@ def test_an_interval_that_holds_zero_is_said_to_hold_it():
     ("value", "interval", "ending"),
     [
         (0.02, (0.004, 0.036), "is 80% of the value and supports its sign only."),
-        (0.02, (0.019, 0.021), "is 5.0% of the value and supports 1 significant digit."),
+        (0.02, (0.019, 0.021), "is 5.0% of the value and supports 2 significant digits."),
         (1.0, (0.99998, 1.00002), "is 20 ppm of the value and supports 5 significant digits."),
         (1.0, (1.0, 1.0), "No uncertainty is stated, so that its digits cannot be judged."),
     ],
@@ -140,7 +140,7 @@ def test_flips_without_repeats_cannot_be_judged():
 
 @pytest.mark.parametrize(
     ("value", "expanded", "digits"),
-    [(1.01643, 0.00036, 4), (0.0213, 0.016, 0), (933e-6, 32e-6, 1), (0.0, 1.0, 0), (1.0, 0.0, 0), (0.1, 5.0, 0)],
+    [(1.01643, 0.00036, 4), (0.0213, 0.016, 0), (933e-6, 32e-6, 2), (0.0, 1.0, 0), (1.0, 0.0, 0), (0.1, 5.0, 0)],
 )
 def test_digits_end_where_the_uncertainty_begins(value, expanded, digits):
     assert significant_digits(value, expanded) == digits

@@ -9,6 +9,19 @@ from procedures.errors import ProgrammeError
 from procedures.programme import load_programme, programme_from_text, shipped_programmes
 from procedures.steps import Dwell, Mounting
 
+PROBES = [
+    "probe-back",
+    "probe-edge",
+    "probe-edge-back",
+    "probe-end",
+    "probe-face-down",
+    "probe-face-up-90",
+    "probe-later",
+    "probe-repeat",
+    "probe-shuffled",
+    "probe-warm",
+]
+
 SWEEP = """\
 name = "sweeps-only"
 realisations = 3
@@ -35,11 +48,11 @@ def complaint(text):
     return str(raised.value)
 
 
-def test_three_programmes_come_along():
-    assert shipped_programmes() == ["quick", "reversal", "seed"]
+def test_programmes_that_come_along():
+    assert shipped_programmes() == [*PROBES, "quick", "reversal", "seed"]
 
 
-@pytest.mark.parametrize("name", ["quick", "reversal", "seed"])
+@pytest.mark.parametrize("name", [*PROBES, "quick", "reversal", "seed"])
 def test_a_programme_that_comes_along_bears_its_own_name(name):
     assert load_programme(name).name == name
 

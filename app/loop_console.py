@@ -1,0 +1,47 @@
+"""The closed loop on the terminal."""
+
+from collections.abc import Iterable
+
+from rich.console import Console
+from rich.table import Table
+
+from app.console import results
+from calibrations.tracing.loop import Loop
+from calibrations.tracing.words import Comparison, comparisons, findings, headline, untold
+
+
+def show_loop(loop: Loop, console: Console | None = None) -> None:
+    """Print what was found, the models before and after, and what cannot be told any more."""
+    console = console or results()
+    console.print(headline(loop), markup=False)
+    if loop.effects:
+        console.print(_findings_table(loop))
+    if lines := comparisons(loop):
+        console.print(_comparison_table(lines))
+    for name, reason in untold(loop):
+        console.print(f"- {name} cannot be told: {reason}", markup=False)
+    for experiment in loop.next_experiment:
+        command = f": {experiment.command}" if experiment.command else ""
+        console.print(f"next, to tell {' from '.join(experiment.separates[:2])}{command}", markup=False)
+        console.print(f"  {experiment.why}", markup=False)
+
+
+def _findings_table(loop: Loop) -> Table:
+    table = _table("What was found", "effect", "or", "belongs to", "coefficients (standard uncertainty)", "p")
+    for found in findings(loop):
+        table.add_row(found.name, found.also_possible, found.belongs_to, found.coefficients, found.p_value)
+    return table
+
+
+def _comparison_table(lines: Iterable[Comparison]) -> Table:
+    table = _table("Before and after", "", "declared model", "with what was found", "change")
+    for line in lines:
+        table.add_row(line.name, line.declared, line.augmented, line.change)
+    return table
+
+
+def _table(title: str, *headings: str) -> Table:
+    table = Table(title=title, title_justify="left")
+    for heading in headings:
+        table.add_column(heading, overflow="fold")
+    return table

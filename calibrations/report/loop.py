@@ -1,0 +1,48 @@
+"""The section on the closed loop: what the declared model left, to what it was traced, and what that changes."""
+
+from collections.abc import Sequence
+from typing import Any
+
+from calibrations.report.abscissa import Abscissa
+from calibrations.report.subject import Subject
+from calibrations.report.traces import abscissae, trace_figure
+from calibrations.support import series
+from calibrations.tracing.loop import Loop
+from calibrations.tracing.words import comparisons, findings, headline, untold
+
+
+def closed_loop(subject: Subject) -> dict[str, Any]:
+    """The effects found, the models before and after, and the residual against what explains it."""
+    loop = subject.loop
+    if loop is None:
+        return {"headline": "What the residual comes from was not asked."} | dict.fromkeys(_PARTS, ())
+    found = bool(loop.effects or loop.unexplained)
+    parts = (findings(loop), _figures(loop), comparisons(loop), untold(loop)) if found else ((),) * len(_PARTS)
+    return {"headline": headline(loop)} | dict(zip(_PARTS, parts, strict=True))
+
+
+_PARTS = ("findings", "figures", "comparisons", "untold")
+"""Of the section, below its headline; all empty where nothing was found."""
+
+
+def _figures(loop: Loop) -> list[dict[str, Any]]:
+    """Each figure with what it shows."""
+    drawn = [_figure(loop, abscissa, seen) for abscissa, seen in abscissae(loop).items()]
+    return [entry for entry in drawn if entry["figure"] is not None]
+
+
+def _figure(loop: Loop, abscissa: Abscissa, seen: Sequence[str]) -> dict[str, Any]:
+    models = {"declared model": loop.declared}
+    if not WANDERING.issuperset(seen):
+        models["with what was found"] = loop.augmented
+    return {
+        "figure": trace_figure(models, abscissa),
+        "seen": series(seen),
+        "as_angle": abscissa.as_angle,
+        "levels": abscissa.levels,
+        "wandering": len(models) == 1,
+    }
+
+
+WANDERING = frozenset({"realisation_bias", "seating", "bias_random_walk"})
+"""Effects that differ at every repeat: the augmented model takes them as noise that rows share, and leaves them."""

@@ -1,0 +1,159 @@
+"""Which experiment would tell apart what a table cannot: chosen by what the rivals predict for it."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+
+from calibrations.geometry import FloatArray
+from calibrations.tracing.ground import Ground
+from calibrations.tracing.probes import PROBES, Probe
+from calibrations.tracing.rivals import Rival
+from calibrations.tracing.separation import Question, Rows
+from calibrations.tracing.trace import Trace
+
+APART = 16.0
+"""Explanations that differ by this in -2 ln L are told apart: four standard deviations."""
+_RUNS = 3
+"""How often a probe is run where once is not enough."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Experiment:
+    """What to measure next, and why."""
+
+    separates: tuple[str, ...]
+    """The effect that was found, and the rivals that this would tell from it."""
+    programme: str
+    """Name of a programme that comes along; empty where none would help."""
+    why: str
+    command: str
+    """What to type; empty where no programme would help."""
+    separation: float
+    """Expected difference in -2 ln L, that of the closest of the rivals."""
+    stand_time_s: float
+
+
+def next_experiments(base: Ground, trace: Trace, close: Mapping[str, Sequence[Rival]]) -> tuple[Experiment, ...]:
+    """For every effect that has rivals: the experiments that tell it from them, in the least time.
+
+    `close` holds the rivals of each effect of the trace by name. Where no programme helps, the experiment says so and
+    has no command.
+    """
+    questions = [Question(base, trace, name, rivals) for name, rivals in close.items() if rivals]
+    return tuple(experiment for question in questions for experiment in _answers(question))
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Offer:
+    """One or two probes, run one after the other, and what they would tell."""
+
+    probes: tuple[Probe, ...]
+    runs: int
+    rows: Rows
+    each_way: FloatArray
+    """Separation from each rival, if the effect is true and if the rival is, shape (2, rivals)."""
+
+    @property
+    def stand_time_s(self) -> float:
+        return self.runs * sum(probe.stand_time_s for probe in self.probes)
+
+    def separations(self, sure: bool) -> FloatArray:
+        """Separation from each rival: sure whichever is true, or if one of the two is."""
+        return np.asarray(self.each_way.min(axis=0) if sure else self.each_way.max(axis=0))
+
+    def apart(self, among: list[int], sure: bool) -> list[int]:
+        """Rivals that it tells apart."""
+        separations = self.separations(sure)
+        return [rival for rival in among if separations[rival] >= APART]
+
+    def worth(self, among: list[int], sure: bool) -> tuple[float, float]:
+        """Rivals told apart per second; of equal ones the clearer, in whole multiples of what is needed."""
+        clearness = float(np.minimum(self.separations(sure)[among] // APART, 4).sum())
+        return len(self.apart(among, sure)) / self.stand_time_s, clearness
+
+
+def _answers(question: Question) -> Iterator[Experiment]:
+    """Experiments until every rival is told apart or nothing tells any of the rest."""
+    rows, left = question.table, list(range(len(question.rivals)))
+    while left:
+        offers = _offers(question, rows, left)
+        chosen, apart = _best(offers, left, sure=True)
+        if not apart:
+            chosen, apart = _best(offers, left, sure=False)
+        if not apart:
+            yield _nothing(question, left, chosen)
+            return
+        yield from (_experiment(question, chosen, probe, apart) for probe in chosen.probes)
+        rows, left = chosen.rows, [rival for rival in left if rival not in apart]
+
+
+def _best(offers: Sequence[_Offer], left: list[int], sure: bool) -> tuple[_Offer, list[int]]:
+    """The offer worth most, and the rivals that it tells apart."""
+    best = max(offers, key=lambda offer: offer.worth(left, sure))
+    return best, best.apart(left, sure)
+
+
+def _offers(question: Question, rows: Rows, left: list[int]) -> list[_Offer]:
+    """Single probes, then more of them: several times, or two mounts, where no single one is sure to tell anything."""
+    offers = [_offer(question, rows, (probe,)) for probe in PROBES]
+    if not any(offer.apart(left, sure=True) for offer in offers):
+        mounts = [probe for probe in PROBES if probe.mount != "face-up"]
+        promising = [offer for offer in offers if offer.separations(sure=True)[left].max() * _RUNS >= APART]
+        offers += [_offer(question, rows, offer.probes, _RUNS) for offer in promising]
+        offers += [_offer(question, rows, pair) for pair in combinations(mounts, 2)]
+    return offers
+
+
+def _offer(question: Question, rows: Rows, probes: tuple[Probe, ...], runs: int = 1) -> _Offer:
+    for probe in probes * runs:
+        rows = rows.followed_by(probe)
+    return _Offer(probes=probes, runs=runs, rows=rows, each_way=question.separations(rows))
+
+
+def _experiment(question: Question, offer: _Offer, probe: Probe, apart: list[int]) -> Experiment:
+    separations = offer.separations(sure=False)[apart]
+    sure = bool((offer.separations(sure=True)[apart] >= APART).all())
+    separation = float((offer.separations(sure=True)[apart] if sure else separations).min())
+    rivals = tuple(question.rivals[rival] for rival in apart)
+    others = [other.programme for other in offer.probes if other is not probe]
+    remarks = [
+        f", if {' and '.join(_needed(question, offer, apart))} is the true one" * (not sure),
+        f"; only together with {' '.join(others)}" * bool(others),
+        f"; run it {offer.runs} times" * (offer.runs > 1),
+    ]
+    return Experiment(
+        separates=(question.name, *rivals),
+        programme=probe.programme,
+        why=(
+            f"{probe.programme} {probe.does}: {question.name} and {' or '.join(rivals)} then differ by "
+            f"{separation:.0f} in -2 ln L{''.join(remarks)}"
+        ),
+        command=f"tumble run --programme {probe.programme} --serial SERIAL",
+        separation=separation,
+        stand_time_s=offer.runs * probe.stand_time_s,
+    )
+
+
+def _needed(question: Question, offer: _Offer, apart: list[int]) -> list[str]:
+    """Explanations one of which must be true for them to be told apart."""
+    return sorted({question.name if offer.each_way[0, rival] >= APART else question.rivals[rival] for rival in apart})
+
+
+def _nothing(question: Question, left: list[int], nearest: _Offer) -> Experiment:
+    rivals = tuple(question.rivals[rival] for rival in left)
+    separation = float(nearest.separations(sure=False)[left].max())
+    owners = sorted({question.belongs_to(name) for name in (question.name, *rivals)})
+    exchange = f"; as they belong to {' and '.join(owners)}, exchange one of these" if len(owners) > 1 else ""
+    return Experiment(
+        separates=(question.name, *rivals),
+        programme="",
+        why=(
+            f"no programme that comes along tells {question.name} from {' or '.join(rivals)}: they differ by "
+            f"{separation:.1f} in -2 ln L at most{exchange}"
+        ),
+        command="",
+        separation=separation,
+        stand_time_s=0.0,
+    )

@@ -1,0 +1,168 @@
+"""One explanation of a table, and what it says of rows that are not there yet."""
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+import numpy as np
+
+from calibrations.compression import compress
+from calibrations.effects.scene import Scene
+from calibrations.effects.unnamed import Structure
+from calibrations.fit import fit_given_alpha0
+from calibrations.geometry import FloatArray
+from calibrations.model import BASIS_SIZE, PARAMETERS, basis, coefficients, coefficients_jacobian
+from calibrations.tracing.augmented import form_in, tangent
+from calibrations.tracing.ground import Ground
+from calibrations.tracing.noise import Memory, Whitening, scaled_levels, slow_modes
+from calibrations.tracing.trace import Found, Trace
+
+_RANK = 1e-9
+"""Directions in which columns differ by less than this part of their length are one."""
+_ALLOWED = 16.0
+"""A form that misses no more of an effect than this, in -2 ln L, is not refuted by the table."""
+_STEP = 1e-3
+"""Relative step for the change of a form with what is scanned."""
+
+
+class Explanation:
+    """A trace as it fits the table, seen from the alpha0 from which effects are seen in the table.
+
+    Where alpha0 rests on a curvature alone, its best value may be degrees from the truth, and what further rows are
+    expected to show would be as far off.
+
+    Parameters
+    ----------
+    base
+        The table.
+    trace
+        The whole of what explains it.
+    name
+        The effect, one of the trace, in whose place other explanations have another.
+    """
+
+    def __init__(self, base: Ground, trace: Trace, name: str) -> None:
+        self._base, self._noise = base, trace.noise
+        functions = np.column_stack([base.declared, *(form.columns for form in trace.forms)])
+        output_v, whiten = base.joint.observations.output_v, base.memory.whitening(trace.noise)
+        fit = fit_given_alpha0(compress(functions, output_v, base.joint.weights, whiten), base.scene.alpha0_deg)
+        self.theta: FloatArray = fit.theta[: len(PARAMETERS)]
+        """Declared parameters."""
+        self.dwell_v = float(np.sqrt(fit.squares_v2 / max(base.rows - fit.fitted, 1)))
+        """Noise of a dwell, in volts."""
+        self._residual_v = output_v - functions @ coefficients(fit.theta)
+        ends = np.cumsum([form.columns.shape[1] for form in trace.forms], dtype=int)
+        found = list(zip(trace.found, np.split(fit.theta[len(PARAMETERS) :], ends[:-1]), strict=False))
+        self._own = [(item, values) for item, values in found if item.effect.name == name]
+        self._beside = [(item, values) for item, values in found if item.effect.name != name]
+        self._name = name
+        self._grid = self._scanned(base.scene)
+        self._allowed = self._not_refuted()
+
+    def output_v(self, scene: Scene) -> FloatArray:
+        """What the effect adds to the output, shape (rows,)."""
+        if not self._own:
+            return self._drawn_v(scene)
+        return np.asarray(sum(_columns(scene, item)[:, : len(values)] @ values for item, values in self._own))
+
+    def left(self, scene: Scene, weights: FloatArray, outputs: FloatArray) -> FloatArray:
+        """Squared length of what this explanation cannot follow of each output, shape (outputs,).
+
+        It may take any form of the effect that the table allows, or that only more rows bring up.
+        """
+        new = [value for value in self._scanned(scene) if value > 1.01 * max(self._grid)]
+        forms = [self._followed(scene, self._own), *(self._form(scene, value) for value in (*self._allowed, *new))]
+        return np.asarray(np.min(self._squares(scene, weights, outputs, forms), axis=0))
+
+    def _squares(
+        self, scene: Scene, weights: FloatArray, outputs: FloatArray, forms: Iterable[FloatArray]
+    ) -> FloatArray:
+        """The same for each form of the effect by itself, shape (forms, outputs)."""
+        root = np.sqrt(weights)[:, None]
+        whiten = self._whitening(scene, weights)
+        declared = basis(scene.observations) @ coefficients_jacobian(self.theta)[:BASIS_SIZE]
+        beside = whiten(np.column_stack([declared, self._followed(scene, self._beside)]) * root)
+        span = _directions(beside, np.linalg.norm(beside, axis=0))
+        free = _off(span, whiten(outputs * root))
+        squares = []
+        for form in forms:
+            columns = whiten(form * root)
+            added = _directions(_off(span, columns), np.linalg.norm(columns, axis=0))
+            squares.append(np.sum(_off(added, free) ** 2, axis=0))
+        return np.array(squares)
+
+    def _scanned(self, scene: Scene) -> list[float]:
+        """Values to try of what is scanned for, where that is a continuous quantity."""
+        if len(self._own) != 1 or self._own[0][0].effect.at is None:
+            return []
+        return [value for form in self._own[0][0].effect.forms(scene) for value in form.scanned.values()]
+
+    def _not_refuted(self) -> list[float]:
+        """Scanned values with which the effect could be what it is in the table."""
+        scene = self._base.scene
+        forms = [self._form(scene, value) for value in self._grid]
+        if not forms:
+            return []
+        output = self.output_v(scene)[:, None] / self.dwell_v
+        squares = self._squares(scene, self._base.joint.weights, output, forms)
+        return [value for value, square in zip(self._grid, squares[:, 0], strict=True) if square < _ALLOWED]
+
+    def _form(self, scene: Scene, value: float) -> FloatArray:
+        """The effect at another scanned value, and its change with that, shape (rows, n)."""
+        at = self._own[0][0].effect.at
+        assert at is not None
+        above, below = (at(scene, value * (1.0 + side * _STEP)).columns for side in (0.5, -0.5))
+        return np.column_stack([(above + below) / 2, above - below])
+
+    @staticmethod
+    def _followed(scene: Scene, items: Iterable[tuple[Found, FloatArray]]) -> FloatArray:
+        """Columns of effects and of the change of what was scanned, shape (rows, n)."""
+        columns = [np.empty((len(scene.observations), 0))]
+        for item, values in items:
+            change = tangent(scene, item, values)
+            columns += [_columns(scene, item), *([] if change is None else [change])]
+        return np.column_stack(columns)
+
+    def _drawn_v(self, scene: Scene) -> FloatArray:
+        """An effect that is drawn at random, as it was in the table.
+
+        A level that is still to be drawn is taken as the mean of the others, a walk to stay where it is.
+        """
+        root = np.sqrt(self._base.joint.weights)
+        residual = self._residual_v * root
+        for effect in self._base.effects:
+            if effect.name == self._name:
+                seen, further = (effect.forms(view)[0].columns for view in (self._base.scene, scene))
+                levels = np.linalg.lstsq(seen * root[:, None], residual, rcond=None)[0]
+                return np.asarray(further[:, : len(levels)] @ levels)
+        whiten = self._base.memory.whitening(self._noise)
+        walk_v = (residual - whiten(whiten(residual))) / root
+        return np.pad(walk_v, (0, len(scene.observations) - len(walk_v)), mode="edge")
+
+    def _whitening(self, scene: Scene, weights: FloatArray) -> Whitening:
+        """What makes the noise of this explanation white; a walk goes the further the longer it takes."""
+        noise = self._noise
+        if noise.walk and scene.hours is not None and self._base.scene.hours is not None:
+            noise = replace(noise, walk=noise.walk * float(np.ptp(scene.hours) / np.ptp(self._base.scene.hours)))
+        names = [name for name, _ in noise.levels]
+        drawn = {effect.name: effect.forms(scene)[0].columns for effect in self._base.effects if effect.name in names}
+        levels = {name: scaled_levels(columns, weights) for name, columns in drawn.items()}
+        slow = scene.hours if noise.flicker or noise.walk else None
+        return Memory(modes=slow_modes(slow, weights), levels=levels).whitening(noise)
+
+
+def _columns(scene: Scene, item: Found) -> FloatArray:
+    """Columns of an effect found in another scene. What has no name is not expected to come back."""
+    if isinstance(item.effect, Structure):
+        return np.pad(item.form.columns, ((0, len(scene.observations) - len(item.form.columns)), (0, 0)))
+    return form_in(scene, item).columns
+
+
+def _directions(columns: FloatArray, length: FloatArray) -> FloatArray:
+    """Orthonormal directions that columns span; what is left of one is nothing beside the `length` that it had."""
+    left, values, _ = np.linalg.svd(columns / np.where(length > 0, length, 1.0), full_matrices=False)
+    return np.asarray(left[:, values > _RANK])
+
+
+def _off(span: FloatArray, columns: FloatArray) -> FloatArray:
+    """What is left of columns beside orthonormal directions."""
+    return np.asarray(columns - span @ (span.T @ columns))

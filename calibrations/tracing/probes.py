@@ -1,0 +1,174 @@
+"""Probes: short programmes that visit a unit in a way in which a table may not have seen it.
+
+Each corresponds to a programme `probe-….toml` that comes along, one sweep of 80 steps of 5°.
+"""
+
+from dataclasses import dataclass, replace
+from typing import Any, Literal
+
+import numpy as np
+
+from calibrations.geometry import FloatArray
+from calibrations.observations import ARRAY_COLUMNS, Observations
+
+MOUNTING_S = 60.0
+"""Time in which an operator seats the unit; every run begins with it."""
+_SPEED_DEG_S = 20.0
+_DWELL_S = 1.5
+"""Time to settle and to acquire."""
+_RECENT = 20
+"""So many of the last rows say what the temperature is now."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Probe:
+    """A sweep in one mount, as often as there are realisations."""
+
+    programme: str
+    """Name of the programme that comes along."""
+    does: str
+    """What it changes, in words that go after its name."""
+    mount: str = "face-up"
+    order: Literal["up", "there-and-back", "shuffled"] = "up"
+    realisations: int = 1
+    warmer_k: float = 0.0
+    """By how much the unit shall be warmer than at the end of the table, in kelvin."""
+    wait_s: float = 0.0
+    """Time until it is."""
+
+    @property
+    def angles_deg(self) -> FloatArray:
+        """Head angles in the order in which they are taken, shape (realisations, dwells)."""
+        return np.array([self._angles_deg(number) for number in range(1, self.realisations + 1)])
+
+    def _angles_deg(self, realisation: int) -> FloatArray:
+        up = np.arange(0.0, 400.0, 5.0)
+        match self.order:
+            case "up":
+                return up
+            case "there-and-back":
+                return np.concatenate([up, up[-2::-1]])
+            case "shuffled":
+                return np.asarray(up[np.random.default_rng(realisation).permutation(len(up))])
+
+    def step_s(self, start_deg: float = 0.0) -> FloatArray:
+        """Time from each dwell to the next, shape (rows,); the first waits, and seats the unit."""
+        moves_deg = np.diff(self.angles_deg.ravel(), prepend=start_deg)
+        steps_s = np.abs(moves_deg) / _SPEED_DEG_S + _DWELL_S
+        steps_s[0] += self.wait_s + MOUNTING_S
+        return np.asarray(steps_s, dtype=np.float64)
+
+    @property
+    def stand_time_s(self) -> float:
+        """Time that it takes, the mounting and any wait included."""
+        return float(self.step_s().sum())
+
+
+PROBES = (
+    Probe(
+        programme="probe-repeat",
+        does="visits the same poses again, at the temperature as it is now",
+        realisations=3,
+    ),
+    Probe(
+        programme="probe-back",
+        does="visits every pose from both sides",
+        order="there-and-back",
+        realisations=2,
+    ),
+    Probe(
+        programme="probe-face-down",
+        does="turns Oy over and leaves Ox and the head as they are",
+        mount="face-down",
+        realisations=3,
+    ),
+    Probe(
+        programme="probe-face-up-90",
+        does="turns Ox by 90° on the head, so that errors of the head fall on other values of ax",
+        mount="face-up-90",
+        realisations=3,
+    ),
+    Probe(
+        programme="probe-edge",
+        does="puts Oz in the place of Oy",
+        mount="edge",
+        realisations=3,
+    ),
+    Probe(
+        programme="probe-edge-back",
+        does="puts Oz in the place of Oy, turned over",
+        mount="edge-back",
+        realisations=3,
+    ),
+    Probe(
+        programme="probe-end",
+        does="takes ax away and leaves ay and az",
+        mount="end",
+        realisations=3,
+    ),
+    Probe(
+        programme="probe-shuffled",
+        does="takes the angles in no order, so that neither time nor the dwell before goes with them",
+        order="shuffled",
+    ),
+    Probe(
+        programme="probe-later",
+        does="visits the same poses again, two hours later",
+        realisations=3,
+        wait_s=7200.0,
+    ),
+    Probe(
+        programme="probe-warm",
+        does="visits the same poses with the unit 10 K warmer",
+        realisations=3,
+        warmer_k=10.0,
+        wait_s=1800.0,
+    ),
+)
+"""All probes. Of two that promise the same, the first is proposed."""
+
+
+def followed_by(observations: Observations, probe: Probe) -> Observations:
+    """Return a table with the rows that a probe would add, in realisations of their own.
+
+    Times, directions and temperatures follow from the probe; any other column, the output too, goes on with its last
+    value. A column that the table lacks stays away, but for mount and realisation.
+    """
+    angle_deg = probe.angles_deg.ravel()
+    rows = len(angle_deg)
+    step_s = probe.step_s(float(observations.angle_deg[-1]))
+    number = observations.realisations.max() + np.repeat(
+        np.arange(1, probe.realisations + 1), rows // probe.realisations
+    )
+    added: dict[str, Any] = {
+        "row": observations.row[-1] + 1 + np.arange(rows),
+        "angle_deg": angle_deg,
+        "realisation": number,
+        "mount": np.full(rows, probe.mount),
+    }
+    whole = replace(observations, realisation=observations.realisations, mount=observations.mounts)
+    if whole.time_s is not None:
+        added["time_s"] = whole.time_s[-1] + np.cumsum(step_s)
+    if whole.direction is not None:
+        added["direction"] = _directions(angle_deg, float(observations.angle_deg[-1]))
+    if whole.temperature_degc is not None:
+        added["temperature_degc"] = np.full(rows, _recent(whole.temperature_degc) + probe.warmer_k)
+    columns = {name: getattr(whole, name) for name in ARRAY_COLUMNS} | dict(whole.extra)
+    joined: dict[str, Any] = {
+        name: None if column is None else np.concatenate([column, added.get(name, np.repeat(column[-1:], rows))])
+        for name, column in columns.items()
+    }
+    extra = {name: joined.pop(name) for name in whole.extra}
+    return replace(whole, **joined, extra=extra)
+
+
+def _directions(angle_deg: FloatArray, start_deg: float) -> FloatArray:
+    """Sign of the last move that was one."""
+    sign = np.sign(np.diff(angle_deg, prepend=start_deg)).astype(np.int64)
+    last = np.maximum.accumulate(np.where(sign != 0, np.arange(len(sign)), 0))
+    return np.asarray(sign[last])
+
+
+def _recent(temperature_degc: FloatArray) -> float:
+    known = temperature_degc[np.isfinite(temperature_degc)]
+    return float(np.mean(known[-_RECENT:])) if len(known) else float("nan")

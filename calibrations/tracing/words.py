@@ -1,0 +1,179 @@
+"""What closing the loop found, in words: the same for report and terminal."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from calibrations.effects.effect import Quantity
+from calibrations.joint import LACK_OF_FIT_P
+from calibrations.quantities import format_concise, format_number, format_probability
+from calibrations.result import Calibration, Parameter
+from calibrations.support import equals, series
+from calibrations.tracing.loop import EffectFound, Loop, Unexplained
+from calibrations.tracing.misreading import Misreading
+
+MISREADING = "misreading"
+_OWNERS = {"unit": "unit", "stand": "stand", "daq": "DAQ"}
+_UNIT_SUFFIXES = ("_deg", "_s", "_V")
+_NEGLIGIBLE = 0.01
+"""A change below this part of the standard uncertainty is none."""
+_LISTED = 6
+"""Of the misread rows so many are listed, the rest counted."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Finding:
+    """One effect found, every cell as text."""
+
+    name: str
+    also_possible: str
+    """The effects that explain the data as well; empty where it is told apart."""
+    belongs_to: str
+    coefficients: str
+    p_value: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Comparison:
+    """One number before and after what was found is taken into account, every cell as text."""
+
+    name: str
+    declared: str
+    augmented: str
+    change: str
+    """Empty where the two have no difference: one has no value, or they stand for different alpha0."""
+
+
+def headline(loop: Loop) -> str:
+    """What was found, or that nothing was, and whether the poses agree with the model after all."""
+    found = found_sentences(loop)
+    return " ".join((*found, _verdict(loop, bool(found)))).strip()
+
+
+def found_sentences(loop: Loop) -> list[str]:
+    """What was found; empty where nothing was."""
+    named = [effect.name for effect in loop.effects if effect.name != MISREADING]
+    sentences = [f"What the declared model leaves was traced to {series(named)}."] if named else []
+    if loop.unexplained:
+        sentences.append(unexplained_sentence(loop.unexplained))
+    if loop.misread:
+        sentences.append(f"Read or set wrong by a round amount: {misread_text(loop.misread)}.")
+    return sentences
+
+
+def _verdict(loop: Loop, found: bool) -> str:
+    p_value = loop.augmented.lack_of_fit_p
+    unfit = p_value is not None and p_value < LACK_OF_FIT_P
+    if p_value is not None and found:
+        verdict = "the poses still disagree" if unfit else "the poses agree"
+        return f"With that taken into account {verdict} with the model (lack of fit: p {equals(p_value)})."
+    if p_value is not None and unfit:
+        return (
+            "Neither an effect of the catalogue nor any other structure was found, yet the poses disagree with the "
+            f"declared model by more than the repeats explain (lack of fit: p {equals(p_value)})."
+        )
+    if found:
+        return ""
+    return (
+        "Nothing is left that the scatter of the data does not explain: neither an effect of the catalogue nor any "
+        "other structure stands out of it."
+    )
+
+
+def unexplained_sentence(unexplained: Unexplained) -> str:
+    """Where structure without a name is."""
+    return f"No effect of the catalogue explains what depends on {unexplained.depends_on}: {unexplained.description}."
+
+
+def misread_text(misread: Sequence[Misreading]) -> str:
+    """`row 17 by 10°, row 40 by -0.5°`."""
+    listed = ", ".join(f"row {entry.row} by {entry.error_deg:.3g}°" for entry in misread[:_LISTED])
+    more = len(misread) - _LISTED
+    return f"{listed} and {more} more" if more > 0 else listed
+
+
+def findings(loop: Loop) -> list[Finding]:
+    """The effects found, in the order of the evidence."""
+    return [
+        Finding(
+            name=effect.name,
+            also_possible=series(effect.also_possible, "or") if effect.also_possible else "",
+            belongs_to=_OWNERS[effect.belongs_to],
+            coefficients=misread_text(loop.misread) if effect.name == MISREADING else _coefficients(effect),
+            p_value=format_probability(effect.p_value),
+        )
+        for effect in loop.effects
+    ]
+
+
+def _coefficients(effect: EffectFound) -> str:
+    if len(effect.coefficients) == 1:
+        (quantity,) = effect.coefficients.values()
+        return _quantity(quantity)
+    return ", ".join(f"{_without_unit(key)} {_quantity(quantity)}" for key, quantity in effect.coefficients.items())
+
+
+def _quantity(quantity: Quantity) -> str:
+    if quantity.standard_uncertainty is not None:
+        return format_concise(quantity.value, quantity.standard_uncertainty, quantity.unit)
+    return f"{quantity.value:g}" if quantity.value.is_integer() else format_number(quantity.value, quantity.unit, 4)
+
+
+def _without_unit(key: str) -> str:
+    """The name of a coefficient without the unit that its value states."""
+    suffix = next((suffix for suffix in _UNIT_SUFFIXES if key.endswith(suffix)), "")
+    return key.removesuffix(suffix)
+
+
+def comparisons(loop: Loop) -> list[Comparison]:
+    """Adequacy and parameters of the declared and of the augmented model; none where the two are one.
+
+    Misread rows are in neither.
+    """
+    if loop.unexplained is None and all(effect.name == MISREADING for effect in loop.effects):
+        return []
+    return [*_adequacy(loop.declared, loop.augmented), *_parameters(loop.declared, loop.augmented)]
+
+
+def _adequacy(declared: Calibration, augmented: Calibration) -> Iterator[Comparison]:
+    yield _scatter("residual, r.m.s.", declared.residual_rms_v, augmented.residual_rms_v)
+    yield _scatter("held-out error, r.m.s.", declared.held_out_rms_v, augmented.held_out_rms_v)
+    p_values = (declared.lack_of_fit_p, augmented.lack_of_fit_p)
+    before, after = ("not tested" if p_value is None else format_probability(p_value) for p_value in p_values)
+    yield Comparison(name="lack of fit, p", declared=before, augmented=after, change="")
+
+
+def _scatter(name: str, before_v: float | None, after_v: float | None) -> Comparison:
+    before, after = ("none" if value_v is None else format_number(value_v, "V") for value_v in (before_v, after_v))
+    change = f"× {after_v / before_v:.2g}" if before_v and after_v is not None else ""
+    return Comparison(name=name, declared=before, augmented=after, change=change)
+
+
+def _parameters(declared: Calibration, augmented: Calibration) -> Iterator[Comparison]:
+    for name, before in declared.parameters.items():
+        after = augmented.parameters[name]
+        change = _moved(before, after)
+        yield Comparison(name=name, declared=_parameter(before), augmented=_parameter(after), change=change)
+
+
+def _parameter(parameter: Parameter) -> str:
+    if parameter.value is None:
+        return "cannot be told"
+    text = format_concise(parameter.value, parameter.standard_uncertainty, parameter.unit)
+    return text if parameter.given_alpha0_deg is None else f"{text}, given alpha0 = {parameter.given_alpha0_deg:g}°"
+
+
+def _moved(before: Parameter, after: Parameter) -> str:
+    """By how much a value moved, also in standard uncertainties of the declared model: did its budget cover that."""
+    alike = before.given_alpha0_deg == after.given_alpha0_deg
+    if before.value is None or after.value is None or not before.standard_uncertainty or not alike:
+        return ""
+    moved = after.value - before.value
+    if abs(moved) < _NEGLIGIBLE * before.standard_uncertainty:
+        return "none"
+    sign = "+" if moved > 0 else ""
+    return f"{sign}{format_number(moved, after.unit, 2)} ({moved / before.standard_uncertainty:+.1f} u)"
+
+
+def untold(loop: Loop) -> list[tuple[str, str]]:
+    """Parameters that the augmented model does not tell, each with the reason."""
+    return [(name, found.reason) for name, found in loop.augmented.parameters.items() if found.value is None]

@@ -1,0 +1,152 @@
+"""The section of the report on what the model left unexplained."""
+
+import re
+import xml.etree.ElementTree as ET
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from loop_examples import clean, found, misread, timed, with_k_xx
+from report_examples import provenance
+from test_report_page import parsed, text_of
+
+from calibrations.effects import CATALOGUE
+from calibrations.report import traces
+from calibrations.report.abscissa import BY_EFFECT, BY_VARIABLE
+from calibrations.report.page import SECTIONS
+from calibrations.report.results import notices
+from calibrations.report.subject import Subject
+from calibrations.report.traces import MOST_FIGURES, abscissae, trace_figure
+from calibrations.tracing.ground import scene_of
+from calibrations.tracing.loop import Unexplained
+
+UNEXPLAINED = Unexplained(depends_on="angle", description="a bump of 18 arcsec near 141 deg on the head")
+
+
+def subject(loop):
+    return Subject(calibration=clean().declared, provenance=provenance(), loop=loop)
+
+
+def section(loop):
+    (content,) = [section for section in SECTIONS if section.anchor == "loop"]
+    return content.render(subject(loop))
+
+
+@pytest.fixture(scope="module")
+def k_xx_section():
+    return section(with_k_xx())
+
+
+def test_the_section_names_the_effect_its_owner_and_its_size(k_xx_section):
+    text = text_of(k_xx_section)
+    assert "What the declared model leaves was traced to k_xx." in text
+    assert re.search(r"k_xx .* unit 2\.\d+\(\d+\) mV/g² < 0\.0001", text)
+
+
+def test_before_and_after_stand_side_by_side(k_xx_section):
+    text = text_of(k_xx_section)
+    assert "Declared model With what was found Change" in text
+    assert re.search(r"residual, r\.m\.s\. \d+ µV \d+(\.\d+)? µV × 0\.\d+", text)
+
+
+def test_the_residual_is_drawn_against_what_explains_it_before_and_after(k_xx_section):
+    (plot,) = re.findall(r"<svg.*?</svg>", k_xx_section, flags=re.DOTALL)
+    assert ET.fromstring(plot).get("aria-label") == "Residual against ax (g): declared model, with what was found"
+    assert "Where k_xx shows." in text_of(k_xx_section)
+
+
+def test_every_element_of_the_section_is_closed(k_xx_section):
+    assert parsed(k_xx_section).open == []
+
+
+def test_a_parameter_taken_back_is_followed_by_its_reason():
+    parameters = dict(with_k_xx().augmented.parameters)
+    parameters["kz"] = replace(parameters["kz"], value=None, reason="it differs between k_xx and k_yy")
+    loop = replace(with_k_xx(), augmented=replace(with_k_xx().augmented, parameters=parameters))
+    assert "kz cannot be told: it differs between k_xx and k_yy." in text_of(section(loop))
+
+
+def test_where_nothing_was_found_the_section_says_so_and_shows_nothing():
+    page = section(clean())
+    assert text_of(page).startswith("Nothing is left that the scatter of the data does not explain")
+    assert "<table" not in page
+    assert "<svg" not in page
+
+
+def test_where_nobody_asked_the_section_says_so():
+    assert text_of(section(None)) == "What the residual comes from was not asked."
+
+
+def test_misread_rows_are_listed_without_a_plot():
+    page = section(misread())
+    assert "Read or set wrong by a round amount: row 21 by 10°." in text_of(page)
+    assert "<svg" not in page
+
+
+def test_unexplained_structure_is_located_and_drawn():
+    page = section(replace(clean(), unexplained=UNEXPLAINED))
+    assert UNEXPLAINED.description in text_of(page)
+    assert "Where what is unexplained shows." in text_of(page)
+
+
+def test_an_effect_that_differs_at_every_repeat_is_drawn_once_and_said_to_stay():
+    page = section(replace(clean(), effects=(found("realisation_bias", realisation_bias=(1e-4, 1e-5, "V")),)))
+    assert 'aria-label="Residual against realisation: declared model"' in page
+    assert "the augmented model takes it as noise that rows share" in text_of(page)
+
+
+def test_the_head_of_the_page_says_what_was_found():
+    assert any("traced to k_xx" in notice for notice in notices(subject(with_k_xx())))
+    assert not any("traced" in notice for notice in notices(subject(clean())))
+
+
+def test_every_effect_of_the_catalogue_has_something_to_be_drawn_against():
+    assert {effect.name for effect in CATALOGUE} <= set(BY_EFFECT)
+
+
+def test_effects_of_one_variable_share_a_figure_and_figures_are_few():
+    names = ("k_xx", "k_xxx", "bias_drift", "settling", "range_step", "k_yy", "misreading")
+    loop = replace(clean(), effects=tuple(found(name) for name in names), unexplained=UNEXPLAINED)
+    wanted = abscissae(loop)
+    assert list(wanted.values())[:2] == [["k_xx", "k_xxx"], ["bias_drift"]]
+    assert len(wanted) == MOST_FIGURES
+
+
+EVERY = {abscissa.name: abscissa for abscissa in (*BY_EFFECT.values(), *BY_VARIABLE.values())}
+
+
+@pytest.mark.parametrize("name", sorted(set(EVERY) - {"ay-az"}))
+def test_every_variable_can_be_drawn(name):
+    figure = trace_figure({"declared model": timed(clean()).declared}, EVERY[name])
+    element = ET.fromstring(figure)
+    assert element.get("aria-label") == f"Residual against {EVERY[name].label}: declared model"
+
+
+@pytest.mark.parametrize(
+    "name", ["time", "temperature", "temperature-ax", "time-ax", "variance", "time-angle", "ay-az"]
+)
+def test_what_the_table_does_not_say_or_never_varies_is_not_drawn(name):
+    assert trace_figure({"declared model": clean().declared}, EVERY[name]) is None
+
+
+def test_an_error_of_the_angle_needs_a_slope():
+    parameters = {name: replace(parameter, value=None) for name, parameter in clean().declared.parameters.items()}
+    assert trace_figure({"x": replace(clean().declared, parameters=parameters)}, EVERY["angle"]) is None
+
+
+def test_an_error_of_the_angle_stands_in_seconds_of_arc(monkeypatch):
+    """0.01° on every row is 36 seconds of arc, whatever the slope there."""
+    drawn = []
+    monkeypatch.setattr(traces, "mark_residuals", lambda _panel, _x, residuals, *_: drawn.extend(residuals))
+    rows = clean().declared.observations
+    slope_v_per_deg = np.deg2rad(1.0) * -np.cos(np.deg2rad(rows.angle_deg + 0.1121))
+    shifted = replace(clean().declared, residual_v=0.01 * slope_v_per_deg)
+    trace_figure({"declared model": shifted}, EVERY["angle"])
+    assert drawn == pytest.approx([36.0] * len(drawn), rel=0.05)
+    assert len(rows) / 2 < len(drawn) < len(rows)
+
+
+def test_places_within_a_realisation_count_from_zero():
+    rows = clean().declared.observations
+    place = EVERY["place"].values(scene_of(rows, np.array([2.5, 1.0, 0.01, 0.0, 0.0, 0.1])))
+    assert place.tolist() == [*range(54), *range(54), *range(54)]

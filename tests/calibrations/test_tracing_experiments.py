@@ -1,0 +1,234 @@
+import numpy as np
+import pytest
+from tables import gravity_on
+from tracing_runs import FLIPS, SWEEP, dwells, programme, runs
+
+from calibrations.effects import CATALOGUE
+from calibrations.joint import fit_jointly
+from calibrations.observations import Observations
+from calibrations.tracing import experiments
+from calibrations.tracing.experiments import APART, next_experiments
+from calibrations.tracing.ground import ground
+from calibrations.tracing.probes import PROBES, Probe, followed_by
+from calibrations.tracing.rivals import CLOSE, rivals, with_best_names
+from calibrations.tracing.separation import Question
+from calibrations.tracing.trace import Tracer
+from procedures.programme import shipped_programmes
+
+UP = SWEEP.format("face-up", "up")
+BACK = SWEEP.format("face-up", "there-and-back")
+DOWN = SWEEP.format("face-down", "up")
+BY_NAME = {probe.programme: probe for probe in PROBES}
+
+
+def ax_g(columns):
+    ax = np.empty(len(columns["angle_deg"]))
+    for mount in np.unique(columns["mount"]):
+        here = columns["mount"] == mount
+        ax[here] = gravity_on(mount, columns["angle_deg"][here] + 0.1121)[0]
+    return ax
+
+
+def k_xx(columns):
+    return 2e-4 * ax_g(columns) ** 2
+
+
+def traced(observations):
+    """The table, what it was traced to, and every rival by how far it is behind."""
+    base = ground(fit_jointly(observations), CATALOGUE)
+    tracer = Tracer(base)
+    trace = with_best_names(tracer, tracer.trace())
+    return base, trace, {name: rivals(tracer, trace, name) for name in trace.names}
+
+
+def close(found):
+    return {name: [rival for rival in listed if rival.behind < CLOSE] for name, listed in found.items()}
+
+
+def behind(found, name, rival):
+    """How far a rival is behind; infinitely far where it is not even listed."""
+    return next((each.behind for each in found[name] if each.name == rival), np.inf)
+
+
+def proposed(base, trace, found):
+    return next_experiments(base, trace, close(found))
+
+
+def test_every_probe_is_a_programme_that_comes_along():
+    assert sorted(BY_NAME) == [name for name in shipped_programmes() if name.startswith("probe-")]
+
+
+@pytest.mark.parametrize("probe", PROBES, ids=lambda probe: probe.programme)
+def test_a_probe_takes_the_dwells_of_its_programme(probe):
+    steps = [dwell for dwell, _ in dwells(probe.programme)]
+    assert {step.mount for step in steps} == {probe.mount}
+    assert [step.angle_deg for step in steps] == probe.angles_deg.ravel().tolist()
+    assert [step.realisation for step in steps] == np.repeat(
+        np.arange(1, probe.realisations + 1), len(steps) // probe.realisations
+    ).tolist()
+
+
+def test_stand_time_counts_moves_dwells_the_mounting_and_the_wait():
+    moves_s = (3 * 395 + 2 * 395) / 20
+    assert BY_NAME["probe-face-down"].stand_time_s == pytest.approx(60 + 240 * 1.5 + moves_s)
+    assert BY_NAME["probe-later"].stand_time_s == pytest.approx(7200 + BY_NAME["probe-repeat"].stand_time_s)
+
+
+def short_table(**columns):
+    return Observations(
+        row=np.array([1, 2]), angle_deg=np.array([0.0, 10.0]), voltage_v=np.array([1.5, 1.6]), **columns
+    )
+
+
+def test_a_probe_goes_on_where_the_table_ends():
+    table = short_table(
+        time_s=np.array([5.0, 9.0]),
+        direction=np.array([1, 1]),
+        temperature_degc=np.array([np.nan, 22.0]),
+        realisation=np.array([1, 2]),
+        extra={"lamp": np.array(["on", "off"])},
+    )
+    joined = followed_by(
+        table, Probe(programme="warm", does="", mount="edge", realisations=2, warmer_k=3.0, wait_s=5.0)
+    )
+    assert len(joined) == 2 + 160
+    assert joined.row.tolist() == list(range(1, 163))
+    assert joined.time_s[2:4] == pytest.approx([9.0 + 65.0 + 0.5 + 1.5, 9.0 + 65.0 + 0.5 + 1.5 + 0.25 + 1.5])
+    assert joined.direction[2:5].tolist() == [-1, 1, 1]
+    assert joined.temperature_degc[2:].tolist() == [25.0] * 160
+    assert joined.realisation[2:].tolist() == [3] * 80 + [4] * 80
+    assert joined.mounts.tolist() == ["face-up"] * 2 + ["edge"] * 160
+    assert joined.extra["lamp"][2:].tolist() == ["off"] * 160
+
+
+def test_a_column_that_the_table_lacks_is_not_made_up():
+    joined = followed_by(short_table(), BY_NAME["probe-repeat"])
+    assert (joined.time_s, joined.direction, joined.temperature_degc, joined.samples) == (None, None, None, None)
+    assert joined.realisation.tolist() == [1, 1] + [2] * 80 + [3] * 80 + [4] * 80
+
+
+def test_a_direction_holds_where_the_head_does_not_move():
+    table = short_table(direction=np.array([1, 1]))
+    joined = followed_by(table, BY_NAME["probe-back"])
+    assert joined.direction[2 + 158 : 2 + 160].tolist() == [-1, -1]
+
+
+def test_no_rivals_ask_for_no_experiment():
+    base, trace, found = traced(runs(programme(FLIPS, UP, realisations=2), seed=3))
+    assert proposed(base, trace, found) == ()
+
+
+def test_once_per_turn_and_a_square_are_told_apart_by_a_turn_of_90_degrees():
+    own = programme(FLIPS, BACK, DOWN, realisations=2)
+    base, trace, found = traced(runs(own, extra_v=k_xx, seed=2))
+    assert behind(found, "k_xx", "head_eccentricity") < 4.0
+    with_it = {"k_xx": [rival for rival in found["k_xx"] if rival.name == "head_eccentricity"]}
+    (experiment,) = next_experiments(base, trace, with_it)
+    assert experiment.separates == ("k_xx", "head_eccentricity")
+    assert experiment.command == "tumble run --programme probe-face-up-90 --serial SERIAL"
+    assert experiment.separation > APART
+    _, _, after = traced(runs(own, "probe-face-up-90", extra_v=k_xx, seed=2))
+    assert behind(after, "k_xx", "head_eccentricity") > experiment.separation / 4
+
+
+def test_squares_of_the_three_projections_are_told_apart_by_another_mount():
+    own = programme(FLIPS, UP, realisations=3)
+
+    def square(columns):
+        return 2 * k_xx(columns)
+
+    base, trace, found = traced(runs(own, extra_v=square))
+    name = next(iter(found))
+    squares = [rival for rival in found[name] if rival.name in {"k_xx", "k_yy", "k_zz"}]
+    assert all(rival.behind < CLOSE for rival in squares)
+    (experiment,) = next_experiments(base, trace, {name: squares})
+    assert BY_NAME[experiment.programme].mount != "face-up"
+    _, _, after = traced(runs(own, experiment.programme, extra_v=square))
+    assert {"k_yy", "k_zz"} & {rival.name for rival in after.get("k_xx", []) if rival.behind < CLOSE} == set()
+    assert "k_xx" in after
+
+
+def test_what_only_the_voltmeter_can_tell_is_said_and_has_no_command():
+    def cube(columns):
+        return 4e-4 * ax_g(columns) ** 3
+
+    base, trace, found = traced(runs(programme(FLIPS, BACK, DOWN, realisations=2), extra_v=cube))
+    (name,) = found
+    nonlinear = {name: [rival for rival in found[name] if rival.name == "daq_nonlinearity"]}
+    (experiment,) = next_experiments(base, trace, nonlinear)
+    assert (experiment.programme, experiment.command) == ("", "")
+    assert "exchange one of these" in experiment.why
+
+
+class Stub:
+    """A question whose separations depend on the mounts that were visited, and on how often."""
+
+    def __init__(self, names, separations):
+        self.name, self.rivals, self._separations = "a", names, separations
+        observations = short_table()
+        self.table = experiments.Rows(observations=observations, weights=np.ones(2))
+
+    def belongs_to(self, name):
+        return "unit"
+
+    def separations(self, rows):
+        realisations = rows.observations.realisations[:, None]
+        visited = np.unique(np.column_stack([rows.observations.mounts[:, None], realisations.astype(str)]), axis=0)
+        return np.array(self._separations([mount for mount, _ in visited]), dtype=float)
+
+
+def answers(monkeypatch, names, separations):
+    monkeypatch.setattr(experiments, "Question", lambda *_: Stub(names, separations))
+    return [
+        (experiment.programme, experiment.separates, experiment.why.partition(" in -2 ln L")[2])
+        for experiment in next_experiments(None, None, {"a": ["some"]})
+    ]
+
+
+def test_experiments_are_proposed_until_every_rival_is_told_apart(monkeypatch):
+    def separations(mounts):
+        each = [20.0 * ("edge" in mounts), 20.0 * ("end" in mounts), 20.0 * ("end" in mounts)]
+        return [each, each]
+
+    assert answers(monkeypatch, ("b", "c", "d"), separations) == [
+        ("probe-end", ("a", "c", "d"), ""),
+        ("probe-edge", ("a", "b"), ""),
+    ]
+
+
+def test_two_mounts_are_proposed_together_where_neither_tells_anything_alone(monkeypatch):
+    def separations(mounts):
+        return [[20.0 * ({"face-down", "edge"} <= set(mounts))]] * 2
+
+    assert answers(monkeypatch, ("b",), separations) == [
+        ("probe-face-down", ("a", "b"), "; only together with probe-edge"),
+        ("probe-edge", ("a", "b"), "; only together with probe-face-down"),
+    ]
+
+
+def test_a_probe_is_run_several_times_where_once_is_not_enough(monkeypatch):
+    def separations(mounts):
+        return [[2.5 * mounts.count("edge")]] * 2
+
+    assert answers(monkeypatch, ("b",), separations) == [("probe-edge", ("a", "b"), "; run it 3 times")]
+
+
+def test_an_experiment_that_tells_only_if_the_rival_is_true_says_so(monkeypatch):
+    def separations(mounts):
+        return [[0.0], [30.0 * ("edge" in mounts)]]
+
+    assert answers(monkeypatch, ("b",), separations) == [("probe-edge", ("a", "b"), ", if b is the true one")]
+
+
+def test_a_later_pass_parts_what_jumps_from_what_drifts():
+    def jumps(columns):
+        return np.array([-1.0, 0.1, 0.9])[columns["realisation"] - 1] * 1e-4
+
+    base, trace, found = traced(runs(programme(UP, realisations=3), extra_v=jumps))
+    (name,) = found
+    others = [rival for rival in found[name] if rival.name in {"bias_drift", "bias_random_walk", "realisation_bias"}]
+    question = Question(base, trace, name, others)
+    now, later = (
+        question.separations(rows) for rows in (question.table, question.table.followed_by(BY_NAME["probe-later"]))
+    )
+    assert (later.max(axis=0) > now.max(axis=0)).all()
