@@ -43,6 +43,11 @@ class Flip(BaseModel):
             raise ValueError('pole = "extremum" needs the x axis, the only one with an extremum at its poles')
         return self
 
+    @property
+    def poses(self) -> int:
+        """Number of different poses, those of seeking an extremum apart."""
+        return 2 * len(self.axes)
+
     def dwells(self, realisation: int) -> Dwells:
         """Carry out the flips once."""
         for axis in self.axes:

@@ -8,7 +8,7 @@ from calibrations.geometry import projections
 from procedures.acquisition import Acquisition
 from procedures.composition import advance
 from procedures.errors import ProgrammeError
-from procedures.programme import MOST_DWELLS, Programme
+from procedures.programme import Programme
 from procedures.steps import Dwell, Mounted, Mounting, Point, Reply, Step
 
 MOUNTING_S = 60.0
@@ -82,10 +82,6 @@ def plan(
             duration_s = move_s + acquisition.planned_settling_s + acquisition.dwell_s
             angle_deg, points = step.angle_deg, points + 1
         steps.append(PlannedStep(step=step, duration_s=duration_s))
-        if points > MOST_DWELLS:
-            raise ProgrammeError(
-                f"{programme.name}: more than {MOST_DWELLS:,} dwells; ask for fewer points or realisations"
-            )
         step = advance(procedure, _nominal_reply(step, points - 1))
     return Plan(programme=programme, steps=tuple(steps))
 

@@ -21,8 +21,8 @@ Parameter: TypeAlias = Literal["u0", "kx", "ky", "kz", "kxy", "alpha0"]
 _SHIPPED = files("procedures") / "programmes"
 MOST_SAMPLES = 10_000_000
 """In a dwell."""
-MOST_DWELLS = 1_000_000
-"""In a run."""
+MOST_DWELLS = 200_000
+"""In a run: a week or two of stand time."""
 _STRICT = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
 
@@ -66,6 +66,13 @@ class Programme(BaseModel):
         min_length=1, alias="procedure"
     )
     limits: Mapping[Parameter, Limit] = Field(default_factory=dict)
+
+    @model_validator(mode="after")
+    def _ends_one_day(self) -> "Programme":
+        dwells = self.realisations * sum(part.poses for part in self.procedures)
+        if dwells > MOST_DWELLS:
+            raise ValueError(f"{dwells:,} dwells or more, where {MOST_DWELLS:,} are the most: ask for fewer")
+        return self
 
     _text: str = PrivateAttr("")
     _source: str = PrivateAttr("")

@@ -30,6 +30,11 @@ class Sweep(BaseModel):
     seed: int = Field(default=0, ge=0)
     """Seed of the order `shuffled`; the others do not use it."""
 
+    @property
+    def poses(self) -> int:
+        """Number of different poses."""
+        return self.points
+
     def angles_deg(self, realisation: int) -> list[float]:
         """Head angles in the order in which they are taken, in degrees.
 

@@ -17,7 +17,8 @@ from calibrations.geometry import FloatArray
 Variable: TypeAlias = Literal["angle", "acceleration", "time", "temperature", "direction", "realisation", "order"]
 
 _BUMP_WIDTHS_DEG = (3.0, 8.0, 18.0)
-_KINK_WIDTHS_G = (0.05, 0.15)
+_SECTORS_DEG = (30.0, 60.0, 90.0)
+_KINK_WIDTHS_G = (0.04, 0.12)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -33,8 +34,25 @@ def _column(values: FloatArray, **where: float) -> Form:
     return Form(columns=values[:, None], scanned=where)
 
 
+def _hats(values: FloatArray, count: int, period: float | None = None) -> FloatArray:
+    """Broad overlapping bells over a range, or around a period, shape (rows, count): any smooth course."""
+    if period is None:
+        knots = np.linspace(float(values.min()), float(values.max()), count)
+        width = max((knots[-1] - knots[0]) / max(count - 1, 1), 1e-12)
+        away = values[:, None] - knots
+    else:
+        knots, width = np.arange(count) * period / count, period / count
+        away = (values[:, None] - knots + period / 2) % period - period / 2
+    return np.asarray(np.exp(-0.5 * (away / width) ** 2))
+
+
 def _bumps(scene: Scene) -> Iterator[Form]:
-    """A local error of the head's angle: a bell somewhere on the circle."""
+    """A local error of the head's angle, a bell or a sector somewhere on the circle; or any smooth error of it."""
+    yield Form(columns=scene.slope_v_per_deg[:, None] * _hats(scene.angle_deg, 24, 360.0), scanned={"smooth": 24.0})
+    for length_deg in _SECTORS_DEG:
+        for start_deg in np.arange(0.0, 360.0, 15.0).tolist():
+            inside = ((scene.angle_deg - start_deg) % 360.0 < length_deg).astype(float)
+            yield _column(scene.slope_v_per_deg * inside, start_deg=start_deg, length_deg=length_deg)
     for width_deg in _BUMP_WIDTHS_DEG:
         for centre_deg in np.arange(0.0, 360.0, max(width_deg, 5.0)).tolist():
             away_deg = (scene.angle_deg - centre_deg + 180.0) % 360.0 - 180.0
@@ -43,16 +61,17 @@ def _bumps(scene: Scene) -> Iterator[Form]:
 
 
 def _responses(scene: Scene) -> Iterator[Form]:
-    """Higher powers of each projection, a root-like power of ax, and kinks along ax."""
+    """Chebyshev's polynomials of each projection, root-like powers of ax, kinks along ax; or any smooth response."""
+    yield Form(columns=_hats(scene.ax_g, 14), scanned={"smooth": 14.0})
     for axis in range(3):
         a_g = scene.gravity_g[:, axis]
-        for power in (3, 4, 5, 6, 7) if axis else (4, 5, 6, 7):
-            yield _column(a_g**power, axis=axis, power=power)
+        for order in (3, 4, 5, 6, 7) if axis else (4, 5, 6, 7):
+            yield _column(np.cos(order * np.arccos(np.clip(a_g, -1.0, 1.0))), axis=axis, order=order)
     for root in (1.5, 2.5):
         yield _column(np.abs(scene.ax_g) ** root, axis=0, power=root)
         yield _column(np.sign(scene.ax_g) * np.abs(scene.ax_g) ** root, axis=0, power=root)
     for width_g in _KINK_WIDTHS_G:
-        for centre_g in np.arange(-0.9, 0.91, 0.1).tolist():
+        for centre_g in np.linspace(-0.9, 0.9, 25).tolist():
             bell = np.exp(-0.5 * ((scene.ax_g - centre_g) / width_g) ** 2)
             yield _column(bell, axis=0, centre_g=centre_g)
             yield _column(bell * (scene.ax_g - centre_g) / width_g, axis=0, centre_g=centre_g)
@@ -63,6 +82,7 @@ def _times(scene: Scene) -> Iterator[Form]:
     if scene.hours is None or scene.hours[-1] <= 0:
         return
     hours, run_h = scene.hours, float(scene.hours[-1])
+    yield Form(columns=_hats(hours, 16), scanned={"smooth": 16.0})
     for turns in np.arange(0.5, 40.1, 0.5).tolist():
         phase = 2 * np.pi * turns * hours / run_h
         columns = np.column_stack([np.sin(phase), np.cos(phase)])
@@ -81,6 +101,9 @@ def _temperatures(scene: Scene) -> Iterator[Form]:
     relative = (scene.temperature_k - scene.temperature_k.mean()) / spread
     for power in (2, 3, 4):
         yield _column(relative**power, power=power)
+    yield Form(columns=_hats(scene.temperature_k, 8), scanned={"smooth": 8.0})
+    for place in np.linspace(-0.45, 0.45, 13).tolist():
+        yield _column(np.tanh((relative - place) / 0.05), at_k=place * spread + float(scene.temperature_k.mean()))
     if scene.hours is not None and scene.hours[-1] > 0:
         smooth = np.polynomial.Polynomial.fit(scene.hours, scene.temperature_k, min(8, len(relative) // 20 + 1))
         yield _column(smooth.deriv()(scene.hours), rate=1.0)
@@ -109,7 +132,7 @@ def _orders(scene: Scene) -> Iterator[Form]:
         place = np.arange(len(groups)) - starts[np.searchsorted(starts, np.arange(len(groups)), side="right") - 1]
         relative = place / max(place.max(initial=0), 1)
         yield _column(relative, **{name: 1.0})
-        for dwells in (1.0, 3.0, 10.0):
+        for dwells in (1.0, 3.0, 6.0, 12.0, 25.0, 50.0):
             yield _column(np.exp(-place / dwells), **{name: dwells})
 
 

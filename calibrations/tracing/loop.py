@@ -25,6 +25,7 @@ from calibrations.tracing.questions import questioned
 from calibrations.tracing.rivals import CLOSE, Rival, rivals, with_best_names
 from calibrations.tracing.trace import WALK, Trace, Tracer
 
+_COURSES = ("time", "temperature", "order", "realisation", "direction")
 RIVALS_APART = 2.0
 """A parameter that differs between rivals by more than so many standard uncertainties cannot be told."""
 
@@ -93,7 +94,8 @@ def close_loop(
     tracer, trace, best = explained.tracer, explained.trace, explained.best
     close = {name: _close(tracer, trace, name) for name in trace.names}
     misread = misreadings(observations, best.joint)
-    augmented = _with_rivals(assess(best.joint, uncertainty, trials=0), explained.base, close)
+    stated = _with_structure(assess(best.joint, uncertainty, trials=0), best)
+    augmented = _with_rivals(stated, explained.base, close)
     return Loop(
         declared=assess(declared, uncertainty, trials=0),
         augmented=augmented,
@@ -216,6 +218,20 @@ def _unexplained(trace: Trace) -> Unexplained | None:
     return Unexplained(depends_on=first.effect.depends_on, description=first.effect.describe(first.form))
 
 
+def _with_structure(calibration: Calibration, best: Augmented) -> Calibration:
+    """Take back u0 where a course without a name has a mean of its own: nobody knows where it is absent."""
+    u0 = calibration.parameters["u0"]
+    if u0.value is None or u0.standard_uncertainty is None:
+        return calibration
+    for item, columns in zip(best.found, best.columns, strict=True):
+        if isinstance(item.effect, Structure) and item.effect.depends_on in _COURSES:
+            mean_v = float(np.mean(item.form.columns @ best.coefficients[columns]))
+            if abs(mean_v) > RIVALS_APART * u0.standard_uncertainty:
+                reason = f"it depends on where the unexplained course with {item.effect.depends_on} is taken as absent"
+                return replace(calibration, parameters={**calibration.parameters, "u0": _taken_back(u0, reason)})
+    return calibration
+
+
 def _with_rivals(calibration: Calibration, base: Ground, close: Mapping[str, Sequence[Rival]]) -> Calibration:
     """Take back the parameters that depend on which of two rivals is true."""
     parameters = dict(calibration.parameters)
@@ -233,6 +249,11 @@ def _judged(parameter: Parameter, other: float, name: str, rival: str) -> Parame
     if abs(other - parameter.value) <= RIVALS_APART * parameter.standard_uncertainty:
         return parameter
     reason = f"it differs between {name} and {rival}, which this experiment cannot tell apart"
+    return _taken_back(parameter, reason)
+
+
+def _taken_back(parameter: Parameter, reason: str) -> Parameter:
+    """A parameter that cannot be told after all."""
     return Parameter(
         name=parameter.name,
         unit=parameter.unit,

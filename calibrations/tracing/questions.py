@@ -126,8 +126,8 @@ def _blocks(observations: Observations) -> NDArray[np.int64]:
         breaks |= np.diff(observations.time_s, prepend=observations.time_s[0]) > _PAUSE_S
     if observations.procedure is not None:
         breaks[1:] |= observations.procedure[1:] != observations.procedure[:-1]
-    if not breaks.any():
-        breaks[1:] = np.abs(np.diff(observations.angle_deg)) > 300.0
+    if observations.time_s is None:  # then a sweep that begins again is the only sign of a new seat
+        breaks[1:] |= np.abs(np.diff(observations.angle_deg)) > 300.0
     return np.cumsum(breaks)
 
 

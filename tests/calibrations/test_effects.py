@@ -1,0 +1,118 @@
+"""Effects as they are declared: columns with the contract's signs, coefficients under the contract's keys."""
+
+import numpy as np
+import pytest
+
+from calibrations.effects import CATALOGUE
+from calibrations.effects.effect import contrasts, harmonic, spread
+from calibrations.effects.scene import Scene
+from calibrations.observations import Observations
+
+BY_NAME = {effect.name: effect for effect in CATALOGUE}
+CONTRACT = {
+    "k_xx", "k_yy", "k_zz", "k_xz", "k_yz", "k_xxx", "scale_asymmetry", "hysteresis", "bias_temperature",
+    "scale_temperature", "bias_drift", "scale_drift", "warm_up", "realisation_bias", "vibration_rectification",
+    "head_eccentricity", "head_second_harmonic", "graduation", "backlash", "axis_tilt", "base_tilt_drift", "seating",
+    "settling", "daq_nonlinearity", "range_step",
+}  # fmt: skip
+
+
+def scene(angle_deg, **columns):
+    """A nominal unit, 1 V/g on the x axis, face-up unless told otherwise."""
+    angle_deg = np.asarray(angle_deg, dtype=float)
+    rows = Observations(row=np.arange(1, len(angle_deg) + 1), angle_deg=angle_deg, **columns)
+    radians = np.deg2rad(angle_deg)
+    return Scene(
+        observations=rows,
+        alpha0_deg=0.0,
+        output_v=2.5 - np.sin(radians),
+        slope_v_per_deg=np.deg2rad(-np.cos(radians)),
+        response_v_per_g=np.array([1.0, 0.0, 0.0]),
+    )
+
+
+def column(name, *arguments, **columns):
+    (form,) = BY_NAME[name].forms(scene(*arguments, **columns))
+    return form.columns[:, 0].tolist()
+
+
+def test_every_effect_of_the_contract_that_is_a_column_is_in_the_catalogue():
+    assert set(BY_NAME) == CONTRACT
+
+
+def test_no_name_stands_twice():
+    assert len(BY_NAME) == len(CATALOGUE)
+
+
+def test_second_order_terms_are_products_of_projections():
+    assert column("k_xx", [-90.0, 0.0]) == pytest.approx([1.0, 0.0], abs=1e-12)
+    assert column("k_yy", [-90.0, 0.0]) == pytest.approx([0.0, 1.0], abs=1e-12)
+
+
+def test_backlash_turns_the_angle_after_moves_in_minus_direction_only():
+    assert column("backlash", [0.0, 0.0], direction=np.array([1, -1])) == pytest.approx([0.0, np.deg2rad(-1.0)])
+
+
+def test_settling_leaves_a_part_of_the_reading_before_but_not_over_a_new_mount():
+    found = column("settling", [-90.0, 90.0, 90.0], mount=np.array(["face-up", "face-up", "face-down"]))
+
+    assert found == pytest.approx([0.0, 2.0, 0.0])
+
+
+def test_settling_leaves_nothing_over_a_pause():
+    assert BY_NAME["settling"].forms(scene([-90.0, 90.0], time_s=np.array([0.0, 100.0]))) == ()
+
+
+def test_axis_tilt_is_felt_by_the_axis_that_lies_along_the_head():
+    found = column("axis_tilt", [0.0, 0.0], mount=np.array(["end", "face-up"]))
+
+    assert found == pytest.approx([np.deg2rad(1.0), 0.0])
+
+
+def test_temperature_effects_refer_to_the_reference():
+    assert column("bias_temperature", [0.0, 0.0], temperature_degc=np.array([23.0, 25.0])) == pytest.approx([0.0, 2.0])
+
+
+def test_what_the_table_does_not_say_offers_no_form():
+    bare = scene([0.0, 5.0, 10.0])
+
+    for name in ("bias_drift", "bias_temperature", "warm_up", "vibration_rectification", "seating", "realisation_bias"):
+        assert BY_NAME[name].forms(bare) == ()
+
+
+def test_a_play_lags_by_its_half_gap_once_the_slack_is_taken_up():
+    moved = scene(np.concatenate([np.arange(0.0, 91.0, 10.0), np.arange(80.0, -1.0, -10.0)]))
+    stand = moved.play(0.05)
+
+    assert stand[5] == pytest.approx(1.0)  # ax has fallen: higher
+    assert stand[-3] == pytest.approx(-1.0)  # ax has risen: lower
+
+
+def test_a_play_remembers_an_extremum_between_two_poses():
+    over_the_pole = scene([60.0, 120.0])
+
+    assert over_the_pole.play(0.02)[1] == pytest.approx(-1.0)  # ax fell to -1 and rose again
+
+
+def test_a_harmonic_is_reported_as_amplitude_and_phase():
+    reported = harmonic(None, np.array([0.0, 2.0]), np.diag([0.01, 0.04]))
+
+    assert reported["amplitude_deg"].value == pytest.approx(2.0)
+    assert reported["amplitude_deg"].standard_uncertainty == pytest.approx(0.2)
+    assert reported["phase_deg"].value == pytest.approx(90.0)
+    assert reported["phase_deg"].standard_uncertainty == pytest.approx(np.rad2deg(0.05))
+
+
+@pytest.mark.parametrize("levels", [2, 5])
+def test_contrasts_are_orthonormal_and_free_of_a_mean(levels):
+    matrix = contrasts(levels)
+
+    assert matrix.T @ matrix == pytest.approx(np.eye(levels - 1))
+    assert matrix.sum(axis=0) == pytest.approx(np.zeros(levels - 1), abs=1e-12)
+
+
+def test_levels_are_reported_as_their_standard_deviation():
+    levels = np.array([-1.0, 0.0, 1.0])
+    coefficients = contrasts(3).T @ levels
+
+    assert spread("seating", "deg")(None, coefficients, np.zeros((2, 2)))["seating"].value == pytest.approx(1.0)

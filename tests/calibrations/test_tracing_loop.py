@@ -1,0 +1,132 @@
+"""The loop closed on tables made from the contract's formulas."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from tables import FLIPS, UNIT, gravity_on, sweep, table
+
+from calibrations.tracing.loop import close_loop
+from calibrations.tracing.questions import questioned
+
+TWO_MOUNTS = (*FLIPS, sweep("face-up"), sweep("face-down"))
+THREE_MOUNTS = (*TWO_MOUNTS, sweep("face-up-90"))
+
+
+def k_xx(mount, angle_deg):
+    return 4e-4 * gravity_on(mount, angle_deg)[0] ** 2
+
+
+def bump(mount, angle_deg):
+    """The head's angle is 0.02 degrees off near 141 degrees."""
+    error_deg = 0.02 * np.exp(-0.5 * ((angle_deg % 360 - 141.0) / 8.0) ** 2)
+    ax, _, _ = gravity_on(mount, angle_deg + error_deg)
+    return ax - gravity_on(mount, angle_deg)[0]
+
+
+def names(loop):
+    return [effect.name for effect in loop.effects]
+
+
+@pytest.fixture(scope="module")
+def second_order():
+    return close_loop(table(*THREE_MOUNTS, extra_v=k_xx))
+
+
+def test_a_complete_model_leaves_nothing():
+    loop = close_loop(table(*TWO_MOUNTS, seed=4))
+
+    assert (loop.effects, loop.unexplained, loop.next_experiment) == ((), None, ())
+    assert loop.augmented.parameters["kx"].value == loop.declared.parameters["kx"].value
+
+
+def test_a_second_order_term_is_found_with_its_size(second_order):
+    assert names(second_order) == ["k_xx"]
+    found = second_order.effects[0].coefficients["k_xx"]
+    assert abs(found.value - 4e-4) < 3 * found.standard_uncertainty
+
+
+def test_with_the_effect_the_parameters_are_right_again(second_order):
+    told = {name: p for name, p in second_order.augmented.parameters.items() if p.value is not None}
+    assert {"kz", "kxy", "alpha0"} <= set(told)
+    for name, parameter in told.items():
+        assert abs(parameter.value - UNIT[name]) < 4 * parameter.standard_uncertainty
+
+
+def test_the_error_on_held_out_rows_falls(second_order):
+    assert second_order.augmented.held_out_rms_v < 0.95 * second_order.declared.held_out_rms_v
+    assert second_order.declared.lack_of_fit_p < 1e-6 < second_order.augmented.lack_of_fit_p
+
+
+def test_what_one_mount_cannot_part_is_said_with_what_would_part_it():
+    loop = close_loop(table(*FLIPS, sweep("face-up"), extra_v=lambda m, a: 5 * k_xx(m, a)))
+    possible = {loop.effects[0].name, *loop.effects[0].also_possible}
+
+    assert {"k_xx", "k_yy"} <= possible
+    assert loop.augmented.parameters["u0"].value is None
+    assert any(experiment.command.startswith("tumble run --programme probe-") for experiment in loop.next_experiment)
+
+
+def test_structure_without_a_name_is_put_down_to_its_variable():
+    loop = close_loop(table(*TWO_MOUNTS, extra_v=bump))
+
+    assert names(loop) == []
+    assert loop.unexplained.depends_on == "angle"
+
+
+def test_misread_rows_are_named_with_their_round_error():
+    rows = table(*TWO_MOUNTS)
+    wrong = np.array([40, 300])
+    volts = rows.voltage_v.copy()
+    true_deg = rows.angle_deg[wrong] + np.array([1.0, -0.5])
+    for row, angle_deg in zip(wrong, true_deg, strict=True):
+        mount = str(rows.mount[row])
+        volts[row] = table((("sweep"), mount, [angle_deg]), realisations=1, noise_v=0.0).voltage_v[0]
+
+    loop = close_loop(replace(rows, voltage_v=volts))
+
+    assert [(entry.row, entry.error_deg) for entry in loop.misread] == [(41, 1.0), (301, -0.5)]
+    assert names(loop) == ["misreading"]
+
+
+def test_a_table_of_few_rows_is_not_traced():
+    loop = close_loop(table(("sweep", "face-up", [0.0, 60.0, 120.0, 180.0, 240.0, 300.0]), realisations=1))
+
+    assert loop.effects == ()
+
+
+def asked(rows):
+    (question,) = questioned(rows).questions
+    return question
+
+
+def test_angles_in_radians_are_asked_about_and_not_explained():
+    rows = table(*TWO_MOUNTS)
+    rows = replace(rows, angle_deg=np.deg2rad(rows.angle_deg))
+
+    assert "are these radians?" in asked(rows)
+    assert close_loop(rows).effects == ()
+
+
+def test_a_missing_mount_column_is_asked_about():
+    rows = replace(table(*THREE_MOUNTS), mount=None)
+
+    assert "there is no column mount" in asked(rows)
+    assert close_loop(rows).effects == ()
+
+
+def test_clear_repeats_are_taken_as_realisations():
+    rows = replace(table(*TWO_MOUNTS, realisations=3), realisation=None)
+
+    assert "every pose comes back 3 times" in asked(rows)
+    assert set(questioned(rows).observations.realisation.tolist()) == {1, 2, 3}
+
+
+def test_an_inverted_output_is_asked_about():
+    rows = table(*TWO_MOUNTS)
+
+    assert "inverted" in asked(replace(rows, voltage_v=5.0 - rows.voltage_v))
+
+
+def test_a_table_that_says_what_it_is_is_asked_nothing():
+    assert questioned(table(*THREE_MOUNTS)).questions == ()
