@@ -11,7 +11,7 @@ from calibrations.budget import StandUncertainty
 from calibrations.effects import CATALOGUE
 from calibrations.effects.effect import Effect, Quantity
 from calibrations.effects.unnamed import Structure
-from calibrations.gross import unlike_repeats
+from calibrations.gross import GROSS_SIGMA, unlike_repeats
 from calibrations.joint import Joint, fit_jointly, fit_without
 from calibrations.model import ALPHA0, PARAMETERS
 from calibrations.observations import Observations, SetAside
@@ -165,7 +165,7 @@ def _effects(
 ) -> tuple[EffectFound, ...]:
     found = [_effect(base, trace, best, name, close[name]) for name in trace.names]
     if misread:
-        found.append(_misreading(misread))
+        found.append(_misreading())
     return tuple(sorted(found, key=lambda effect: effect.p_value))
 
 
@@ -196,16 +196,24 @@ def _coefficients(base: Ground, trace: Trace, best: Augmented, name: str) -> Map
 
 
 def _walk(base: Ground, trace: Trace, joint: Joint) -> Mapping[str, Quantity]:
-    """Random walk: the variance of the first mode is q T / π² (Karhunen-Loève expansion of the centred walk)."""
+    """Random walk: the variance of the first mode is q T / π² (Karhunen-Loève expansion of the centred walk).
+
+    The variance is taken from a grid, so that no uncertainty is stated.
+    """
     hours = base.scene.hours
     span_h = float(np.ptp(hours)) if hours is not None else 1.0
     rate = float(joint.noise.used_v * np.pi * np.sqrt(trace.noise.walk / span_h))
-    return {WALK: Quantity(value=rate, standard_uncertainty=rate / 4.0, unit="V/√h")}
+    return {WALK: Quantity(value=rate, standard_uncertainty=None, unit="V/√h")}
 
 
-def _misreading(misread: Sequence[Misreading]) -> EffectFound:
+def _misreading() -> EffectFound:
+    """Misread rows; the chance is that of one good row so far off, which bounds theirs from above."""
     return EffectFound(
-        name="misreading", also_possible=(), belongs_to="stand", coefficients={}, p_value=float(0.0 * len(misread))
+        name="misreading",
+        also_possible=(),
+        belongs_to="stand",
+        coefficients={},
+        p_value=float(chdtrc(1, GROSS_SIGMA**2)),
     )
 
 
