@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.special import fdtrc
 
 from calibrations.compression import compress
@@ -12,8 +13,7 @@ from calibrations.model import coefficients
 from calibrations.observations import Observations
 from calibrations.repeats import PureError, labels
 
-_FOLDS = 5
-_MOST_FITS = 10
+FOLDS = 3
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -40,20 +40,23 @@ def lack_of_fit(squares_v2: float, rows: int, fitted: int, error: PureError) -> 
     return LackOfFit(variance_v2=variance, degrees_of_freedom=freedom, p_value=p_value)
 
 
+def held_out_parts(observations: Observations) -> list[NDArray[np.bool_]]:
+    """Which rows are held out together: whole realisations in up to three groups; a single one is interleaved."""
+    part = labels(observations.realisations) % FOLDS
+    if part.max(initial=0) == 0:
+        part = np.arange(len(observations)) % FOLDS
+    return [part == number for number in range(int(part.max(initial=0)) + 1)]
+
+
 def held_out_rms(
     observations: Observations, basis: FloatArray, weights: FloatArray, alpha0_fitted: bool
 ) -> float | None:
-    """Root mean square error, in volts, of predicting each realisation from the others.
+    """Root mean square error, in volts, of predicting rows of `held_out_parts` from the others.
 
-    More than ten realisations are left out in ten groups; a single one is cut into five interleaved parts. None where
-    too few rows remain to fit.
+    None where too few rows remain to fit.
     """
-    part = labels(observations.realisations) % _MOST_FITS
-    if part.max(initial=0) == 0:
-        part = np.arange(len(observations)) % _FOLDS
     error = np.empty(len(observations))
-    for number in range(part.max(initial=0) + 1):
-        out = part == number
+    for out in held_out_parts(observations):
         if np.count_nonzero(~out) < basis.shape[1]:
             return None
         kept = compress(basis[~out], observations.output_v[~out], weights[~out])

@@ -61,3 +61,10 @@ def pseudo_inverse(matrix: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
     inverse = np.swapaxes(vt, -1, -2) @ (inverse_s[..., None] * np.swapaxes(u, -1, -2))
     resolved = np.sum(np.where(kept[..., None], vt, 0.0) ** 2, axis=-2)
     return inverse / scale[..., :, None], seen & (resolved > 1 - 1e-6)
+
+
+def smallest_solution(matrix: FloatArray, right: FloatArray) -> FloatArray:
+    """Least-squares solution of one system, shape (p,); of those that fit equally well the smallest, columns scaled."""
+    norm = np.linalg.norm(matrix, axis=0)
+    scale = np.where(norm > SINGULAR * norm.max(), norm, np.inf)
+    return np.asarray(np.linalg.lstsq(matrix / scale, right, rcond=SINGULAR)[0] / scale)

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 from scipy.special import stdtrit
 
 from calibrations.compression import Compressed
-from calibrations.conditional import conditional, pseudo_inverse
+from calibrations.conditional import conditional, pseudo_inverse, smallest_solution
 from calibrations.geometry import FloatArray
 from calibrations.model import ALPHA0, PARAMETERS, coefficients, coefficients_jacobian, parameter_vector
 
@@ -15,6 +15,8 @@ ALPHA0_REACH_DEG = 45.0
 """Beyond this the declared model repeats itself with the axes renamed."""
 _GRID_DEG = np.linspace(-ALPHA0_REACH_DEG, ALPHA0_REACH_DEG, 37)
 _NODES = np.linspace(-6.0, 6.0, 49)
+_CONVERGED = 1e-10
+"""A step that changes the fitted voltages by less than this part of the sum of squares is the last."""
 
 
 def coverage_factor(freedom: float, probability: float = 0.95) -> float:
@@ -61,15 +63,29 @@ def joint_fit(compressed: Compressed) -> JointFit:
 
 def refined_fit(compressed: Compressed, start: FloatArray) -> JointFit:
     """Fit all parameters by Gauss-Newton from a parameter vector that is near the best."""
+    return _solution(compressed, descended(compressed, start), True)
+
+
+def descended(compressed: Compressed, start: FloatArray) -> FloatArray:
+    """The parameter vector alone, by Gauss-Newton from one that is near the best."""
     theta = start
     for _ in range(50):
-        step = _inverse(compressed, theta, True)[1] @ (compressed.z - compressed.r @ coefficients(theta))
+        misfit = compressed.z - compressed.r @ coefficients(theta)
+        jacobian = compressed.r @ coefficients_jacobian(theta)
+        step = smallest_solution(jacobian, misfit)
         step *= min(1.0, 2.0 / max(abs(step[ALPHA0]), 1e-300))
         theta = theta + step
         theta[ALPHA0] = np.clip(theta[ALPHA0], -ALPHA0_REACH_DEG, ALPHA0_REACH_DEG)
-        if abs(step[ALPHA0]) < 1e-11:
+        change = jacobian @ step
+        if change @ change < _CONVERGED * (compressed.rest_v2 + misfit @ misfit) or abs(step[ALPHA0]) < 1e-10:
             break
-    return _solution(compressed, theta, True)
+    return theta
+
+
+def squares_v2(compressed: Compressed, theta: FloatArray) -> float:
+    """Weighted sum of squared residuals, in square volts."""
+    misfit = compressed.z - compressed.r @ coefficients(theta)
+    return compressed.rest_v2 + float(misfit @ misfit)
 
 
 def fit_given_alpha0(compressed: Compressed, alpha0_deg: float) -> JointFit:
@@ -80,11 +96,10 @@ def fit_given_alpha0(compressed: Compressed, alpha0_deg: float) -> JointFit:
 
 def _solution(compressed: Compressed, theta: FloatArray, alpha0_fitted: bool) -> JointFit:
     jacobian, inverse, estimable = _inverse(compressed, theta, alpha0_fitted)
-    misfit = compressed.z - compressed.r @ coefficients(theta)
     return JointFit(
         theta=theta,
         alpha0_fitted=alpha0_fitted,
-        squares_v2=compressed.rest_v2 + float(misfit @ misfit),
+        squares_v2=squares_v2(compressed, theta),
         jacobian=jacobian,
         inverse=inverse,
         estimable=estimable,

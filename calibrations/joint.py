@@ -49,11 +49,8 @@ class Joint:
     error: PureError
     lack: LackOfFit
     noise: Noise
-
-    @property
-    def residual_v(self) -> FloatArray:
-        """Measured minus fitted, shape (rows,), in volts."""
-        return np.asarray(self.observations.output_v - self.basis @ coefficients(self.fit.theta))
+    residual_v: FloatArray
+    """Measured minus fitted, and minus what is known of noise that remembers, shape (rows,), in volts."""
 
     @property
     def slope_v_per_deg(self) -> FloatArray:
@@ -98,11 +95,11 @@ def fit_rows(
     groups = pose_groups(observations)
     compressed = compress(functions, observations.output_v, weights, whiten)
     fit = joint_fit(compressed)
-    error, lack, noise = _judge(observations, functions, weights, groups, fit)
+    residual, error, lack, noise = _judge(observations, functions, weights, groups, fit, whiten)
     profile = alpha0_profile(compressed, fit, noise.used_v**2, coverage_factor(noise.used_degrees_of_freedom))
     if not profile.told:
         fit = fit_given_alpha0(compressed, 0.0)
-        error, lack, noise = _judge(observations, functions, weights, groups, fit)
+        residual, error, lack, noise = _judge(observations, functions, weights, groups, fit, whiten)
     return Joint(
         observations=observations,
         basis=functions,
@@ -113,16 +110,24 @@ def fit_rows(
         error=error,
         lack=lack,
         noise=noise,
+        residual_v=residual,
     )
 
 
 def _judge(
-    observations: Observations, functions: FloatArray, weights: FloatArray, groups: NDArray[np.int64], fit: JointFit
-) -> tuple[PureError, LackOfFit, Noise]:
-    residual = observations.output_v - functions @ coefficients(fit.theta)
+    observations: Observations,
+    functions: FloatArray,
+    weights: FloatArray,
+    groups: NDArray[np.int64],
+    fit: JointFit,
+    whiten: Whiten,
+) -> tuple[FloatArray, PureError, LackOfFit, Noise]:
+    root = np.sqrt(weights)
+    misfit = observations.output_v - functions @ coefficients(fit.theta)
+    residual = np.asarray(whiten(whiten(misfit * root)) / root)  # best linear unbiased prediction (Henderson 1975)
     error = pure_error(residual, groups, weights)
     lack = lack_of_fit(fit.squares_v2, len(observations), fit.fitted, error)
-    return error, lack, _noise(fit, len(observations), error, lack)
+    return residual, error, lack, _noise(fit, len(observations), error, lack)
 
 
 def _noise(fit: JointFit, rows: int, error: PureError, lack: LackOfFit) -> Noise:

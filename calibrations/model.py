@@ -80,7 +80,7 @@ def parameter_vector(linear: FloatArray, alpha0_deg: FloatArray | float) -> Floa
 
 def linear_parameters(theta: FloatArray) -> FloatArray:
     """The parameter vector, shape (..., 6 + terms), without alpha0."""
-    return np.delete(theta, ALPHA0, axis=-1)
+    return np.concatenate([theta[..., :ALPHA0], theta[..., ALPHA0 + 1 :]], axis=-1)
 
 
 def coefficients(theta: FloatArray) -> FloatArray:
@@ -95,6 +95,8 @@ def coefficients(theta: FloatArray) -> FloatArray:
 def coefficients_jacobian(theta: FloatArray) -> FloatArray:
     """Derivative of `coefficients` with respect to one parameter vector, shape (10 + terms, 6 + terms)."""
     terms = len(theta) - len(PARAMETERS)
-    slope = np.zeros(BASIS_SIZE + terms)
-    slope[:BASIS_SIZE] = design_slope(float(theta[ALPHA0])) @ theta[:ALPHA0]
-    return np.insert(design(float(theta[ALPHA0]), terms), ALPHA0, slope, axis=1)
+    straight = design(float(theta[ALPHA0]), terms)
+    jacobian = np.zeros((BASIS_SIZE + terms, len(theta)))
+    jacobian[:, :ALPHA0], jacobian[:, ALPHA0 + 1 :] = straight[:, :ALPHA0], straight[:, ALPHA0:]
+    jacobian[:BASIS_SIZE, ALPHA0] = design_slope(float(theta[ALPHA0])) @ theta[:ALPHA0]
+    return jacobian

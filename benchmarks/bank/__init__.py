@@ -14,14 +14,16 @@ from benchmarks.bank.lists import (
     clean,
     heavy,
     missing_columns,
+    mixture,
     novel,
     pairs,
+    power,
     singles,
     triples,
 )
 from benchmarks.bank.novel import NOVEL
 from benchmarks.bank.scene import Unit
-from benchmarks.bank.table import Case, Spec, Truth, make_table
+from benchmarks.bank.table import Case, Spec, Stage, Truth, make_stage, make_table
 
 __all__ = [
     "ALL_DESIGNS",
@@ -34,14 +36,18 @@ __all__ = [
     "REPORTED",
     "Case",
     "Spec",
+    "Stage",
     "Truth",
     "Unit",
     "clean",
     "heavy",
+    "make_stage",
     "make_table",
     "missing_columns",
+    "mixture",
     "novel",
     "pairs",
+    "power",
     "singles",
     "triples",
     "write_csv",

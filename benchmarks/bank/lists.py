@@ -18,7 +18,7 @@ Wanted = list[tuple[Spec, int]]
 DEVELOPMENT: Final = range(1_000_000, 2_000_000)
 REPORTED: Final = range(5_000_000, 6_000_000)
 
-_LISTS = ("singles", "pairs", "triples", "novel", "clean", "missing_columns", "heavy")
+_LISTS = ("singles", "pairs", "triples", "novel", "clean", "missing_columns", "heavy", "mixture", "power")
 _SHARE = 100_000
 
 DESIGNS: Final = ("bfd", "sfdre", "bfdr", "bfdrt", "qfd", "bfdreEn")
@@ -60,6 +60,13 @@ def singles(seeds: range = DEVELOPMENT, visible: tuple[float, ...] = (12.0, 20.0
     return [(spec, _seed(seeds, "singles", number)) for number, spec in enumerate(specs)]
 
 
+def designs_for_all(names: tuple[str, ...]) -> list[str]:
+    """Designs that vary what several effects depend on and sweep at least two mounts."""
+    if set(names) & set(_END):
+        return ["bfdreEnt"] if set(names) & set(_WARM) else ["bfdreEn", "sfdreEn"]
+    return sorted(RAMPS if set(names) & set(_WARM) else DESIGNS)
+
+
 def _several(which: str, size: int, seeds: range, count: int, visible: float) -> Wanted:
     """Effects drawn without replacement among all sets of `size`, each in a design drawn among those good for all."""
     rng = np.random.default_rng(seeds.start + size)
@@ -67,10 +74,8 @@ def _several(which: str, size: int, seeds: range, count: int, visible: float) ->
     wanted: Wanted = []
     for number, index in enumerate(rng.choice(len(sets), count, replace=False)):
         names = sets[index]
-        designs = set(DESIGNS if not set(names) & set(_WARM) else RAMPS)
-        if set(names) & set(_END):
-            designs = {"bfdreEnt"} if set(names) & set(_WARM) else {"bfdreEn", "sfdreEn"}
-        design = sorted(designs)[rng.integers(len(designs))]
+        designs = designs_for_all(names)
+        design = designs[rng.integers(len(designs))]
         spec = Spec(design=design, effects=tuple((name, visible) for name in names))
         wanted.append((spec, _seed(seeds, which, number)))
     return wanted
@@ -86,12 +91,16 @@ def triples(seeds: range = DEVELOPMENT, count: int = 100, visible: float = 40.0)
     return _several("triples", 3, seeds, count, visible)
 
 
+def _designs_for_novel(name: str) -> tuple[str, ...]:
+    return RAMPS if name in _WARM else ("bf", "bfd", "bfdr", "sfdre", "bfdreEn")
+
+
 def novel(seeds: range = DEVELOPMENT, visible: tuple[float, ...] = (20.0, 40.0)) -> Wanted:
     """Every effect outside the catalogue alone, in several designs."""
     specs = [
         Spec(design=design, effects=((name, units),))
         for name in NOVEL
-        for design in (RAMPS if name in _WARM else ("bf", "bfd", "bfdr", "sfdre", "bfdreEn"))
+        for design in _designs_for_novel(name)
         for units in visible
     ]
     return [(spec, _seed(seeds, "novel", number)) for number, spec in enumerate(specs)]
@@ -133,3 +142,57 @@ def heavy(seeds: range = DEVELOPMENT, count: int = 40) -> Wanted:
         for number in range(count)
     ]
     return [(spec, _seed(seeds, "heavy", number)) for number, spec in enumerate(specs)]
+
+
+def mixture(seeds: range = DEVELOPMENT, count: int = 10_000) -> Wanted:
+    """What a laboratory may meet: of twelve tables four clean, four with one effect, three with two, one with more.
+
+    That one holds three effects or a novel one by turns. Clean tables have white noise, Student's or flicker, the
+    others white. Every table is drawn from its own seed, so that a longer list begins as a shorter one does.
+    """
+    wanted: Wanted = []
+    for number in range(count):
+        seed = _seed(seeds, "mixture", number)
+        wanted.append((_mixed(number, np.random.default_rng((seed, _MIXING))), seed))
+    return wanted
+
+
+_MIXING: Final = 1000
+"""Part of a seed from which the spec of a mixed table is drawn; the table itself draws from smaller parts."""
+
+
+def _mixed(number: int, rng: np.random.Generator) -> Spec:
+    turn, place = divmod(number, 12)
+    if place < 4:
+        noise = ("white", "student", "flicker")[rng.integers(3)]
+        return Spec(design=_one_of(ALL_DESIGNS, rng), realisations=int(rng.integers(3, 7)), noise=noise)
+    if place < 8:
+        name = _one_of(NAMED, rng)
+        return Spec(design=_one_of(designs_for(name), rng), effects=((name, (12.0, 20.0, 40.0)[rng.integers(3)]),))
+    if place == 11 and turn % 2:
+        name = _one_of(tuple(NOVEL), rng)
+        return Spec(design=_one_of(_designs_for_novel(name), rng), effects=((name, (20.0, 40.0)[rng.integers(2)]),))
+    size, visible = (3, 40.0) if place == 11 else (2, 30.0)
+    names = tuple(NAMED[index] for index in np.sort(rng.choice(len(NAMED), size, replace=False)))
+    design = _one_of(tuple(designs_for_all(names)), rng)
+    return Spec(design=design, effects=tuple((name, visible) for name in names))
+
+
+def _one_of(words: tuple[str, ...], rng: np.random.Generator) -> str:
+    return words[rng.integers(len(words))]
+
+
+_POWER_EFFECTS: Final = ("k_xx", "bias_drift", "backlash", "graduation", "daq_nonlinearity")
+"""One of each kind: a product of projections, a drift, a play, a harmonic of unknown order, a wave of the voltage."""
+_POWER_SIGNALS: Final = (2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0)
+
+
+def power(seeds: range = DEVELOPMENT, count: int = 100) -> Wanted:
+    """A few effects alone, from invisible to plain, `count` tables each; a longer list begins as a shorter one does."""
+    specs = [
+        Spec(design="bfd", effects=((name, units),))
+        for _ in range(count)
+        for name in _POWER_EFFECTS
+        for units in _POWER_SIGNALS
+    ]
+    return [(spec, _seed(seeds, "power", number)) for number, spec in enumerate(specs)]

@@ -1,6 +1,6 @@
 """One simulated observation table and the truth behind it."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any, Final
 
@@ -98,6 +98,17 @@ class Case:
     truth: Truth
 
 
+@dataclass(frozen=True, kw_only=True)
+class Stage:
+    """What is behind a table: its run, its unit, and its effects in the form and size that were drawn."""
+
+    run: Run
+    unit: Unit
+    sized: tuple[Sized, ...]
+    visible: Mapping[str, float]
+    """As in `Truth`."""
+
+
 def make_table(spec: Spec, seed: int) -> Case | None:
     """Make the table; None where the design cannot show an effect within its physical maximum.
 
@@ -106,12 +117,10 @@ def make_table(spec: Spec, seed: int) -> Case | None:
     ValueError
         For an unknown design, effect, kind of noise or column.
     """
-    _refuse_unknown(spec)
-    unit = drawn_unit(_stream(seed, _UNIT))
-    run = _surrounded(spec, seed)
-    sized, visible = _sized(spec, seed, run, unit)
-    if len(sized) < len(spec.effects):
+    staged = make_stage(spec, seed)
+    if staged is None:
         return None
+    run, unit, sized = staged.run, staged.unit, staged.sized
     noise_v = drawn_noise(spec.noise, run.dwells.time_s, spec.noise_v, _stream(seed, _NOISE))
     reading_v = respond(run, unit, sized, noise_v)
     if spec.quantum_v:
@@ -125,10 +134,25 @@ def make_table(spec: Spec, seed: int) -> Case | None:
         novel={name: NOVEL[name][0] for name in names if name in NOVEL},
         coefficients={effect.name: effect.coefficient(amplitude) for effect, amplitude in sized},
         shapes={effect.name: effect.shape for effect, _ in sized},
-        visible=visible,
+        visible=staged.visible,
         noise_free_v=respond(run, unit, sized),
     )
     return Case(observations=_observations(spec, seed, run, sized, reading_v), truth=truth)
+
+
+def make_stage(spec: Spec, seed: int) -> Stage | None:
+    """Make what is behind a table, for whoever may know the truth; None as for `make_table`.
+
+    Raises
+    ------
+    ValueError
+        For an unknown design, effect or column.
+    """
+    _refuse_unknown(spec)
+    unit = drawn_unit(_stream(seed, _UNIT))
+    run = _surrounded(spec, seed)
+    sized, visible = _sized(spec, seed, run, unit)
+    return None if len(sized) < len(spec.effects) else Stage(run=run, unit=unit, sized=tuple(sized), visible=visible)
 
 
 def _refuse_unknown(spec: Spec) -> None:
@@ -178,7 +202,7 @@ def _amplitude(effect: Effect, wanted_v: float, seen: Sight) -> tuple[float, flo
     return seen.amplitude_for(effect, wanted_v, LARGEST[effect.name])
 
 
-def _observations(spec: Spec, seed: int, run: Run, sized: list[Sized], reading_v: FloatArray) -> Observations:
+def _observations(spec: Spec, seed: int, run: Run, sized: Sequence[Sized], reading_v: FloatArray) -> Observations:
     laid_out, rows = run.dwells, len(run.dwells)
     shift_deg = sum(
         (effect.reported_shift_deg for effect, _ in sized if isinstance(effect, Misreading)), np.zeros(rows)

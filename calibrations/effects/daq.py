@@ -8,11 +8,18 @@ from calibrations.effects.effect import Effect, Form, Quantity, plain, scan, sin
 from calibrations.effects.scene import Scene
 from calibrations.geometry import FloatArray
 
+_LONG_WAVE = 8.0
+"""Doubt in a wave of which the output shows less than one period: it is next to nothing but a parabola and a cubic."""
+
 
 def _sine(scene: Scene, period_v: float) -> Form:
     """A sine of the voltage with any phase."""
     phase = 2 * np.pi * scene.output_v / period_v
-    return Form(columns=np.column_stack([np.sin(phase), np.cos(phase)]), scanned={"period_V": period_v})
+    return Form(
+        columns=np.column_stack([np.sin(phase), np.cos(phase)]),
+        scanned={"period_V": period_v},
+        doubt=_LONG_WAVE if period_v > float(np.ptp(scene.output_v)) else 0.0,
+    )
 
 
 def _periods_v(scene: Scene) -> Sequence[float]:
@@ -33,9 +40,16 @@ def _step(scene: Scene, threshold_v: float) -> Form:
     return Form(columns=(scene.output_v > threshold_v).astype(float)[:, None], scanned={"threshold_V": threshold_v})
 
 
+_MOST_THRESHOLDS = 150
+
+
 def _thresholds_v(scene: Scene) -> Sequence[float]:
-    """Evenly spaced among the outputs."""
-    return tuple(np.unique(np.quantile(scene.output_v, np.linspace(0.02, 0.98, 65))).tolist())
+    """Between every two neighbouring outputs, or as many of these places as matter."""
+    output_v = np.sort(scene.output_v)
+    gaps = np.flatnonzero(np.diff(output_v) > np.ptp(output_v) / 1000.0)
+    between = (output_v[gaps] + output_v[gaps + 1]) / 2
+    picked = np.unique(np.linspace(0, len(between) - 1, min(len(between), _MOST_THRESHOLDS)).astype(int))
+    return tuple(between[picked].tolist()) if len(between) else ()
 
 
 DAQ_EFFECTS = (

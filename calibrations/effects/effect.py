@@ -20,6 +20,8 @@ class Form:
     """Volts per unit of each coefficient, shape (rows, coefficients)."""
     scanned: Mapping[str, float] = field(default_factory=dict)
     """Values of what enters nonlinearly (order, time constant, threshold, period), by contract key."""
+    doubt: float = 0.0
+    """What the shape must earn in -2 ln L beyond others, as one that could stand in for almost anything."""
 
 
 @dataclass(frozen=True, kw_only=True)

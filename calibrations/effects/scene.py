@@ -88,7 +88,10 @@ class Scene:
         found = []
         for turns in self._ax_on_the_way:
             for ax_g in turns:
-                drawn = min(max(drawn, ax_g - reach_g), ax_g + reach_g)
+                if drawn < ax_g - reach_g:
+                    drawn = ax_g - reach_g
+                elif drawn > ax_g + reach_g:
+                    drawn = ax_g + reach_g
             found.append(drawn)
         return (np.array(found) - self.ax_g) / reach_g
 

@@ -19,6 +19,8 @@ Variable: TypeAlias = Literal["angle", "acceleration", "time", "temperature", "d
 _BUMP_WIDTHS_DEG = (3.0, 8.0, 18.0)
 _SECTORS_DEG = (30.0, 60.0, 90.0)
 _KINK_WIDTHS_G = (0.04, 0.12)
+_WANDERING = 40.0
+"""Doubt in a course of any shape in time: a bias that wanders is the better guess."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -82,7 +84,7 @@ def _times(scene: Scene) -> Iterator[Form]:
     if scene.hours is None or scene.hours[-1] <= 0:
         return
     hours, run_h = scene.hours, float(scene.hours[-1])
-    yield Form(columns=_hats(hours, 16), scanned={"smooth": 16.0})
+    yield Form(columns=_hats(hours, 16), scanned={"smooth": 16.0}, doubt=_WANDERING)
     for turns in np.arange(0.5, 40.1, 0.5).tolist():
         phase = 2 * np.pi * turns * hours / run_h
         columns = np.column_stack([np.sin(phase), np.cos(phase)])

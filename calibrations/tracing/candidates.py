@@ -56,8 +56,8 @@ def _numbered(tried: Sequence[tuple[Effect, Sequence[Form]]], rows: int) -> Iter
                 effect=effect,
                 form=form,
                 columns=slice(start, start + width),
-                entry=_entry(width, chance, rows) + handicap,
-                again=_entry(width, second, rows) + handicap,
+                entry=_entry(width, chance, rows) + handicap + form.doubt,
+                again=_entry(width, second, rows) + handicap + form.doubt,
             )
             start += width
 

@@ -142,7 +142,8 @@ class Explanation:
         """What makes the noise of this explanation white; a walk goes the further the longer it takes."""
         noise = self._noise
         if noise.walk and scene.hours is not None and self._base.scene.hours is not None:
-            noise = replace(noise, walk=noise.walk * float(np.ptp(scene.hours) / np.ptp(self._base.scene.hours)))
+            longer = float(np.ptp(scene.hours) / np.ptp(self._base.scene.hours))
+            noise = replace(noise, walk=noise.walk * longer, corner=noise.corner * longer)
         names = [name for name, _ in noise.levels]
         drawn = {effect.name: effect.forms(scene)[0].columns for effect in self._base.effects if effect.name in names}
         levels = {name: scaled_levels(columns, weights) for name, columns in drawn.items()}

@@ -1,19 +1,20 @@
 """What every explanation of a table starts from: its rows, the declared model, the scene that effects see."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
+from numpy.typing import NDArray
 
-from calibrations.compression import Compressed, compress
 from calibrations.effects.effect import Effect, Form
 from calibrations.effects.scene import Scene
-from calibrations.fit import JointFit, fit_given_alpha0, joint_fit, refined_fit
+from calibrations.fit import fit_given_alpha0
 from calibrations.geometry import FloatArray
 from calibrations.identifiability import determined_without_kxy
 from calibrations.joint import Joint
 from calibrations.model import ALPHA0, BASIS_SIZE, PARAMETERS, basis, coefficients, coefficients_jacobian
 from calibrations.observations import Observations
+from calibrations.tracing.footing import Footing
 from calibrations.tracing.noise import Memory, NoiseModel, scaled_levels, slow_modes
 
 _BLUNT_DEG = 0.5
@@ -29,6 +30,7 @@ class Ground:
     effects: tuple[Effect, ...]
     """The catalogue."""
     memory: Memory
+    _footings: dict[NoiseModel, Footing] = field(default_factory=dict, repr=False, compare=False)
 
     @property
     def rows(self) -> int:
@@ -40,23 +42,33 @@ class Ground:
         """The ten functions of the declared model, shape (rows, 10)."""
         return self.joint.basis[:, :BASIS_SIZE]
 
+    def footing(self, noise: NoiseModel) -> Footing:
+        """The declared model in a kind of noise."""
+        if noise not in self._footings:
+            self._footings[noise] = self.footing_of(np.ones(self.rows, dtype=bool), noise)
+        return self._footings[noise]
+
+    def footing_of(self, kept: NDArray[np.bool_], noise: NoiseModel) -> Footing:
+        """The same for some of the rows."""
+        return Footing(
+            self.declared[kept],
+            self.joint.observations.output_v[kept],
+            self.joint.weights[kept],
+            self.memory.rows(kept).whitening(noise),
+            self.joint.fit.alpha0_fitted,
+        )
+
     def deviance(self, forms: Sequence[Form], noise: NoiseModel) -> float:
         """-2 ln L of the declared model with these forms in this noise, up to a constant of the table."""
-        white = self.memory.whitening(noise)
-        functions = np.column_stack([self.declared, *(form.columns for form in forms)])
-        compressed = compress(functions, self.joint.observations.output_v, self.joint.weights, white)
-        fit = self._fit(compressed)
-        return self.rows * float(np.log(max(fit.squares_v2, 1e-300) / self.rows)) + white.log_determinant
+        footing = self.footing(noise)
+        columns = np.column_stack([np.empty((self.rows, 0)), *(form.columns for form in forms)])
+        return footing.deviance(footing.fit(footing.split(columns), self._near))
 
-    def _fit(self, compressed: Compressed) -> JointFit:
-        """Fit with alpha0 searched for where it is blunt, refined where it is sharp, held where it cannot be told."""
-        if not self.joint.fit.alpha0_fitted:
-            return fit_given_alpha0(compressed, 0.0)
+    @property
+    def _near(self) -> FloatArray | None:
+        """Parameters to start from; none where alpha0 is so blunt that it may jump when an effect is added."""
         low, high = self.joint.profile.interval_deg
-        if high - low > _BLUNT_DEG:
-            return joint_fit(compressed)
-        start = self.joint.fit.theta[: len(PARAMETERS)]
-        return refined_fit(compressed, np.concatenate([start, np.zeros(compressed.terms)]))
+        return None if high - low > _BLUNT_DEG else self.joint.fit.theta[: len(PARAMETERS)]
 
 
 def ground(joint: Joint, effects: Sequence[Effect], reference_temperature_degc: float = 23.0) -> Ground:

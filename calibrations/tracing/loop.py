@@ -20,9 +20,10 @@ from calibrations.result import Calibration, Parameter
 from calibrations.tracing.augmented import Augmented, augment, level_quantities
 from calibrations.tracing.experiments import Experiment, next_experiments
 from calibrations.tracing.ground import Ground, ground, scene_of, seen_anew
+from calibrations.tracing.held_out import held_out_rms
 from calibrations.tracing.misreading import Misreading, misreadings
 from calibrations.tracing.questions import questioned
-from calibrations.tracing.rivals import CLOSE, Rival, rivals, with_best_names
+from calibrations.tracing.rivals import Rival, with_best_names
 from calibrations.tracing.trace import WALK, Trace, Tracer
 
 _COURSES = ("time", "temperature", "order", "realisation", "direction")
@@ -91,10 +92,11 @@ def close_loop(
         if {entry.row for entry in rejected} == _rejected_rows(explained.base.joint):
             break
         explained = _explained(fit_without(observations, rejected), effects, reference_temperature_degc)
-    tracer, trace, best = explained.tracer, explained.trace, explained.best
-    close = {name: _close(tracer, trace, name) for name in trace.names}
+    trace, close, best = explained.trace, explained.close, explained.best
     misread = misreadings(observations, best.joint)
     stated = _with_structure(assess(best.joint, uncertainty, trials=0), best)
+    if trace.found or trace.names:
+        stated = replace(stated, held_out_rms_v=held_out_rms(explained.tracer, trace))
     augmented = _with_rivals(stated, explained.base, close)
     return Loop(
         declared=assess(declared, uncertainty, trials=0),
@@ -118,10 +120,16 @@ _FAR_DEG = 10.0
 class _Explained:
     """A table without gross errors, and what it was traced to."""
 
-    base: Ground
     tracer: Tracer
     trace: Trace
+    close: Mapping[str, Sequence[Rival]]
+    """Rivals of each effect of the trace."""
     best: Augmented
+
+    @property
+    def base(self) -> Ground:
+        """The table."""
+        return self.tracer.ground
 
 
 def _explained(joint: Joint, effects: Sequence[Effect], reference_temperature_degc: float) -> _Explained:
@@ -129,14 +137,14 @@ def _explained(joint: Joint, effects: Sequence[Effect], reference_temperature_de
     base = ground(joint, effects, reference_temperature_degc)
     for _ in range(_ROUNDS):
         tracer = Tracer(base)
-        trace = with_best_names(tracer, tracer.trace())
+        trace, close = with_best_names(tracer, tracer.trace())
         best = augment(base, trace)
         alpha0_deg = float(best.joint.fit.theta[ALPHA0])
         moved_deg = abs(alpha0_deg - base.scene.alpha0_deg)
         if not trace.found or moved_deg < _MOVED_DEG or abs(alpha0_deg) > _FAR_DEG:
             break
         base = seen_anew(base, best.joint.fit.theta)
-    return _Explained(base=tracer.ground, tracer=tracer, trace=trace, best=best)
+    return _Explained(tracer=tracer, trace=trace, close=close, best=best)
 
 
 def _rejected_rows(joint: Joint) -> set[int]:
@@ -150,10 +158,6 @@ def _gross_errors(observations: Observations, explained: _Explained) -> tuple[Se
     residual = explained.best.residual_v(scene)
     spare = len(joint.observations) - joint.fit.fitted
     return unlike_repeats(observations, residual, pose_groups(observations), joint.noise.used_v, spare)
-
-
-def _close(tracer: Tracer, trace: Trace, name: str) -> list[Rival]:
-    return [rival for rival in rivals(tracer, trace, name) if rival.behind < CLOSE]
 
 
 def _effects(

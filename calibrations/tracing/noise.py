@@ -1,8 +1,9 @@
 """Noise that remembers, beside white noise: flicker, random walk, and levels drawn anew at every seat or turn-on.
 
 A mean-free random walk is a sum of cosines with variances falling as 1/k² (Karhunen-Loève expansion of the centred
-Wiener process), flicker one with variances falling as 1/k (power spectral density h/f). What the modes do not reach is
-white to the eye of a dwell. Levels (seating, turn-on bias) are columns with independent coefficients of one variance.
+Wiener process), flicker one with variances falling as 1/k (power spectral density h/f). A walk with a corner is pulled
+back to its mean (Ornstein and Uhlenbeck). What the modes do not reach is white to the eye of a dwell. Levels (seating,
+turn-on bias) are columns with independent coefficients of one variance.
 """
 
 from collections.abc import Mapping
@@ -10,6 +11,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from calibrations.geometry import FloatArray
 
@@ -23,7 +25,9 @@ class NoiseModel:
     flicker: float = 0.0
     """Of the first mode."""
     walk: float = 0.0
-    """Of the first mode."""
+    """Of a walk without corner, the first mode."""
+    corner: float = 0.0
+    """Mode below which the walk is pulled back to its mean (Ornstein and Uhlenbeck); 0: it never is."""
     levels: tuple[tuple[str, float], ...] = ()
     """Mean variance of a row by the levels of each effect, by name."""
 
@@ -43,20 +47,18 @@ class NoiseModel:
 
 @dataclass(frozen=True, kw_only=True)
 class Whitening:
-    """A linear transformation after which the noise is white."""
+    """A symmetric linear transformation after which the noise is white."""
 
     directions: FloatArray
     """Orthonormal, shape (rows, n)."""
     shrink: FloatArray
-    """By how much each direction is shortened, from 0 to 1."""
+    """By how much what lies along them is changed, shape (n, n)."""
     log_determinant: float
     """Logarithm of the determinant of the covariance, in units of the variance of a dwell."""
 
     def __call__(self, columns: FloatArray) -> FloatArray:
         """Transform columns, shape (rows, n) or (rows,)."""
-        along = self.directions.T @ columns
-        scaled = along * self.shrink if along.ndim == 1 else along * self.shrink[:, None]
-        return np.asarray(columns - self.directions @ scaled)
+        return np.asarray(columns - self.directions @ (self.shrink @ (self.directions.T @ columns)))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -69,26 +71,39 @@ class Memory:
     """Columns of each effect that draws levels, weighted and scaled to a mean square of one row, by name."""
 
     @cached_property
+    def _whitenings(self) -> dict[NoiseModel, Whitening]:
+        return {}
+
+    @cached_property
     def _factors(self) -> dict[tuple[str, ...], tuple[FloatArray, FloatArray]]:
         return {}
 
+    def rows(self, kept: NDArray[np.bool_]) -> "Memory":
+        """The same for some of the rows."""
+        return Memory(modes=self.modes[kept], levels={name: level[kept] for name, level in self.levels.items()})
+
     def whitening(self, noise: NoiseModel) -> Whitening:
         """The transformation for a noise model; the identity for white noise."""
+        if noise not in self._whitenings:
+            self._whitenings[noise] = self._whitening(noise)
+        return self._whitenings[noise]
+
+    def _whitening(self, noise: NoiseModel) -> Whitening:
         rows = len(self.modes)
         if noise.white:
-            return Whitening(directions=np.empty((rows, 0)), shrink=np.empty(0), log_determinant=0.0)
+            return Whitening(directions=np.empty((rows, 0)), shrink=np.empty((0, 0)), log_determinant=0.0)
         slow = bool(noise.flicker or noise.walk)
         names = tuple(name for name, _ in noise.levels)
         orthonormal, triangular = self._factor(slow, names)
         order = np.arange(1, self.modes.shape[1] * slow + 1)
-        variances = [noise.flicker / order + noise.walk / order**2]
+        variances = [noise.flicker / order + noise.walk / (order**2 + noise.corner**2)]
         variances += [np.full(self.levels[name].shape[1], variance) for name, variance in noise.levels]
         inner = (triangular * np.concatenate(variances)) @ triangular.T
         values, vectors = np.linalg.eigh(inner)
         values = np.clip(values, 0.0, None)
         return Whitening(
-            directions=orthonormal @ vectors,
-            shrink=1.0 - 1.0 / np.sqrt(1.0 + values),
+            directions=orthonormal,
+            shrink=(vectors * (1.0 - 1.0 / np.sqrt(1.0 + values))) @ vectors.T,
             log_determinant=float(np.sum(np.log1p(values))),
         )
 

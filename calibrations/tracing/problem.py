@@ -1,17 +1,15 @@
-"""One table with all its candidates, reduced to a square matrix in which any set of effects is fitted in no time."""
+"""One table with all its candidates, split once so that any set of effects is fitted and judged in no time."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from calibrations.compression import Compressed
 from calibrations.conditional import SINGULAR
-from calibrations.fit import JointFit, fit_given_alpha0, joint_fit, refined_fit
 from calibrations.geometry import FloatArray
-from calibrations.model import BASIS_SIZE, coefficients_jacobian
+from calibrations.model import BASIS_SIZE, PARAMETERS, coefficients_jacobian
 from calibrations.tracing.candidates import Candidate
-from calibrations.tracing.noise import Whitening
+from calibrations.tracing.footing import Fitted, Footing
 
 _ABSORBED = 1e-5
 """A column of which less than this part is left beside the model is taken as absorbed by it."""
@@ -23,7 +21,7 @@ class Explanation:
 
     chosen: tuple[int, ...]
     """Numbers of the candidates, in the order in which they were added."""
-    fit: JointFit
+    fit: Fitted
     deviance: float
     """-2 ln L, up to a constant of the table."""
 
@@ -33,124 +31,125 @@ class Problem:
 
     Parameters
     ----------
-    basis
-        Functions of the declared model, shape (rows, 10).
+    footing
+        The declared model in the noise.
     columns
         Columns of all candidates side by side, shape (rows, n).
-    output_v
-        Shape (rows,), in volts.
-    weights
-        Shape (rows,).
     offered
         The candidates.
-    white
-        What makes the noise white.
-    alpha0_told
-        Whether alpha0 is fitted; it is held at 0 otherwise.
     """
 
-    def __init__(
-        self,
-        basis: FloatArray,
-        columns: FloatArray,
-        output_v: FloatArray,
-        weights: FloatArray,
-        offered: Sequence[Candidate],
-        white: Whitening,
-        alpha0_told: bool,
-    ) -> None:
-        root = np.sqrt(weights)[:, None]
-        scale = np.linalg.norm(columns, axis=0)
-        self._scale = np.where(scale > 0, scale, 1.0)
-        everything = white(np.column_stack([basis, columns / self._scale, output_v]) * root)
-        if everything.shape[0] > 2 * everything.shape[1]:
-            everything = np.linalg.qr(everything, mode="r")  # type: ignore[assignment]
-        self._r, self._z = everything[:, :-1], everything[:, -1]
-        self._lengths = np.linalg.norm(self._r[:, BASIS_SIZE:], axis=0)
-        self._rows = len(output_v)
-        self._log_determinant = white.log_determinant
-        self._alpha0_told = alpha0_told
+    def __init__(self, footing: Footing, columns: FloatArray, offered: Sequence[Candidate]) -> None:
+        length = np.linalg.norm(columns, axis=0)
+        self._scale = np.where(length > 0, length, 1.0)
+        self._footing = footing
+        self._split = footing.split(columns / self._scale)
+        along, beside = self._split.along, self._split.beside
+        output = footing.output
+        self._squares = np.sum(along**2, axis=0) + np.einsum("ij,ij->j", beside, beside)
+        self._with_output = along.T @ output.along[:, 0] + beside.T @ output.beside[:, 0]
+        self._rows = beside.shape[0]
         self.offered = tuple(offered)
+        self.entries = np.array([candidate.entry for candidate in offered])
+        self.entries_again = np.array([candidate.again for candidate in offered])
+        names = [candidate.effect.name for candidate in offered]
+        self.forms = {name: slice(names.index(name), names.index(name) + names.count(name)) for name in names}
+        """Where the forms of each effect stand among the candidates."""
         widths = np.array([candidate.columns.stop - candidate.columns.start for candidate in offered], dtype=int)
-        self._starts = np.array([candidate.columns.start for candidate in offered], dtype=int)
+        starts = np.array([candidate.columns.start for candidate in offered], dtype=int)
         self._single, self._double, self._wide = (
             np.flatnonzero(test) for test in (widths == 1, widths == 2, widths > 2)
+        )
+        self._alone, self._first = starts[self._single], starts[self._double]
+        second = self._first + 1
+        self._between = np.sum(along[:, self._first] * along[:, second], axis=0) + np.einsum(
+            "ij,ij->j", beside[:, self._first], beside[:, second]
         )
 
     def explain(self, chosen: tuple[int, ...], near: FloatArray | None = None) -> Explanation:
         """Fit the declared model with the chosen candidates; `near` is a parameter vector of the declared part."""
-        compressed = self._compressed(chosen)
-        if not self._alpha0_told:
-            fit = fit_given_alpha0(compressed, 0.0)
-        elif near is None:
-            fit = joint_fit(compressed)
-        else:
-            fit = refined_fit(compressed, np.concatenate([near, np.zeros(compressed.terms)]))
-        return Explanation(chosen=chosen, fit=fit, deviance=self._deviance(fit.squares_v2))
+        fit = self._footing.fit(self._split.pick(self.columns_of(chosen)), near)
+        return Explanation(chosen=chosen, fit=fit, deviance=self._footing.deviance(fit))
 
-    def gains(self, explanation: Explanation) -> FloatArray:
-        """By how much each candidate would lower the deviance, linearised at the explanation; shape (candidates,)."""
-        jacobian = coefficients_jacobian(explanation.fit.theta)[:BASIS_SIZE, :6]
-        model = np.column_stack([self._r[:, :BASIS_SIZE] @ jacobian, self._r[:, self._columns(explanation.chosen)]])
-        length = np.linalg.norm(model, axis=0)
-        seen = length > SINGULAR * length.max()
-        left, values, _ = np.linalg.svd(model[:, seen] / length[seen], full_matrices=False)
-        span = left[:, values > _ABSORBED * values[0]]
-        others = self._r[:, BASIS_SIZE:]
-        free = others - span @ (span.T @ others)
-        residual = self._z - span @ (span.T @ self._z)
-        fall = self._falls(free, residual)
-        fall[list(explanation.chosen)] = 0.0
-        return np.asarray(
-            -self._rows * np.log1p(-np.clip(fall / max(float(residual @ residual), 1e-300), 0.0, 1 - 1e-12))
-        )
+    def parameters(self, explanation: Explanation) -> FloatArray:
+        """Declared parameters and the coefficients of the chosen candidates, in their own units."""
+        theta = explanation.fit.theta.copy()
+        theta[len(PARAMETERS) :] /= self._scale[self.columns_of(explanation.chosen)]
+        return theta
 
-    def unscaled(self, explanation: Explanation) -> FloatArray:
-        """Coefficients of the chosen candidates in their own units, one after the other."""
-        scale = np.concatenate([np.empty(0), *(self._scale[self.offered[i].columns] for i in explanation.chosen)])
-        return np.asarray(explanation.fit.theta[6:] / scale)
-
-    def _falls(self, free: FloatArray, residual: FloatArray) -> FloatArray:
-        """Fall of the sum of squares with each candidate, of whose columns `free` is left beside the model."""
-        falls = np.zeros(len(self.offered))
-        lengths = np.einsum("ij,ij->j", free, free)
-        seen = lengths > (_ABSORBED * self._lengths) ** 2
-        alone = np.where(seen, (residual @ free) ** 2 / np.where(seen, lengths, 1.0), 0.0)
-        falls[self._single] = alone[self._starts[self._single]]
-        falls[self._double] = self._falls_of_pairs(free, residual, alone)
-        for number in self._wide:
-            columns = self.offered[number].columns
-            left, values, _ = np.linalg.svd(free[:, columns], full_matrices=False)
-            along = left[:, values > _ABSORBED * self._lengths[columns].max()].T @ residual
-            falls[number] = along @ along
-        return falls
-
-    def _falls_of_pairs(self, free: FloatArray, residual: FloatArray, alone: FloatArray) -> FloatArray:
-        """The same for the candidates of two columns: what the first explains, then what the second adds."""
-        first, second = self._starts[self._double], self._starts[self._double] + 1
-        a, b = free[:, first], free[:, second]
-        squares = np.maximum(np.einsum("ij,ij->j", a, a), 1e-300)
-        beside = b - a * (np.einsum("ij,ij->j", a, b) / squares)
-        lengths = np.einsum("ij,ij->j", beside, beside)
-        seen = lengths > (_ABSORBED * self._lengths[second]) ** 2
-        return np.asarray(alone[first] + np.where(seen, (residual @ beside) ** 2 / np.where(seen, lengths, 1.0), 0.0))
-
-    def _compressed(self, chosen: tuple[int, ...]) -> Compressed:
-        """The rows as only the declared model and the chosen candidates see them."""
-        picked = np.column_stack([self._r[:, :BASIS_SIZE], self._r[:, self._columns(chosen)], self._z])
-        triangular: FloatArray = np.linalg.qr(picked, mode="r")  # type: ignore[assignment]
-        size = min(triangular.shape[0], triangular.shape[1] - 1)
-        rest = float(triangular[-1, -1] ** 2) if triangular.shape[0] > size else 0.0
-        padded = np.zeros((triangular.shape[1] - 1, triangular.shape[1]))
-        padded[:size] = triangular[:size]
-        return Compressed(r=padded[:, :-1], z=padded[:, -1], rotation=np.empty((0, 0)), rest_v2=rest)
-
-    def _columns(self, chosen: tuple[int, ...]) -> list[int]:
+    def columns_of(self, chosen: tuple[int, ...]) -> list[int]:
+        """Where the columns of candidates stand among all columns."""
         return [
-            BASIS_SIZE + column
+            column
             for number in chosen
             for column in range(self.offered[number].columns.start, self.offered[number].columns.stop)
         ]
 
-    def _deviance(self, squares_v2: float) -> float:
-        return self._rows * float(np.log(max(squares_v2, 1e-300) / self._rows)) + self._log_determinant
+    def gains(self, explanation: Explanation) -> FloatArray:
+        """By how much each candidate would lower the deviance, linearised at the explanation; shape (candidates,)."""
+        span, residual = self._linearised(explanation)
+        falls = self._falls(span, self._with_output - span.T @ residual[0])
+        falls[list(explanation.chosen)] = 0.0
+        part = np.clip(falls / max(residual[1], 1e-300), 0.0, 1 - 1e-12)
+        return np.asarray(-self._rows * np.log1p(-part))
+
+    def _linearised(self, explanation: Explanation) -> tuple[FloatArray, tuple[FloatArray, float]]:
+        """All columns along the directions that the explanation can follow, shape (directions, n).
+
+        With it the output along these directions, and the sum of squares that is left of the output.
+        """
+        picked = self._split.pick(self.columns_of(explanation.chosen))
+        q, _ = np.linalg.qr(picked.beside)
+        jacobian = np.zeros((BASIS_SIZE + q.shape[1], len(PARAMETERS) + picked.along.shape[1]))
+        jacobian[:BASIS_SIZE, : len(PARAMETERS)] = (
+            self._footing.r @ coefficients_jacobian(explanation.fit.theta)[:BASIS_SIZE, : len(PARAMETERS)]
+        )
+        jacobian[:BASIS_SIZE, len(PARAMETERS) :] = picked.along
+        jacobian[BASIS_SIZE:, len(PARAMETERS) :] = q.T @ picked.beside
+        directions = _directions(jacobian)
+        output = self._footing.output
+        seen = np.concatenate([output.along[:, 0], q.T @ output.beside[:, 0]])
+        rest = output.beside[:, 0] - q @ seen[BASIS_SIZE:]
+        left = seen - directions @ (directions.T @ seen)
+        columns = directions[:BASIS_SIZE].T @ self._split.along + (q @ directions[BASIS_SIZE:]).T @ self._split.beside
+        return columns, (directions.T @ seen, float(rest @ rest + left @ left))
+
+    def _falls(self, span: FloatArray, residual: FloatArray) -> FloatArray:
+        """Fall of the sum of squares with each candidate.
+
+        `span` are the columns along what is followed already, `residual` the columns along what is left of the output.
+        """
+        falls = np.zeros(len(self.offered))
+        lengths = self._squares - np.sum(span**2, axis=0)
+        seen = lengths > _ABSORBED**2 * self._squares
+        alone = np.where(seen, residual**2 / np.where(seen, lengths, 1.0), 0.0)
+        falls[self._single] = alone[self._alone]
+        falls[self._double] = self._falls_of_pairs(span, residual, lengths, alone)
+        for number in self._wide:
+            columns = self.offered[number].columns
+            along, beside = self._split.along[:, columns], self._split.beside[:, columns]
+            gram = along.T @ along + beside.T @ beside - span[:, columns].T @ span[:, columns]
+            values, vectors = np.linalg.eigh(gram)
+            kept = values > _ABSORBED**2 * self._squares[columns].max()
+            falls[number] = np.sum((vectors[:, kept].T @ residual[columns]) ** 2 / values[kept])
+        return falls
+
+    def _falls_of_pairs(
+        self, span: FloatArray, residual: FloatArray, lengths: FloatArray, alone: FloatArray
+    ) -> FloatArray:
+        """The same for the candidates of two columns: what the first explains, then what the second adds."""
+        first, second = self._first, self._first + 1
+        between = self._between - np.sum(span[:, first] * span[:, second], axis=0)
+        part = between / np.maximum(lengths[first], _ABSORBED**2 * self._squares[first])
+        beside = lengths[second] - part * between
+        seen = beside > _ABSORBED**2 * self._squares[second]
+        added = (residual[second] - part * residual[first]) ** 2
+        return np.asarray(alone[first] + np.where(seen, added / np.where(seen, beside, 1.0), 0.0))
+
+
+def _directions(columns: FloatArray) -> FloatArray:
+    """Orthonormal directions that columns span."""
+    length = np.linalg.norm(columns, axis=0)
+    seen = length > SINGULAR * length.max()
+    left, values, _ = np.linalg.svd(columns[:, seen] / length[seen], full_matrices=False)
+    return np.asarray(left[:, values > _ABSORBED * values[0]])

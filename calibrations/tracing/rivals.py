@@ -40,16 +40,18 @@ class Rival:
     """Price beyond that of the trace: what decides which of the two gives its name."""
 
 
-def with_best_names(tracer: Tracer, trace: Trace) -> Trace:
-    """Exchange effects for rivals that are cheaper, or equal and first in the catalogue, one after the other."""
-    for _ in range(2 * len(trace.names)):
-        better = [
-            rival for name in trace.names for rival in rivals(tracer, trace, name) if _goes_before(tracer, rival, name)
-        ]
+def with_best_names(tracer: Tracer, trace: Trace) -> tuple[Trace, dict[str, list[Rival]]]:
+    """Exchange effects for rivals that are cheaper, or equal and first in the catalogue, one after the other.
+
+    Returns the trace, and the rivals of each of its effects that are close.
+    """
+    for _ in range(2 * len(trace.names) + 1):
+        listed = {name: rivals(tracer, trace, name) for name in trace.names}
+        better = [rival for name, others in listed.items() for rival in others if _goes_before(tracer, rival, name)]
         if not better:
             break
         trace = min(better, key=lambda rival: rival.dearer).trace
-    return trace
+    return trace, {name: [rival for rival in others if rival.behind < CLOSE] for name, others in listed.items()}
 
 
 def _goes_before(tracer: Tracer, rival: Rival, name: str) -> bool:
@@ -94,8 +96,8 @@ def _in_place(tracer: Tracer, rest: Trace, taken: tuple[str, ...]) -> Iterator[t
         deviance = ground.deviance([*rest.forms, fine.form], rest.noise)
         yield fine, replace(rest, found=(*rest.found, fine), deviance=deviance)
     if WALK not in taken and ground.memory.modes.shape[1]:
-        noise = best_walk(ground, rest.forms, rest.noise)
-        yield None, replace(rest, noise=noise, deviance=ground.deviance(rest.forms, noise))
+        noise, deviance = best_walk(ground, rest.forms, rest.noise)
+        yield None, replace(rest, noise=noise, deviance=deviance)
 
 
 def _best_forms(problem: Problem, others: tuple[int, ...]) -> list[Found]:

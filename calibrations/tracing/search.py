@@ -3,6 +3,8 @@
 from collections import Counter
 from collections.abc import Iterable, Sequence
 
+import numpy as np
+
 from calibrations.tracing.candidates import Candidate
 from calibrations.tracing.problem import Explanation, Problem
 
@@ -12,6 +14,8 @@ BRANCHES = 5
 """How many ways each is continued."""
 MOST = 5
 """How many effects are looked for at most."""
+_HOPELESS = 8.0
+"""Where one effect more costs so much beyond what it explains, no further ones are looked for."""
 
 
 def search(problem: Problem, most: int = MOST) -> Explanation:
@@ -24,7 +28,7 @@ def search(problem: Problem, most: int = MOST) -> Explanation:
             break
         if price(problem, followed[0]) < price(problem, best):
             best = followed[0]
-        elif price(problem, followed[0]) > price(problem, best) + 30.0:
+        elif price(problem, followed[0]) > price(problem, best) + _HOPELESS:
             break
     return settled(problem, best)
 
@@ -54,32 +58,36 @@ def settled(problem: Problem, explanation: Explanation) -> Explanation:
 
 
 def _continued(problem: Problem, followed: Iterable[Explanation]) -> list[Explanation]:
-    """The best sets with one effect more than those that were followed."""
-    found: dict[frozenset[int], Explanation] = {}
+    """The best sets with one effect more than those that were followed.
+
+    Which are worth a fit is judged by the linearised gains.
+    """
+    expected: dict[frozenset[int], tuple[float, Explanation, int]] = {}
     for explanation in followed:
-        for number in _promising(problem, explanation, BRANCHES if explanation.chosen else 3 * BRANCHES):
+        before = price(problem, explanation)
+        for worth, number in _promising(problem, explanation, BRANCHES if explanation.chosen else 3 * BRANCHES):
             key = frozenset((*explanation.chosen, number))
-            if key not in found:
-                found[key] = problem.explain((*explanation.chosen, number), explanation.fit.theta[:6])
-    return sorted(found.values(), key=lambda explanation: price(problem, explanation))[:BEAM]
+            if key not in expected or before - worth < expected[key][0]:
+                expected[key] = (before - worth, explanation, number)
+    likely = sorted(expected.values(), key=lambda trial: trial[0])[: 2 * BEAM]
+    found = [problem.explain((*from_.chosen, number), from_.fit.theta[:6]) for _, from_, number in likely]
+    return sorted(found, key=lambda explanation: price(problem, explanation))[:BEAM]
 
 
-def _promising(problem: Problem, explanation: Explanation, count: int) -> list[int]:
-    """The best form of each of the effects that promise most.
+def _promising(problem: Problem, explanation: Explanation, count: int) -> list[tuple[float, int]]:
+    """The best form of each of the effects that promise most: by how much it would lower the price, and its number.
 
     An effect of several forms may be taken twice: its real shape need not be one of those in the catalogue.
     """
-    gains = problem.gains(explanation)
+    worth = problem.gains(explanation) - problem.entries
     present = Counter(problem.offered[number].effect.name for number in explanation.chosen)
-    best: dict[str, tuple[float, int]] = {}
-    for number, candidate in enumerate(problem.offered):
-        name = candidate.effect.name
-        entry = candidate.again if present[name] else candidate.entry
-        worth = (float(gains[number]) - entry, number)
-        if number not in explanation.chosen and present[name] < 2 and worth > best.get(name, (float("-inf"), -1)):
-            best[name] = worth
-    ranked = sorted(best.values(), reverse=True)
-    return [number for worth, number in ranked[:count] if worth > -15.0]
+    for name, times in present.items():
+        forms = problem.forms[name]
+        worth[forms] += problem.entries[forms] - problem.entries_again[forms] if times < 2 else -np.inf
+    worth[list(explanation.chosen)] = -np.inf
+    best = [forms.start + int(np.argmax(worth[forms])) for forms in problem.forms.values()]
+    ranked = sorted(((float(worth[number]), number) for number in best), reverse=True)
+    return [(value, number) for value, number in ranked[:count] if value > -15.0]
 
 
 def _dropped(problem: Problem, explanation: Explanation) -> list[Explanation]:
@@ -94,6 +102,6 @@ def _exchanged(problem: Problem, explanation: Explanation) -> list[Explanation]:
     for place in range(len(explanation.chosen)):
         chosen = explanation.chosen[:place] + explanation.chosen[place + 1 :]
         without = problem.explain(chosen, explanation.fit.theta[:6])
-        for number in _promising(problem, without, BRANCHES):
+        for _, number in _promising(problem, without, BRANCHES):
             exchanged.append(problem.explain((*without.chosen, number), without.fit.theta[:6]))
     return exchanged

@@ -20,6 +20,7 @@ MOST_FLICKER = FLICKER_FLOOR**2 / (2 * np.log(2))
 FLICKER_PRICE = 3.84
 WALK_PRICE = 10.0
 """What a random walk must earn: in flicker it is the cheaper explanation by that much once in hundreds of tables."""
+CORNER_PRICE = 4.0
 LEVEL_PRICE = 16.0
 """What levels drawn at random must earn: one variance, among some thirty effects."""
 WALK = "bias_random_walk"
@@ -74,7 +75,7 @@ class Trace:
 
     def without(self, name: str) -> "Trace":
         """The trace without one effect; its deviance is that of the whole still."""
-        noise = replace(self.noise, walk=0.0) if name == WALK else self.noise.without(name)
+        noise = replace(self.noise, walk=0.0, corner=0.0) if name == WALK else self.noise.without(name)
         return replace(self, found=tuple(item for item in self.found if item.effect.name != name), noise=noise)
 
     @property
@@ -95,23 +96,14 @@ class Tracer:
     def __init__(self, ground: Ground) -> None:
         self.ground = ground
         self.effects = ground.effects
-        self._offered = candidates((*ground.effects, *STRUCTURES), ground.scene)
-        self._columns = all_columns(self._offered, ground.rows)
+        self.offered = candidates((*ground.effects, *STRUCTURES), ground.scene)
+        self.columns = all_columns(self.offered, ground.rows)
         self._problems: dict[NoiseModel, Problem] = {}
 
     def problem(self, noise: NoiseModel) -> Problem:
         """The table in a kind of noise."""
         if noise not in self._problems:
-            joint = self.ground.joint
-            self._problems[noise] = Problem(
-                self.ground.declared,
-                self._columns,
-                joint.observations.output_v,
-                joint.weights,
-                self._offered,
-                self.ground.memory.whitening(noise),
-                joint.fit.alpha0_fitted,
-            )
+            self._problems[noise] = Problem(self.ground.footing(noise), self.columns, self.offered)
         return self._problems[noise]
 
     def trace(self) -> Trace:
@@ -124,7 +116,7 @@ class Tracer:
             return Trace(found=(), noise=NoiseModel(), deviance=self.ground.deviance((), NoiseModel()))
         best = self._searched(NoiseModel())
         for noise in _other_noises(self.ground, best):
-            best = min(best, self._searched(noise), key=trace_price)
+            best = min(best, self._adapted(self._searched(noise)), key=trace_price)
         drawn = self._with_drawn_levels(best)
         if drawn.noise.levels != best.noise.levels:
             again = self._with_drawn_levels(self._searched(drawn.noise))
@@ -140,6 +132,13 @@ class Tracer:
             noise = best_level(self.ground, [item.form for item in kept], noise, name)
         deviance = self.ground.deviance([item.form for item in kept], noise)
         return Trace(found=kept, noise=noise, deviance=deviance)
+
+    def _adapted(self, trace: Trace) -> Trace:
+        """A trace with the walk that suits what was found; searched again where that is another one."""
+        if not trace.noise.walk:
+            return trace
+        noise, _ = best_walk(self.ground, trace.forms, trace.noise)
+        return trace if noise == trace.noise else min(trace, self._searched(noise), key=trace_price)
 
     def _searched(self, noise: NoiseModel) -> Trace:
         problem = self.problem(noise)
@@ -157,28 +156,40 @@ def found(problem: Problem, number: int) -> Found:
 def trace_price(trace: Trace) -> float:
     """Deviance plus what everything in the trace must earn."""
     flicker = FLICKER_PRICE if trace.noise.flicker else 0.0
-    walk = WALK_PRICE if trace.noise.walk else 0.0
+    walk = (WALK_PRICE + CORNER_PRICE * bool(trace.noise.corner)) if trace.noise.walk else 0.0
     levels = LEVEL_PRICE * len(trace.noise.levels)
     return trace.deviance + flicker + walk + levels + entries([found.candidate for found in trace.found])
 
 
 def _other_noises(ground: Ground, white: Trace) -> list[NoiseModel]:
-    """Noises worth a search of their own: the best flicker and walk, with nothing else and with what was found."""
+    """Noises worth a search of their own: the best flicker and walk with what was found, or with the fast part of it.
+
+    What changes slowly may be the wandering itself, taken for effects: without it a walk is always tried.
+    """
     if not ground.memory.modes.shape[1]:
         return []
-    noises = []
-    for forms in ((), tuple(found.form for found in white.found)):
-        level = ground.deviance(forms, NoiseModel())
-        flicker = _best_noise(ground, forms, _FLICKERS)
-        walk = _best_noise(ground, forms, _WALKS)
-        noises += [noise for noise, deviance in (flicker, walk) if level - deviance > FLICKER_PRICE]
-        if not white.found:
-            break
+    noises: list[NoiseModel] = []
+    for noise, deviance in (_best_noise(ground, white.forms, _FLICKERS), best_walk(ground, white.forms, NoiseModel())):
+        if white.deviance - deviance > FLICKER_PRICE:
+            noises.append(noise)
+    fast = [item.form for item in white.found if not _slow(ground, item.form)]
+    if len(fast) < len(white.found):
+        noises.append(best_walk(ground, fast, NoiseModel())[0])
     return list(dict.fromkeys(noises))
 
 
+def _slow(ground: Ground, form: Form) -> bool:
+    """Whether a shape is nearly all made of waves of which the run holds few."""
+    white = ground.memory.whitening(NoiseModel(walk=100.0))
+    columns = form.columns * np.sqrt(ground.joint.weights)[:, None]
+    columns = columns - columns.mean(axis=0)
+    return bool(np.sum(white(columns) ** 2) < _MOSTLY_SLOW * np.sum(columns**2))
+
+
+_MOSTLY_SLOW = 0.2
 _FLICKERS = tuple(NoiseModel(flicker=float(part * MOST_FLICKER)) for part in (0.05, 0.15, 0.35, 0.65, 1.0))
-_WALKS = tuple(NoiseModel(walk=float(walk)) for walk in np.geomspace(1e-3, 30.0, 10))
+_WALKS = (0.003, 0.03, 0.3, 3.0, 30.0)
+_CORNERS = (4.0, 12.0)
 
 
 def _best_noise(ground: Ground, forms: Sequence[Form], tried: Sequence[NoiseModel]) -> tuple[NoiseModel, float]:
@@ -198,10 +209,17 @@ def refined(ground: Ground, trace: Trace, rounds: int = 2) -> Trace:
     return Trace(found=tuple(found), noise=trace.noise, deviance=deviance)
 
 
-def best_walk(ground: Ground, forms: Sequence[Form], noise: NoiseModel) -> NoiseModel:
-    """The noise with the random walk that fits best in place of flicker."""
-    walks = [replace(noise, flicker=0.0, walk=walk.walk) for walk in _WALKS]
-    return _best_noise(ground, forms, walks)[0]
+def best_walk(ground: Ground, forms: Sequence[Form], noise: NoiseModel) -> tuple[NoiseModel, float]:
+    """The noise with the random walk that fits best in place of flicker, and its deviance.
+
+    Its rate is found first, then whether it has a corner.
+    """
+    walks = [replace(noise, flicker=0.0, walk=walk, corner=0.0) for walk in _WALKS]
+    coarse, _ = _best_noise(ground, forms, walks)
+    finer = [replace(coarse, walk=coarse.walk * ratio) for ratio in (1 / 3, 1.0, 3.0)]
+    best, _ = _best_noise(ground, forms, finer)
+    bent = [replace(best, corner=corner, walk=best.walk * ratio) for corner in _CORNERS for ratio in (1.0, 3.0)]
+    return _best_noise(ground, forms, (best, *bent))
 
 
 def best_level(ground: Ground, forms: Sequence[Form], noise: NoiseModel, name: str) -> NoiseModel:

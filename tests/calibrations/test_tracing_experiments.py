@@ -37,7 +37,7 @@ def traced(observations):
     """The table, what it was traced to, and every rival by how far it is behind."""
     base = ground(fit_jointly(observations), CATALOGUE)
     tracer = Tracer(base)
-    trace = with_best_names(tracer, tracer.trace())
+    trace, _ = with_best_names(tracer, tracer.trace())
     return base, trace, {name: rivals(tracer, trace, name) for name in trace.names}
 
 

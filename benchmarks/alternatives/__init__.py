@@ -1,0 +1,17 @@
+"""The bank through what one would otherwise use, beside `close_loop`.
+
+    python -m benchmarks.alternatives [--seeds development|reported] [--count N]
+
+- `stepwise`: forward selection by BIC.
+- `lasso`: LassoCV of scikit-learn, then least squares on its support.
+- `sindy`: sequentially thresholded least squares of PySINDy, its threshold by cross-validation.
+
+All get the same rows, weights and columns (see `columns`), and are graded by the rule by which `close_loop` is. Tables
+with a misread angle or a random walk are left out: a regression has no column for either. lasso and sindy need the
+extra `bench`. The process uses one thread, so that times are those of one core.
+"""
+
+import os
+
+for _name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
+    os.environ[_name] = "1"
