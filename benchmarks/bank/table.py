@@ -14,6 +14,7 @@ from benchmarks.bank.noise import drawn_noise
 from benchmarks.bank.novel import NOVEL
 from benchmarks.bank.scene import SAMPLES, Effect, Run, Sized, Unit, drawn_unit, respond
 from benchmarks.bank.surroundings import THERMOMETER_DEGC, drawn_run
+from benchmarks.bank.together import told_apart
 from benchmarks.bank.visibility import Sight, sight
 from calibrations.observations import Observations
 
@@ -29,6 +30,7 @@ COLUMNS: Final = {
 }
 """Columns that a table may do without, and their fields in `Observations`."""
 
+_CATALOGUE: Final = {name: draw for name, draw in DRAW.items() if name not in NOVEL}
 _DWELLS, _UNIT, _AROUND, _NOISE, _FIRST_EFFECT = range(5)
 _ORDER: Final = (*NAMED, *NOVEL)
 SHAKEN_ANYWAY = 0.1
@@ -110,7 +112,7 @@ class Stage:
 
 
 def make_table(spec: Spec, seed: int) -> Case | None:
-    """Make the table; None where the design cannot show an effect within its physical maximum.
+    """Make the table; None where the design cannot show an effect within its physical maximum or beside the others.
 
     Raises
     ------
@@ -175,7 +177,7 @@ def _surrounded(spec: Spec, seed: int) -> Run:
 
 
 def _sized(spec: Spec, seed: int, run: Run, unit: Unit) -> tuple[list[Sized], dict[str, float]]:
-    """Draw the effects and find their amplitudes; shorter than asked for where one cannot be seen."""
+    """Draw the effects and find their amplitudes; fewer than asked for where one cannot be seen or told apart."""
     sized: list[Sized] = []
     visible: dict[str, float] = {}
     if not spec.effects:
@@ -188,6 +190,8 @@ def _sized(spec: Spec, seed: int, run: Run, unit: Unit) -> tuple[list[Sized], di
             break
         sized.append((effect, found[0]))
         visible[name] = found[1] / spec.noise_v
+    if len(sized) > 1 and not told_apart(seen, sized, _CATALOGUE, LARGEST, spec.noise_v):
+        return [], {}
     return sized, visible
 
 

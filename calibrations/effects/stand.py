@@ -17,21 +17,21 @@ def _angle(scene: Scene, error_deg: FloatArray) -> FloatArray:
     return np.asarray(scene.slope_v_per_deg[:, None] * error_deg)
 
 
+def _wave(scene: Scene, order: int) -> FloatArray:
+    """A sin(n φ + p), as a sine and a cosine of the reported angle, shape (rows, 2)."""
+    phase = np.deg2rad(order * scene.angle_deg)
+    return _angle(scene, np.column_stack([np.sin(phase), np.cos(phase)]))
+
+
 def _periods(order: int) -> Forms:
-    """A sin(n φ + p), as a sine and a cosine of the reported angle."""
-
-    def forms(scene: Scene) -> Sequence[Form]:
-        phase = np.deg2rad(order * scene.angle_deg)
-        columns = _angle(scene, np.column_stack([np.sin(phase), np.cos(phase)]))
-        return (Form(columns=columns, scanned={"order": float(order)}),)
-
-    return forms
+    """So many periods a turn."""
+    return lambda scene: (Form(columns=_wave(scene, order)),)
 
 
 def _graduation(scene: Scene) -> Sequence[Form]:
     settings = len(np.unique(np.round(scene.angle_deg % 360.0, 1)))
     highest = min(HIGHEST_ORDER, settings // 2)
-    return [form for order in range(3, highest + 1) for form in _periods(order)(scene)]
+    return [Form(columns=_wave(scene, order), scanned={"order": float(order)}) for order in range(3, highest + 1)]
 
 
 def _backlash(scene: Scene) -> Sequence[Form]:

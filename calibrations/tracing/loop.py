@@ -10,7 +10,7 @@ from calibrations.analysis import assess
 from calibrations.budget import StandUncertainty
 from calibrations.effects import CATALOGUE
 from calibrations.effects.effect import Effect, Quantity
-from calibrations.effects.unnamed import Structure
+from calibrations.effects.unnamed import HEAD_COURSE, Structure
 from calibrations.gross import GROSS_SIGMA, unlike_repeats
 from calibrations.joint import Joint, fit_jointly, fit_without
 from calibrations.model import ALPHA0, PARAMETERS
@@ -24,7 +24,7 @@ from calibrations.tracing.held_out import held_out_rms
 from calibrations.tracing.misreading import Misreading, misreadings
 from calibrations.tracing.questions import questioned
 from calibrations.tracing.rivals import Rival, with_best_names
-from calibrations.tracing.trace import WALK, Trace, Tracer
+from calibrations.tracing.trace import WALK, Trace, Tracer, trace_price
 
 _COURSES = ("time", "temperature", "order", "realisation", "direction")
 RIVALS_APART = 2.0
@@ -135,16 +135,18 @@ class _Explained:
 def _explained(joint: Joint, effects: Sequence[Effect], reference_temperature_degc: float) -> _Explained:
     """Trace a table; again, where what was found shows that it was looked at from a wrong alpha0."""
     base = ground(joint, effects, reference_temperature_degc)
+    looks: list[_Explained] = []
     for _ in range(_ROUNDS):
         tracer = Tracer(base)
         trace, close = with_best_names(tracer, tracer.trace())
         best = augment(base, trace)
+        looks.append(_Explained(tracer=tracer, trace=trace, close=close, best=best))
         alpha0_deg = float(best.joint.fit.theta[ALPHA0])
         moved_deg = abs(alpha0_deg - base.scene.alpha0_deg)
         if not trace.found or moved_deg < _MOVED_DEG or abs(alpha0_deg) > _FAR_DEG:
             break
         base = seen_anew(base, best.joint.fit.theta)
-    return _Explained(tracer=tracer, trace=trace, close=close, best=best)
+    return min(looks, key=lambda look: trace_price(look.trace))
 
 
 def _rejected_rows(joint: Joint) -> set[int]:
@@ -231,7 +233,8 @@ def _unexplained(trace: Trace) -> Unexplained | None:
 
 
 def _with_structure(calibration: Calibration, best: Augmented) -> Calibration:
-    """Take back u0 where a course without a name has a mean of its own: nobody knows where it is absent."""
+    """Take back u0 and alpha0 where structure without a name has a mean of its own: nobody knows where it is absent."""
+    calibration = _with_head_course(calibration, best)
     u0 = calibration.parameters["u0"]
     if u0.value is None or u0.standard_uncertainty is None:
         return calibration
@@ -242,6 +245,15 @@ def _with_structure(calibration: Calibration, best: Augmented) -> Calibration:
                 reason = f"it depends on where the unexplained course with {item.effect.depends_on} is taken as absent"
                 return replace(calibration, parameters={**calibration.parameters, "u0": _taken_back(u0, reason)})
     return calibration
+
+
+def _with_head_course(calibration: Calibration, best: Augmented) -> Calibration:
+    """Take back alpha0 where the head's error has no simple shape: its mean cannot be told from alpha0."""
+    alpha0 = calibration.parameters["alpha0"]
+    if alpha0.value is None or HEAD_COURSE not in {item.effect.name for item in best.found}:
+        return calibration
+    taken = _taken_back(alpha0, "it depends on where the unexplained error of the head is taken as absent")
+    return replace(calibration, parameters={**calibration.parameters, "alpha0": taken})
 
 
 def _with_rivals(calibration: Calibration, base: Ground, close: Mapping[str, Sequence[Rival]]) -> Calibration:

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.special import bdtrc
 
 from calibrations.geometry import FloatArray
 from calibrations.joint import Joint
@@ -10,7 +11,11 @@ from calibrations.model import BASIS_SIZE, PARAMETERS, basis, coefficients
 from calibrations.observations import Observations
 
 _AGREES = 4.0
-"""A row fits a misreading if what is left is below so many standard deviations of a dwell."""
+"""A row agrees with a misreading if what is left is below so many standard deviations of a dwell."""
+_BEYOND_TAILS = 20.0
+"""No tail of an instrument's noise reaches so many standard deviations."""
+_CHANCE = 1e-3
+"""At which so many agreements by chance are no longer believed."""
 
 
 def _round_amounts_deg() -> FloatArray:
@@ -37,26 +42,49 @@ class Misreading:
 def misreadings(whole: Observations, joint: Joint) -> tuple[Misreading, ...]:
     """Which of the gross errors that `joint` has set aside are misreadings.
 
-    `whole` is the table with these rows still in it.
+    `whole` is the table with these rows still in it. Round amounts lie so close that a heavy tail of the noise meets
+    one by chance: there must be a row far beyond any tail, or more agreement than chance gives.
     """
     aside = {entry.row for entry in joint.observations.set_aside if entry.reason.startswith("gross error")}
     rows = whole.select(np.isin(whole.row, list(aside)))
-    theta = joint.fit.theta[: len(PARAMETERS)]
-    found = []
-    for number in range(len(rows)):
-        row = rows.select(np.arange(len(rows)) == number)
-        left_v = np.abs(_predictions_v(row, theta) - row.output_v[0])
-        fitting = np.flatnonzero(left_v < _AGREES * joint.noise.used_v)
-        if len(fitting):
-            best = fitting[np.argmin(np.abs(ROUND_AMOUNTS_DEG[fitting]))]
-            found.append(Misreading(row=int(row.row[0]), error_deg=float(ROUND_AMOUNTS_DEG[best])))
-    return tuple(found)
+    looks = [_look(rows.select(np.arange(len(rows)) == number), joint) for number in range(len(rows))]
+    agreeing = [look.misreading for look in looks if look.misreading]
+    clear = any(look.misreading and look.sigmas > _BEYOND_TAILS for look in looks)
+    by_chance = (
+        float(bdtrc(len(agreeing) - 1, len(looks), np.mean([look.chance for look in looks]))) if agreeing else 1.0
+    )
+    return tuple(agreeing) if clear or by_chance < _CHANCE else ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Look:
+    """A gross error looked at as a misreading."""
+
+    misreading: Misreading | None
+    sigmas: float
+    """How far off the row is, in standard deviations of a dwell."""
+    chance: float
+    """That any error up to this size agrees with some round amount."""
+
+
+def _look(row: Observations, joint: Joint) -> _Look:
+    predicted_v = _predictions_v(row, joint.fit.theta[: len(PARAMETERS)])
+    plain_v, steps_v = predicted_v[0], predicted_v[1:] - predicted_v[0]
+    off_v, window_v = float(row.output_v[0] - plain_v), _AGREES * joint.noise.used_v
+    fitting = np.flatnonzero(np.abs(steps_v - off_v) < window_v)
+    best = float(ROUND_AMOUNTS_DEG[fitting[np.argmin(np.abs(ROUND_AMOUNTS_DEG[fitting]))]]) if len(fitting) else None
+    span_v = np.linspace(-abs(off_v), abs(off_v), 401)
+    near = np.min(np.abs(span_v[:, None] - steps_v), axis=1) < window_v
+    return _Look(
+        misreading=None if best is None else Misreading(row=int(row.row[0]), error_deg=best),
+        sigmas=abs(off_v) / joint.noise.used_v,
+        chance=float(np.mean(near)),
+    )
 
 
 def _predictions_v(row: Observations, theta: FloatArray) -> FloatArray:
-    """Output of the declared model at the row's angle plus each round amount."""
-    count = len(ROUND_AMOUNTS_DEG)
-    tried = Observations(
-        row=np.arange(count), angle_deg=row.angle_deg[0] + ROUND_AMOUNTS_DEG, mount=np.repeat(row.mounts, count)
-    )
+    """Output of the declared model at the row's angle, then at that plus each round amount."""
+    angle_deg = row.angle_deg[0] + np.concatenate([[0.0], ROUND_AMOUNTS_DEG])
+    count = len(angle_deg)
+    tried = Observations(row=np.arange(count), angle_deg=angle_deg, mount=np.repeat(row.mounts, count))
     return np.asarray(basis(tried)[:, :BASIS_SIZE] @ coefficients(theta))

@@ -66,7 +66,7 @@ class Memory:
     """Everything in a table along which noise can remember."""
 
     modes: FloatArray
-    """Cosines over the run, weighted, shape (rows, modes); no columns where the table has no time or too few rows."""
+    """A constant and cosines over the run, weighted, shape (rows, 1 + modes); no columns where there is no time."""
     levels: Mapping[str, FloatArray] = field(default_factory=dict)
     """Columns of each effect that draws levels, weighted and scaled to a mean square of one row, by name."""
 
@@ -95,8 +95,9 @@ class Memory:
         slow = bool(noise.flicker or noise.walk)
         names = tuple(name for name, _ in noise.levels)
         orthonormal, triangular = self._factor(slow, names)
-        order = np.arange(1, self.modes.shape[1] * slow + 1)
-        variances = [noise.flicker / order + noise.walk / (order**2 + noise.corner**2)]
+        order = np.arange(1, self.modes.shape[1] * slow)
+        waves = noise.flicker / order + noise.walk / (order**2 + noise.corner**2)
+        variances = [np.concatenate([[noise.flicker * np.log(2.0)] * slow, waves])]
         variances += [np.full(self.levels[name].shape[1], variance) for name, variance in noise.levels]
         inner = (triangular * np.concatenate(variances)) @ triangular.T
         values, vectors = np.linalg.eigh(inner)
@@ -117,14 +118,17 @@ class Memory:
 
 
 def slow_modes(hours: FloatArray | None, weights: FloatArray) -> FloatArray:
-    """Weighted cosines over the run, shape (rows, modes)."""
+    """A constant and cosines over the run, weighted, shape (rows, 1 + modes); none without time or with few rows.
+
+    The constant is what flicker slower than the run leaves: of the octave below, the power is h ln 2.
+    """
     rows = len(weights)
     count = min(MODES, rows // 4)
     if hours is None or count < 4 or np.ptp(hours) <= 0:
         return np.empty((rows, 0))
     phase = np.pi * (hours - hours.min()) / np.ptp(hours)
     cosines = np.sqrt(2.0) * np.cos(np.outer(phase, np.arange(1, count + 1)))
-    return np.asarray(cosines * np.sqrt(weights)[:, None])
+    return np.column_stack([np.ones(rows), cosines]) * np.sqrt(weights)[:, None]
 
 
 def scaled_levels(columns: FloatArray, weights: FloatArray) -> FloatArray:

@@ -17,11 +17,11 @@ FLICKER_FLOOR = 0.25
 """Floor of the Allan deviation up to which flicker is taken as the ordinary noise of a unit, in dwell deviations."""
 MOST_FLICKER = FLICKER_FLOOR**2 / (2 * np.log(2))
 """The same as variance of the first mode (IEEE Std 952, annex C: floor² = 2 ln 2 h)."""
-FLICKER_PRICE = 3.84
-WALK_PRICE = 10.0
+FLICKER_PRICE = 4.0
+WALK_PRICE = 12.0
 """What a random walk must earn: in flicker it is the cheaper explanation by that much once in hundreds of tables."""
 CORNER_PRICE = 4.0
-LEVEL_PRICE = 16.0
+LEVEL_PRICE = 20.0
 """What levels drawn at random must earn: one variance, among some thirty effects."""
 WALK = "bias_random_walk"
 FEWEST_ROWS = 18
@@ -164,17 +164,17 @@ def trace_price(trace: Trace) -> float:
 def _other_noises(ground: Ground, white: Trace) -> list[NoiseModel]:
     """Noises worth a search of their own: the best flicker and walk with what was found, or with the fast part of it.
 
-    What changes slowly may be the wandering itself, taken for effects: without it a walk is always tried.
+    What changes slowly may be the wandering itself, taken for effects: without it both are always tried.
     """
     if not ground.memory.modes.shape[1]:
         return []
     noises: list[NoiseModel] = []
     for noise, deviance in (_best_noise(ground, white.forms, _FLICKERS), best_walk(ground, white.forms, NoiseModel())):
-        if white.deviance - deviance > FLICKER_PRICE:
+        if white.deviance - deviance > _NOTICED:
             noises.append(noise)
-    fast = [item.form for item in white.found if not _slow(ground, item.form)]
+    fast = [item.form for item in white.found if not (item.effect.drawn or _slow(ground, item.form))]
     if len(fast) < len(white.found):
-        noises.append(best_walk(ground, fast, NoiseModel())[0])
+        noises += [_best_noise(ground, fast, _FLICKERS)[0], best_walk(ground, fast, NoiseModel())[0]]
     return list(dict.fromkeys(noises))
 
 
@@ -186,6 +186,7 @@ def _slow(ground: Ground, form: Form) -> bool:
     return bool(np.sum(white(columns) ** 2) < _MOSTLY_SLOW * np.sum(columns**2))
 
 
+_NOTICED = 3.84
 _MOSTLY_SLOW = 0.2
 _FLICKERS = tuple(NoiseModel(flicker=float(part * MOST_FLICKER)) for part in (0.05, 0.15, 0.35, 0.65, 1.0))
 _WALKS = (0.003, 0.03, 0.3, 3.0, 30.0)
