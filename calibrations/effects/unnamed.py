@@ -62,7 +62,8 @@ def _since(at: Mapping[str, float]) -> str:
     )
 
 
-HEAD_COURSE = "?angle course"
+TAKEN_BY_COURSES = {"?angle course": ("alpha0",), "?acceleration course": ("u0", "kx")}
+"""Parameters that have no meaning beside a shape that could be them as well."""
 STRUCTURES = (
     _structure(
         "angle",

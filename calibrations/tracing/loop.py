@@ -10,7 +10,7 @@ from calibrations.analysis import assess
 from calibrations.budget import StandUncertainty
 from calibrations.effects import CATALOGUE
 from calibrations.effects.effect import Effect, Quantity
-from calibrations.effects.unnamed import HEAD_COURSE, Structure
+from calibrations.effects.unnamed import TAKEN_BY_COURSES, Structure
 from calibrations.gross import GROSS_SIGMA, unlike_repeats
 from calibrations.joint import Joint, fit_jointly, fit_without
 from calibrations.model import ALPHA0, PARAMETERS
@@ -234,7 +234,8 @@ def _unexplained(trace: Trace) -> Unexplained | None:
 
 def _with_structure(calibration: Calibration, best: Augmented) -> Calibration:
     """Take back u0 and alpha0 where structure without a name has a mean of its own: nobody knows where it is absent."""
-    calibration = _with_head_course(calibration, best)
+    for name in {item.effect.name for item in best.found} & TAKEN_BY_COURSES.keys():
+        calibration = _without(calibration, TAKEN_BY_COURSES[name], "it depends on where an unexplained course is zero")
     u0 = calibration.parameters["u0"]
     if u0.value is None or u0.standard_uncertainty is None:
         return calibration
@@ -243,17 +244,15 @@ def _with_structure(calibration: Calibration, best: Augmented) -> Calibration:
             mean_v = float(np.mean(item.form.columns @ best.coefficients[columns]))
             if abs(mean_v) > RIVALS_APART * u0.standard_uncertainty:
                 reason = f"it depends on where the unexplained course with {item.effect.depends_on} is taken as absent"
-                return replace(calibration, parameters={**calibration.parameters, "u0": _taken_back(u0, reason)})
+                return _without(calibration, ("u0",), reason)
     return calibration
 
 
-def _with_head_course(calibration: Calibration, best: Augmented) -> Calibration:
-    """Take back alpha0 where the head's error has no simple shape: its mean cannot be told from alpha0."""
-    alpha0 = calibration.parameters["alpha0"]
-    if alpha0.value is None or HEAD_COURSE not in {item.effect.name for item in best.found}:
-        return calibration
-    taken = _taken_back(alpha0, "it depends on where the unexplained error of the head is taken as absent")
-    return replace(calibration, parameters={**calibration.parameters, "alpha0": taken})
+def _without(calibration: Calibration, names: Sequence[str], reason: str) -> Calibration:
+    """Take parameters back, for a reason."""
+    told = {name: parameter for name in names if (parameter := calibration.parameters[name]).value is not None}
+    taken = {name: _taken_back(parameter, reason) for name, parameter in told.items()}
+    return replace(calibration, parameters={**calibration.parameters, **taken})
 
 
 def _with_rivals(calibration: Calibration, base: Ground, close: Mapping[str, Sequence[Rival]]) -> Calibration:

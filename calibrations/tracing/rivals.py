@@ -19,6 +19,8 @@ from calibrations.tracing.trace import (
 
 CLOSE = 3.84
 """Two explanations whose deviances differ by less cannot be told apart (chi-square, one degree of freedom, 95%)."""
+_SIMPLER = 4.5
+"""What a coefficient more must earn for its effect to give the name: the simpler one may be a special case of it."""
 _EQUAL = 1e-3
 """Deviances closer than this are equal: the effects are the same in this table."""
 _WORTH_A_LOOK = 60.0
@@ -73,7 +75,9 @@ def rivals(tracer: Tracer, trace: Trace, name: str) -> list[Rival]:
             trace=trial,
             found=item,
             behind=trial.deviance - trace.deviance + 2.0 * ((item.coefficients if item else 1) - coefficients),
-            dearer=trace_price(trial) - trace_price(trace),
+            dearer=trace_price(trial)
+            - trace_price(trace)
+            + _SIMPLER * ((item.coefficients if item else 1) - coefficients),
         )
         for item, trial in _in_place(tracer, rest, trace.names)
     ]
@@ -86,7 +90,7 @@ def _in_place(tracer: Tracer, rest: Trace, taken: tuple[str, ...]) -> Iterator[t
     ground = tracer.ground
     for rough in _best_forms(tracer.problem(rest.noise), tuple(item.number for item in rest.found)):
         effect = rough.effect
-        if effect.name in taken or isinstance(effect, Structure):
+        if effect.name in taken:
             continue
         if effect.drawn:
             noise = best_level(ground, rest.forms, rest.noise, effect.name)
@@ -103,10 +107,11 @@ def _in_place(tracer: Tracer, rest: Trace, taken: tuple[str, ...]) -> Iterator[t
 def _best_forms(problem: Problem, others: tuple[int, ...]) -> list[Found]:
     """The form of each effect that promises most beside the others, leaving out effects that promise nothing near."""
     gains = problem.gains(problem.explain(others))
-    most = float(gains.max(initial=0.0))
+    named = [number for number, candidate in enumerate(problem.offered) if not isinstance(candidate.effect, Structure)]
+    most = float(gains[named].max(initial=0.0))
     best: dict[str, int] = {}
-    for number, candidate in enumerate(problem.offered):
-        name = candidate.effect.name
+    for number in named:
+        name = problem.offered[number].effect.name
         if gains[number] > most - _WORTH_A_LOOK and gains[number] > gains[best.get(name, number)] - 1e-12:
             best[name] = number
     return [found(problem, number) for number in best.values()]
