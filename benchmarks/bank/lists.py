@@ -163,19 +163,23 @@ _MIXING: Final = 1000
 
 def _mixed(number: int, rng: np.random.Generator) -> Spec:
     turn, place = divmod(number, 12)
+    realisations = int(rng.integers(2, 5))
     if place < 4:
         noise = ("white", "student", "flicker")[rng.integers(3)]
-        return Spec(design=_one_of(ALL_DESIGNS, rng), realisations=int(rng.integers(3, 7)), noise=noise)
+        return Spec(design=_one_of(ALL_DESIGNS, rng), realisations=realisations, noise=noise)
     if place < 8:
         name = _one_of(NAMED, rng)
-        return Spec(design=_one_of(designs_for(name), rng), effects=((name, (12.0, 20.0, 40.0)[rng.integers(3)]),))
+        return _shown(_one_of(designs_for(name), rng), realisations, (name,), (12.0, 20.0, 40.0)[rng.integers(3)])
     if place == 11 and turn % 2:
         name = _one_of(tuple(NOVEL), rng)
-        return Spec(design=_one_of(_designs_for_novel(name), rng), effects=((name, (20.0, 40.0)[rng.integers(2)]),))
+        return _shown(_one_of(_designs_for_novel(name), rng), realisations, (name,), (20.0, 40.0)[rng.integers(2)])
     size, visible = (3, 40.0) if place == 11 else (2, 30.0)
     names = tuple(NAMED[index] for index in np.sort(rng.choice(len(NAMED), size, replace=False)))
-    design = _one_of(tuple(designs_for_all(names)), rng)
-    return Spec(design=design, effects=tuple((name, visible) for name in names))
+    return _shown(_one_of(tuple(designs_for_all(names)), rng), realisations, names, visible)
+
+
+def _shown(design: str, realisations: int, names: tuple[str, ...], visible: float) -> Spec:
+    return Spec(design=design, realisations=realisations, effects=tuple((name, visible) for name in names))
 
 
 def _one_of(words: tuple[str, ...], rng: np.random.Generator) -> str:

@@ -11,6 +11,8 @@ from calibrations.geometry import FloatArray
 _MOST_SETTINGS = 80
 _BELL_WIDTHS_DEG = (3.0, 8.0, 18.0)
 _BUMP_WIDTHS_G = (0.05, 0.08, 0.12, 0.18)
+_ANY_COURSE = 20.0
+"""Doubt in a course of any shape: one that has a shape is the better guess."""
 _WANDERING = 40.0
 """Doubt in a course of any shape in time: a bias that wanders is the better guess."""
 
@@ -43,12 +45,13 @@ def head_bells(scene: Scene) -> Iterator[Form]:
 def head_course(scene: Scene) -> Iterator[Form]:
     """Any smooth error of the head, or any error at each setting; a mean error is alpha0's."""
     slope = scene.slope_v_per_deg[:, None]
-    yield Form(columns=slope * _bells(scene.angle_deg, 24, 360.0) @ contrasts(24), scanned={"knots": 24.0})
+    smooth = slope * _bells(scene.angle_deg, 24, 360.0) @ contrasts(24)
+    yield Form(columns=smooth, scanned={"knots": 24.0}, doubt=_ANY_COURSE)
     settings, setting = np.unique(np.round(scene.angle_deg % 360.0, 1), return_inverse=True)
     if len(settings) <= min(_MOST_SETTINGS, len(setting) // 6):
         at_each = (setting[:, None] == np.arange(len(settings))).astype(float)
         columns = slope * at_each @ contrasts(len(settings))
-        yield Form(columns=columns, scanned={"knots": float(len(settings))})
+        yield Form(columns=columns, scanned={"knots": float(len(settings))}, doubt=_ANY_COURSE)
 
 
 def polynomials(scene: Scene) -> Iterator[Form]:
@@ -79,7 +82,7 @@ def bumps(scene: Scene) -> Iterator[Form]:
 def response_course(scene: Scene) -> Iterator[Form]:
     """Any smooth response to ax."""
     for count in (14, 36):
-        yield Form(columns=_bells(scene.ax_g, count), scanned={"knots": float(count)})
+        yield Form(columns=_bells(scene.ax_g, count), scanned={"knots": float(count)}, doubt=_ANY_COURSE)
 
 
 def time_bends(scene: Scene) -> Iterator[Form]:
@@ -141,7 +144,7 @@ def temperature_steps(scene: Scene) -> Iterator[Form]:
 def temperature_course(scene: Scene) -> Iterator[Form]:
     """Any smooth course against temperature, or its rate of change."""
     for temperature_k in _temperature(scene):
-        yield Form(columns=_bells(temperature_k, 8), scanned={"knots": 8.0})
+        yield Form(columns=_bells(temperature_k, 8), scanned={"knots": 8.0}, doubt=_ANY_COURSE)
         for hours in _hours(scene):
             smooth = np.polynomial.Polynomial.fit(hours, temperature_k, min(8, len(hours) // 20 + 1))
             yield _column(smooth.deriv()(hours), rate=1.0)

@@ -62,10 +62,10 @@ class Ground:
         """-2 ln L of the declared model with these forms in this noise, up to a constant of the table."""
         footing = self.footing(noise)
         columns = np.column_stack([np.empty((self.rows, 0)), *(form.columns for form in forms)])
-        return footing.deviance(footing.fit(footing.split(columns), self._near))
+        return footing.deviance(footing.fit(footing.split(columns), self.near))
 
     @property
-    def _near(self) -> FloatArray | None:
+    def near(self) -> FloatArray | None:
         """Parameters to start from; none where alpha0 is so blunt that it may jump when an effect is added."""
         low, high = self.joint.profile.interval_deg
         return None if high - low > _BLUNT_DEG else self.joint.fit.theta[: len(PARAMETERS)]

@@ -22,7 +22,7 @@ def held_out_rms(tracer: Tracer, trace: Trace) -> float | None:
         if np.count_nonzero(~out) < ground.declared.shape[1]:
             return None
         problem = Problem(ground.footing_of(~out, trace.noise), tracer.columns[~out], offered)
-        explanation = search(problem)
+        explanation = search(problem, beam=1)
         columns = np.column_stack([ground.declared, tracer.columns[:, problem.columns_of(explanation.chosen)]])
         error[out] = output_v[out] - columns[out] @ coefficients(problem.parameters(explanation))
     return float(np.sqrt(np.mean(error**2)))

@@ -1,11 +1,13 @@
 """One table with all its candidates, split once so that any set of effects is fitted and judged in no time."""
 
 from collections.abc import Sequence
+from copy import copy
 from dataclasses import dataclass
 
 import numpy as np
 
 from calibrations.conditional import SINGULAR
+from calibrations.effects.unnamed import Structure
 from calibrations.geometry import FloatArray
 from calibrations.model import BASIS_SIZE, PARAMETERS, coefficients_jacobian
 from calibrations.tracing.candidates import Candidate
@@ -65,6 +67,13 @@ class Problem:
         self._between = np.sum(along[:, self._first] * along[:, second], axis=0) + np.einsum(
             "ij,ij->j", beside[:, self._first], beside[:, second]
         )
+
+    def named(self) -> "Problem":
+        """The same with nothing on offer but effects of the catalogue."""
+        other = copy(self)
+        unnamed = [isinstance(candidate.effect, Structure) for candidate in self.offered]
+        other.entries = np.where(unnamed, np.inf, self.entries)
+        return other
 
     def explain(self, chosen: tuple[int, ...], near: FloatArray | None = None) -> Explanation:
         """Fit the declared model with the chosen candidates; `near` is a parameter vector of the declared part."""

@@ -18,12 +18,15 @@ _HOPELESS = 8.0
 """Where one effect more costs so much beyond what it explains, no further ones are looked for."""
 
 
-def search(problem: Problem, most: int = MOST) -> Explanation:
-    """The set of candidates with the lowest price: deviance plus what each effect must earn to be believed."""
+def search(problem: Problem, beam: int = BEAM) -> Explanation:
+    """The set of candidates with the lowest price: deviance plus what each effect must earn to be believed.
+
+    `beam` is how many sets are followed; with one, effects are added one by one.
+    """
     nothing = problem.explain(())
     best, followed = nothing, [nothing]
-    for _ in range(most):
-        followed = _continued(problem, followed)
+    for _ in range(MOST):
+        followed = _continued(problem, followed, beam)
         if not followed:
             break
         if price(problem, followed[0]) < price(problem, best):
@@ -48,16 +51,20 @@ def entries(chosen: Sequence[Candidate]) -> float:
 
 
 def settled(problem: Problem, explanation: Explanation) -> Explanation:
-    """Drop and exchange effects as long as that lowers the price."""
+    """Add, drop and exchange effects as long as that lowers the price."""
     while True:
-        trials = [*_dropped(problem, explanation), *_exchanged(problem, explanation)]
+        trials = [
+            *_added(problem, explanation),
+            *_dropped(problem, explanation),
+            *_exchanged(problem, explanation),
+        ]
         better = min(trials, key=lambda trial: price(problem, trial), default=explanation)
         if price(problem, better) >= price(problem, explanation) - 1e-6:
             return explanation
         explanation = better
 
 
-def _continued(problem: Problem, followed: Iterable[Explanation]) -> list[Explanation]:
+def _continued(problem: Problem, followed: Iterable[Explanation], beam: int) -> list[Explanation]:
     """The best sets with one effect more than those that were followed.
 
     Which are worth a fit is judged by the linearised gains.
@@ -69,9 +76,9 @@ def _continued(problem: Problem, followed: Iterable[Explanation]) -> list[Explan
             key = frozenset((*explanation.chosen, number))
             if key not in expected or before - worth < expected[key][0]:
                 expected[key] = (before - worth, explanation, number)
-    likely = sorted(expected.values(), key=lambda trial: trial[0])[: 2 * BEAM]
+    likely = sorted(expected.values(), key=lambda trial: trial[0])[: 2 * beam]
     found = [problem.explain((*from_.chosen, number), from_.fit.theta[:6]) for _, from_, number in likely]
-    return sorted(found, key=lambda explanation: price(problem, explanation))[:BEAM]
+    return sorted(found, key=lambda explanation: price(problem, explanation))[:beam]
 
 
 def _promising(problem: Problem, explanation: Explanation, count: int) -> list[tuple[float, int]]:
@@ -88,6 +95,15 @@ def _promising(problem: Problem, explanation: Explanation, count: int) -> list[t
     best = [forms.start + int(np.argmax(worth[forms])) for forms in problem.forms.values()]
     ranked = sorted(((float(worth[number]), number) for number in best), reverse=True)
     return [(value, number) for value, number in ranked[:count] if value > -15.0]
+
+
+def _added(problem: Problem, explanation: Explanation) -> list[Explanation]:
+    """Every set with one of the few that promise most added."""
+    if len(explanation.chosen) >= MOST:
+        return []
+    near = explanation.fit.theta[:6]
+    promising = [number for worth, number in _promising(problem, explanation, BRANCHES) if worth > -_HOPELESS]
+    return [problem.explain((*explanation.chosen, number), near) for number in promising]
 
 
 def _dropped(problem: Problem, explanation: Explanation) -> list[Explanation]:

@@ -10,8 +10,8 @@ from calibrations.effects.unnamed import STRUCTURES, Structure
 from calibrations.tracing.candidates import Candidate, all_columns, candidates
 from calibrations.tracing.ground import Ground
 from calibrations.tracing.noise import NoiseModel
-from calibrations.tracing.problem import Problem
-from calibrations.tracing.search import entries, search
+from calibrations.tracing.problem import Explanation, Problem
+from calibrations.tracing.search import entries, search, settled
 
 FLICKER_FLOOR = 0.25
 """Floor of the Allan deviation up to which flicker is taken as the ordinary noise of a unit, in dwell deviations."""
@@ -21,7 +21,7 @@ FLICKER_PRICE = 4.0
 WALK_PRICE = 12.0
 """What a random walk must earn: in flicker it is the cheaper explanation by that much once in hundreds of tables."""
 CORNER_PRICE = 4.0
-LEVEL_PRICE = 20.0
+LEVEL_PRICE = 16.0
 """What levels drawn at random must earn: one variance, among some thirty effects."""
 WALK = "bias_random_walk"
 FEWEST_ROWS = 18
@@ -114,14 +114,18 @@ class Tracer:
         """
         if self.ground.rows < FEWEST_ROWS:
             return Trace(found=(), noise=NoiseModel(), deviance=self.ground.deviance((), NoiseModel()))
-        best = self._searched(NoiseModel())
-        for noise in _other_noises(self.ground, best):
-            best = min(best, self._adapted(self._searched(noise)), key=trace_price)
-        drawn = self._with_drawn_levels(best)
-        if drawn.noise.levels != best.noise.levels:
-            again = self._with_drawn_levels(self._searched(drawn.noise))
-            best = min(drawn, again, key=trace_price)
+        white = self._searched(NoiseModel())
+        others = [self._adapted(self._settled(noise, white)) for noise in _other_noises(self.ground, white)]
+        best = min((self._drawn(trace) for trace in (white, *others)), key=trace_price)
         return refined(self.ground, best)
+
+    def _drawn(self, trace: Trace) -> Trace:
+        """A trace with the levels of its effects drawn; settled again where there are any."""
+        drawn = self._with_drawn_levels(trace)
+        if drawn.noise.levels == trace.noise.levels:
+            return trace
+        again = self._with_drawn_levels(self._settled(drawn.noise, drawn))
+        return min(drawn, again, key=trace_price)
 
     def _with_drawn_levels(self, trace: Trace) -> Trace:
         """Take effects that draw levels out of the columns: of levels, only the variance is a parameter."""
@@ -138,11 +142,24 @@ class Tracer:
         if not trace.noise.walk:
             return trace
         noise, _ = best_walk(self.ground, trace.forms, trace.noise)
-        return trace if noise == trace.noise else min(trace, self._searched(noise), key=trace_price)
+        return trace if noise == trace.noise else min(trace, self._settled(noise, trace), key=trace_price)
 
     def _searched(self, noise: NoiseModel) -> Trace:
+        """Search; where structure without a name came out of it, again without: it may stand in for several effects."""
         problem = self.problem(noise)
-        explanation = search(problem)
+        trace = self._traced(noise, search(problem))
+        if not trace.unnamed:
+            return trace
+        return min(trace, self._traced(noise, search(problem.named())), key=trace_price)
+
+    def _settled(self, noise: NoiseModel, start: Trace) -> Trace:
+        """What another trace turns into in another noise."""
+        problem = self.problem(noise)
+        chosen = tuple(item.number for item in start.found if not (noise.levels and item.effect.drawn))
+        return self._traced(noise, settled(problem, problem.explain(chosen, self.ground.near)))
+
+    def _traced(self, noise: NoiseModel, explanation: Explanation) -> Trace:
+        problem = self.problem(noise)
         chosen = tuple(found(problem, number) for number in explanation.chosen)
         return Trace(found=chosen, noise=noise, deviance=explanation.deviance)
 
