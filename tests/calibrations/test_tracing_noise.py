@@ -1,0 +1,63 @@
+"""Noise that remembers, and what is not to be mistaken for it."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from tables import FLIPS, sweep, table
+
+from calibrations.effects import CATALOGUE
+from calibrations.joint import fit_jointly
+from calibrations.tracing.ground import ground
+from calibrations.tracing.loop import close_loop
+from calibrations.tracing.noise import NoiseModel
+
+MOUNTS = (*FLIPS, sweep("face-up"), sweep("face-down"))
+
+
+@pytest.fixture(scope="module")
+def quiet():
+    rows = table(*MOUNTS, seed=7)
+    return replace(rows, time_s=2.5 * np.arange(len(rows)))
+
+
+def walked(rows, seed, pull=0.0):
+    """A bias that wanders by 30 µV a dwell, pulled back to its mean or not."""
+    steps = 3e-5 * np.random.default_rng(seed).normal(size=len(rows))
+    bias = np.zeros(len(rows))
+    for row in range(1, len(rows)):
+        bias[row] = (1.0 - pull) * bias[row - 1] + steps[row]
+    return replace(rows, voltage_v=rows.voltage_v + bias - bias.mean())
+
+
+def test_a_wandering_bias_is_called_a_random_walk(quiet):
+    loop = close_loop(walked(quiet, seed=3))
+
+    assert [effect.name for effect in loop.effects] == ["bias_random_walk"]
+    assert loop.unexplained is None
+
+
+def test_what_is_known_of_the_wandering_is_taken_off_the_residual(quiet):
+    loop = close_loop(walked(quiet, seed=3))
+
+    assert loop.augmented.residual_rms_v < 1.1e-4 < 0.5 * loop.declared.residual_rms_v
+
+
+def test_whitening_makes_the_noise_it_is_made_for_white(quiet):
+    memory = ground(fit_jointly(quiet), CATALOGUE).memory
+    noise = NoiseModel(walk=2.0, corner=4.0)
+    order = np.arange(1, memory.modes.shape[1])
+    variances = np.concatenate([[0.0], 2.0 / (order**2 + 16.0)])
+    covariance = np.eye(len(quiet)) + (memory.modes * variances) @ memory.modes.T
+    white = memory.whitening(noise)
+
+    assert np.allclose(white(white(covariance)), np.eye(len(quiet)), atol=1e-8)
+    assert white.log_determinant == pytest.approx(np.linalg.slogdet(covariance)[1])
+
+
+def test_flicker_leaves_a_mean_that_no_run_can_see(quiet):
+    memory = ground(fit_jointly(quiet), CATALOGUE).memory
+    ones = np.ones(len(quiet))
+
+    assert ones @ memory.whitening(NoiseModel(flicker=0.05))(ones) < 0.5 * len(quiet)
+    assert ones @ memory.whitening(NoiseModel(walk=0.05))(ones) > 0.9 * len(quiet)

@@ -1,0 +1,81 @@
+"""Footing, problem and search: the same answers as a plain least-squares fit, only faster."""
+
+import numpy as np
+import pytest
+from tables import FLIPS, gravity_on, sweep, table
+
+from calibrations.compression import compress
+from calibrations.effects import CATALOGUE
+from calibrations.effects.unnamed import STRUCTURES, Structure
+from calibrations.fit import joint_fit
+from calibrations.joint import fit_jointly
+from calibrations.tracing.ground import ground
+from calibrations.tracing.noise import NoiseModel
+from calibrations.tracing.search import entries, price, search
+from calibrations.tracing.trace import Tracer
+
+WHITE = NoiseModel()
+
+
+def bent(mount, angle_deg):
+    return 4e-4 * gravity_on(mount, angle_deg)[0] ** 2
+
+
+@pytest.fixture(scope="module")
+def tracer():
+    rows = table(*FLIPS, sweep("face-up"), sweep("face-down"), sweep("face-up-90"), extra_v=bent)
+    return Tracer(ground(fit_jointly(rows), CATALOGUE))
+
+
+def numbers(tracer, name):
+    return [number for number, offered in enumerate(tracer.offered) if offered.effect.name == name]
+
+
+def test_a_set_of_effects_is_fitted_as_by_the_joint_fit(tracer):
+    problem, joint = tracer.problem(WHITE), tracer.ground.joint
+    chosen = (numbers(tracer, "k_xx")[0], numbers(tracer, "graduation")[4])
+    explained = problem.explain(chosen, joint.fit.theta[:6])
+    columns = np.column_stack([tracer.ground.declared, tracer.columns[:, problem.columns_of(chosen)]])
+    plain = joint_fit(compress(columns, joint.observations.output_v, joint.weights))
+
+    assert problem.parameters(explained) == pytest.approx(plain.theta, rel=1e-6, abs=1e-9)
+    assert explained.fit.squares_v2 == pytest.approx(plain.squares_v2, rel=1e-9)
+
+
+@pytest.mark.parametrize("name", ["k_xx", "backlash", "graduation", "daq_nonlinearity", "realisation_bias"])
+def test_a_gain_is_what_adding_the_effect_brings(tracer, name):
+    problem = tracer.problem(WHITE)
+    nothing = problem.explain(())
+    number = numbers(tracer, name)[0]
+    added = problem.explain((number,), nothing.fit.theta[:6])
+
+    assert problem.gains(nothing)[number] == pytest.approx(nothing.deviance - added.deviance, rel=1e-3, abs=0.05)
+
+
+def test_an_effect_that_is_there_has_nothing_left_to_gain(tracer):
+    problem = tracer.problem(WHITE)
+    there = problem.explain((numbers(tracer, "k_xx")[0],))
+
+    assert problem.gains(there)[numbers(tracer, "k_xx")[0]] == 0.0
+
+
+def test_the_search_ends_with_the_cheapest_set(tracer):
+    problem = tracer.problem(WHITE)
+    found = search(problem)
+
+    assert [problem.offered[number].effect.name for number in found.chosen] == ["k_xx"]
+    assert price(problem, found) == found.deviance + entries([problem.offered[number] for number in found.chosen])
+
+
+def test_a_search_for_names_alone_finds_no_shape_without_one(tracer):
+    problem = tracer.problem(WHITE).named()
+
+    assert not any(isinstance(problem.offered[number].effect, Structure) for number in search(problem).chosen)
+
+
+def test_every_shape_without_a_name_says_in_words_what_and_where_it_is(tracer):
+    for structure in STRUCTURES:
+        for form in structure.forms(tracer.ground.scene):
+            words = structure.describe(form)
+            assert len(words) > 15
+            assert not {"_", "{", "="} & set(words.replace("ax = ", ""))
