@@ -5,9 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from calibrations.compression import Compressed
-from calibrations.fit import descended, fit_given_alpha0, joint_fit, squares_v2
 from calibrations.geometry import FloatArray
-from calibrations.model import BASIS_SIZE
+from calibrations.tracing.declared import Declared
 from calibrations.tracing.noise import Whitening
 
 
@@ -16,7 +15,7 @@ class Split:
     """Columns taken apart: what the declared functions can be, and what is left beside them."""
 
     along: FloatArray
-    """Shape (10, n)."""
+    """Shape (functions, n)."""
     beside: FloatArray
     """Shape (rows, n)."""
 
@@ -31,8 +30,15 @@ class Fitted:
 
     theta: FloatArray
     """Parameters of the declared model, then coefficients of the further columns."""
+    parameters: int
+    """How many of them are of the declared model."""
     squares_v2: float
     """Weighted, whitened sum of squared residuals, in square volts."""
+
+    @property
+    def declared(self) -> FloatArray:
+        """Parameters of the declared model."""
+        return self.theta[: self.parameters]
 
 
 class Footing:
@@ -41,27 +47,24 @@ class Footing:
     Parameters
     ----------
     declared
-        The ten functions of the declared model, shape (rows, 10).
+        The declared model.
     output_v
         Shape (rows,), in volts.
     weights
         Shape (rows,).
     white
         What makes the weighted noise white.
-    alpha0_told
-        Whether alpha0 is fitted; it is held at 0 otherwise.
     """
 
-    def __init__(
-        self, declared: FloatArray, output_v: FloatArray, weights: FloatArray, white: Whitening, alpha0_told: bool
-    ) -> None:
+    def __init__(self, declared: Declared, output_v: FloatArray, weights: FloatArray, white: Whitening) -> None:
+        self.declared = declared
         self._root = np.sqrt(weights)[:, None]
         self._white = white
-        padding = max(0, BASIS_SIZE - len(output_v))
-        q, self.r = np.linalg.qr(np.pad(white(declared * self._root), ((0, padding), (0, 0))))
+        self._size = declared.functions.shape[1]
+        padding = max(0, self._size - len(output_v))
+        q, self.r = np.linalg.qr(np.pad(white(declared.functions * self._root), ((0, padding), (0, 0))))
         self._q = q[: len(output_v)]
         self._rows = len(output_v)
-        self._alpha0_told = alpha0_told
         self.output = self.split(output_v[:, None])
 
     def split(self, columns: FloatArray) -> Split:
@@ -71,13 +74,13 @@ class Footing:
         return Split(along=along, beside=whitened - self._q @ along)
 
     def compressed(self, further: Split) -> Compressed:
-        """The rows as only the declared model and further columns see them; the first ten of `z` are the declared."""
+        """The rows as only the declared model and further columns see them; those of the declared come first."""
         q, r, z = self._beside(further)
-        size = BASIS_SIZE + r.shape[0]
-        whole = np.zeros((size, BASIS_SIZE + r.shape[1]))
-        whole[:BASIS_SIZE, :BASIS_SIZE] = self.r
-        whole[:BASIS_SIZE, BASIS_SIZE:] = further.along
-        whole[BASIS_SIZE:, BASIS_SIZE:] = r
+        size = self._size
+        whole = np.zeros((size + r.shape[0], size + r.shape[1]))
+        whole[:size, :size] = self.r
+        whole[:size, size:] = further.along
+        whole[size:, size:] = r
         rest = self.output.beside[:, 0] - q @ z
         return Compressed(
             r=whole,
@@ -89,15 +92,10 @@ class Footing:
     def fit(self, further: Split, near: FloatArray | None = None) -> Fitted:
         """Fit with further columns; `near` are parameters of the declared model near the best, None if none are."""
         compressed = self.compressed(further)
-        theta = self._theta(compressed, near)
-        return Fitted(theta=theta, squares_v2=squares_v2(compressed, theta))
-
-    def _theta(self, compressed: Compressed, near: FloatArray | None) -> FloatArray:
-        if not self._alpha0_told:
-            return fit_given_alpha0(compressed, 0.0).theta
-        if near is None:
-            return joint_fit(compressed).theta
-        return descended(compressed, np.concatenate([near, np.zeros(compressed.terms)]))
+        theta = self.declared.fitted(compressed, near)
+        misfit = compressed.z - compressed.r @ self.declared.coefficients(theta)
+        squares_v2 = compressed.rest_v2 + float(misfit @ misfit)
+        return Fitted(theta=theta, parameters=self.declared.parameters, squares_v2=squares_v2)
 
     def deviance(self, fit: Fitted) -> float:
         """-2 ln L of a fit, up to a constant of the table."""

@@ -14,6 +14,7 @@ from calibrations.identifiability import determined_without_kxy
 from calibrations.joint import Joint
 from calibrations.model import ALPHA0, BASIS_SIZE, PARAMETERS, basis, coefficients, coefficients_jacobian
 from calibrations.observations import Observations
+from calibrations.tracing.declared import Accelerometer
 from calibrations.tracing.footing import Footing
 from calibrations.tracing.noise import Memory, NoiseModel, scaled_levels, slow_modes
 
@@ -50,13 +51,9 @@ class Ground:
 
     def footing_of(self, kept: NDArray[np.bool_], noise: NoiseModel) -> Footing:
         """The same for some of the rows."""
-        return Footing(
-            self.declared[kept],
-            self.joint.observations.output_v[kept],
-            self.joint.weights[kept],
-            self.memory.rows(kept).whitening(noise),
-            self.joint.fit.alpha0_fitted,
-        )
+        model = Accelerometer(functions=self.declared[kept], alpha0_told=self.joint.fit.alpha0_fitted)
+        output_v, weights = self.joint.observations.output_v[kept], self.joint.weights[kept]
+        return Footing(model, output_v, weights, self.memory.rows(kept).whitening(noise))
 
     def deviance(self, forms: Sequence[Form], noise: NoiseModel) -> float:
         """-2 ln L of the declared model with these forms in this noise, up to a constant of the table."""

@@ -9,7 +9,6 @@ import numpy as np
 from calibrations.conditional import SINGULAR
 from calibrations.effects.unnamed import Structure
 from calibrations.geometry import FloatArray
-from calibrations.model import BASIS_SIZE, PARAMETERS, coefficients_jacobian
 from calibrations.tracing.candidates import Candidate
 from calibrations.tracing.footing import Fitted, Footing
 
@@ -83,7 +82,7 @@ class Problem:
     def parameters(self, explanation: Explanation) -> FloatArray:
         """Declared parameters and the coefficients of the chosen candidates, in their own units."""
         theta = explanation.fit.theta.copy()
-        theta[len(PARAMETERS) :] /= self._scale[self.columns_of(explanation.chosen)]
+        theta[explanation.fit.parameters :] /= self._scale[self.columns_of(explanation.chosen)]
         return theta
 
     def columns_of(self, chosen: tuple[int, ...]) -> list[int]:
@@ -109,18 +108,18 @@ class Problem:
         """
         picked = self._split.pick(self.columns_of(explanation.chosen))
         q, _ = np.linalg.qr(picked.beside)
-        jacobian = np.zeros((BASIS_SIZE + q.shape[1], len(PARAMETERS) + picked.along.shape[1]))
-        jacobian[:BASIS_SIZE, : len(PARAMETERS)] = (
-            self._footing.r @ coefficients_jacobian(explanation.fit.theta)[:BASIS_SIZE, : len(PARAMETERS)]
-        )
-        jacobian[:BASIS_SIZE, len(PARAMETERS) :] = picked.along
-        jacobian[BASIS_SIZE:, len(PARAMETERS) :] = q.T @ picked.beside
+        slopes = self._footing.declared.slopes(explanation.fit.theta)
+        size, parameters = slopes.shape
+        jacobian = np.zeros((size + q.shape[1], parameters + picked.along.shape[1]))
+        jacobian[:size, :parameters] = self._footing.r @ slopes
+        jacobian[:size, parameters:] = picked.along
+        jacobian[size:, parameters:] = q.T @ picked.beside
         directions = _directions(jacobian)
         output = self._footing.output
         seen = np.concatenate([output.along[:, 0], q.T @ output.beside[:, 0]])
-        rest = output.beside[:, 0] - q @ seen[BASIS_SIZE:]
+        rest = output.beside[:, 0] - q @ seen[size:]
         left = seen - directions @ (directions.T @ seen)
-        columns = directions[:BASIS_SIZE].T @ self._split.along + (q @ directions[BASIS_SIZE:]).T @ self._split.beside
+        columns = directions[:size].T @ self._split.along + (q @ directions[size:]).T @ self._split.beside
         return columns, (directions.T @ seen, float(rest @ rest + left @ left))
 
     def _falls(self, span: FloatArray, residual: FloatArray) -> FloatArray:

@@ -77,7 +77,7 @@ def _continued(problem: Problem, followed: Iterable[Explanation], beam: int) -> 
             if key not in expected or before - worth < expected[key][0]:
                 expected[key] = (before - worth, explanation, number)
     likely = sorted(expected.values(), key=lambda trial: trial[0])[: 2 * beam]
-    found = [problem.explain((*from_.chosen, number), from_.fit.theta[:6]) for _, from_, number in likely]
+    found = [problem.explain((*from_.chosen, number), from_.fit.declared) for _, from_, number in likely]
     return sorted(found, key=lambda explanation: price(problem, explanation))[:beam]
 
 
@@ -101,14 +101,14 @@ def _added(problem: Problem, explanation: Explanation) -> list[Explanation]:
     """Every set with one of the few that promise most added."""
     if len(explanation.chosen) >= MOST:
         return []
-    near = explanation.fit.theta[:6]
+    near = explanation.fit.declared
     promising = [number for worth, number in _promising(problem, explanation, BRANCHES) if worth > -_HOPELESS]
     return [problem.explain((*explanation.chosen, number), near) for number in promising]
 
 
 def _dropped(problem: Problem, explanation: Explanation) -> list[Explanation]:
     chosen = explanation.chosen
-    near = explanation.fit.theta[:6]
+    near = explanation.fit.declared
     return [problem.explain(chosen[:place] + chosen[place + 1 :], near) for place in range(len(chosen))]
 
 
@@ -117,7 +117,7 @@ def _exchanged(problem: Problem, explanation: Explanation) -> list[Explanation]:
     exchanged = []
     for place in range(len(explanation.chosen)):
         chosen = explanation.chosen[:place] + explanation.chosen[place + 1 :]
-        without = problem.explain(chosen, explanation.fit.theta[:6])
+        without = problem.explain(chosen, explanation.fit.declared)
         for _, number in _promising(problem, without, BRANCHES):
-            exchanged.append(problem.explain((*without.chosen, number), without.fit.theta[:6]))
+            exchanged.append(problem.explain((*without.chosen, number), without.fit.declared))
     return exchanged

@@ -1,0 +1,105 @@
+"""The declared model as tracing sees it: functions of the rows, and parameters that are fitted before any effect is."""
+
+from dataclasses import dataclass, replace
+from typing import Protocol, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from calibrations.compression import Compressed
+from calibrations.conditional import smallest_solution
+from calibrations.fit import descended, fit_given_alpha0, joint_fit
+from calibrations.geometry import FloatArray
+from calibrations.model import BASIS_SIZE, PARAMETERS, coefficients, coefficients_jacobian
+
+
+class Declared(Protocol):
+    """A model whose output is a combination of functions, with coefficients that depend on its parameters."""
+
+    @property
+    def functions(self) -> FloatArray:
+        """Shape (rows, functions)."""
+        ...
+
+    @property
+    def parameters(self) -> int:
+        """How many parameters it has."""
+        ...
+
+    def fitted(self, compressed: Compressed, near: FloatArray | None) -> FloatArray:
+        """Best parameters, then the coefficients of further columns; `near` are parameters near the best, if known."""
+        ...
+
+    def coefficients(self, theta: FloatArray) -> FloatArray:
+        """Coefficients of the functions and of the further columns."""
+        ...
+
+    def slopes(self, theta: FloatArray) -> FloatArray:
+        """Derivative of the coefficients of the functions, shape (functions, parameters)."""
+        ...
+
+    def rows(self, kept: NDArray[np.bool_]) -> Self:
+        """The same for some of the rows."""
+        ...
+
+
+@dataclass(frozen=True, kw_only=True)
+class Accelerometer:
+    """The model of `calibrations.model`: ten functions, six parameters, alpha0 the nonlinear one."""
+
+    functions: FloatArray
+    alpha0_told: bool
+    """Whether alpha0 is fitted; it is held at 0 otherwise."""
+
+    @property
+    def parameters(self) -> int:
+        """u0, kx, ky, kz, kxy, alpha0."""
+        return len(PARAMETERS)
+
+    def fitted(self, compressed: Compressed, near: FloatArray | None) -> FloatArray:
+        """By Gauss-Newton from parameters near the best; by a scan of alpha0 where there are none."""
+        if not self.alpha0_told:
+            return fit_given_alpha0(compressed, 0.0).theta
+        if near is None:
+            return joint_fit(compressed).theta
+        return descended(compressed, np.concatenate([near, np.zeros(compressed.terms)]))
+
+    def coefficients(self, theta: FloatArray) -> FloatArray:
+        """As in `calibrations.model`."""
+        return coefficients(theta)
+
+    def slopes(self, theta: FloatArray) -> FloatArray:
+        """As in `calibrations.model`."""
+        return coefficients_jacobian(theta)[:BASIS_SIZE, : len(PARAMETERS)]
+
+    def rows(self, kept: NDArray[np.bool_]) -> "Accelerometer":
+        """The same for some of the rows."""
+        return replace(self, functions=self.functions[kept])
+
+
+@dataclass(frozen=True, kw_only=True)
+class Linear:
+    """A model that is linear in its parameters: each is the coefficient of a function."""
+
+    functions: FloatArray
+
+    @property
+    def parameters(self) -> int:
+        """One for each function."""
+        return int(self.functions.shape[1])
+
+    def fitted(self, compressed: Compressed, near: FloatArray | None) -> FloatArray:  # noqa: ARG002
+        """By linear least squares."""
+        return smallest_solution(compressed.r, compressed.z)
+
+    def coefficients(self, theta: FloatArray) -> FloatArray:
+        """The parameters themselves."""
+        return theta
+
+    def slopes(self, theta: FloatArray) -> FloatArray:  # noqa: ARG002
+        """One, each of its own."""
+        return np.eye(self.parameters)
+
+    def rows(self, kept: NDArray[np.bool_]) -> "Linear":
+        """The same for some of the rows."""
+        return replace(self, functions=self.functions[kept])
