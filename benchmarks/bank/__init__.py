@@ -23,7 +23,7 @@ from benchmarks.bank.lists import (
 )
 from benchmarks.bank.novel import NOVEL
 from benchmarks.bank.scene import Unit
-from benchmarks.bank.table import Case, Spec, Stage, Truth, make_stage, make_table
+from benchmarks.bank.table import Case, Spec, Stage, Truth, make_stage, make_table, read_on
 
 __all__ = [
     "ALL_DESIGNS",
@@ -48,6 +48,7 @@ __all__ = [
     "novel",
     "pairs",
     "power",
+    "read_on",
     "singles",
     "triples",
     "write_csv",

@@ -157,6 +157,17 @@ def make_stage(spec: Spec, seed: int) -> Stage | None:
     return None if len(sized) < len(spec.effects) else Stage(run=run, unit=unit, sized=tuple(sized), visible=visible)
 
 
+def read_on(spec: Spec, seed: int, stage: Stage, run: Run) -> FloatArray:
+    """Return what the unit of a table reads on a longer run that begins with that of the table; without noise.
+
+    Only for effects that are no draws of each row, seat or realisation, and no part of the length of the run.
+    """
+    drawn = [DRAW[name](_stream(seed, _FIRST_EFFECT + _ORDER.index(name)), run) for name, _ in spec.effects]
+    return respond(
+        run, stage.unit, [(effect, amplitude) for effect, (_, amplitude) in zip(drawn, stage.sized, strict=True)]
+    )
+
+
 def _refuse_unknown(spec: Spec) -> None:
     if unknown := [name for name, _ in spec.effects if name not in _ORDER]:
         raise ValueError(f"There is no effect {unknown[0]}; known are {', '.join(_ORDER)}.")

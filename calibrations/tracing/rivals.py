@@ -39,7 +39,7 @@ class Rival:
     behind: float
     """Deviance beyond that of the trace, 2 added for each coefficient more; negative for a better one."""
     dearer: float
-    """Price beyond that of the trace: what decides which of the two gives its name."""
+    """Naming price beyond that of the trace: what decides which of the two gives its name."""
 
 
 def with_best_names(tracer: Tracer, trace: Trace) -> tuple[Trace, dict[str, list[Rival]]]:
@@ -47,13 +47,12 @@ def with_best_names(tracer: Tracer, trace: Trace) -> tuple[Trace, dict[str, list
 
     Returns the trace, and the rivals of each of its effects that are close.
     """
-    for _ in range(2 * len(trace.names) + 1):
+    while True:
         listed = {name: rivals(tracer, trace, name) for name in trace.names}
         better = [rival for name, others in listed.items() for rival in others if _goes_before(tracer, rival, name)]
         if not better:
-            break
+            return trace, {name: [rival for rival in others if rival.behind < CLOSE] for name, others in listed.items()}
         trace = min(better, key=lambda rival: rival.dearer).trace
-    return trace, {name: [rival for rival in others if rival.behind < CLOSE] for name, others in listed.items()}
 
 
 def _goes_before(tracer: Tracer, rival: Rival, name: str) -> bool:
@@ -62,6 +61,14 @@ def _goes_before(tracer: Tracer, rival: Rival, name: str) -> bool:
         return rival.dearer < 0
     order = [*(effect.name for effect in tracer.effects), WALK]
     return order.index(rival.name) < order.index(name)
+
+
+def _naming_price(trace: Trace) -> float:
+    """Price of a trace, and what each coefficient must earn for its effect to give the name.
+
+    It only ever falls, or stays while names move up in the catalogue, so that exchanging names comes to an end.
+    """
+    return trace_price(trace) + _SIMPLER * sum(item.coefficients for item in trace.found)
 
 
 def rivals(tracer: Tracer, trace: Trace, name: str) -> list[Rival]:
@@ -75,9 +82,7 @@ def rivals(tracer: Tracer, trace: Trace, name: str) -> list[Rival]:
             trace=trial,
             found=item,
             behind=trial.deviance - trace.deviance + 2.0 * ((item.coefficients if item else 1) - coefficients),
-            dearer=trace_price(trial)
-            - trace_price(trace)
-            + _SIMPLER * ((item.coefficients if item else 1) - coefficients),
+            dearer=_naming_price(trial) - _naming_price(trace),
         )
         for item, trial in _in_place(tracer, rest, trace.names)
     ]

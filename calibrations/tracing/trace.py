@@ -18,10 +18,10 @@ FLICKER_FLOOR = 0.25
 MOST_FLICKER = FLICKER_FLOOR**2 / (2 * np.log(2))
 """The same as variance of the first mode (IEEE Std 952, annex C: floor² = 2 ln 2 h)."""
 FLICKER_PRICE = 4.0
-WALK_PRICE = 12.0
+WALK_PRICE = 9.5
 """What a random walk must earn: in flicker it is the cheaper explanation by that much once in hundreds of tables."""
 CORNER_PRICE = 4.0
-LEVEL_PRICE = 16.0
+LEVEL_PRICE = 11.5
 """What levels drawn at random must earn: one variance, among some thirty effects."""
 WALK = "bias_random_walk"
 FEWEST_ROWS = 18
