@@ -15,6 +15,7 @@ ALPHA0_REACH_DEG = 45.0
 """Beyond this the declared model repeats itself with the axes renamed."""
 _GRID_DEG = np.linspace(-ALPHA0_REACH_DEG, ALPHA0_REACH_DEG, 37)
 _NODES = np.linspace(-6.0, 6.0, 49)
+_HALVINGS = 12
 _CONVERGED = 1e-10
 """A step that changes the fitted voltages by less than this part of the sum of squares is the last."""
 
@@ -67,17 +68,25 @@ def refined_fit(compressed: Compressed, start: FloatArray) -> JointFit:
 
 
 def descended(compressed: Compressed, start: FloatArray) -> FloatArray:
-    """The parameter vector alone, by Gauss-Newton from one that is near the best."""
-    theta = start
+    """The parameter vector alone, by Gauss-Newton from one that is near the best; steps that lead uphill are halved."""
+    theta, squares = start, squares_v2(compressed, start)
     for _ in range(50):
         misfit = compressed.z - compressed.r @ coefficients(theta)
         jacobian = compressed.r @ coefficients_jacobian(theta)
         step = smallest_solution(jacobian, misfit)
         step *= min(1.0, 2.0 / max(abs(step[ALPHA0]), 1e-300))
-        theta = theta + step
-        theta[ALPHA0] = np.clip(theta[ALPHA0], -ALPHA0_REACH_DEG, ALPHA0_REACH_DEG)
+        for _ in range(_HALVINGS):
+            trial = theta + step
+            trial[ALPHA0] = np.clip(trial[ALPHA0], -ALPHA0_REACH_DEG, ALPHA0_REACH_DEG)
+            reached = squares_v2(compressed, trial)
+            if reached <= squares * (1.0 + 1e-12):
+                break
+            step /= 2.0
+        else:
+            return theta
+        theta, squares = trial, reached
         change = jacobian @ step
-        if change @ change < _CONVERGED * (compressed.rest_v2 + misfit @ misfit) or abs(step[ALPHA0]) < 1e-10:
+        if change @ change < _CONVERGED * squares or abs(step[ALPHA0]) < 1e-10:
             break
     return theta
 

@@ -19,7 +19,7 @@ from calibrations.tracing.trace import (
 
 CLOSE = 3.84
 """Two explanations whose deviances differ by less cannot be told apart (chi-square, one degree of freedom, 95%)."""
-_SIMPLER = 4.5
+_SIMPLER = 6.0
 """What a coefficient more must earn for its effect to give the name: the simpler one may be a special case of it."""
 _EQUAL = 1e-3
 """Deviances closer than this are equal: the effects are the same in this table."""

@@ -125,7 +125,13 @@ class Tracer:
         if drawn.noise.levels == trace.noise.levels:
             return trace
         again = self._with_drawn_levels(self._settled(drawn.noise, drawn))
-        return min(drawn, again, key=trace_price)
+        best = min(drawn, again, key=trace_price)
+        return min((best, *(self._without(best, name) for name, _ in best.noise.levels)), key=trace_price)
+
+    def _without(self, trace: Trace, name: str) -> Trace:
+        """A trace without the levels of an effect."""
+        rest = trace.without(name)
+        return replace(rest, deviance=self.ground.deviance(rest.forms, rest.noise))
 
     def _with_drawn_levels(self, trace: Trace) -> Trace:
         """Take effects that draw levels out of the columns: of levels, only the variance is a parameter."""
