@@ -56,3 +56,31 @@ class VirtualClock:
         """Advance by `duration_s` seconds, at once."""
         if duration_s > 0:
             self._elapsed_s += duration_s
+
+
+class ReleasedClock(VirtualClock):
+    """A virtual clock that runs by itself from the moment it is released: what came before took no time."""
+
+    def __init__(self, wall_start_ns: int | None = None) -> None:
+        super().__init__(wall_start_ns)
+        self._released_s: float | None = None
+
+    def release(self) -> None:
+        """Run by the computer's own clock from now on."""
+        self._released_s = time.monotonic()
+
+    def monotonic_s(self) -> float:
+        """Seconds slept until the release, and those that have passed since."""
+        since_s = 0.0 if self._released_s is None else time.monotonic() - self._released_s
+        return super().monotonic_s() + since_s
+
+    def wall_ns(self) -> int:
+        """Wall time at which the clock was made plus its own time since then."""
+        return self._wall_start_ns + round(self.monotonic_s() * 1e9)
+
+    def sleep(self, duration_s: float) -> None:
+        """Advance at once before the release; wait after it."""
+        if self._released_s is None:
+            super().sleep(duration_s)
+        elif duration_s > 0:
+            time.sleep(duration_s)

@@ -16,3 +16,14 @@ class DeviceError(Exception):
 
 class LimitError(DeviceError):
     """A move was asked for that the head's soft limits forbid; nothing moved."""
+
+
+class LinkLostError(DeviceError):
+    """The way to the instrument is gone: port vanished, cable pulled, connection closed.
+
+    What the instrument does meanwhile is unknown; after a reconnect it must be identified and asked.
+    """
+
+
+class NoReplyError(DeviceError):
+    """The link stands, but no answer came in time."""

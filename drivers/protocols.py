@@ -3,8 +3,9 @@
 Adding an instrument means writing one class that fits one of these; nothing inherits from anything.
 """
 
-from dataclasses import dataclass
-from typing import Protocol
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,6 +31,10 @@ class HeadStatus:
     moving: bool
     device_time_s: float
     """The head's own clock, or the computer's where the head has none."""
+    referenced: bool = True
+    """Whether the head knows its angle; false from the loss of its power until it has been homed."""
+    by_hand: bool = False
+    """Whether a person turns the head and reads it: who may take any time, and whose reading is where it stands."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -91,6 +96,15 @@ class Daq(Protocol):
         ...
 
 
+@runtime_checkable
+class Reconnectable(Protocol):
+    """An instrument behind a link that can vanish and return."""
+
+    def reconnect(self) -> None:
+        """Open the link anew and forget what was under way on the old one. Raises `LinkLostError` while it is away."""
+        ...
+
+
 @dataclass(frozen=True, kw_only=True)
 class Stand:
     """A head, a DAQ and the clock by which they live: all that the engine needs to know of a stand."""
@@ -99,3 +113,5 @@ class Stand:
     head: DividingHead
     daq: Daq
     clock: Clock
+    serials: Mapping[str, str] = field(default_factory=dict)
+    """Serial numbers that the instruments must have, by `head` and `daq`; any where nothing is said."""

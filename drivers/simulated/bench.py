@@ -68,6 +68,10 @@ class Bench:
         self.counts.mountings += 1
         self._follow()
 
+    def postpone(self, outage_s: float) -> None:
+        """Count time as if the world had begun so much later."""
+        self._began_s += outage_s
+
     def begin_acquisition(self) -> None:
         """Note that samples are about to be taken: the first ones after a move begin a dwell."""
         self.counts.acquisitions += 1

@@ -95,6 +95,15 @@ class SimulatedDaq:
 
         Raises `DeviceError` where there is nothing to take.
         """
+        block = self.take(samples, rate_hz)
+        self._clock.sleep(samples / rate_hz)
+        return block
+
+    def take(self, samples: int, rate_hz: float) -> SampleBlock:
+        """Return at once what `acquire` returns when the samples are there, for a caller that does the waiting.
+
+        Raises `DeviceError` where there is nothing to take.
+        """
         if samples < 1 or not rate_hz > 0.0:
             raise DeviceError(
                 "simulated DAQ",
@@ -106,8 +115,7 @@ class SimulatedDaq:
         self._terminals.begin_acquisition()
         voltage_v = self._with_remainder(self._terminals.sample_v(times_s), started_s)
         temperature_degc = self._terminals.sensor_degc(float(times_s[samples // 2]))
-        self._clock.sleep(samples / rate_hz)
-        self._last_v, self._last_s = float(voltage_v.mean()), self._clock.monotonic_s()
+        self._last_v, self._last_s = float(voltage_v.mean()), started_s + samples / rate_hz
         return SampleBlock(
             voltage_v=self._converter.shown_v(voltage_v),
             rate_hz=rate_hz,

@@ -45,6 +45,10 @@ class WiredUnit:
         """Note that samples are about to be taken."""
         self._bench.begin_acquisition()
 
+    def postpone(self, outage_s: float) -> None:
+        """Count time as if the world had begun so much later."""
+        self._began_s += outage_s
+
     def output_v(self, times_s: FloatArray) -> FloatArray:
         """Output at rising clock times with everything but the white noise of the samples."""
         since_s = times_s - self._began_s
@@ -95,13 +99,13 @@ class SimulatedWorld:
         self._unit = _unit(settings, base_path)
         self._bench = Bench(settings, clock, head, _head_errors(settings, base_path))
         self._converter = Converter(effects, resolution_v=settings.resolution_v, range_v=settings.range_v)
-        terminals = WiredUnit(settings, self._bench, self._unit, clock.monotonic_s())
+        self._terminals = WiredUnit(settings, self._bench, self._unit, clock.monotonic_s())
         self.head: SimulatedHead = self._bench.head
-        self.daq = SimulatedDaq(clock, terminals, self._converter, settling=effects.settling)
+        self.daq = SimulatedDaq(clock, self._terminals, self._converter, settling=effects.settling)
 
     @property
     def counts(self) -> Counts:
-        """What has happened so far; set the counts to go on with the draws where another world stopped."""
+        """What has happened so far."""
         return self._bench.counts
 
     @property
@@ -116,6 +120,12 @@ class SimulatedWorld:
     def switch_on(self) -> None:
         """Switch the unit off and on for a moment: its bias is drawn anew, but it stays warm."""
         self.counts.turn_ons += 1
+
+    def put_back(self, counts: Counts, outage_s: float) -> None:
+        """Count the draws on from `counts`, and have everything that drifts and wanders stand as `outage_s` ago."""
+        vars(self._bench.counts).update(vars(counts))
+        self._bench.postpone(outage_s)
+        self._terminals.postpone(outage_s)
 
     def noise_free_voltage(self, mounts: Sequence[str], angles_deg: ArrayLike) -> FloatArray:
         """Mean reading at each reported angle with every static effect and none of time or history.

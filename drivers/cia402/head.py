@@ -1,0 +1,252 @@
+"""A dividing head turned by a CiA 402 drive in profile position mode."""
+
+import time
+from typing import Final
+
+from drivers.cia402 import objects, states
+from drivers.cia402.node import DriveNode
+from drivers.cia402.states import Mode, State
+from drivers.clock import Clock
+from drivers.errors import DeviceError, LimitError, NoReplyError
+from drivers.links.can_link import CanLink
+from drivers.protocols import HeadStatus, Identity
+
+ANSWER_S: Final = 2.0
+"""How long the drive may take to change its state or mode, or to take a set-point, in real seconds."""
+
+_POLL_S: Final = 0.005
+_STAY_STOPPED: Final = 6
+"""Quick stop option code: brake on the quick stop ramp and stay in `State.QUICK_STOP`."""
+_MOST_COUNTS: Final = 2**31 - 1
+
+
+class Cia402Head:
+    """A head on CANopen. Fits `DividingHead` and `Reconnectable`.
+
+    The homing method is the one that is set in the drive. A fault of the drive is never reset on the way: whoever knows
+    that its cause is gone calls `reset_fault`.
+
+    Parameters
+    ----------
+    link
+        The bus; others may share it.
+    node_id
+        Number of the node, 1 to 127.
+    limits_deg
+        Soft limits.
+    steps_per_deg
+        Position units of the drive per degree, sign included.
+    speed_deg_s
+        Speed of a move.
+    clock
+        Clock by which the status is dated.
+
+    Raises
+    ------
+    LinkLostError
+        No such node answers.
+    DeviceError
+        The node is no CiA 402 drive.
+    """
+
+    def __init__(
+        self,
+        link: CanLink,
+        node_id: int,
+        *,
+        limits_deg: tuple[float, float],
+        steps_per_deg: float,
+        speed_deg_s: float,
+        clock: Clock,
+    ) -> None:
+        self._limits_deg = limits_deg
+        self._steps_per_deg = steps_per_deg
+        self._speed_deg_s = speed_deg_s
+        self._clock = clock
+        self._homed = False
+        self._told = ""
+        self._node = DriveNode(link, node_id)
+        self.reconnect()
+
+    @property
+    def limits_deg(self) -> tuple[float, float]:
+        """Soft limits."""
+        return self._limits_deg
+
+    @property
+    def speed_deg_s(self) -> float:
+        """Speed of a move."""
+        return self._speed_deg_s
+
+    def reconnect(self) -> None:
+        """Open the bus anew, unless another instrument on it has, start the node, and stop a move that is under way.
+
+        Raises
+        ------
+        LinkLostError
+            The bus or the node is not there.
+        """
+        self._node.connect()
+        self._node.booted = False
+        self._node.write(objects.QUICK_STOP_OPTION, _STAY_STOPPED)
+        if states.is_moving(self._node.read(objects.STATUSWORD)):
+            self.stop()
+            self._await("come to rest", states.TARGET_REACHED, states.TARGET_REACHED)
+        self._homed = self._says_homed()
+
+    def identify(self) -> Identity:
+        """Name, serial number and software version of the drive. Raises `DeviceError`."""
+        vendor = self._node.read(objects.IDENTITY, objects.VENDOR)
+        product = self._node.read(objects.IDENTITY, objects.PRODUCT)
+        name = self._node.read_text(objects.DEVICE_NAME)
+        return Identity(
+            model=f"{name} (vendor {vendor:X}h, product {product:X}h)",
+            serial=str(self._node.read(objects.IDENTITY, objects.SERIAL)),
+            firmware=self._node.read_text(objects.SOFTWARE_VERSION),
+        )
+
+    def home(self) -> None:
+        """Start homing; `status` tells when it is done. Raises `DeviceError`."""
+        self._refuse_fault()
+        self._node.booted = self._homed = False
+        self._enable(Mode.HOMING)
+        self._control(states.ENABLE | states.START)
+
+    def start_move(self, angle_deg: float) -> None:
+        """Begin to move to the nearest count; a move under way is replaced.
+
+        Raises
+        ------
+        LimitError
+            Outside the limits; nothing moved.
+        DeviceError
+            The head has not been homed, or the drive is faulty or did not take the set-point.
+        """
+        counts = self._counts(angle_deg)
+        self._refuse_fault()
+        if not self._referenced:
+            raise DeviceError(self._node.device, "has lost its reference", "home it before it is moved")
+        self._enable(Mode.PROFILE_POSITION)
+        self._node.write(objects.PROFILE_VELOCITY, max(1, round(abs(self._speed_deg_s * self._steps_per_deg))))
+        self._node.write(objects.TARGET_POSITION, counts)
+        self._control(states.ENABLE | states.START | states.AT_ONCE)
+        self._await("take the set-point", states.ACKNOWLEDGED, states.ACKNOWLEDGED)
+        self._control(states.ENABLE)
+        self._await("be ready for the next set-point", states.ACKNOWLEDGED, 0)
+
+    def status(self) -> HeadStatus:
+        """Read position and motion back.
+
+        A fault of the drive or of the motion is raised as `DeviceError` the first time it is seen; after that the
+        position can be read all the same, so that a standstill can be made sure of.
+        """
+        self._node.check()
+        statusword = self._node.read(objects.STATUSWORD)
+        mode = self._node.read(objects.MODE_DISPLAY)
+        counts = self._node.read(objects.POSITION)
+        self._tell_once(self._complaint(statusword, mode))
+        if mode == Mode.HOMING and states.is_homed(statusword):
+            self._homed = True
+        return HeadStatus(
+            angle_deg=counts / self._steps_per_deg + 0.0,  # never -0
+            moving=states.is_moving(statusword),
+            device_time_s=self._clock.monotonic_s(),
+            referenced=self._referenced,
+        )
+
+    def stop(self) -> None:
+        """Brake on the quick stop ramp; in every other state than a move this changes nothing. Raises `DeviceError`."""
+        self._control(states.QUICK_STOP)
+
+    def reset_fault(self) -> None:
+        """Reset a fault whose cause the operator has removed. Raises `DeviceError` where the cause is still there."""
+        if self._state() is State.FAULT:
+            self._control(states.DISABLE_VOLTAGE)
+            self._control(states.FAULT_RESET)
+            self._node.emergency = None
+            self._await("leave its fault", states.STATUS[State.FAULT][0], 0x40)
+        if self._node.read(objects.ERROR_REGISTER):
+            raise self._node.fault(self._node.read(objects.ERROR_CODE))
+        self._node.emergency = None
+
+    @property
+    def _referenced(self) -> bool:
+        return self._homed and not self._node.booted
+
+    def _counts(self, angle_deg: float) -> int:
+        low_deg, high_deg = self._limits_deg
+        if low_deg <= angle_deg <= high_deg and abs(angle_deg * self._steps_per_deg) <= _MOST_COUNTS:
+            return round(angle_deg * self._steps_per_deg)
+        raise LimitError(
+            self._node.device,
+            f"a move to {angle_deg:g} deg was asked for, outside the limits {low_deg:g} to {high_deg:g} deg",
+            "choose another angle or correct limits_deg in the stand file",
+        )
+
+    def _says_homed(self) -> bool:
+        """Whether the drive says in homing mode that it is homed; one in fault is not asked."""
+        if self._state() is State.FAULT:
+            return False
+        self._set_mode(Mode.HOMING)
+        return states.is_homed(self._node.read(objects.STATUSWORD))
+
+    def _enable(self, mode: Mode) -> None:
+        """Choose the mode, and walk through the state machine until the drive is enabled."""
+        if self._state() is State.ENABLED:
+            self._control(states.ENABLE)  # take back a start bit, so that its next edge counts
+        self._set_mode(mode)
+        deadline_s = time.monotonic() + ANSWER_S
+        while (state := self._state()) is not State.ENABLED:
+            if state in states.TOWARDS_ENABLED:
+                self._control(states.TOWARDS_ENABLED[state])
+            self._pause(deadline_s, "become enabled")
+
+    def _set_mode(self, mode: Mode) -> None:
+        deadline_s = time.monotonic() + ANSWER_S
+        self._node.write(objects.MODE, mode)
+        while self._node.read(objects.MODE_DISPLAY) != mode:
+            self._pause(deadline_s, f"enter the mode {mode.name.lower().replace('_', ' ')}")
+
+    def _complaint(self, statusword: int, mode: int) -> DeviceError | None:
+        """What is wrong with the drive or its motion."""
+        if self._node.emergency is not None:
+            return self._node.fault(self._node.emergency)
+        state = states.state_of(statusword)
+        if state in (State.FAULT, State.FAULT_REACTION):
+            return self._node.fault(self._node.read(objects.ERROR_CODE))
+        if state is State.ENABLED and statusword & states.MOTION_ERROR:
+            what = "homing failed" if mode == Mode.HOMING else "the head does not follow its set-point"
+            return DeviceError(self._node.device, what, "look for what blocks it, then resume the run")
+        return None
+
+    def _tell_once(self, complaint: DeviceError | None) -> None:
+        told, self._told = self._told, str(complaint or "")
+        if complaint is not None and str(complaint) != told:
+            raise complaint
+
+    def _refuse_fault(self) -> None:
+        """Make sure that the drive is there and without a fault."""
+        self._node.check()
+        if self._node.emergency is not None:
+            raise self._node.fault(self._node.emergency)
+        if self._state() is State.FAULT:
+            raise self._node.fault(self._node.read(objects.ERROR_CODE))
+
+    def _state(self) -> State | None:
+        return states.state_of(self._node.read(objects.STATUSWORD))
+
+    def _control(self, word: int) -> None:
+        self._node.write(objects.CONTROLWORD, word)
+
+    def _await(self, what: str, mask: int, value: int) -> None:
+        deadline_s = time.monotonic() + ANSWER_S
+        while self._node.read(objects.STATUSWORD) & mask != value:
+            self._pause(deadline_s, what)
+
+    def _pause(self, deadline_s: float, what: str) -> None:
+        """Wait a moment for the drive. Raises `DeviceError` where it takes too long: its fault, or that it has none."""
+        self._node.check()
+        if time.monotonic() > deadline_s:
+            self._refuse_fault()
+            raise NoReplyError(self._node.device, f"did not {what}", "check its supply and its parameters")
+        time.sleep(_POLL_S)

@@ -1,0 +1,177 @@
+"""One CANopen node as its master sees it: objects by SDO, heartbeat, boot-up and emergency messages."""
+
+import logging
+import math
+import time
+from typing import Final
+
+import can
+import canopen
+from canopen import SdoAbortedError, SdoCommunicationError
+from canopen.emcy import EmcyError
+from canopen.objectdictionary import ObjectDictionaryError, ODVariable
+
+from drivers.cia402 import objects
+from drivers.cia402.emergencies import abort_words, emergency_words
+from drivers.errors import DeviceError, LinkLostError, NoReplyError
+from drivers.links.can_link import CanLink
+
+TRIES: Final = 3
+REPLY_TIMEOUT_S: Final = 0.5
+HEARTBEAT_S: Final = 0.2
+PATIENCE_S: Final = 1.5
+"""A node from which no heartbeat came for so long is lost."""
+
+_SDO_ANSWER: Final = 0x580
+_SDO_BYTES: Final = 8
+_LATE_S: Final = 0.1
+"""Wait after a missing answer, so that a late one is not taken for the next."""
+
+logging.getLogger("canopen").addHandler(logging.NullHandler())  # what it reports is raised here
+
+
+class DriveNode:
+    """A node on a CAN bus; every failure is told as an error of `drivers.errors`.
+
+    Reading an object and writing one are both repeated where no answer came: writing the same value twice is the same
+    as writing it once, also for the controlword, of which only edges count.
+
+    Parameters
+    ----------
+    link
+        The bus.
+    node_id
+        1 to 127.
+    """
+
+    def __init__(self, link: CanLink, node_id: int) -> None:
+        self.device = f"CAN drive, node {node_id}"
+        self.booted = False
+        """Whether it has told of a start since this was last set to false."""
+        self.emergency: int | None = None
+        """Code of an emergency that it has not taken back."""
+        self._link = link
+        self._heard_s = -math.inf
+        self._network = _LinkNetwork(link)
+        self._node = canopen.RemoteNode(node_id, objects.object_dictionary(node_id))
+        self._network[node_id] = self._node
+        self._node.sdo.RESPONSE_TIMEOUT = REPLY_TIMEOUT_S
+        self._node.nmt.add_heartbeat_callback(self._hear_heartbeat)
+        self._node.emcy.add_callback(self._hear_emergency)
+        self._generation = 0
+
+    def connect(self) -> None:
+        """Start the node and its heartbeat, on the bus as it is, or opened anew where it was used before.
+
+        Raises `LinkLostError` while the node does not answer.
+        """
+        self._generation = self._link.reopen(self._generation)
+        self._heard_s = -math.inf
+        try:
+            self.write(objects.HEARTBEAT_MS, round(1000 * HEARTBEAT_S))
+        except NoReplyError as error:
+            raise LinkLostError(error.device, error.happened, error.remedy) from error
+        self._heard_s = time.monotonic()
+        self._node.nmt.state = "OPERATIONAL"
+
+    def check(self) -> None:
+        """Make sure that the node is there. Raises `LinkLostError`."""
+        self._link.check()
+        if time.monotonic() - self._heard_s > PATIENCE_S:
+            raise LinkLostError(
+                self.device,
+                f"has given no heartbeat for {PATIENCE_S:g} s",
+                "check its power and the cable; the run can be resumed",
+            )
+
+    def fault(self, code: int) -> DeviceError:
+        """The error that says what the drive complains of."""
+        return DeviceError(
+            self.device,
+            f"reports {emergency_words(code)}",
+            "remove the cause, make sure that the head is free to turn, then resume the run",
+        )
+
+    def read(self, index: int, subindex: int = 0) -> int:
+        """Value of a numeric object. Raises `LinkLostError`, `NoReplyError`, `DeviceError`."""
+        return int(self._read(self._variable(index, subindex)))
+
+    def read_text(self, index: int) -> str:
+        """Value of a text object. Raises `LinkLostError`, `NoReplyError`, `DeviceError`."""
+        return str(self._read(self._variable(index, 0))).strip("\0 ")
+
+    def write(self, index: int, value: int, subindex: int = 0) -> None:
+        """Set an object. Raises `LinkLostError`, `NoReplyError`, `DeviceError`."""
+        variable = self._variable(index, subindex)
+        for _ in range(TRIES):
+            try:
+                self._node.sdo.download(index, subindex, variable.encode_raw(value))
+            except SdoAbortedError as error:
+                raise self._refused(variable, error) from error
+            except SdoCommunicationError:
+                time.sleep(_LATE_S)
+            else:
+                return
+        raise self._silent()
+
+    def _read(self, variable: ODVariable) -> int | str:
+        for _ in range(TRIES):
+            try:
+                data = self._node.sdo.upload(variable.index, variable.subindex)
+                value = variable.decode_raw(data)
+            except SdoAbortedError as error:
+                raise self._refused(variable, error) from error
+            except (SdoCommunicationError, ObjectDictionaryError, UnicodeDecodeError):
+                time.sleep(_LATE_S)
+            else:
+                return value  # type: ignore[return-value]  # no object here is a float or a block of bytes
+        raise self._silent()
+
+    def _variable(self, index: int, subindex: int) -> ODVariable:
+        variable = self._node.object_dictionary.get_variable(index, subindex)
+        assert variable is not None, f"{index:04X}h is not in the object dictionary"
+        return variable
+
+    def _refused(self, variable: ODVariable, error: SdoAbortedError) -> DeviceError:
+        return DeviceError(
+            self.device,
+            f"refused object {variable.index:04X}h ({variable.name.lower()}): {abort_words(error.code)}",
+            "check that it is a CiA 402 drive with profile position and homing, and its parameters",
+        )
+
+    def _silent(self) -> DeviceError:
+        """The error for a node that does not answer: is it there at all?"""
+        self._link.check()
+        alive = time.monotonic() - self._heard_s <= PATIENCE_S
+        happened = f"gave no SDO answer in {TRIES} tries"
+        if alive:
+            return NoReplyError(self.device, happened, "switch it off and on, then resume the run")
+        return LinkLostError(self.device, f"{happened} and no heartbeat", "check its power, node number and cable")
+
+    def _hear_heartbeat(self, state: int) -> None:
+        self._heard_s = time.monotonic()
+        if state == 0:
+            self.booted = True
+            self.emergency = None
+
+    def _hear_emergency(self, entry: EmcyError) -> None:
+        self.emergency = None if entry.code & 0xFF00 == 0 else entry.code
+
+
+class _LinkNetwork(canopen.Network):
+    """A CANopen network whose bus is a `CanLink`, so that others may share the bus."""
+
+    def __init__(self, link: CanLink) -> None:
+        super().__init__()
+        self._link = link
+        link.subscribe(self._hear)
+
+    def send_message(self, can_id: int, data: bytes, remote: bool = False) -> None:
+        """Send through the link; a remote request, which nothing here uses, is not sent."""
+        if not remote:
+            self._link.send(can_id, bytes(data))
+
+    def _hear(self, message: can.Message) -> None:
+        if message.arbitration_id & 0x780 == _SDO_ANSWER and message.dlc != _SDO_BYTES:
+            return  # no SDO answer, and `canopen` would stumble over it
+        self.listeners[0].on_message_received(message)  # type: ignore[no-untyped-call]

@@ -1,0 +1,144 @@
+"""Lines of bytes over any pyserial URL, with the two ways of failing told apart."""
+
+import select
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from typing import Final
+
+import serial
+
+from drivers.errors import LinkLostError, NoReplyError
+
+WRITE_TIMEOUT_S: Final = 2.0
+MOST_LINE_BYTES: Final = 1 << 20
+"""A line longer than this is noise."""
+
+_CHUNK_BYTES: Final = 1 << 16
+_SLICE_S: Final = 0.05
+"""One wait inside pyserial. It stays as it is, since pyserial sets the whole port anew whenever it is changed."""
+
+
+class SerialLink:
+    """A serial port, `socket://HOST:PORT`, `rfc2217://HOST:PORT`, or the path of a terminal.
+
+    Every failure of the port is a `LinkLostError`, and the port is then closed: only `reopen` makes it usable again.
+    What came after the end of a line is kept for the next `read_line`.
+
+    Parameters
+    ----------
+    url
+        Any pyserial URL or port name.
+    baud_rate
+        Of a real port; what is reached over a network does not care.
+    device
+        What errors call the instrument at the other end.
+
+    Raises
+    ------
+    LinkLostError
+        The port cannot be opened.
+    """
+
+    def __init__(self, url: str, baud_rate: int = 115_200, device: str = "instrument") -> None:
+        self.url = url
+        self.device = device
+        self._baud_rate = baud_rate
+        self._is_socket = url.startswith("socket://")
+        self._waiting = bytearray()
+        self._port: serial.Serial | None = None
+        self.reopen()
+
+    def write(self, data: bytes) -> None:
+        """Send bytes. Raises `LinkLostError`, also where the other end does not take them in time."""
+        with self._watched() as port:
+            port.write(data)
+
+    def read_line(self, terminator: bytes, timeout_s: float) -> bytes:
+        """Wait for a line and return it with its terminator.
+
+        Raises
+        ------
+        NoReplyError
+            None was complete within `timeout_s` real seconds; what came of it stays for the next call.
+        LinkLostError
+            The port is gone, or sends noise without end.
+        """
+        deadline_s = time.monotonic() + timeout_s
+        while terminator not in self._waiting:
+            if time.monotonic() > deadline_s:
+                raise NoReplyError(
+                    self.device,
+                    f"gave no answer at {self.url} within {timeout_s:g} s",
+                    "check that it is switched on and that address and baud rate are right",
+                )
+            self._receive()
+        end = self._waiting.index(terminator) + len(terminator)
+        line = bytes(self._waiting[:end])
+        del self._waiting[:end]
+        return line
+
+    def discard_input(self) -> None:
+        """Throw away everything that has come so far. Raises `LinkLostError`."""
+        with self._watched() as port:
+            while port.in_waiting and port.read(port.in_waiting):
+                pass
+        self._waiting.clear()
+
+    def reopen(self) -> None:
+        """Close and open the port anew, with nothing waiting. Raises `LinkLostError` while it is not there."""
+        self.close()
+        telnet = self.url.startswith("rfc2217://")  # pyserial offers no write timeout there
+        try:
+            self._port = serial.serial_for_url(
+                self.url,
+                baudrate=self._baud_rate,
+                timeout=0.0 if self._is_socket else _SLICE_S,
+                write_timeout=None if telnet else WRITE_TIMEOUT_S,
+            )
+        except (serial.SerialException, OSError, ValueError) as error:
+            raise LinkLostError(
+                self.device,
+                f"cannot be reached at {self.url} ({error})",
+                "check cable, power and port, and the url in the stand file",
+            ) from error
+
+    def close(self) -> None:
+        """Close the port; a closed one stays closed."""
+        port, self._port = self._port, None
+        self._waiting.clear()
+        if port is None:
+            return
+        connection = getattr(port, "_socket", None)
+        with suppress(serial.SerialException, OSError):
+            port.close()
+        if connection is not None:  # pyserial forgets one that the other end has shut down
+            connection.close()
+
+    def _receive(self) -> None:
+        """Take what has come; wait a moment for the first byte."""
+        with self._watched() as port:
+            if self._is_socket:  # there, pyserial knows only whether anything waits, not how much
+                if select.select([port.fileno()], [], [], _SLICE_S)[0]:
+                    self._waiting += port.read(_CHUNK_BYTES)
+            else:
+                self._waiting += port.read(1)
+                self._waiting += port.read(port.in_waiting)
+            if len(self._waiting) > MOST_LINE_BYTES:
+                raise OSError(f"{len(self._waiting)} bytes came without the end of a line")
+
+    @contextmanager
+    def _watched(self) -> Iterator[serial.Serial]:
+        """The open port; whatever fails there closes it and is told as a lost link."""
+        if self._port is None:
+            raise self._lost("the port is closed")
+        try:
+            yield self._port
+        except (serial.SerialException, OSError) as error:
+            self.close()
+            raise self._lost(str(error)) from error
+
+    def _lost(self, why: str) -> LinkLostError:
+        return LinkLostError(
+            self.device, f"the link at {self.url} is lost ({why})", "check cable and power; the run can be resumed"
+        )

@@ -1,0 +1,157 @@
+"""One request at a time over a link, and the message that answers it and no other."""
+
+import time
+from typing import Final, Protocol
+
+from drivers.errors import DeviceError, NoReplyError
+from drivers.zaber.codec import (
+    BROADCAST,
+    LINE_END,
+    MESSAGE_IDS,
+    GarbledError,
+    Kind,
+    Message,
+    Request,
+    encode_request,
+    parse_message,
+)
+from drivers.zaber.warnings import rejection
+
+ATTEMPTS: Final = 3
+"""How often what may be repeated is tried."""
+
+
+class Link(Protocol):
+    """What is needed of `drivers.links.SerialLink`."""
+
+    def write(self, data: bytes) -> None:
+        """Send bytes. Raises `LinkLostError`."""
+        ...
+
+    def read_line(self, terminator: bytes, timeout_s: float) -> bytes:
+        """Wait for a line. Raises `LinkLostError`, `NoReplyError`."""
+        ...
+
+    def discard_input(self) -> None:
+        """Throw away what has come. Raises `LinkLostError`."""
+        ...
+
+    def reopen(self) -> None:
+        """Open the port anew. Raises `LinkLostError`."""
+        ...
+
+
+class UnclearError(NoReplyError):
+    """What came of a command is unknown: the answer did not come, or came garbled."""
+
+
+class RejectedError(DeviceError):
+    """The device refused a command; nothing happened."""
+
+    def __init__(self, device: str, command: str, reason: str) -> None:
+        happened, remedy = rejection(reason)
+        super().__init__(device, f"refuses {command!r}: it {happened}", remedy)
+        self.reason = reason
+
+
+class Conversation:
+    """Requests to one axis of one device, every one with an id and a checksum.
+
+    Messages with another id are late or doubled answers to earlier requests and are passed over, and so are alerts.
+
+    Parameters
+    ----------
+    link
+        The way to the device.
+    device
+        Number of the device in its chain, from 1.
+    axis
+        Number of the axis, from 1.
+    name
+        What errors call the device.
+    timeout_s
+        Real time in which an answer must be there.
+    """
+
+    def __init__(self, link: Link, *, device: int, axis: int, name: str, timeout_s: float) -> None:
+        self.name = name
+        self.checksums = False
+        """Whether the device has been told to send checksums; then a message without one is never taken."""
+        self._link = link
+        self._device = device
+        self._axis = axis
+        self._timeout_s = timeout_s
+        self._next_id = 0
+
+    def reopen(self) -> None:
+        """Begin anew on a new link. Raises `LinkLostError`."""
+        self._link.reopen()
+
+    def repeat(self, command: str, *, axis: bool = True) -> Message:
+        """Ask what may be asked twice, up to `ATTEMPTS` times.
+
+        Raises
+        ------
+        NoReplyError, RejectedError, LinkLostError
+        """
+        for _ in range(ATTEMPTS - 1):
+            try:
+                return self.once(command, axis=axis)
+            except UnclearError:
+                continue
+            except RejectedError as error:
+                if error.reason != "AGAIN":
+                    raise
+        return self.once(command, axis=axis)
+
+    def once(self, command: str, *, axis: bool = True) -> Message:
+        """Send a command, to the axis or to the whole device, and return what the device says to it.
+
+        Raises
+        ------
+        UnclearError
+            Whether the device heard the command is unknown.
+        RejectedError
+            It heard and refused.
+        LinkLostError
+            The link is gone, and what came of the command is as unknown.
+        """
+        message_id, self._next_id = self._next_id, (self._next_id + 1) % MESSAGE_IDS
+        number = self._axis if axis else BROADCAST
+        request = Request(device=self._device, axis=number, message_id=message_id, command=command)
+        deadline_s = time.monotonic() + self._timeout_s
+        self._link.discard_input()
+        self._link.write(encode_request(request))
+        reply = self._next(request, Kind.REPLY, deadline_s)
+        while reply.continues:
+            reply = self._continued(reply, request, deadline_s)
+        if not reply.accepted:
+            raise RejectedError(self.name, command, reply.data)
+        return reply
+
+    def _continued(self, reply: Message, request: Request, deadline_s: float) -> Message:
+        try:
+            return reply.continued_by(self._next(request, Kind.INFO, deadline_s))
+        except GarbledError as error:
+            raise self._unclear(request, f"was garbled ({error})") from error
+
+    def _next(self, request: Request, kind: Kind, deadline_s: float) -> Message:
+        """The next message that belongs to the request."""
+        while True:
+            try:
+                line = self._link.read_line(LINE_END, deadline_s - time.monotonic())
+                message = parse_message(line, checksum=self.checksums)
+            except NoReplyError as error:
+                raise self._unclear(request, f"did not come within {self._timeout_s:g} s") from error
+            except GarbledError as error:
+                raise self._unclear(request, f"was garbled ({error})") from error
+            sender = message.device, message.axis, message.message_id
+            if message.kind is kind and sender == (request.device, request.axis, request.message_id):
+                return message
+
+    def _unclear(self, request: Request, how: str) -> UnclearError:
+        return UnclearError(
+            self.name,
+            f"the answer to {request.command or 'a status request'!r} {how}",
+            "check power, cable, device number and baud rate, and what else talks on this line",
+        )

@@ -1,0 +1,119 @@
+"""What people do at an emulated stand: seat the unit, switch it off and on.
+
+No protocol of an instrument has words for that. A program that drives an emulated stand finds its backstage by the
+address of an instrument, through a small file in the folder for temporary files, and tells it what a person would have
+done.
+"""
+
+import getpass
+import json
+import os
+import socket
+import tempfile
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from hashlib import sha256
+from pathlib import Path
+from typing import Final
+
+from drivers.errors import DeviceError
+from emulators.serving import serve_tcp
+from emulators.world import SharedWorld
+
+_TIMEOUT_S: Final = 5.0
+
+
+class BackstageSession:
+    """Hears `seat MOUNT` and `switch on`, a line each, and answers `done`, or what is wrong. Fits `Session`."""
+
+    def __init__(self, shared: SharedWorld) -> None:
+        self._shared = shared
+
+    def received(self, data: bytes) -> bytes:
+        """Do what one line says."""
+        verb, _, what = data.decode("utf-8", "replace").strip().partition(" ")
+        with self._shared.lock:
+            try:
+                self._do(verb, what)
+            except ValueError as error:
+                return f"{error}\n".encode()
+        return b"done\n"
+
+    def due(self) -> bytes:
+        """Nothing is said unasked."""
+        return b""
+
+    def _do(self, verb: str, what: str) -> None:
+        if verb == "seat":
+            self._shared.world.seat(what)
+        elif (verb, what) == ("switch", "on"):
+            self._shared.world.switch_on()
+        else:
+            raise ValueError(f"{verb} {what} is nothing that is done backstage")
+
+
+class Backstage:
+    """The way to the people at an emulated stand."""
+
+    def __init__(self, port: int) -> None:
+        self._port = port
+
+    def seat(self, mount: str) -> None:
+        """Seat the unit. Raises `DeviceError`."""
+        self._tell(f"seat {mount}")
+
+    def switch_on(self) -> None:
+        """Switch the unit off and on. Raises `DeviceError`."""
+        self._tell("switch on")
+
+    def alive(self) -> bool:
+        """Whether somebody is there."""
+        try:
+            socket.create_connection(("127.0.0.1", self._port), timeout=_TIMEOUT_S).close()
+        except OSError:
+            return False
+        return True
+
+    def _tell(self, line: str) -> None:
+        try:
+            with socket.create_connection(("127.0.0.1", self._port), timeout=_TIMEOUT_S) as connection:
+                connection.sendall(f"{line}\n".encode())
+                answer = connection.makefile("rb").readline().decode().strip()
+        except OSError as error:
+            raise DeviceError("emulated stand", f"{line}: nobody heard it ({error})", "start it again") from error
+        if answer != "done":
+            raise DeviceError("emulated stand", f"{line}: {answer or 'no answer'}", "look at what is asked of it")
+
+
+@contextmanager
+def backstage_of(shared: SharedWorld, addresses: Sequence[str]) -> Iterator[None]:
+    """Open the backstage of a world whose instruments have these addresses, as long as the context lasts."""
+    with serve_tcp(lambda: BackstageSession(shared), terminators=b"\n") as server:
+        entries = [_entry(address) for address in addresses]
+        for entry in entries:
+            entry.parent.mkdir(parents=True, exist_ok=True)
+            entry.write_text(json.dumps({"port": server.port, "process": os.getpid()}), "utf-8")
+        try:
+            yield
+        finally:
+            for entry in entries:
+                entry.unlink(missing_ok=True)
+
+
+def find_backstage(addresses: Sequence[str]) -> Backstage | None:
+    """The backstage of the emulated stand to which an instrument with one of these addresses belongs, if any."""
+    for address in addresses:
+        try:
+            known = json.loads(_entry(address).read_text("utf-8"))
+            backstage = Backstage(int(known["port"]))
+        except (OSError, ValueError, KeyError, TypeError):
+            continue
+        if backstage.alive():
+            return backstage
+    return None
+
+
+def _entry(address: str) -> Path:
+    """The file that says where the backstage of an instrument is."""
+    folder = Path(tempfile.gettempdir()) / f"tumble-emulated-{getpass.getuser()}"
+    return folder / f"{sha256(address.encode()).hexdigest()[:24]}.json"

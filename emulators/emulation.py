@@ -1,0 +1,105 @@
+"""A whole emulated stand: one world, its head and its DAQ behind the protocols that a stand file names."""
+
+from collections.abc import Callable
+from contextlib import ExitStack
+from dataclasses import dataclass
+from typing import Literal
+from uuid import uuid4
+
+from emulators.backstage import backstage_of
+from emulators.faults import Faults, FaultScript
+from emulators.serving import Server, Session, serve_pty, serve_tcp
+from emulators.world import SharedWorld
+
+
+@dataclass(frozen=True, kw_only=True)
+class Wanted:
+    """How a stand is to be served."""
+
+    head: Literal["zaber", "cia402"]
+    daq: Literal["scpi", "can"]
+    steps_per_deg: float
+    node: int = 1
+    """Number of the drive on CANopen."""
+    head_port: int = 0
+    """TCP port; 0 for any that is free. Where head and DAQ share a CAN bus, that of the head serves both."""
+    daq_port: int = 0
+    ptys: bool = False
+    """Whether each is served on a pseudo-terminal too (not on Windows)."""
+
+
+def emulate(stack: ExitStack, shared: SharedWorld, wanted: Wanted, script: FaultScript | None = None) -> dict[str, str]:
+    """Serve a stand until `stack` is closed.
+
+    Returns the addresses of `head` and `daq` as a stand file writes them, and those of their pseudo-terminals.
+
+    Raises
+    ------
+    OSError
+        A port is taken, or there are no pseudo-terminals.
+    """
+    return _Emulation(stack, shared, wanted, script).addresses()
+
+
+class _Emulation:
+    def __init__(self, stack: ExitStack, shared: SharedWorld, wanted: Wanted, script: FaultScript | None) -> None:
+        self._stack, self._shared, self._wanted = stack, shared, wanted
+        self._script = script
+        self._head_faults, self._daq_faults = self._faults("head"), self._faults("daq")
+        self._channel = f"tumble-{uuid4().hex}"
+        self._bus_address: dict[str, str] = {}
+
+    def _faults(self, device: str) -> Faults:
+        return Faults(self._script, device, self._shared.clock, lambda: self._shared.world.counts.dwells)
+
+    def addresses(self) -> dict[str, str]:
+        found = self._head() | self._daq()
+        self._stack.enter_context(backstage_of(self._shared, tuple(found.values())))
+        return found
+
+    def _head(self) -> dict[str, str]:
+        if self._wanted.head == "cia402":
+            from emulators.cia402 import EmulatedDrive
+
+            node, steps = self._wanted.node, self._wanted.steps_per_deg
+            drive = EmulatedDrive(self._shared, self._channel, self._head_faults, node_id=node, steps_per_deg=steps)
+            self._stack.callback(drive.close)
+            return self._bus("head", self._wanted.head_port)
+        from emulators.zaber import EmulatedZaber
+
+        stage = EmulatedZaber(self._shared, steps_per_deg=self._wanted.steps_per_deg, faults=self._head_faults)
+        return self._lines("head", stage.session, self._wanted.head_port, self._head_faults)
+
+    def _daq(self) -> dict[str, str]:
+        if self._wanted.daq == "can":
+            from emulators.candaq import EmulatedCanDaq
+
+            daq = EmulatedCanDaq(self._shared, self._channel, self._daq_faults)
+            self._stack.callback(daq.close)
+            return self._bus("daq", self._wanted.daq_port)
+        from emulators.scpi import Multimeter, ScpiSession
+
+        meter = Multimeter(self._shared, self._daq_faults)
+        return self._lines("daq", lambda: ScpiSession(meter), self._wanted.daq_port, self._daq_faults)
+
+    def _lines(self, name: str, session: Callable[[], Session], port: int, faults: Faults) -> dict[str, str]:
+        """Serve a protocol of lines."""
+        found = {name: self._kept(serve_tcp(session, port, faults)).url}
+        if self._wanted.ptys:
+            found[f"{name}_pty"] = self._kept(serve_pty(session, faults)).url
+        return found
+
+    def _bus(self, name: str, port: int) -> dict[str, str]:
+        """Serve the CAN bus, once, whoever asks first. Frames are not commands: the bus counts faults of its own."""
+        from emulators.slcan import serve_slcan, slcan_address
+        from emulators.socketcand import serve_socketcand, socketcand_address
+
+        faults = self._faults(name)
+        if not self._bus_address:
+            self._bus_address[""] = socketcand_address(self._kept(serve_socketcand(self._channel, port, faults))).url
+            if self._wanted.ptys:
+                self._bus_address["_pty"] = slcan_address(self._kept(serve_slcan(self._channel, faults))).url
+        return {f"{name}{suffix}": address for suffix, address in self._bus_address.items()}
+
+    def _kept(self, server: Server) -> Server:
+        return self._stack.enter_context(server)

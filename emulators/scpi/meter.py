@@ -1,0 +1,177 @@
+"""A 6½-digit multimeter at the terminals of the simulated unit."""
+
+from collections.abc import Callable, Generator
+from functools import partial
+from typing import Final
+
+from emulators.faults import Faults
+from emulators.scpi.command import Command, Reply
+from emulators.scpi.configuration import LINE_HZ, Configuration
+from emulators.scpi.language import ScpiError, Tree, number, units
+from emulators.scpi.settings import MODELS, write_real
+from emulators.scpi.status import Status
+from emulators.scpi.triggering import Triggering
+from emulators.world import SharedWorld
+
+OTHER_SERIAL: Final = "MY57299999"
+"""Serial number of the unit that takes its place with the fault `swapped`."""
+
+
+class Multimeter:
+    """Answers SCPI messages with what the world's voltmeter and thermometer see. Its state outlives its clients.
+
+    It measures DC voltage and temperature. A measurement takes as long as its settings say, by the clock of the world:
+    a reading the integration time (twice that with autozero) and the trigger delay, or the sample timer.
+
+    Parameters
+    ----------
+    world
+        Where it is wired.
+    faults
+        What shall go wrong in it: nan, overload, swapped, power_loss.
+    model
+        One of `settings.MODELS`.
+    serial
+        Serial number.
+    """
+
+    def __init__(
+        self, world: SharedWorld, faults: Faults | None = None, model: str = "34461A", serial: str = "MY57200001"
+    ) -> None:
+        self.lock = world.lock
+        """Held by whoever lets it work."""
+        self.status = Status()
+        self._faults = faults or Faults()
+        self._name, self._model, self._serial = model, MODELS[model], serial
+        self._configuration = Configuration(self._model)
+        self._triggering = Triggering(world, self._faults)
+        self._commands = Tree(self._common() | self._system() | self._measuring() | self._configuration.commands())
+
+    def execute(self, message: str) -> Generator[None, None, str]:
+        """Carry out a message; yields while a query waits for readings, and returns the answers, separated by ";".
+
+        What cannot be done is left out; what cannot be understood ends the message.
+        """
+        self._suffer()
+        answers: list[str] = []
+        last = False
+        try:
+            for unit in units(message):
+                command = self._commands.find(unit.header)
+                if last and unit.header.endswith("?"):
+                    raise ScpiError(-440)
+                last = last or command.last
+                reply = self._attempt(partial(command.perform, unit.parameters))
+                while callable(reply):
+                    if self._triggering.busy:
+                        yield
+                    else:
+                        reply = self._attempt(reply)
+                if reply is not None:
+                    answers.append(reply)
+        except ScpiError as error:
+            self.status.report(error)
+        return ";".join(answers)
+
+    def _attempt(self, act: Callable[[], Reply]) -> Reply:
+        """Do something; report what cannot be done. Raises `ScpiError` for what cannot be understood."""
+        try:
+            return act()
+        except ScpiError as error:
+            if error.number > -200:
+                raise
+            self.status.report(error)
+            return None
+
+    def _suffer(self) -> None:
+        """Let happen to it what the faults say."""
+        if self._faults.take("swapped"):
+            self._serial = OTHER_SERIAL
+        if self._faults.take("power_loss"):
+            self.status.power_on()
+            self._reset()
+
+    def _common(self) -> dict[str, Command]:
+        """Common commands (IEEE 488.2-1992, chapter 10)."""
+        status = self.status
+        return {
+            "*IDN?": Command(act=self._identity, last=True),
+            "*OPT?": Command(act=lambda: "0", last=True),
+            "*RST": Command(act=self._reset),
+            "*CLS": Command(act=status.clear),
+            "*ESE": Command(act=self._enable, least=1, most=1),
+            "*ESE?": Command(act=lambda: f"{status.enabled:+d}"),
+            "*ESR?": Command(act=lambda: f"{status.take_events():+d}"),
+            "*STB?": Command(act=lambda: f"{status.byte:+d}"),
+            "*OPC": Command(act=status.complete),
+            "*OPC?": Command(act=lambda: lambda: "1"),
+            "*WAI": Command(act=lambda: lambda: None),
+            "*TST?": Command(act=lambda: "+0"),
+            "*TRG": Command(act=self._triggering.trigger),
+        }
+
+    def _system(self) -> dict[str, Command]:
+        return {
+            "SYSTem:ERRor[:NEXT]?": Command(act=self.status.take_error),
+            "SYSTem:VERSion?": Command(act=lambda: "1994.0"),
+            "SYSTem:LFRequency?": Command(act=lambda: f"{LINE_HZ:+.0f}"),
+            "SYSTem:LICense:CATalog?": Command(act=lambda: '""'),
+            "SYSTem:PRESet": Command(act=self._reset),
+            "SYSTem:LOCal": Command(act=_stay),
+            "SYSTem:REMote": Command(act=_stay),
+            "SYSTem:BEEPer[:IMMediate]": Command(act=_stay),
+            "ROUTe:TERMinals?": Command(act=lambda: "FRON"),
+        }
+
+    def _measuring(self) -> dict[str, Command]:
+        voltage, temperature = self._configuration.configure_voltage, self._configuration.configure_temperature
+        return {
+            "CONFigure[:SCALar]:VOLTage[:DC]": Command(act=partial(self._change, voltage), most=2),
+            "CONFigure[:SCALar]:TEMPerature": Command(act=partial(self._change, temperature), most=4),
+            "MEASure[:SCALar]:VOLTage[:DC]?": Command(act=partial(self._measure, voltage), most=2),
+            "MEASure[:SCALar]:TEMPerature?": Command(act=partial(self._measure, temperature), most=4),
+            "[SENSe]:FUNCtion[:ON]": Command(act=partial(self._change, self._configuration.choose), least=1, most=1),
+            "INITiate[:IMMediate]": Command(act=self._initiate),
+            "ABORt": Command(act=self._triggering.abort),
+            "FETCh?": Command(act=lambda: self._fetch),
+            "READ?": Command(act=self._read),
+        }
+
+    def _change(self, change: Callable[..., None], *parameters: str) -> None:
+        """What is in the memory does not belong to a new configuration."""
+        self._triggering.forget()
+        change(*parameters)
+
+    def _measure(self, configure: Callable[..., None], *parameters: str) -> Reply:
+        self._change(configure, *parameters)
+        return self._read()
+
+    def _read(self) -> Reply:
+        if self._configuration.measurement.source == "BUS":
+            raise ScpiError(-214)
+        self._triggering.abort()
+        self._initiate()
+        return self._fetch
+
+    def _initiate(self) -> None:
+        self._triggering.initiate(self._configuration.measurement)
+
+    def _fetch(self) -> str:
+        return ",".join(map(write_real, self._triggering.fetch().tolist()))
+
+    def _reset(self) -> None:
+        self._configuration.reset()
+        self._triggering.forget()
+
+    def _identity(self) -> str:
+        return f"{self._model.maker},{self._name},{self._serial},{self._model.firmware}"
+
+    def _enable(self, mask: str) -> None:
+        value = number(mask)
+        if not 0 <= value <= 255:
+            raise ScpiError(-222)
+        self.status.enabled = round(value)
+
+
+def _stay() -> None:
+    """Do nothing: front panel and beeper are not emulated."""

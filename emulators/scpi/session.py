@@ -1,0 +1,43 @@
+"""A client's conversation with the multimeter."""
+
+from collections.abc import Generator
+
+from emulators.scpi.language import ScpiError
+from emulators.scpi.meter import Multimeter
+
+INTERRUPTED = -410
+
+
+class ScpiSession:
+    """Messages in, answers out. Fits `emulators.serving.Session`.
+
+    A query that waits for readings is answered by `due`. A message that comes before that interrupts it: the answer
+    never comes (IEEE 488.2-1992, 6.3.2.3).
+    """
+
+    def __init__(self, meter: Multimeter) -> None:
+        self._meter = meter
+        self._running: Generator[None, None, str] | None = None
+
+    def received(self, data: bytes) -> bytes:
+        """Hear one message, its terminator included."""
+        message = data.decode("latin-1").strip()
+        if not message:
+            return self.due()
+        if self._running:
+            self._meter.status.report(ScpiError(INTERRUPTED))
+        self._running = self._meter.execute(message)
+        return self.due()
+
+    def due(self) -> bytes:
+        """The answer for which the client waits, once it is there."""
+        if self._running is None:
+            return b""
+        with self._meter.lock:
+            try:
+                next(self._running)
+            except StopIteration as finished:
+                self._running = None
+                answer: str = finished.value
+                return f"{answer}\n".encode("ascii") if answer else b""
+        return b""

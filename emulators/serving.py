@@ -1,0 +1,129 @@
+"""Serve an emulated instrument to any client, over loopback TCP or a pseudo-terminal."""
+
+import time
+from collections.abc import Callable
+from threading import Event, Thread
+from types import TracebackType
+from typing import Final, Self
+
+from emulators.faults import Faults
+from emulators.ports import Channel, Port, PtyPort, TcpPort
+from emulators.wire import Session, Wire
+
+__all__ = ["Server", "Session", "serve_pty", "serve_tcp"]
+
+POLL_S: Final = 0.003
+"""Time between two looks at what an instrument wants to say unasked."""
+
+LINE_ENDS: Final = b"\r\n"
+
+
+class Server:
+    """An instrument being served by a thread of its own, until it is closed.
+
+    A client may leave and another come; each has a session of its own. The fault `drop` makes the port vanish for its
+    `lasts_s`; what was answered but not yet sent is lost.
+    """
+
+    def __init__(self, session_factory: Callable[[], Session], port: Port, faults: Faults, terminators: bytes) -> None:
+        self._session_factory = session_factory
+        self._port = port
+        self._faults = faults
+        self._terminators = terminators
+        self._wires: dict[Channel, Wire] = {}
+        self._closing = Event()
+        port.open()
+        self._thread = Thread(target=self._serve, name=f"serving {port.url}", daemon=True)
+        self._thread.start()
+
+    @property
+    def url(self) -> str:
+        """Where it is served, as pyserial wants it."""
+        return self._port.url
+
+    @property
+    def port(self) -> int:
+        """Number of the TCP port. Raises `AttributeError` for a terminal, which has none."""
+        if not isinstance(self._port, TcpPort):
+            raise AttributeError(f"{self.url} is no TCP port")
+        return self._port.number
+
+    def close(self) -> None:
+        """Stop serving; returns when the thread has ended."""
+        self._closing.set()
+        self._thread.join()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def _serve(self) -> None:
+        while not self._closing.is_set():
+            self._turn()
+        self._port.close()
+
+    def _turn(self) -> None:
+        """Hear every client once, then answer, unless the link is lost meanwhile."""
+        answers = [(channel, self._heard(channel)) for channel in self._port.wait(POLL_S)]
+        if drop := self._faults.take("drop"):
+            self._vanish(drop.lasts_s)
+            return
+        for channel, answer in answers:
+            if answer is None:
+                self._port.leave(channel)
+                self._wires.pop(channel, None)
+            elif answer:
+                channel.write(answer)
+
+    def _heard(self, channel: Channel) -> bytes | None:
+        """What goes to a client now; None where it is gone."""
+        wire = self._wires.get(channel)
+        if wire is None:
+            wire = self._wires[channel] = Wire(self._session_factory(), self._faults, self._terminators)
+        data = channel.read()
+        now_s = time.monotonic()
+        return None if data is None else wire.hear(data, now_s) + wire.due(now_s)
+
+    def _vanish(self, lasts_s: float) -> None:
+        self._port.close()
+        self._wires.clear()
+        self._closing.wait(lasts_s)
+        self._port.open()
+
+
+def serve_tcp(
+    session_factory: Callable[[], Session],
+    port: int = 0,
+    faults: Faults | None = None,
+    terminators: bytes = LINE_ENDS,
+) -> Server:
+    """Serve over TCP on the loopback interface.
+
+    Parameters
+    ----------
+    session_factory
+        Called for every client that comes.
+    port
+        Number of the port; 0 for any that is free.
+    faults
+        What goes wrong on the wire.
+    terminators
+        Bytes, any of which ends a command.
+
+    Raises
+    ------
+    OSError
+        The port is taken.
+    """
+    return Server(session_factory, TcpPort(port), faults or Faults(), terminators)
+
+
+def serve_pty(
+    session_factory: Callable[[], Session], faults: Faults | None = None, terminators: bytes = LINE_ENDS
+) -> Server:
+    """Serve over a pseudo-terminal, in place of a serial port. Raises `OSError` on Windows, which has none."""
+    return Server(session_factory, PtyPort(), faults or Faults(), terminators)

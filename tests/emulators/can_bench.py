@@ -1,0 +1,96 @@
+"""A simulated stand on an emulated CAN bus, and the drivers that reach it."""
+
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from itertools import count
+
+from drivers.candaq import CanDaq, DaqFrames
+from drivers.cia402 import Cia402Head
+from drivers.clock import Clock
+from drivers.links.can_address import CanAddress
+from drivers.links.can_link import CanLink
+from drivers.protocols import HeadStatus
+from drivers.simulated import Simulated, build
+from emulators.candaq import EmulatedCanDaq
+from emulators.cia402 import EmulatedDrive
+from emulators.faults import Faults, FaultScript
+from emulators.speed import FasterClock
+from emulators.world import SharedWorld
+
+FACTOR = 50.0
+STEPS_PER_DEG = -1000.0
+DEADLINE_S = 10.0
+
+_numbers = count()
+
+
+@dataclass(frozen=True, kw_only=True)
+class CanBench:
+    """A world, its clock, the channel of its bus, and a link to it."""
+
+    world: SharedWorld
+    clock: Clock
+    channel: str
+    link: CanLink
+
+    def head(self, **options) -> Cia402Head:
+        chosen = {"limits_deg": (-180.0, 760.0), "steps_per_deg": STEPS_PER_DEG, "speed_deg_s": 20.0} | options
+        return Cia402Head(self.link, 1, clock=self.clock, **chosen)
+
+    def homed_head(self, **options) -> Cia402Head:
+        head = self.head(**options)
+        head.home()
+        rested(head)
+        return head
+
+    def daq(self, frames: DaqFrames | None = None) -> CanDaq:
+        return CanDaq(self.link, frames or DaqFrames.from_file(), self.clock)
+
+
+@contextmanager
+def can_bench(*faults: dict, frames: DaqFrames | None = None) -> Iterator[CanBench]:
+    """A drive, a DAQ and a link in one process; every fault needs `device`, `kind` and `at`."""
+    clock = FasterClock(FACTOR)
+    stand = build(Simulated(noise_v=0.0), clock=clock)
+    world = SharedWorld(stand)
+    channel = f"bench-{next(_numbers)}"
+    script = FaultScript.model_validate({"fault": faults})
+    head_faults, daq_faults = (
+        Faults(script, device, clock, lambda: stand.world.counts.dwells) for device in ("head", "daq")
+    )
+    drive = EmulatedDrive(world, channel, head_faults, steps_per_deg=STEPS_PER_DEG)
+    daq = EmulatedCanDaq(world, channel, daq_faults, frames)
+    link = CanLink(CanAddress(interface="virtual", channel=channel))
+    try:
+        yield CanBench(world=world, clock=clock, channel=channel, link=link)
+    finally:
+        link.close()
+        daq.close()
+        drive.close()
+
+
+def rested(head: Cia402Head) -> HeadStatus:
+    """Status of the head once it does not move."""
+    return until(head, lambda status: not status.moving)
+
+
+def until(head, holds) -> HeadStatus:
+    deadline_s = time.monotonic() + DEADLINE_S
+    while True:
+        status = head.status()
+        if holds(status):
+            return status
+        assert time.monotonic() < deadline_s, status
+
+
+def raised(kind: type[Exception], ask) -> Exception:
+    """What `ask` raises, sooner or later."""
+    deadline_s = time.monotonic() + DEADLINE_S
+    while time.monotonic() < deadline_s:
+        try:
+            ask()
+        except kind as error:
+            return error
+    raise AssertionError(f"no {kind.__name__} came")

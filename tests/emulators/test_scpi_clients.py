@@ -1,0 +1,143 @@
+"""Clients that nobody here wrote, at the emulated multimeter over TCP."""
+
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import partial
+
+import numpy as np
+import pytest
+
+from drivers.simulated import Simulated, build
+from emulators.scpi import Multimeter, ScpiSession
+from emulators.serving import serve_tcp
+from emulators.speed import FasterClock
+from emulators.world import SharedWorld
+
+with warnings.catch_warnings():
+    warnings.simplefilter("ignore")
+    from pymeasure.instruments.agilent import Agilent34410A
+    from pymeasure.instruments.keithley import KeithleyDMM6500
+    from qcodes.instrument_drivers.Keysight import Keysight34465A
+
+pytestmark = pytest.mark.filterwarnings("ignore")
+
+U0 = pytest.approx(2.5, abs=0.05)
+
+
+@contextmanager
+def resource(model: str) -> Iterator[str]:
+    """VISA resource name of an emulated meter."""
+    world = SharedWorld(build(Simulated(), clock=FasterClock(200.0)))
+    meter = Multimeter(world, model=model)
+    with serve_tcp(partial(ScpiSession, meter)) as server:
+        yield f"TCPIP::127.0.0.1::{server.port}::SOCKET"
+
+
+@contextmanager
+def closing(instrument):
+    try:
+        yield instrument
+    finally:
+        instrument.adapter.close()
+
+
+def pymeasure(cls, name):
+    return closing(cls(name, visa_library="@py", read_termination="\n", write_termination="\n", timeout=5000))
+
+
+def test_pymeasure_reads_a_voltage():
+    with resource("34410A") as name, pymeasure(Agilent34410A, name) as meter:
+        assert meter.id.startswith("Agilent Technologies,34410A,")
+        assert [meter.voltage_dc for _ in range(3)] == [U0] * 3
+        assert meter.check_errors() == []
+
+
+def test_pymeasure_sees_what_is_wrong():
+    with resource("34410A") as name, pymeasure(Agilent34410A, name) as meter:
+        meter.write("NONSENSE")
+
+        assert meter.check_errors() == [[-113, '"Undefined header"']]
+
+
+def test_pymeasure_takes_it_for_a_dmm6500():
+    with resource("MODEL DMM6500") as name, pymeasure(KeithleyDMM6500, name) as meter:
+        meter.measure_voltage(max_voltage=10)
+        meter.voltage_nplc = 1
+
+        assert meter.mode == "voltage"
+        assert meter.voltage_range == 10
+        assert meter.nplc == 1
+        assert meter.line_frequency == 50
+        assert meter.voltage == U0
+        assert meter.check_errors() == []
+
+
+@pytest.fixture
+def keysight():
+    with resource("34465A") as name:
+        meter = Keysight34465A("meter", name, silent=True, visalib="@py")
+        try:
+            yield meter
+        finally:
+            meter.close()
+
+
+def test_qcodes_connects_and_asks_everything(keysight):
+    assert keysight.model == "34465A"
+    assert keysight.line_frequency() == 50
+
+    keysight.snapshot(update=True)
+
+    assert keysight.error() == (0, "No error")
+
+
+def test_qcodes_sets_and_reads_back(keysight):
+    keysight.NPLC(0.2)
+    keysight.range(10)
+    keysight.autorange("OFF")
+    keysight.autozero("OFF")
+    keysight.aperture_time(0.01)
+
+    assert keysight.range() == 10
+    assert keysight.aperture_mode() == "ON"
+    keysight.NPLC(1)
+    assert keysight.aperture_mode() == "OFF"
+    assert keysight.NPLC() == 1
+    assert keysight.resolution() == pytest.approx(3e-6)
+    assert keysight.error() == (0, "No error")
+
+
+def test_qcodes_reads_a_voltage(keysight):
+    assert keysight.volt() == U0
+
+
+def test_qcodes_samples_a_buffer(keysight):
+    keysight.NPLC(0.2)
+    keysight.sample.count(50)
+    keysight.init_measurement()
+
+    readings = keysight.fetch()
+
+    assert readings.shape == (50,)
+    np.testing.assert_allclose(readings, 2.5, atol=0.05)
+    assert keysight.read().shape == (50,)
+
+
+def test_qcodes_takes_a_time_trace(keysight):
+    keysight.NPLC(0.2)
+    keysight.timetrace_npts(100)
+    keysight.timetrace_dt(0.02)
+
+    readings = keysight.timetrace()
+
+    assert readings.shape == (100,)
+    np.testing.assert_allclose(readings, 2.5, atol=0.05)
+    assert keysight.error() == (0, "No error")
+
+
+def test_qcodes_clears_errors(keysight):
+    keysight.write("NONSENSE")
+    keysight.flush_error_queue(verbose=False)
+
+    assert keysight.error() == (0, "No error")
