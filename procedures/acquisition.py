@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from procedures.approach import EITHER_WAY, Approach
+
 
 @dataclass(frozen=True, kw_only=True)
 class Acquisition:
@@ -18,6 +20,7 @@ class Acquisition:
     rate_hz: float
     position_tolerance_deg: float = 0.01
     """How far from the commanded angle the head may report itself and be there."""
+    approach: Approach = EITHER_WAY
     settle_s: float = 0.0
     settle_samples: int = 10
     """Number of samples in a block, at least 2."""

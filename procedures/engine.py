@@ -4,12 +4,15 @@ The engine takes steps from a procedure, has head, DAQ and operator do what they
 it. It knows no procedure, no instrument and no recording; in whatever way a run ends, the head is brought to rest.
 """
 
-from collections.abc import Iterable
+import math
+from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
+from functools import partial
 
-from drivers.protocols import SampleBlock, Stand
+from drivers.protocols import Identity, Stand
 from procedures.acquisition import Acquisition
 from procedures.announcer import Announcer, Listener, Sink
+from procedures.approach import Place
 from procedures.composition import advance
 from procedures.control import Control
 from procedures.errors import ProcedureError, StorageError, UnansweredError
@@ -17,26 +20,30 @@ from procedures.events import (
     MountAnswered,
     MountRequested,
     PointCompleted,
+    RunResumed,
     SamplesAcquired,
     State,
     StateChanged,
     StepStarted,
     WarningRaised,
 )
+from procedures.eyepiece import OperatorEyepiece
+from procedures.measuring import Measuring, Taken
 from procedures.motion import POLL_S, Motion
 from procedures.operator import Answer, Operator
 from procedures.outcome import Outcome, message_of, outcome_of
-from procedures.reduction import reduce_block
-from procedures.replay import Replayed, replay
-from procedures.settling import acquire, settle
+from procedures.recovery import Recovery
+from procedures.replay import replay
 from procedures.steps import Dwell, Mounted, Mounting, Point, Procedure, Reply, Step
+from procedures.verification import check_agreement, verified
 
 
 class Engine:
     """Carries out one run.
 
     A pause or a stop that its `control` is asked for, from any thread, is heeded between steps, while the head moves
-    and while the output settles; a stop also while the operator is awaited. Samples being taken are taken first.
+    and while the output settles; a stop also while the operator or a lost link is awaited. Samples being taken are
+    taken first. A step in which a link is lost begins anew once it is back, see `Recovery`.
 
     Parameters
     ----------
@@ -50,6 +57,8 @@ class Engine:
         How each dwell is taken.
     listeners
         Called with every event that the sink has taken; one that raises is dropped.
+    eyepiece
+        The person who reads a head by hand, where the stand has one; looks again where a voltage contradicts a reading.
     """
 
     def __init__(
@@ -59,41 +68,76 @@ class Engine:
         sink: Sink,
         acquisition: Acquisition,
         listeners: Iterable[Listener] = (),
+        eyepiece: OperatorEyepiece | None = None,
     ) -> None:
-        self._stand = stand
         self._clock = stand.clock
         self._operator = operator
         self._announcer = Announcer(sink, listeners)
         self._acquisition = acquisition
-        self._motion = Motion(stand.head, stand.clock, acquisition.position_tolerance_deg)
+        self.control = Control()
+        """Pauses, resumes and stops the run; from any thread."""
+        tolerance_deg = acquisition.position_tolerance_deg
+        self._motion = Motion(stand.head, stand.clock, tolerance_deg, acquisition.approach)
+        self._recovery = Recovery(stand, self._motion, self._announcer.announce, self.control.check)
+        self._measuring = Measuring(stand, acquisition, self._motion, self._recovery, self._checkpoint)
+        self._eyepiece = eyepiece
+        if eyepiece is not None:
+            eyepiece.attach(self._announcer.announce)
         self._points: list[Point] = []
         self._seated: str | None = None
         self._began_s = 0.0
         self.state = State.IDLE
         """Where the run stands; only the engine changes it."""
-        self.control = Control()
-        """Pauses, resumes and stops the run; from any thread."""
 
-    def run(self, procedure: Procedure, journal: Iterable[Reply] = (), elapsed_s: float = 0.0) -> Outcome:
-        """Carry out `procedure` to its end, or until something else ends it, and bring the head to a standstill.
+    def run(self, procedure: Procedure) -> Outcome:
+        """Carry out `procedure` to its end, or until something else ends it, and bring the head to a standstill."""
+        self._began_s = self._clock.monotonic_s()
+        return self._to_its_end(procedure, next(procedure, None), self._recovery.identify)
+
+    def resume(
+        self,
+        procedure: Procedure,
+        journal: Iterable[Reply],
+        *,
+        elapsed_s: Callable[[], float] = lambda: 0.0,
+        known: Mapping[str, Identity] | None = None,
+        tolerance_v: float | None = None,
+    ) -> Outcome:
+        """Go on with a run that was cut off, as `run` would have.
+
+        The procedure is told of what was recorded as if it happened now. Before the next step the instruments are
+        identified, the operator confirms the mount of the last point, the head is homed, and that point is taken again
+        to see whether the stand still measures the same.
 
         Parameters
         ----------
         journal
-            What a run that was cut off has recorded, in order. The procedure is told of it as if it happened now, and
-            the run goes on after the last point, once the operator has confirmed the mount.
+            What the run has recorded, in order.
         elapsed_s
-            Seconds since the run began, where it is resumed; at least the time of the last point is taken.
+            Seconds since the run began, asked when it goes on; at least the time of the last point is taken.
+        known
+            The instruments with which the run was begun, by `head` and `daq`.
+        tolerance_v
+            By how much the voltage of the last point may differ; without it, by what noise explains.
 
         Raises
         ------
         JournalError
             Where `journal` is not the beginning of `procedure`; nothing has moved then.
         """
-        replayed = replay(procedure, journal, self._acquisition.position_tolerance_deg)
-        self._continue_from(replayed, elapsed_s)
+        replayed = replay(procedure, journal, self._replay_tolerance_deg)
+        self._points = list(replayed.points)
+        self._recovery.know(known or {})
+        return self._to_its_end(procedure, replayed.pending, partial(self._go_on, elapsed_s, tolerance_v))
+
+    @property
+    def _replay_tolerance_deg(self) -> float:
+        """What a person reads on a head may differ by anything from what was to be set."""
+        return math.inf if self._eyepiece else self._acquisition.position_tolerance_deg
+
+    def _to_its_end(self, procedure: Procedure, step: Step | None, prepare: Callable[[], None]) -> Outcome:
         try:
-            self._carry_out(procedure, replayed.pending)
+            self._carry_out(procedure, step, prepare)
         except (Exception, KeyboardInterrupt) as error:
             return self._finish(error)
         except BaseException as error:
@@ -101,22 +145,28 @@ class Engine:
             raise
         return self._finish(None)
 
-    def _continue_from(self, replayed: Replayed, elapsed_s: float) -> None:
-        self._points = list(replayed.points)
-        if self._points:
-            elapsed_s = max(elapsed_s, self._points[-1].time_s)
-            self._motion.direction = self._points[-1].direction
-        self._began_s = self._clock.monotonic_s() - elapsed_s
+    def _go_on(self, elapsed_s: Callable[[], float], tolerance_v: float | None) -> None:
+        """Make sure that the stand is as it was, and let the run's time go on."""
+        self._recovery.identify()
+        last = self._points[-1] if self._points else None
+        if last is not None:
+            self._verify(last, tolerance_v)
+        self._announcer.announce(RunResumed(points=len(self._points)))
+        self._began_s = self._clock.monotonic_s() - max(elapsed_s(), last.time_s if last else 0.0)
 
-    def _carry_out(self, procedure: Procedure, step: Step | None) -> None:
+    def _carry_out(self, procedure: Procedure, step: Step | None, prepare: Callable[[], None]) -> None:
         self._change(State.RUNNING)
-        if self._points and isinstance(step, Dwell):
-            self._seat(Mounting(mount=step.mount))
+        if step is None:
+            return
+        self._checkpoint()
+        prepare()
+        self._recovery.reference()
         while step is not None:
             self._checkpoint()
             self._announcer.announce(StepStarted(step=step))
             reply = self._seat(step) if isinstance(step, Mounting) else self._dwell(step)
             step = advance(procedure, reply)
+        self._measuring.unwind()
 
     def _seat(self, mounting: Mounting) -> Mounted:
         mount = mounting.mount
@@ -142,38 +192,34 @@ class Engine:
     def _dwell(self, dwell: Dwell) -> Point:
         if dwell.mount != self._seated:
             raise ProcedureError(f"a dwell was asked for in {dwell.mount} while the unit sits in {self._seated}")
-        angle_deg = self._motion.travel(dwell.angle_deg, self._checkpoint).angle_deg
-        settled = settle(self._stand.daq, self._clock, self._acquisition, self._checkpoint)
-        began_s = self._elapsed_s()
-        block = acquire(self._stand.daq, self._acquisition.samples, self._acquisition.rate_hz)
-        self._announcer.announce(SamplesAcquired(point=len(self._points), time_s=began_s, block=block))
-        point = self._point(dwell, angle_deg, began_s, block, settled)
+        taken = self._measuring.measure(dwell.angle_deg)
+        index = len(self._points)
+        point = taken.point(dwell, index, self._began_s)
+        self._announcer.announce(SamplesAcquired(point=index, time_s=taken.began_s - self._began_s, block=taken.block))
+        self._warn_of(taken, dwell)
+        if self._eyepiece is not None:
+            point = self._eyepiece.reconsidered(point, self._points, self.control.check)
         self._announcer.announce(PointCompleted(point=point))
         self._points.append(point)
         return point
 
-    def _point(self, dwell: Dwell, angle_deg: float, began_s: float, block: SampleBlock, settled: bool) -> Point:
-        reduction = reduce_block(block)
-        if reduction.unusable:
-            bad = f"{reduction.unusable} of {reduction.samples} samples are overloads or no numbers"
+    def _warn_of(self, taken: Taken, dwell: Dwell) -> None:
+        if taken.reduction.unusable:
+            bad = f"{taken.reduction.unusable} of {taken.reduction.samples} samples are overloads or no numbers"
             self._warn(dwell, f"{bad}; the point will be set aside")
-        if not settled:
+        if not taken.settled:
             waited = f"{self._acquisition.settle_timeout_s:g} s"
             self._warn(dwell, f"the output had not settled after {waited}; the point is kept and marked")
-        return Point(
-            index=len(self._points),
-            angle_deg=angle_deg,
-            voltage_v=reduction.voltage_v,
-            voltage_sd_v=reduction.voltage_sd_v,
-            samples=reduction.samples,
-            time_s=began_s + reduction.samples / block.rate_hz / 2,
-            direction=self._motion.direction,
-            temperature_degc=block.temperature_degc,
-            realisation=dwell.realisation,
-            procedure=dwell.procedure,
-            mount=dwell.mount,
-            settled=settled,
-        )
+
+    def _verify(self, last: Point, tolerance_v: float | None) -> None:
+        """Bring everything back to where `last` was taken, and see whether a point gives there what it gave."""
+        self._seat(Mounting(mount=last.mount))
+        self._measuring.home()
+        now = self._measuring.measure_again(Place(angle_deg=last.angle_deg, direction=last.direction)).reduction
+        if math.isfinite(last.voltage_v):
+            seen = verified(self._points, now, self._acquisition.position_tolerance_deg, tolerance_v)
+            self._announcer.announce(seen)
+            check_agreement(seen)
 
     def _checkpoint(self) -> bool:
         """Stop or pause here where that is wanted; true where the run was paused, and the head braked for it."""
@@ -215,6 +261,3 @@ class Engine:
     def _warn(self, dwell: Dwell, message: str) -> None:
         where = f"point {len(self._points)} ({dwell.mount} at {dwell.angle_deg:g} deg)"
         self._announcer.announce(WarningRaised(message=f"{where}: {message}"))
-
-    def _elapsed_s(self) -> float:
-        return self._clock.monotonic_s() - self._began_s

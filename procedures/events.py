@@ -43,6 +43,35 @@ class StateChanged:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Identified:
+    """An instrument said who it is; `instrument` is `head` or `daq`."""
+
+    instrument: str
+    model: str
+    serial: str
+    firmware: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class PointVerified:
+    """After an interruption a point was taken again, and its voltage compared; the point itself stays as it was."""
+
+    point: int
+    voltage_v: float
+    """What was measured now."""
+    recorded_v: float
+    allowed_v: float
+    """By how much the two may differ."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class RunResumed:
+    """A run that was cut off goes on, with so many points done."""
+
+    points: int
+
+
+@dataclass(frozen=True, kw_only=True)
 class StepStarted:
     """The engine begins to carry out a step."""
 
@@ -64,6 +93,24 @@ class MountAnswered:
     mount: str
     answer: str
     confirmed: bool
+
+
+@dataclass(frozen=True, kw_only=True)
+class ReadingRequested:
+    """The operator is asked to set the head by hand and to read it, or to look again."""
+
+    setting_deg: float
+    prompt: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class ReadingAnswered:
+    """What the operator typed as the reading of a head that is set by hand, word for word."""
+
+    setting_deg: float
+    answer: str
+    reading_deg: float
+    """The answer as an angle; NaN where it is none."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -102,9 +149,14 @@ class RunFinished:
 
 Event: TypeAlias = (
     StateChanged
+    | Identified
+    | PointVerified
+    | RunResumed
     | StepStarted
     | MountRequested
     | MountAnswered
+    | ReadingRequested
+    | ReadingAnswered
     | SamplesAcquired
     | PointCompleted
     | WarningRaised

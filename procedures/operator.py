@@ -1,10 +1,13 @@
-"""Asking the operator to seat the unit, without ever waiting for the answer in a way that a stop could not end.
+"""Asking the operator, without ever waiting for the answer in a way that a stop could not end.
 
-An answer counts as yes only where it is the name of the mount or a word that says so: an empty line confirms nothing.
+That the unit is seated counts as said only where the answer is the name of the mount or a word that says so: an empty
+line confirms nothing. Of a head that is set by hand any line is the reading, and an empty one says that it stands as
+asked.
 """
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from queue import Empty, Queue
 from threading import Thread
@@ -20,17 +23,21 @@ _NO: Final = frozenset({"no", "abort", "cancel"})
 
 @dataclass(frozen=True, kw_only=True)
 class Answer:
-    """What the operator said, word for word, and whether it confirms the mount."""
+    """What the operator said, word for word, and whether it confirms the mount, or goes on with the reading."""
 
     text: str
     confirmed: bool
 
 
 class Operator(Protocol):
-    """Who seats the unit."""
+    """Who seats the unit, and sets and reads a head that has no motor."""
 
     def ask_mount(self, mount: str, prompt: str) -> None:
         """Put the request; returns at once."""
+        ...
+
+    def ask_reading(self, prompt: str) -> None:
+        """Ask for a setting of the head and its reading; returns at once."""
         ...
 
     def poll(self) -> Answer | None:
@@ -48,23 +55,40 @@ def understand(text: str, mount: str) -> Answer | None:
     return None
 
 
+def understand_reading(text: str) -> Answer:
+    """What `text` says of a reading: a refusal, or what was read."""
+    return Answer(text=text.strip(), confirmed=text.strip().casefold() not in _NO)
+
+
 class Answers(BaseModel):
     """An answers file, for runs that nobody attends.
 
-    Its table `[mounts]` has `yes` or `no` by the name of the mount, and as `default` for mounts that it does not name:
+    Its table `[mounts]` has `yes` or `no` by the name of the mount, and as `default` for mounts that it does not name.
+    Its table `[readings]` has what is typed when the head is to be set by hand, by the number of the question, from 1,
+    and as `default`; nothing between the quotes is Enter alone:
 
         [mounts]
         default = "yes"
         end = "no"
+
+        [readings]
+        default = ""
+        7 = "45 00 00"
     """
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
     mounts: dict[str, Literal["yes", "no"]] = {}
+    readings: dict[str, str] = {}
 
     def for_mount(self, mount: str) -> str:
         """`yes`, `no`, or nothing where the file does not say."""
         return self.mounts.get(mount, self.mounts.get("default", ""))
+
+    def for_reading(self, question: int) -> Answer:
+        """What is typed at a question for a reading; refused where the file does not say."""
+        text = self.readings.get(str(question), self.readings.get("default"))
+        return Answer(text="", confirmed=False) if text is None else understand_reading(text)
 
 
 class ScriptedOperator:
@@ -73,6 +97,7 @@ class ScriptedOperator:
     def __init__(self, answers: Answers) -> None:
         self._answers = answers
         self._answer: Answer | None = None
+        self._readings = 0
 
     @classmethod
     def from_file(cls, path: Path) -> "ScriptedOperator":
@@ -83,6 +108,11 @@ class ScriptedOperator:
         """Look the answer up."""
         text = self._answers.for_mount(mount)
         self._answer = Answer(text=text, confirmed=text == "yes")
+
+    def ask_reading(self, prompt: str) -> None:  # noqa: ARG002  # nobody reads the prompt
+        """Look the answer up."""
+        self._readings += 1
+        self._answer = self._answers.for_reading(self._readings)
 
     def poll(self) -> Answer | None:
         """The answer to the last request."""
@@ -99,7 +129,8 @@ class ConsoleOperator:
 
     def __init__(self, lines: TextIO, show: Callable[[str], None] = print) -> None:
         self._show = show
-        self._mount = ""
+        self._understand: Callable[[str], Answer | None] = understand_reading
+        self._again = ""
         self._forget = lines.isatty()
         self._typed: Queue[str | None] = Queue(maxsize=100)
         self._at_end = False
@@ -107,20 +138,29 @@ class ConsoleOperator:
 
     def ask_mount(self, mount: str, prompt: str) -> None:
         """Show the prompt."""
-        while self._forget and self._next_line() is not None:
-            pass
-        self._mount = mount
-        self._show(prompt)
+        self._understand = partial(understand, mount=mount)
+        self._again = f"Type {mount} or yes when the unit sits there, or no to end the run."
+        self._put(prompt)
+
+    def ask_reading(self, prompt: str) -> None:
+        """Show the prompt."""
+        self._understand = understand_reading
+        self._put(prompt)
 
     def poll(self) -> Answer | None:
         """Look at the next line; one that says nothing clear is asked for again."""
         line = self._next_line()
         if line is None:
             return Answer(text="", confirmed=False) if self._at_end else None
-        answer = understand(line, self._mount)
+        answer = self._understand(line)
         if answer is None:
-            self._show(f"Type {self._mount} or yes when the unit sits there, or no to end the run.")
+            self._show(self._again)
         return answer
+
+    def _put(self, prompt: str) -> None:
+        while self._forget and self._next_line() is not None:
+            pass
+        self._show(prompt)
 
     def _next_line(self) -> str | None:
         try:
@@ -151,9 +191,14 @@ class SeatingOperator:
         self._mount = mount
         self._operator.ask_mount(mount, prompt)
 
+    def ask_reading(self, prompt: str) -> None:
+        """Pass the request on."""
+        self._mount = ""
+        self._operator.ask_reading(prompt)
+
     def poll(self) -> Answer | None:
         """Pass the answer on; a confirmed one seats the unit."""
         answer = self._operator.poll()
-        if answer is not None and answer.confirmed:
+        if answer is not None and answer.confirmed and self._mount:
             self._on_mount(self._mount)
         return answer

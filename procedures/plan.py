@@ -1,15 +1,18 @@
 """What a programme will do and how long it will take, worked out without moving anything."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
 from calibrations.geometry import projections
 from procedures.acquisition import Acquisition
+from procedures.approach import Place, direction_of
 from procedures.composition import advance
 from procedures.errors import ProgrammeError
 from procedures.programme import Programme
-from procedures.steps import Dwell, Mounted, Mounting, Point, Reply, Step
+from procedures.steps import Direction, Dwell, Mounted, Mounting, Point, Reply, Step
 
 MOUNTING_S = 60.0
 """Time in which an operator seats a unit anew, unless it is stated."""
@@ -21,6 +24,8 @@ class PlannedStep:
 
     step: Step
     duration_s: float
+    waypoints_deg: tuple[float, ...] = ()
+    """Angles at which the head stops, the dwell's own the last of them; none for a mounting."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -67,27 +72,29 @@ def plan(
 ) -> Plan:
     """Work out every step of `programme`.
 
-    A dwell takes the move from the angle before it at `speed_deg_s`, the settling where the first two blocks agree, and
-    the samples; a mounting takes `mounting_s`. The head begins at `start_deg`.
+    A dwell takes the moves from the angle before it at `speed_deg_s`, the settling where the first two blocks agree,
+    and the samples; a mounting takes `mounting_s`. The head begins at `start_deg`.
     """
     procedure = programme.procedure()
     steps: list[PlannedStep] = []
-    angle_deg, points = start_deg, 0
+    here, points = Place(angle_deg=start_deg, direction=0), 0
     step: Step | None = next(procedure)
     while step is not None:
         if isinstance(step, Mounting):
-            duration_s = mounting_s
+            steps.append(PlannedStep(step=step, duration_s=mounting_s))
         else:
-            move_s = abs(step.angle_deg - angle_deg) / speed_deg_s
+            waypoints_deg = acquisition.approach.waypoints_deg(here, step.angle_deg, acquisition.position_tolerance_deg)
+            stops_deg = (here.angle_deg, *waypoints_deg)
+            move_s = sum(abs(second - first) for first, second in pairwise(stops_deg)) / speed_deg_s
             duration_s = move_s + acquisition.planned_settling_s + acquisition.dwell_s
-            angle_deg, points = step.angle_deg, points + 1
-        steps.append(PlannedStep(step=step, duration_s=duration_s))
+            steps.append(PlannedStep(step=step, duration_s=duration_s, waypoints_deg=waypoints_deg))
+            here, points = _arrived(stops_deg, here.direction), points + 1
         step = advance(procedure, _nominal_reply(step, points - 1))
     return Plan(programme=programme, steps=tuple(steps))
 
 
 def check_limits(plan: Plan, limits_deg: tuple[float, float]) -> None:
-    """Make sure that every dwell lies within the head's soft limits.
+    """Make sure that every dwell, and the way round to it, lies within the head's soft limits.
 
     Raises
     ------
@@ -97,10 +104,30 @@ def check_limits(plan: Plan, limits_deg: tuple[float, float]) -> None:
     lowest_deg, highest_deg = limits_deg
     for planned in plan.steps:
         step = planned.step
-        if isinstance(step, Dwell) and not lowest_deg <= step.angle_deg <= highest_deg:
+        beyond_deg = [angle for angle in planned.waypoints_deg if not lowest_deg <= angle <= highest_deg]
+        if isinstance(step, Dwell) and beyond_deg:
+            way = "" if beyond_deg[-1] == step.angle_deg else f" on its way to {step.angle_deg:g} deg"
             raise ProgrammeError(
-                f"{_origin(plan.programme, step)}: the {step.procedure} goes to {step.angle_deg:g} deg, outside the "
-                f"head's limits of {lowest_deg:g} to {highest_deg:g} deg; change the angles, or the limits of the stand"
+                f"{_origin(plan.programme, step)}: the {step.procedure} goes to {beyond_deg[-1]:g} deg{way}, outside "
+                f"the head's limits of {lowest_deg:g} to {highest_deg:g} deg; change the angles, or the limits of the "
+                "stand"
+            )
+
+
+def check_cable(plan: Plan, turns: float) -> None:
+    """Make sure that the head, which begins unwound about its zero, never winds its cable further than it may.
+
+    Raises
+    ------
+    ProgrammeError
+        Names file, line, angle and turns.
+    """
+    for planned in plan.steps:
+        step = planned.step
+        if isinstance(step, Dwell) and max(map(abs, planned.waypoints_deg)) > 360.0 * turns:
+            raise ProgrammeError(
+                f"{_origin(plan.programme, step)}: the {step.procedure} goes to {step.angle_deg:g} deg, and the cable "
+                f"allows {turns:g} turns to either side of zero; change the angles, or cable_turns of the stand"
             )
 
 
@@ -114,6 +141,12 @@ def _origin(programme: Programme, dwell: Dwell) -> str:
         if step == dwell:
             return programme.where(number)
     raise AssertionError(f"{dwell} is in no procedure of its own programme")
+
+
+def _arrived(stops_deg: Sequence[float], direction: Direction) -> Place:
+    """Where the head stands after its last move that was one."""
+    ways_deg = [second - first for first, second in pairwise(stops_deg) if second != first]
+    return Place(angle_deg=stops_deg[-1], direction=direction_of(ways_deg[-1]) if ways_deg else direction)
 
 
 def _nominal_reply(step: Step, index: int) -> Reply:

@@ -4,15 +4,16 @@ from collections.abc import Mapping
 from hashlib import sha256
 from importlib.resources import files
 from pathlib import Path
-from typing import Annotated, Literal, TypeAlias
+from typing import Annotated, Final, Literal, TypeAlias
 
 from pydantic import BaseModel, ConfigDict, Field, PrivateAttr, model_validator
 
 from procedures.acquisition import Acquisition
+from procedures.approach import Approach
 from procedures.composition import compose
 from procedures.errors import InputError, ProgrammeError
 from procedures.flip import Flip
-from procedures.steps import Procedure
+from procedures.steps import Direction, Procedure
 from procedures.sweep import Sweep
 from procedures.toml_lines import line_of, parse_toml, read_text
 
@@ -23,6 +24,7 @@ MOST_SAMPLES = 10_000_000
 """In a dwell."""
 MOST_DWELLS = 200_000
 """In a run: a week or two of stand time."""
+_DIRECTIONS: Final[Mapping[str, Direction]] = {"up": 1, "down": -1, "either": 0}
 _STRICT = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
 
@@ -62,6 +64,10 @@ class Programme(BaseModel):
     settle_tolerance_v: float | None = Field(default=None, gt=0.0)
     settle_timeout_s: float = Field(default=10.0, gt=0.0)
     position_tolerance_deg: float = Field(default=0.01, gt=0.0)
+    approach: Literal["up", "down", "either"] = "either"
+    """In which direction the head arrives at every angle; `either` leaves it to where it comes from."""
+    overshoot_deg: float = Field(default=2.0, gt=0.0, le=90.0)
+    """How far beyond an angle the head goes to come back to it in that direction."""
     procedures: tuple[Annotated[Flip | Sweep, Field(discriminator="kind")], ...] = Field(
         min_length=1, alias="procedure"
     )
@@ -101,6 +107,7 @@ class Programme(BaseModel):
             samples=samples,
             rate_hz=rate_hz,
             position_tolerance_deg=self.position_tolerance_deg,
+            approach=Approach(direction=_DIRECTIONS[self.approach], overshoot_deg=self.overshoot_deg),
             settle_s=self.settle_s,
             settle_samples=self.settle_samples or max(5, samples // 10),
             settle_tolerance=self.settle_tolerance,

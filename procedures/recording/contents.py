@@ -23,6 +23,8 @@ class Said:
 
     topic: str
     data: bytes
+    log_time_ns: int
+    """Wall clock when it was recorded, as it stood then."""
 
 
 class Closed:
@@ -57,8 +59,8 @@ def contents(path: Path, wanted: Collection[str]) -> Iterator[Content]:
                 yield _header(path, strings, programme)
             case Channel(id=channel, topic=topic) if topic in wanted:
                 topics[channel] = topic
-            case Message(channel_id=channel, data=data) if begun and channel in topics:
-                yield Said(topic=topics[channel], data=data)
+            case Message(channel_id=channel, data=data, log_time=log_time_ns) if begun and channel in topics:
+                yield Said(topic=topics[channel], data=data, log_time_ns=log_time_ns)
             case Footer():
                 yield Closed()
     if not begun:

@@ -2,10 +2,11 @@
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import MISSING, dataclass, fields
 from typing import Any
 
-FORMAT_VERSION = 1
+FORMAT_VERSION = 2
+"""1 had neither `job` nor the identification of instruments, nor runs that were resumed."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -40,6 +41,8 @@ class Header:
     """Nanoseconds since 1970-01-01 UTC."""
     started_monotonic_s: float
     """The stand's monotonic clock at the same moment."""
+    job: str = "run"
+    """What was asked for: `run`, or `calibrate` where a fit, a record and a report shall follow."""
     format_version: int = FORMAT_VERSION
 
     def __post_init__(self) -> None:
@@ -67,7 +70,7 @@ def header_from_strings(strings: Mapping[str, str], programme_text: str) -> Head
     values: dict[str, Any] = {
         field.name: strings[field.name] if field.type is str else json.loads(strings[field.name])
         for field in fields(Header)
-        if field.name != "programme_text"
+        if field.name in strings or (field.default is MISSING and field.name != "programme_text")
     }
     return Header(programme_text=programme_text, **values)
 

@@ -14,10 +14,15 @@ import orjson
 from procedures.events import (
     Event,
     FinishReason,
+    Identified,
     MountAnswered,
     MountRequested,
     PointCompleted,
+    PointVerified,
+    ReadingAnswered,
+    ReadingRequested,
     RunFinished,
+    RunResumed,
     SamplesAcquired,
     State,
     StateChanged,
@@ -28,17 +33,30 @@ from procedures.recording.blocks import Fields, split
 from procedures.recording.schemas import ANSWER, EVENT, HEAD, POINT, SAMPLES, STEP, TEMPERATURE
 from procedures.steps import Dwell, Mounting, Point, Step
 
-Announcement: TypeAlias = StateChanged | MountRequested | WarningRaised | RunFinished
-Entry: TypeAlias = Point | Step | MountAnswered | Announcement
+Announcement: TypeAlias = (
+    StateChanged
+    | Identified
+    | PointVerified
+    | RunResumed
+    | MountRequested
+    | ReadingRequested
+    | WarningRaised
+    | RunFinished
+)
+Entry: TypeAlias = Point | Step | MountAnswered | ReadingAnswered | Announcement
 """What the journal of a run consists of, samples left out."""
 
 _RECORDS: Final[Mapping[str, Mapping[str, type[Entry]]]] = {
     POINT: {"": Point},
-    ANSWER: {"": MountAnswered},
+    ANSWER: {"": MountAnswered, "reading": ReadingAnswered},
     STEP: {"mounting": Mounting, "dwell": Dwell},
     EVENT: {
         "state": StateChanged,
+        "identified": Identified,
+        "verified": PointVerified,
+        "resumed": RunResumed,
         "mount requested": MountRequested,
+        "reading requested": ReadingRequested,
         "warning": WarningRaised,
         "finished": RunFinished,
     },
@@ -69,6 +87,8 @@ def to_messages(event: Event) -> Iterator[tuple[str, Fields]]:
             yield STEP, _with_kind(step)
         case MountAnswered():
             yield ANSWER, asdict(event)
+        case ReadingAnswered():
+            yield ANSWER, _with_kind(event)
         case _:
             yield EVENT, _with_kind(event)
 
@@ -102,7 +122,7 @@ def _point_messages(point: Point) -> Iterator[tuple[str, Fields]]:
     yield POINT, asdict(point)
 
 
-def _with_kind(record: Step | Announcement) -> Fields:
+def _with_kind(record: Step | ReadingAnswered | Announcement) -> Fields:
     return {"kind": _KINDS[type(record)], **asdict(record)}
 
 

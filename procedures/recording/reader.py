@@ -7,14 +7,15 @@ from typing import TypeVar
 
 import orjson
 
-from procedures.events import FinishReason, MountAnswered, RunFinished, SamplesAcquired
+from procedures.events import FinishReason, MountAnswered, ReadingAnswered, RunFinished, SamplesAcquired
 from procedures.recording.blocks import join
 from procedures.recording.contents import Closed, Said, contents, understood
 from procedures.recording.header import Header
 from procedures.recording.messages import JOURNAL, Announcement, from_message
-from procedures.recording.schemas import SAMPLES
+from procedures.recording.schemas import HEAD, SAMPLES, TEMPERATURE, TOPICS
 from procedures.steps import Dwell, Mounting, Point, Step
 
+_OF_POINTS = (SAMPLES, HEAD, TEMPERATURE)
 _Kind = TypeVar("_Kind")
 
 
@@ -28,7 +29,7 @@ class Recording:
     """Completed points by index, each once."""
     steps: tuple[Step, ...]
     """Steps that were begun, in order."""
-    answers: tuple[MountAnswered, ...]
+    answers: tuple[MountAnswered | ReadingAnswered, ...]
     events: tuple[Announcement, ...]
     """States, prompts, warnings and the end, in order."""
     closed: bool
@@ -36,8 +37,9 @@ class Recording:
 
     @property
     def ending(self) -> RunFinished | None:
-        """How the run ended; None where the recording breaks off before."""
-        return next((event for event in self.events if isinstance(event, RunFinished)), None)
+        """How the run ended, where it was resumed the last time; None where the recording breaks off before."""
+        last = self.events[-1] if self.events else None
+        return last if isinstance(last, RunFinished) else None
 
     @property
     def finished(self) -> bool:
@@ -68,7 +70,7 @@ def read_recording(path: Path) -> Recording:
         header=_only(Header, found)[0],
         points=tuple(points[index] for index in sorted(points)),
         steps=tuple(entry for entry in journal if isinstance(entry, Mounting | Dwell)),
-        answers=_only(MountAnswered, journal),
+        answers=tuple(entry for entry in journal if isinstance(entry, MountAnswered | ReadingAnswered)),
         events=tuple(entry for entry in journal if isinstance(entry, Announcement)),
         closed=bool(_only(Closed, found)),
     )
@@ -85,6 +87,25 @@ def iter_samples(path: Path) -> Iterator[SamplesAcquired]:
     said = (entry for entry in contents(path, {SAMPLES}) if isinstance(entry, Said))
     with understood(path):
         yield from join(orjson.loads(message.data) for message in said)
+
+
+def complete_messages(recording: Recording) -> Iterator[Said]:
+    """Yield every message as it was recorded, but for what belongs to a point that was not completed.
+
+    Raises
+    ------
+    RecordingError
+        As `read_recording`.
+    """
+    completed = {point.index for point in recording.points}
+    for said in contents(recording.path, TOPICS):
+        if isinstance(said, Said) and (said.topic not in _OF_POINTS or orjson.loads(said.data)["point"] in completed):
+            yield said
+
+
+def monotonic_s(said: Said) -> float:
+    """The stand's monotonic clock when a message was recorded."""
+    return float(orjson.loads(said.data)["monotonic_s"])
 
 
 def _only(kind: type[_Kind], items: Iterable[object]) -> tuple[_Kind, ...]:

@@ -29,6 +29,7 @@ _DIRECTION = ("integer", "sign of the last move of the head; 0 before the first"
 _TEMPERATURE = ("number", "mean of the temperature channel, °C")
 _MOUNT = ("string", "how the unit sits on the head")
 _PROCEDURE = ("string", "what the dwell belongs to")
+_SETTING = ("number", "angle to which the operator shall set the head by hand, deg")
 _REALISATION = ("integer", "which repeat, from 1")
 
 TOPICS: Final[Mapping[str, Mapping[str, tuple[str, str]]]] = MappingProxyType(
@@ -78,16 +79,32 @@ TOPICS: Final[Mapping[str, Mapping[str, tuple[str, str]]]] = MappingProxyType(
             "realisation": _REALISATION,
         },
         EVENT: {
-            "kind": ("string", "state, mount requested, warning or finished"),
+            "kind": (
+                "string",
+                "state, identified, verified, resumed, mount requested, reading requested, warning or finished",
+            ),
             "state": ("string", "state into which the run went over"),
             "reason": ("string", "why"),
             "message": ("string", "for the reader of the result"),
             "mount": _MOUNT,
             "prompt": ("string", "what the operator was asked"),
+            "setting_deg": _SETTING,
+            "instrument": ("string", "head or daq"),
+            "model": ("string", "what the instrument says it is"),
+            "serial": ("string", "serial number that the instrument gives"),
+            "firmware": ("string", "version that the instrument gives"),
+            "point": _POINT_INDEX,
+            "points": ("integer", "number of points that were there when the run was resumed"),
+            "voltage_v": ("number", "mean output when the point was taken again to verify it, V"),
+            "recorded_v": ("number", "mean output of the point itself, V"),
+            "allowed_v": ("number", "by how much the two may differ, V"),
             "at_standstill": ("boolean", "whether the head was seen to stand still at the end"),
         },
         ANSWER: {
+            "kind": ("string", "reading for the reading of a head that is set by hand; left out for a mount"),
             "mount": _MOUNT,
+            "setting_deg": _SETTING,
+            "reading_deg": ("number", "the answer as an angle, deg"),
             "answer": ("string", "the operator's answer, word for word"),
             "confirmed": ("boolean", "whether it was taken for a yes"),
         },

@@ -2,7 +2,7 @@
 
 import os
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
 from itertools import count
 from pathlib import Path
@@ -12,13 +12,14 @@ from typing import Final, Self
 from mcap.writer import LIBRARY_IDENTIFIER, Writer
 
 from drivers.clock import Clock
-from procedures.events import Event, MountAnswered, PointCompleted, RunFinished
+from procedures.events import Event, MountAnswered, PointCompleted, ReadingAnswered, RunFinished
+from procedures.recording.contents import Said
 from procedures.recording.errors import RecordingError
 from procedures.recording.header import Header, header_to_strings
 from procedures.recording.messages import encode, to_messages
 from procedures.recording.schemas import HEADER_METADATA, PROGRAMME_ATTACHMENT, json_schema, schema_name
 
-_DURABLE: Final = (PointCompleted, MountAnswered, RunFinished)
+_DURABLE: Final = (PointCompleted, MountAnswered, ReadingAnswered, RunFinished)
 
 
 class Recorder:
@@ -39,6 +40,10 @@ class Recorder:
         What the recording says of itself.
     clock
         The stand's clock.
+    before
+        What another recording of the same run says already; it is on the disk when the constructor returns.
+    elsewhen_s
+        Added to the stand's monotonic clock, which may have begun anew since.
 
     Raises
     ------
@@ -47,9 +52,12 @@ class Recorder:
         permission). What is on the disk stays readable, and the recorder is closed.
     """
 
-    def __init__(self, path: Path, header: Header, clock: Clock) -> None:
+    def __init__(
+        self, path: Path, header: Header, clock: Clock, before: Iterable[Said] = (), elsewhen_s: float = 0.0
+    ) -> None:
         self.path = path
         self._clock = clock
+        self._elsewhen_s = elsewhen_s
         self._sequence = count(1)
         try:
             self._stream = path.open("xb")
@@ -63,6 +71,10 @@ class Recorder:
         self._channels: dict[str, int] = {}
         with self._storage():
             self._begin(header)
+            for said in before:
+                self._append(said.topic, said.log_time_ns, said.data)
+            self._make_durable()
+            _synchronise_folder(path.parent)
 
     def __enter__(self) -> Self:
         return self
@@ -76,11 +88,10 @@ class Recorder:
         """Append an event; what a run must not lose is on the disk when this returns. Raises `RecordingError`."""
         if self._stream.closed:
             raise RecordingError(self.path, "is closed already", "start another recording")
-        wall_ns, monotonic_s = self._clock.wall_ns(), self._clock.monotonic_s()
+        wall_ns, monotonic_s = self._clock.wall_ns(), self._clock.monotonic_s() + self._elsewhen_s
         with self._storage():
             for topic, fields in to_messages(event):
-                data = encode({"monotonic_s": monotonic_s, **fields})
-                self._writer.add_message(self._channel(topic), wall_ns, data, wall_ns, next(self._sequence))
+                self._append(topic, wall_ns, encode({"monotonic_s": monotonic_s, **fields}))
             if isinstance(event, _DURABLE):
                 self._make_durable()
 
@@ -99,8 +110,9 @@ class Recorder:
         started_ns = header.started_wall_ns
         self._writer.add_attachment(started_ns, started_ns, PROGRAMME_ATTACHMENT, "application/toml", programme)
         self._writer.add_metadata(HEADER_METADATA, header_to_strings(header))
-        self._make_durable()
-        _synchronise_folder(self.path.parent)
+
+    def _append(self, topic: str, wall_ns: int, data: bytes) -> None:
+        self._writer.add_message(self._channel(topic), wall_ns, data, wall_ns, next(self._sequence))
 
     def _channel(self, topic: str) -> int:
         """Channel of a topic, which is announced in the file before its first message."""

@@ -153,8 +153,8 @@ class FakeStand:
         self.operator = FakeOperator(self.daq)
         self.sink = MemorySink()
 
-    def engine(self, acquisition: Acquisition = QUICK, listeners=()) -> Engine:
-        stand = Stand(name="fake", head=self.head, daq=self.daq, clock=self.clock)
+    def engine(self, acquisition: Acquisition = QUICK, listeners=(), serials=None) -> Engine:
+        stand = Stand(name="fake", head=self.head, daq=self.daq, clock=self.clock, serials=serials or {})
         return Engine(stand, self.operator, self.sink, acquisition, listeners)
 
 

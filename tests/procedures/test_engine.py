@@ -8,6 +8,7 @@ from drivers.errors import DeviceError
 from procedures.errors import ProcedureError
 from procedures.events import (
     FinishReason,
+    Identified,
     MountAnswered,
     MountRequested,
     PointCompleted,
@@ -55,6 +56,8 @@ def test_a_run_announces_everything_in_its_order(stand: FakeStand):
     outcome = stand.engine().run(dwells(-90.0))
     assert [type(event) for event in stand.sink.events] == [
         StateChanged,
+        Identified,
+        Identified,
         StepStarted,
         StateChanged,
         MountRequested,
@@ -400,10 +403,11 @@ def test_an_interrupt_while_the_head_comes_to_rest_leaves_the_standstill_open(st
     def interrupt():
         raise KeyboardInterrupt
 
-    def arm():
-        stand.head.on_status = interrupt
+    def arm(event):
+        if event == StateChanged(state=State.STOPPING, reason="the programme was carried out"):
+            stand.head.on_status = interrupt
 
-    engine = stand.engine(listeners=[when(PointCompleted, arm)])
+    engine = stand.engine(listeners=[arm])
     outcome = engine.run(dwells(10.0))
     assert (outcome.reason, outcome.at_standstill) == (FinishReason.DEVICE_FAULT, False)
     assert stand.head.stops > 0

@@ -1,5 +1,6 @@
 from dataclasses import fields, replace
 from datetime import date
+from pathlib import Path
 
 import hypothesis.strategies as st
 import numpy as np
@@ -219,3 +220,10 @@ def test_dates_of_a_stand_file_become_iso_strings():
     again = header_from_strings(header_to_strings(header), "")
 
     assert again.stand == {"head": {"calibration_due": "2027-03-01"}}
+
+
+def test_a_recording_of_the_first_format_is_still_read():
+    recording = read_recording(Path(__file__).parent / "fixtures" / "recording_v1.mcap")
+    assert (recording.header.format_version, recording.header.job) == (1, "run")
+    assert recording.complete
+    assert [point.angle_deg for point in recording.points] == [0.0, 60.0, 120.0, 180.0, 240.0, 300.0]

@@ -61,7 +61,7 @@ def test_a_run_cut_anywhere_goes_on_as_if_it_had_not_been(text, data):
     if cut:
         resumed.head.start_move(expected.points[cut - 1].angle_deg)
         resumed.clock.sleep(60.0)
-    outcome = resumed.engine().run(procedure_of(text), expected.points[:cut])
+    outcome = resumed.engine().resume(procedure_of(text), expected.points[:cut])
 
     assert outcome.reason is FinishReason.COMPLETED
     assert [replace(point, time_s=0.0) for point in outcome.points] == [
@@ -79,8 +79,8 @@ def test_a_run_resumed_twice_goes_on_from_its_whole_journal(cut):
     first.sink.fails_at = lambda event: isinstance(event, PointCompleted) and event.point.index == cut // 2
     first.engine().run(procedure_of(text))
     second.sink.fails_at = lambda event: isinstance(event, PointCompleted) and event.point.index == cut
-    second.engine().run(procedure_of(text), list(journal(first)))
-    outcome = third.engine().run(procedure_of(text), [*journal(first), *journal(second)])
+    second.engine().resume(procedure_of(text), list(journal(first)))
+    outcome = third.engine().resume(procedure_of(text), [*journal(first), *journal(second)])
     assert outcome.reason is FinishReason.COMPLETED
     assert [point.index for point in outcome.points] == list(range(14 + 2 + 2 + 5 + 4))
 
@@ -88,22 +88,22 @@ def test_a_run_resumed_twice_goes_on_from_its_whole_journal(cut):
 def test_the_mount_is_confirmed_again_before_anything_moves(stand: FakeStand):
     begun = FakeStand().engine().run(SWEEP.procedure()).points[:2]
     stand.operator.answer = Answer(text="no", confirmed=False)
-    outcome = stand.engine().run(SWEEP.procedure(), begun)
+    outcome = stand.engine().resume(SWEEP.procedure(), begun)
     assert outcome.reason is FinishReason.UNANSWERED
     assert stand.operator.asked == ["face-up"]
     assert stand.head.targets_deg == []
 
 
-def test_a_mount_change_that_is_due_is_asked_for_once(stand: FakeStand):
+def test_the_last_mount_is_gone_back_to_before_a_change_that_is_due(stand: FakeStand):
     text = "".join(['name = "a"\n', PARTS[1], PARTS[2]])
     begun = FakeStand().engine().run(procedure_of(text)).points[:2]
-    stand.engine().run(procedure_of(text), begun)
-    assert stand.operator.asked == ["end"]
+    stand.engine().resume(procedure_of(text), begun)
+    assert stand.operator.asked == ["face-up", "end"]
 
 
 def test_a_run_that_was_complete_is_complete_at_once(stand: FakeStand):
     begun = FakeStand().engine().run(SWEEP.procedure()).points
-    outcome = stand.engine().run(SWEEP.procedure(), begun)
+    outcome = stand.engine().resume(SWEEP.procedure(), begun)
     assert (outcome.reason, outcome.points) == (FinishReason.COMPLETED, begun)
     assert stand.operator.asked == []
 
@@ -111,7 +111,7 @@ def test_a_run_that_was_complete_is_complete_at_once(stand: FakeStand):
 @pytest.mark.parametrize(("elapsed_s", "least_s"), [(0.0, 0.3), (500.0, 500.0)])
 def test_time_goes_on_from_the_beginning_of_the_run(stand: FakeStand, elapsed_s, least_s):
     begun = FakeStand().engine().run(SWEEP.procedure()).points[:2]
-    last = stand.engine().run(SWEEP.procedure(), begun, elapsed_s).points[2]
+    last = stand.engine().resume(SWEEP.procedure(), begun, elapsed_s=lambda: elapsed_s).points[2]
     assert least_s < last.time_s < least_s + 5.0
     assert last.time_s > begun[1].time_s
 
@@ -121,7 +121,7 @@ def test_the_direction_before_the_cut_holds_until_the_next_move(stand: FakeStand
     begun = FakeStand().engine().run(still.procedure()).points[:2]
     stand.head.start_move(-40.0)
     stand.clock.sleep(60.0)
-    assert [point.direction for point in stand.engine().run(still.procedure(), begun).points] == [-1, -1, -1]
+    assert [point.direction for point in stand.engine().resume(still.procedure(), begun).points] == [-1, -1, -1]
 
 
 SECOND = Dwell(angle_deg=5.0, procedure="sweep", realisation=1, mount="face-up")
@@ -146,7 +146,7 @@ def test_a_reported_angle_may_differ_by_the_tolerance():
 def test_a_recording_of_another_programme_is_refused_before_anything_moves(stand: FakeStand, other, seen):
     points = [point_at(replace(SECOND, angle_deg=0.0)), replace(point_at(SECOND, index=1), **other)]
     with pytest.raises(JournalError) as raised:
-        stand.engine().run(SWEEP.procedure(), points)
+        stand.engine().resume(SWEEP.procedure(), points)
     assert str(raised.value) == (
         f"the recorded run does not belong to this programme: where it has {seen}, the programme has point 1 (sweep, "
         "realisation 1, face-up at 5 deg) after 1 points; resume it with the programme that it was begun with"

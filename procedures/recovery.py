@@ -1,0 +1,163 @@
+"""Knowing the instruments, and getting them back where the link to one is lost.
+
+What an instrument did while nobody could hear it is unknown. So it is identified again, a head is homed again and goes
+back to where it stood, and the step that was interrupted begins anew: its point comes once, and of one piece.
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from typing import Final, TypeVar
+
+from drivers.errors import DeviceError, LinkLostError, NoReplyError
+from drivers.protocols import Daq, DividingHead, Identity, Reconnectable, Stand
+from procedures.approach import Place
+from procedures.events import Event, Identified, WarningRaised
+from procedures.motion import Motion, ReferenceLostError
+
+RECONNECTING_S: Final = 30.0
+"""How long a link may stay away."""
+_RETRY_S: Final = 0.5
+_LOSSES: Final = 10
+"""How often one step may be interrupted."""
+_NAMES: Final = {"head": "dividing head", "daq": "DAQ"}
+
+Result = TypeVar("Result")
+
+
+class Recovery:
+    """Identifies the instruments of a stand, and repeats what a lost link interrupted.
+
+    Parameters
+    ----------
+    stand
+        Head, DAQ, clock, and the serial numbers that the stand file demands.
+    motion
+        Moves of the stand's head.
+    announce
+        Takes events.
+    check
+        Called while something is waited for; raises where the run should end.
+    """
+
+    def __init__(
+        self, stand: Stand, motion: Motion, announce: Callable[[Event], None], check: Callable[[], object]
+    ) -> None:
+        self._instruments: Mapping[str, DividingHead | Daq] = {"head": stand.head, "daq": stand.daq}
+        self._demanded = stand.serials
+        self._clock = stand.clock
+        self._head = stand.head
+        self._motion = motion
+        self._announce = announce
+        self._check = check
+        self._known: dict[str, Identity] = {}
+        self._lost: set[str] = set()
+
+    def know(self, identities: Mapping[str, Identity]) -> None:
+        """Expect the instruments with which the run was begun."""
+        self._known.update(identities)
+
+    def identify(self) -> None:
+        """Ask both instruments who they are. Raises `DeviceError` where one does not answer, or is another."""
+        for name, instrument in self._instruments.items():
+            self._recognise(name, instrument.identify())
+
+    def reference(self) -> None:
+        """Home a head that does not know its angle. Raises `DeviceError`."""
+        if not self._head.status().referenced:
+            self._warn("dividing head: has no reference; it is homed")
+            self._motion.home(self._carry_on)
+
+    @contextmanager
+    def using(self, name: str) -> Iterator[None]:
+        """Note whose link it was that a `LinkLostError` tells of: `head` or `daq`."""
+        try:
+            yield
+        except LinkLostError:
+            self._lost.add(name)
+            raise
+
+    def persist(self, action: Callable[[], Result], place: Place | None) -> Result:
+        """Carry out `action`; where a link is lost, get it back, take the head to `place` and begin again.
+
+        Raises
+        ------
+        DeviceError
+            Where a link stays away, another instrument answers, or links are lost over and over; and whatever else
+            `action` raises.
+        """
+        interruption: DeviceError | None = None
+        for _ in range(_LOSSES):
+            try:
+                if interruption is not None:
+                    self._get_back(interruption, place)
+                return action()
+            except (LinkLostError, ReferenceLostError) as error:
+                interruption = error
+        assert interruption is not None
+        raise DeviceError(
+            interruption.device,
+            f"was lost {_LOSSES} times in one step, the last time so: {interruption.happened}",
+            interruption.remedy,
+        )
+
+    def _get_back(self, interruption: DeviceError, place: Place | None) -> None:
+        self._warn(f"{interruption.device}: {interruption.happened}; trying to go on")
+        began_s = self._clock.monotonic_s()
+        for name, instrument in self._instruments.items():
+            self._reach(name, instrument, began_s + RECONNECTING_S)
+        with self.using("head"):
+            if "head" in self._lost or not self._head.status().referenced:
+                self._motion.home(self._carry_on)
+                if place is not None:
+                    self._motion.return_to(place, self._carry_on)
+        self._lost.clear()
+        self._warn(
+            f"{interruption.device}: is back after {self._clock.monotonic_s() - began_s:.1f} s; the step is repeated"
+        )
+
+    def _carry_on(self) -> bool:
+        self._check()
+        return False
+
+    def _reach(self, name: str, instrument: DividingHead | Daq, deadline_s: float) -> None:
+        while True:
+            try:
+                if name in self._lost and isinstance(instrument, Reconnectable):
+                    instrument.reconnect()
+                return self._recognise(name, instrument.identify())
+            except (LinkLostError, NoReplyError) as away:
+                self._lost.add(name)
+                if self._clock.monotonic_s() >= deadline_s or not isinstance(instrument, Reconnectable):
+                    raise DeviceError(
+                        away.device,
+                        f"{away.happened}, and did not come back within {RECONNECTING_S:g} s",
+                        "check its power and its cable, then resume the run",
+                    ) from away
+            self._clock.sleep(_RETRY_S)
+            self._check()
+
+    def _recognise(self, name: str, identity: Identity) -> None:
+        demanded = self._demanded.get(name, "")
+        if demanded and identity.serial != demanded:
+            raise DeviceError(
+                _NAMES[name],
+                f"has the serial number {identity.serial or '(none)'}, and the stand file says {demanded}",
+                "connect the right one, or correct the stand file",
+            )
+        known = self._known.setdefault(name, identity)
+        if (identity.model, identity.serial) != (known.model, known.serial):
+            raise DeviceError(
+                _NAMES[name],
+                f"is {_called(identity)}, and the run was begun with {_called(known)}",
+                "connect that one again, then resume the run",
+            )
+        self._announce(
+            Identified(instrument=name, model=identity.model, serial=identity.serial, firmware=identity.firmware)
+        )
+
+    def _warn(self, message: str) -> None:
+        self._announce(WarningRaised(message=message))
+
+
+def _called(identity: Identity) -> str:
+    return f"{identity.model} number {identity.serial}"

@@ -1,0 +1,280 @@
+from dataclasses import replace
+
+import pytest
+from fakes import QUICK, FakeDaq, FakeHead, FakeStand
+
+from drivers.clock import VirtualClock
+from drivers.errors import LinkLostError, NoReplyError
+from drivers.protocols import HeadStatus, Identity
+from procedures.events import FinishReason, Identified, PointCompleted, SamplesAcquired, WarningRaised
+from procedures.programme import programme_from_text
+
+SWEEP = programme_from_text(
+    'name = "a"\n[[procedure]]\nkind = "sweep"\nstart_deg = 40\nstep_deg = -5\npoints = 4\n', "a"
+)
+
+
+class Link:
+    """A cable that is pulled, and comes back after some seconds."""
+
+    def __init__(self, clock: VirtualClock, device: str) -> None:
+        self.clock, self.device = clock, device
+        self.back_s = 0.0
+        self.open = True
+        self.reopened = 0
+        self.serial = "17"
+        self.silent = 0
+
+    def pull(self, for_s: float) -> None:
+        self.open, self.back_s = False, self.clock.monotonic_s() + for_s
+
+    def check(self) -> None:
+        if not self.open:
+            raise LinkLostError(self.device, "the port is gone", "check the cable")
+
+    def reopen(self) -> None:
+        if self.clock.monotonic_s() < self.back_s:
+            raise LinkLostError(self.device, "the port is gone", "check the cable")
+        self.open = True
+        self.reopened += 1
+
+    def identity(self) -> Identity:
+        self.check()
+        if self.silent:
+            self.silent -= 1
+            raise NoReplyError(self.device, "gave no answer", "check that it is on")
+        return Identity(model="fake", serial=self.serial, firmware="1.0")
+
+
+class LinkedHead(FakeHead):
+    """A head behind a cable; homed on command, and to be homed after a loss of power."""
+
+    def __init__(self, clock):
+        super().__init__(clock)
+        self.link = Link(clock, "fake head")
+        self.referenced = True
+        self.homings = 0
+
+    def reconnect(self):
+        self.link.reopen()
+
+    def identify(self):
+        return self.link.identity()
+
+    def home(self):
+        self.link.check()
+        self.homings += 1
+        self.referenced = True
+        super().start_move(0.0)
+
+    def start_move(self, angle_deg):
+        self.link.check()
+        super().start_move(angle_deg)
+
+    def status(self) -> HeadStatus:
+        self.on_status()
+        self.link.check()
+        return replace(super().status(), referenced=self.referenced)
+
+    def stop(self):
+        self.link.check()
+        super().stop()
+
+
+class LinkedDaq(FakeDaq):
+    """A DAQ behind a cable."""
+
+    def __init__(self, clock, head):
+        super().__init__(clock, head)
+        self.link = Link(clock, "fake DAQ")
+
+    def reconnect(self):
+        self.link.reopen()
+
+    def identify(self):
+        return self.link.identity()
+
+    def acquire(self, samples, rate_hz):
+        block = super().acquire(samples, rate_hz)
+        self.link.check()
+        return block
+
+
+@pytest.fixture
+def linked() -> FakeStand:
+    stand = FakeStand()
+    stand.head = LinkedHead(stand.clock)
+    stand.daq = LinkedDaq(stand.clock, stand.head)
+    stand.operator.daq = stand.daq
+    return stand
+
+
+def voltages(outcome):
+    return [(point.index, point.angle_deg, point.direction, round(point.voltage_v, 9)) for point in outcome.points]
+
+
+def undisturbed():
+    return voltages(FakeStand().engine().run(SWEEP.procedure()))
+
+
+def once_when(condition, do):
+    """Do something the first time that a condition holds."""
+    done = []
+
+    def watch():
+        if not done and condition():
+            done.append(True)
+            do()
+
+    return watch
+
+
+def warnings(stand):
+    return [event.message for event in stand.sink.of(WarningRaised)]
+
+
+def test_both_instruments_are_identified_before_anything_moves(linked: FakeStand):
+    linked.engine().run(SWEEP.procedure())
+    assert linked.sink.events[1:3] == [
+        Identified(instrument="head", model="fake", serial="17", firmware="1.0"),
+        Identified(instrument="daq", model="fake", serial="17", firmware="1.0"),
+    ]
+
+
+def test_an_instrument_that_the_stand_file_does_not_mean_is_refused_before_anything_moves(linked: FakeStand):
+    outcome = linked.engine(serials={"head": "18", "daq": ""}).run(SWEEP.procedure())
+    assert outcome.reason is FinishReason.DEVICE_FAULT
+    assert outcome.message == (
+        "dividing head: has the serial number 17, and the stand file says 18; connect the right one, or correct the "
+        "stand file"
+    )
+    assert linked.head.targets_deg == []
+    assert linked.operator.asked == []
+
+
+@pytest.mark.parametrize("after_s", [0.5, 1.36, 1.45, 1.55, 1.7, 2.0])
+def test_a_cable_of_the_head_that_is_pulled_and_comes_back_loses_and_doubles_nothing(linked: FakeStand, after_s):
+    linked.head.on_status = once_when(lambda: linked.clock.monotonic_s() > after_s, lambda: linked.head.link.pull(5.0))
+    outcome = linked.engine().run(SWEEP.procedure())
+    assert outcome.reason is FinishReason.COMPLETED
+    assert voltages(outcome) == undisturbed()
+    assert [event.point.index for event in linked.sink.of(PointCompleted)] == [0, 1, 2, 3]
+    assert [event.point for event in linked.sink.of(SamplesAcquired)] == [0, 1, 2, 3]
+    assert (linked.head.homings, linked.head.link.reopened) == (1, 1)
+    said, back = warnings(linked)
+    assert said == "fake head: the port is gone; trying to go on"
+    assert back.startswith("fake head: is back after ")
+    assert back.endswith(" s; the step is repeated")
+
+
+def test_a_cable_of_the_daq_does_not_have_the_head_homed(linked: FakeStand):
+    linked.daq.on_acquire = once_when(lambda: linked.daq.blocks == 7, lambda: linked.daq.link.pull(10.0))
+    outcome = linked.engine().run(SWEEP.procedure())
+    assert voltages(outcome) == undisturbed()
+    assert linked.head.homings == 0
+    assert [event.instrument for event in linked.sink.of(Identified)] == ["head", "daq"] * 2
+
+
+def test_an_instrument_that_still_boots_is_waited_for(linked: FakeStand):
+    linked.daq.link.silent = 0
+
+    def pull():
+        linked.daq.link.pull(1.0)
+        linked.daq.link.silent = 3
+
+    linked.daq.on_acquire = once_when(lambda: linked.daq.blocks == 4, pull)
+    assert voltages(linked.engine().run(SWEEP.procedure())) == undisturbed()
+
+
+def test_a_link_that_stays_away_ends_the_run_within_its_time_and_keeps_the_points(linked: FakeStand):
+    linked.daq.on_acquire = once_when(lambda: linked.daq.blocks == 7, lambda: linked.daq.link.pull(1e9))
+    outcome = linked.engine().run(SWEEP.procedure())
+    assert (outcome.reason, len(outcome.points), outcome.at_standstill) == (FinishReason.DEVICE_FAULT, 2, True)
+    assert outcome.message == (
+        "fake DAQ: the port is gone, and did not come back within 30 s; check its power and its cable, then resume the "
+        "run"
+    )
+    assert linked.clock.monotonic_s() < 60.0
+
+
+def test_an_instrument_that_was_swapped_meanwhile_is_an_error(linked: FakeStand):
+    def swap():
+        linked.daq.link.pull(1.0)
+        linked.daq.link.serial = "99"
+
+    linked.daq.on_acquire = once_when(lambda: linked.daq.blocks == 7, swap)
+    outcome = linked.engine().run(SWEEP.procedure())
+    assert outcome.message == (
+        "DAQ: is fake number 99, and the run was begun with fake number 17; connect that one again, then resume the run"
+    )
+    assert len(outcome.points) == 2
+
+
+def test_no_answer_on_a_link_that_stands_ends_the_run(linked: FakeStand):
+    def fail():
+        linked.daq.on_acquire = lambda: None
+        raise NoReplyError("fake DAQ", "gave no answer", "check that it is on")
+
+    linked.daq.on_acquire = once_when(lambda: linked.daq.blocks == 7, fail)
+    outcome = linked.engine().run(SWEEP.procedure())
+    assert (outcome.reason, len(outcome.points)) == (FinishReason.DEVICE_FAULT, 2)
+
+
+def test_a_link_that_is_lost_over_and_over_ends_the_run(linked: FakeStand):
+    linked.daq.on_acquire = lambda: linked.daq.link.pull(0.0)
+    outcome = linked.engine().run(SWEEP.procedure())
+    assert outcome.message == (
+        "fake DAQ: was lost 10 times in one step, the last time so: the port is gone; check the cable"
+    )
+
+
+def test_a_stop_ends_the_waiting_for_a_link(linked: FakeStand):
+    engine = linked.engine()
+    linked.daq.on_acquire = once_when(lambda: linked.daq.blocks == 4, lambda: linked.daq.link.pull(1e9))
+    sleep = linked.clock.sleep
+
+    def stop_soon(duration_s):
+        sleep(duration_s)
+        if not linked.daq.link.open:
+            engine.control.stop()
+
+    linked.clock.sleep = stop_soon
+    assert engine.run(SWEEP.procedure()).reason is FinishReason.STOPPED
+
+
+def test_a_head_without_a_reference_is_homed_before_the_first_dwell(linked: FakeStand):
+    linked.head.referenced = False
+    outcome = linked.engine().run(SWEEP.procedure())
+    assert outcome.reason is FinishReason.COMPLETED
+    assert linked.head.targets_deg[:2] == [0.0, 40.0]
+    assert warnings(linked) == ["dividing head: has no reference; it is homed"]
+
+
+def test_a_head_that_loses_its_power_under_way_is_homed_and_the_step_begins_anew(linked: FakeStand):
+    def lose_power():
+        linked.head.referenced = False
+
+    linked.head.on_status = once_when(lambda: linked.clock.monotonic_s() > 1.5, lose_power)
+    outcome = linked.engine().run(SWEEP.procedure())
+    assert voltages(outcome) == undisturbed()
+    assert linked.head.homings == 1
+
+
+def test_a_head_that_never_finds_its_reference_ends_the_run(linked: FakeStand):
+    linked.head.referenced = False
+    linked.head.home = lambda: None
+    outcome = linked.engine().run(SWEEP.procedure())
+    assert outcome.reason is FinishReason.DEVICE_FAULT
+    assert "was told to find its reference, and has not found it in time" in outcome.message
+    assert linked.clock.monotonic_s() < 400.0
+
+
+def test_a_wall_clock_that_is_set_back_changes_nothing(linked: FakeStand):
+    wall = iter(range(10**18, 0, -(10**15)))
+    linked.clock.wall_ns = lambda: next(wall)
+    linked.daq.on_acquire = once_when(lambda: linked.daq.blocks == 7, lambda: linked.daq.link.pull(10.0))
+    outcome = linked.engine(QUICK).run(SWEEP.procedure())
+    assert voltages(outcome) == undisturbed()
+    times_s = [point.time_s for point in outcome.points]
+    assert times_s == sorted(times_s)
+    assert times_s[-1] < 60.0
