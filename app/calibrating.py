@@ -109,7 +109,7 @@ def store(traced: Traced, folder: Path) -> Record:
         raise JobError(f"{error}; the recording is kept in {traced.measurement.path}", Exit.STORAGE) from error
 
 
-def _make_ready(folder: Path) -> None:
+def make_ready(folder: Path) -> None:
     """Find out before anything is measured whether the store will take the result. Raises `JobError`."""
     try:
         Store(folder)
@@ -181,11 +181,22 @@ def calibrate(
         What went wrong; the recording is kept whenever there is one.
     """
     job.plan()
-    _make_ready(folder)
+    make_ready(folder)
     recording = recording_path(folder, job.serial_number, job.programme.name, connected.stand.clock)
-    outcome = run(job, connected, recording, listeners)
+    outcome = run(job, connected, recording, listeners, "calibrate")
     if error := failure(outcome, recording):
         raise error
+    return conclude(recording, folder, tell)
+
+
+def conclude(recording: Path, folder: Path, tell: Callable[[str], None] = lambda _: None) -> Calibrated:
+    """Fit a recording, trace what is left, store, report: the job once the run is over.
+
+    Raises
+    ------
+    InputError, JobError
+        What went wrong; the recording is kept.
+    """
     tell("fitting")
     analysed = fit(read_measurement(recording), folder=folder)
     tell("tracing")

@@ -10,6 +10,8 @@ import click
 _COMMANDS = {
     "calibrate": "Run a programme, fit, close the loop, store and report: the whole job.",
     "run": "Run a programme and leave a recording.",
+    "resume": "Go on with a run that was cut off, and with what was to follow it.",
+    "emulate": "Serve a simulated stand through the protocols of real instruments.",
     "plan": "Print the steps of a programme and how long they take; nothing moves.",
     "fit": "Fit a recording or an observation table.",
     "close-loop": "Trace what the declared model leaves of a recording or a table to its causes.",

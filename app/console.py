@@ -41,9 +41,9 @@ def warn(sentences: Iterable[str]) -> None:
 
 
 @contextmanager
-def run_display(plan: Plan, clock: Clock, console: Console) -> Iterator[Listener]:
+def run_display(plan: Plan, clock: Clock, console: Console, points_done: int = 0) -> Iterator[Listener]:
     """A progress bar with the time left, on a terminal; yields the listener that feeds it."""
-    counted = RunProgress(plan, clock)
+    counted = RunProgress(plan, clock, points_done)
     columns = (SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), TextColumn("{task.fields[left]}"))
     with Progress(*columns, console=console, disable=not console.is_terminal) as bar:
         task = bar.add_task("measuring", total=counted.total, left="")

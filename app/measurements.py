@@ -34,6 +34,8 @@ class Measurement:
     """The stand file as data, without what is simulated; empty for a table."""
     header: Header | None = None
     """None for a table."""
+    others: tuple["Measurement", ...] = ()
+    """Further files whose rows are in `observations` too."""
 
     @property
     def uncertainty(self) -> StandUncertainty:
@@ -116,6 +118,7 @@ def _read_recording(path: Path, stand: Mapping[str, Any] | None) -> Measurement:
 def provenance(measurement: Measurement, serial_number: str = "", folder: Path | None = None) -> Provenance:
     """Where a calibration of `measurement` comes from; the raw file's path is relative to `folder` if it lies in it."""
     header, program = measurement.header, program_identity()
+    files = (measurement, *measurement.others)
     programme = measurement.programme
     return Provenance(
         serial_number=serial_number or (header.serial_number if header else "") or measurement.path.stem,
@@ -124,8 +127,8 @@ def provenance(measurement: Measurement, serial_number: str = "", folder: Path |
         programme_sha256=header.programme_sha256 if header else "",
         stand_name=str(measurement.stand.get("name", "")),
         stand=measurement.stand,
-        raw_path=stored_path(folder or Path(), measurement.path),
-        raw_sha256=measurement.sha256,
+        raw_path=", ".join(stored_path(folder or Path(), file.path) for file in files),
+        raw_sha256=", ".join(file.sha256 for file in files),
         measured_at=_iso(header.started_wall_ns) if header else "",
         program_version=program.version,
         git_commit=program.git_commit,

@@ -1,27 +1,36 @@
 """Runs a programme on a stand and leaves a recording."""
 
+import math
 import re
 import signal
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from hashlib import sha256
 from pathlib import Path
 from types import FrameType
+from typing import TYPE_CHECKING
 
 from app.exits import FINISHED, Exit, JobError
 from app.identity import program_identity
 from app.stand import LoadedStand
 from app.wiring import Connected
 from drivers.clock import Clock
+from procedures.acquisition import Acquisition
 from procedures.announcer import Listener
 from procedures.engine import Engine
 from procedures.outcome import Outcome
-from procedures.plan import Plan, check_limits, plan
+from procedures.plan import Plan, check_cable, check_limits, plan
 from procedures.programme import Programme
 from procedures.recording.errors import RecordingError
 from procedures.recording.header import Header
+from procedures.replay import replay
+from procedures.steps import Point
+
+if TYPE_CHECKING:
+    from procedures.recording.contents import Said
+    from procedures.recording.writer import Recorder
 
 _LONGEST_NAME = 60
 _RESERVED = {"CON", "PRN", "AUX", "NUL", *(f"{port}{n}" for port in ("COM", "LPT") for n in range(1, 10))}
@@ -37,16 +46,30 @@ class Job:
     serial_number: str
     operator: str = ""
 
+    @property
+    def acquisition(self) -> Acquisition:
+        """How each dwell is taken."""
+        daq = self.stand.file.daq
+        return self.programme.acquisition(samples=daq.samples, rate_hz=daq.rate_hz)
+
     def plan(self) -> Plan:
-        """Every step with its time; refuses what the head's limits forbid. Raises `ProgrammeError`."""
-        stand = self.stand.file
-        acquisition = self.programme.acquisition(samples=stand.daq.samples, rate_hz=stand.daq.rate_hz)
-        planned = plan(self.programme, acquisition, speed_deg_s=stand.head.speed_deg_s)
-        check_limits(planned, stand.head.limits_deg)
+        """Every step with its time; refuses what the head's limits or its cable forbid. Raises `ProgrammeError`."""
+        head = self.stand.file.head
+        planned = plan(self.programme, self.acquisition, speed_deg_s=head.speed_deg_s)
+        check_limits(planned, head.limits_deg)
+        check_cable(planned, head.turns)
         return planned
 
+    def check(self, points: Iterable[Point]) -> None:
+        """Make sure that recorded points are the beginning of the programme. Raises `JournalError`."""
+        by_hand = self.stand.file.head.driver == "manual"
+        tolerance_deg = math.inf if by_hand else self.acquisition.position_tolerance_deg
+        replay(self.programme.procedure(), points, tolerance_deg)
 
-def run(job: Job, connected: Connected, recording: Path, listeners: Sequence[Listener] = ()) -> Outcome:
+
+def run(
+    job: Job, connected: Connected, recording: Path, listeners: Sequence[Listener] = (), purpose: str = "run"
+) -> Outcome:
     """Carry out the programme; SIGINT and SIGTERM stop it at a safe standstill.
 
     Parameters
@@ -59,6 +82,8 @@ def run(job: Job, connected: Connected, recording: Path, listeners: Sequence[Lis
         File to write; must not exist.
     listeners
         Called with every event.
+    purpose
+        What the recording is made for: `run` or `calibrate`; a resumed run goes on to that.
 
     Raises
     ------
@@ -67,21 +92,38 @@ def run(job: Job, connected: Connected, recording: Path, listeners: Sequence[Lis
     JobError
         The recording cannot be created, and nothing has moved; or it cannot be closed after the run.
     """
+    job.plan()
+    header = _header(job, connected.stand.clock, purpose)
+    recorder = begin_recording(recording, header, connected.stand.clock)
+    return carry_out(lambda engine: engine.run(job.programme.procedure()), job, connected, recorder, listeners)
+
+
+def begin_recording(
+    path: Path, header: Header, clock: Clock, before: "Iterable[Said]" = (), elsewhen_s: float = 0.0
+) -> "Recorder":
+    """Create a recording, see `Recorder`. Raises `JobError`."""
     from procedures.recording.writer import Recorder  # the MCAP library takes 0.1 s
 
-    job.plan()
-    daq = job.stand.file.daq
-    stand = connected.stand
     try:
-        recording.parent.mkdir(parents=True, exist_ok=True)
-        recorder = Recorder(recording, _header(job, stand.clock), stand.clock)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        return Recorder(path, header, clock, before, elsewhen_s)
     except (OSError, RecordingError) as error:
-        raise JobError(_storage_sentence(recording, error), Exit.STORAGE) from error
-    acquisition = job.programme.acquisition(samples=daq.samples, rate_hz=daq.rate_hz)
-    engine = Engine(stand, connected.operator, recorder, acquisition, [*connected.listeners, *listeners])
+        raise JobError(_storage_sentence(path, error), Exit.STORAGE) from error
+
+
+def carry_out(
+    action: Callable[[Engine], Outcome],
+    job: Job,
+    connected: Connected,
+    recorder: "Recorder",
+    listeners: Sequence[Listener],
+) -> Outcome:
+    """Have an engine do something while signals stop it, and close the recording. Raises `JobError`."""
+    heard = [*connected.listeners, *listeners]
+    engine = Engine(connected.stand, connected.operator, recorder, job.acquisition, heard, connected.eyepiece)
     try:
         with recorder, _stopping_on_signals(engine):
-            return engine.run(job.programme.procedure())
+            return action(engine)
     except RecordingError as error:  # from closing it: what fails during the run is in the outcome
         raise JobError(f"{error}; its complete points can be read", Exit.STORAGE) from error
 
@@ -116,7 +158,7 @@ def _safe(text: str) -> str:
     return f"{plain or 'unit'}-{sha256(text.encode()).hexdigest()[:8]}"
 
 
-def _header(job: Job, clock: Clock) -> Header:
+def _header(job: Job, clock: Clock, purpose: str) -> Header:
     program = program_identity()
     return Header(
         serial_number=job.serial_number,
@@ -132,6 +174,7 @@ def _header(job: Job, clock: Clock) -> Header:
         packages=program.packages,
         started_wall_ns=clock.wall_ns(),
         started_monotonic_s=clock.monotonic_s(),
+        job=purpose,
     )
 
 

@@ -11,12 +11,13 @@ from typing import Any, Literal, Self
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
+from app.instruments import DaqTable, HeadTable
 from calibrations.budget import StandUncertainty
 from calibrations.gravity import Gravity, normal_gravity
 from drivers.simulated import Simulated
-from procedures.programme import MOST_SAMPLES
 from procedures.toml_lines import parse_toml, read_text
 
+_MOTORISED = ("zaber", "cia402")
 _STRICT = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
 
@@ -46,51 +47,6 @@ class Site(BaseModel):
         return None if self.latitude_deg is None else normal_gravity(self.latitude_deg, self.height_m)
 
 
-class Instrument(BaseModel):
-    """What every instrument may carry."""
-
-    model_config = _STRICT
-
-    driver: Literal["simulated"]
-    url: str = ""
-    serial: str = ""
-    certificate: str = ""
-    calibration_due: date | None = None
-
-
-class HeadTable(Instrument):
-    """The dividing head."""
-
-    steps_per_deg: float = 1000.0
-    """Counts of the device per degree, sign included."""
-    limits_deg: tuple[float, float]
-    """Soft limits; there is no 'unlimited'."""
-    speed_deg_s: float = Field(default=20.0, ge=1e-3, le=1e4)
-    accuracy_arcsec: float = Field(default=0.0, ge=0.0)
-    """Standard uncertainty of the reading."""
-    seating_arcsec: float = Field(default=0.0, ge=0.0)
-    """Repeatability of the unit in its seat, per mounting."""
-
-    @model_validator(mode="after")
-    def _in_order(self) -> Self:
-        low, high = self.limits_deg
-        if not low < high:
-            raise ValueError(f"limits_deg: {low:g} is not below {high:g}")
-        if self.steps_per_deg == 0:
-            raise ValueError("steps_per_deg is 0: give the counts per degree")
-        return self
-
-
-class DaqTable(Instrument):
-    """The voltmeter."""
-
-    samples: int = Field(default=100, ge=2, le=MOST_SAMPLES)
-    """Per dwell, unless the programme says otherwise."""
-    rate_hz: float = Field(default=100.0, ge=1e-2, le=1e6)
-    gain_uncertainty: float = Field(default=0.0, ge=0.0)
-    offset_uncertainty_v: float = Field(default=0.0, ge=0.0)
-
-
 class StandRecordTable(BaseModel):
     """Whether stored corrections of the stand are applied."""
 
@@ -110,6 +66,18 @@ class StandFile(BaseModel):
     daq: DaqTable
     simulated: Simulated | None = None
     stand_record: StandRecordTable = StandRecordTable()
+
+    @model_validator(mode="after")
+    def _sees_the_head(self) -> Self:
+        simulated = self.daq.driver == "simulated"
+        if (self.head.driver == "simulated" and not simulated) or (simulated and self.head.driver in _MOTORISED):
+            raise ValueError("a simulated head and a simulated daq belong together: a real one does not see the other")
+        return self
+
+    @property
+    def simulates(self) -> bool:
+        """Whether the unit exists in this process only."""
+        return self.daq.driver == "simulated"
 
     @property
     def uncertainty(self) -> StandUncertainty:

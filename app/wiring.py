@@ -1,22 +1,26 @@
-"""The one place where drivers, operators and procedures are put together."""
+"""The one place where drivers, operators and procedures are put together; drivers are imported when needed."""
 
 import sys
-from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 
 import click
 
+from app.instruments import HeadTable
+from app.links import Links
+from app.simulation import Past, simulation, switching_on
 from app.stand import LoadedStand
-from drivers.clock import Clock, SystemClock, VirtualClock
-from drivers.protocols import Stand
-from drivers.simulated import HeadOptions, Simulated, SimulatedStand, build
+from drivers.clock import Clock, ReleasedClock, SystemClock
+from drivers.manual import Eyepiece, ManualHead
+from drivers.protocols import Daq, DividingHead, Stand
+from emulators.backstage import Backstage, find_backstage
 from procedures.announcer import Listener
 from procedures.errors import InputError
-from procedures.events import Event, StepStarted
+from procedures.eyepiece import OperatorEyepiece
 from procedures.operator import Answers, ConsoleOperator, Operator, ScriptedOperator, SeatingOperator
-from procedures.steps import Dwell
+
+ARCSEC_PER_DEG = 3600.0
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -26,24 +30,74 @@ class Connected:
     stand: Stand
     operator: Operator
     listeners: tuple[Listener, ...] = ()
+    eyepiece: OperatorEyepiece | None = None
+    """The person who reads the head, where it has no motor."""
+    lived_s: float | None = None
+    """Since the run began that is resumed, by the clock of a stand that was put back there; None for a real one."""
+    links: Links = field(default_factory=Links)
+    """To be closed when the stand is no longer needed."""
 
 
-def connect(loaded: LoadedStand, answers: Path | None = None, attended: bool = False) -> Connected:
+def connect(
+    loaded: LoadedStand, answers: Path | None = None, attended: bool = False, past: Past | None = None
+) -> Connected:
     """Connect to the instruments of a stand file.
 
-    The operator of a simulated stand is simulated too, and seats the unit whenever asked, unless an answers file says
-    otherwise. An attended stand asks the person at the terminal, and lives in real time.
+    The operator of a simulated or emulated stand is simulated too, and seats the unit whenever asked, unless an answers
+    file says otherwise. An attended stand asks the person at the terminal, and lives in real time, as a real one always
+    does.
+    Where a run is resumed, a simulated stand lives through its `past` again first.
 
     Raises
     ------
     InputError
         A file that the stand names cannot be used.
+    DeviceError
+        An instrument cannot be reached.
     """
-    simulated = _simulated(loaded, SystemClock() if attended else VirtualClock())
+    if loaded.file.simulates:
+        return _simulated(loaded, answers, attended, past)
+    clock, links = SystemClock(), Links()
+    try:
+        daq = _daq(loaded, clock, links)
+        motorised = _motorised(loaded.file.head, clock, links)
+        backstage = find_backstage((loaded.file.head.address, loaded.file.daq.address))
+        operator = _operator(answers, attended=attended or backstage is None)
+    except BaseException:
+        links.close()
+        raise
+    eyepiece = OperatorEyepiece(operator, clock, _tolerance_deg(loaded))
+    stand = Stand(
+        name=loaded.file.name,
+        head=motorised or _manual(loaded, eyepiece, clock),
+        daq=daq,
+        clock=clock,
+        serials={"head": loaded.file.head.serial, "daq": loaded.file.daq.serial},
+    )
+    connected = Connected(stand=stand, operator=operator, eyepiece=None if motorised else eyepiece, links=links)
+    return _behind_the_scenes(connected, backstage) if backstage else connected
+
+
+def _behind_the_scenes(connected: Connected, backstage: Backstage) -> Connected:
+    """An emulated stand, where nobody seats the unit but who emulates it."""
+    operator = SeatingOperator(connected.operator, backstage.seat)
+    return replace(connected, operator=operator, listeners=(switching_on(backstage.switch_on),))
+
+
+def _simulated(loaded: LoadedStand, answers: Path | None, attended: bool, past: Past | None) -> Connected:
+    clock = ReleasedClock()
+    simulated = simulation(loaded, clock)
+    if past is not None:
+        simulated = simulated.after(past)
+    if attended:
+        clock.release()
+    operator = SeatingOperator(_operator(answers, attended), simulated.world.seat)
+    stand, eyepiece = simulated.stand, None
+    if loaded.file.head.driver == "manual":
+        eyepiece = OperatorEyepiece(operator, clock, _tolerance_deg(loaded))
+        stand = replace(stand, head=_manual(loaded, simulated.turned_by(eyepiece), clock))
     return Connected(
-        stand=simulated.stand,
-        operator=SeatingOperator(_operator(answers, attended), simulated.world.seat),
-        listeners=(_switching_on(simulated.world.switch_on),),
+        stand=stand, operator=operator, listeners=simulated.listeners, eyepiece=eyepiece, lived_s=simulated.lived_s
     )
 
 
@@ -52,32 +106,63 @@ def _operator(answers: Path | None, attended: bool) -> Operator:
         return ScriptedOperator.from_file(answers)
     if attended:
         return ConsoleOperator(sys.stdin, show=partial(click.echo, err=True))
-    return ScriptedOperator(Answers(mounts={"default": "yes"}))
+    return ScriptedOperator(Answers(mounts={"default": "yes"}, readings={"default": ""}))
 
 
-def _simulated(loaded: LoadedStand, clock: Clock) -> SimulatedStand:
-    head = loaded.file.head
-    options = HeadOptions(limits_deg=head.limits_deg, steps_per_deg=head.steps_per_deg, speed_deg_s=head.speed_deg_s)
-    try:
-        return build(
-            loaded.file.simulated or Simulated(),
-            name=loaded.file.name,
+def _motorised(table: HeadTable, clock: Clock, links: Links) -> DividingHead | None:
+    """The head, unless a person turns it."""
+    if table.driver == "manual":
+        return None
+    if table.driver == "cia402":
+        from drivers.cia402 import Cia402Head
+
+        return Cia402Head(
+            links.can(table),
+            table.node,
+            limits_deg=table.limits_deg,
+            steps_per_deg=table.steps_per_deg,
+            speed_deg_s=table.speed_deg_s,
             clock=clock,
-            head=options,
-            base_path=loaded.path.parent if loaded.path else None,
         )
-    except ValueError as error:
-        raise InputError(f"{loaded.path}: {error}") from error
+    from drivers.zaber import ZaberHead
+
+    return ZaberHead(
+        links.serial(table, "dividing head"),
+        device=table.device,
+        axis=table.axis,
+        limits_deg=table.limits_deg,
+        steps_per_deg=table.steps_per_deg,
+        speed_deg_s=table.speed_deg_s,
+        clock=clock,
+    )
 
 
-def _switching_on(switch_on: Callable[[], None]) -> Listener:
-    """Switch the simulated unit off and on between realisations, as the published method repeats the whole test."""
-    realisation = 1
+def _daq(loaded: LoadedStand, clock: Clock, links: Links) -> Daq:
+    table = loaded.file.daq
+    if table.driver == "can":
+        from drivers.candaq import CanDaq, DaqFrames
 
-    def listen(event: Event) -> None:
-        nonlocal realisation
-        if isinstance(event, StepStarted) and isinstance(event.step, Dwell) and event.step.realisation != realisation:
-            realisation = event.step.realisation
-            switch_on()
+        path = (loaded.path.parent if loaded.path else Path()) / table.dbc if table.dbc else None
+        try:
+            frames = DaqFrames.from_file(path)
+        except (OSError, ValueError) as error:
+            raise InputError(f"{path}: {error}; name the DBC file of the DAQ in the stand file") from error
+        return CanDaq(links.can(table), frames, clock)
+    from drivers.scpi import ScpiMultimeter
 
-    return listen
+    return ScpiMultimeter(
+        links.serial(table, "multimeter"),
+        clock,
+        range_v=table.range_v,
+        temperature_sensor=table.temperature_sensor,
+        baud_rate=table.baud_rate,
+    )
+
+
+def _manual(loaded: LoadedStand, eyepiece: Eyepiece, clock: Clock) -> ManualHead:
+    table = loaded.file.head
+    return ManualHead(eyepiece, clock, limits_deg=table.limits_deg, speed_deg_s=table.speed_deg_s, serial=table.serial)
+
+
+def _tolerance_deg(loaded: LoadedStand) -> float:
+    return loaded.file.head.setting_tolerance_arcsec / ARCSEC_PER_DEG

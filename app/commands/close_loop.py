@@ -8,22 +8,27 @@ from app.calibrating import fit, trace, write_report
 from app.commands import options
 from app.console import messages, warn
 from app.exits import Exit
+from app.joining import read_together
 from app.loop_console import show_loop
-from app.measurements import read_measurement
 from app.stand import load_stand
 from calibrations.montecarlo import TRIALS
 from calibrations.tracing.document import document
 
 
 @click.command("close-loop")
-@click.argument("file", type=options.EXISTING)
+@click.argument("files", metavar="FILE...", nargs=-1, required=True, type=options.EXISTING)
 @options.json_out
 @click.option("--stand", "stand_path", type=options.EXISTING, help="Stand file for the budget of a table.")
 @click.option("--serial", "serial_number", default="", help="Serial number of the unit, where the file does not say.")
 @click.option("--report", "page", type=options.EXISTING, help="Write the report (HTML) here.")
-def command(file: Path, json_path: Path | None, stand_path: Path | None, serial_number: str, page: Path | None) -> None:
-    """Trace what the declared model leaves of a recording (.mcap) or a table (CSV) to effects."""
-    measurement = read_measurement(file, load_stand(stand_path).recorded if stand_path else None)
+def command(
+    files: tuple[Path, ...], json_path: Path | None, stand_path: Path | None, serial_number: str, page: Path | None
+) -> None:
+    """Trace what the declared model leaves of a recording (.mcap) or a table (CSV) to effects.
+
+    Several files of one unit are taken together, in the order in which they were measured.
+    """
+    measurement = read_together(files, load_stand(stand_path).recorded if stand_path else None)
     traced = trace(fit(measurement, serial_number, trials=TRIALS if page else 0))
     warn(traced.loop.augmented.warnings)
     if str(json_path) != "-":

@@ -7,24 +7,23 @@ from pathlib import Path
 
 import click
 
-from app.commands.options import EXISTING, stand
+from app.commands import options
 from app.console import warn
 from app.running import Job
 from app.stand import load_stand
+from app.stand_lock import holding
 from app.wiring import connect
 from procedures.errors import InputError
 from procedures.programme import load_programme
 
 _LONGEST_SERIAL = 100
 _OPTIONS = (
-    stand,
+    options.stand,
     click.option("--programme", default="seed", show_default=True, help="Name of a shipped programme, or a file."),
     click.option("--serial", "serial_number", required=True, help="Serial number of the unit."),
     click.option("--operator", default="", help="Who is at the stand; recorded."),
-    click.option("--answers", type=EXISTING, help="Answers to prompts, for a run that nobody attends (TOML)."),
-    click.option(
-        "--attended", is_flag=True, help="Ask for mounts on the terminal; a simulated stand then runs in real time."
-    ),
+    options.answers,
+    options.attended,
 )
 
 
@@ -46,7 +45,12 @@ def measures(function: Callable[..., None]) -> Callable[..., None]:
         loaded = load_stand(stand_path)
         warn(loaded.file.expired(datetime.now(tz=UTC).date()))
         job = Job(stand=loaded, programme=load_programme(programme), serial_number=serial_number, operator=operator)
-        function(job, connect(loaded, answers, attended), **own)
+        with holding(loaded, serial_number):
+            connected = connect(loaded, answers, attended)
+            try:
+                function(job, connected, **own)
+            finally:
+                connected.links.close()
 
     for option in reversed(_OPTIONS):
         command = option(command)

@@ -17,6 +17,11 @@ store = click.option(
 )
 json_out = click.option("--json", "json_path", type=EXISTING, help="Write the result as JSON; - for standard output.")
 
+answers = click.option("--answers", type=EXISTING, help="Answers to prompts, for a run that nobody attends (TOML).")
+attended = click.option(
+    "--attended", is_flag=True, help="Ask for mounts on the terminal; a simulated stand then runs in real time."
+)
+
 
 def write_json(document: dict[str, Any], path: Path | None) -> None:
     """Write a document where `--json` says; nowhere without it. Raises `JobError`."""

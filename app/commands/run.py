@@ -6,6 +6,7 @@ import click
 
 from app.commands import options
 from app.commands.measuring import measures
+from app.commands.telling import tell_run
 from app.console import messages, run_display
 from app.files import RECORDING_SUFFIX, is_recording
 from app.running import Job, failure, recording_path, run
@@ -20,15 +21,12 @@ from procedures.errors import InputError
 @options.json_out
 def command(job: Job, connected: Connected, folder: Path, out: Path | None, json_path: Path | None) -> None:
     """Run a programme and leave a recording, to be fitted later."""
-    console = messages()
     clock = connected.stand.clock
     if out and not is_recording(out):
         raise InputError(f"{out}: is no name of a recording; end it in {RECORDING_SUFFIX}")
     recording = out or recording_path(folder, job.serial_number, job.programme.name, clock)
-    with run_display(job.plan(), clock, console) as display:
+    with run_display(job.plan(), clock, messages()) as display:
         outcome = run(job, connected, recording, [display])
     if error := failure(outcome, recording):
         raise error
-    console.print(f"recording {recording}", soft_wrap=True)
-    document = {"schema": "tumble.run/1", "recording": str(recording), "points": len(outcome.points)}
-    options.write_json(document, json_path)
+    tell_run(recording, len(outcome.points), json_path)

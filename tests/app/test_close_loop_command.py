@@ -1,10 +1,14 @@
 import json
+from dataclasses import replace
 
+import numpy as np
 import pytest
 from app_jobs import STAND, TINY, tumble
-from loop_examples import K_XX, MISREAD_ROW, PARTS, k_xx_table, misread_table
+from loop_examples import K_XX, MISREAD_ROW, PARTS, k_xx, k_xx_table, misread_table
 from tables import table
 
+from app.joining import read_together
+from app.measurements import provenance
 from calibrations.table import write_table
 
 
@@ -160,3 +164,72 @@ def test_a_record_shows_the_parameters_with_what_was_found(k_xx_csv, tmp_path):
 
     assert "with k_xx" in lines
     assert len([line for line in lines if line.startswith("  ky ")]) == 2
+
+
+def probe_table(realisations=1):
+    """The unit of `k_xx_table` in another mount that parts k_xx from what stays with the head."""
+    return table(("sweep", "face-up-90", range(0, 360, 15)), realisations=realisations, extra_v=k_xx, seed=9)
+
+
+def test_a_table_and_the_experiment_after_it_are_traced_together(k_xx_csv, tmp_path):
+    write_table(probe_table(), tmp_path / "probe.csv")
+
+    ran = tumble("close-loop", k_xx_csv, tmp_path / "probe.csv", "--json", tmp_path / "loop.json")
+
+    document = json.loads((tmp_path / "loop.json").read_text("utf-8"))
+    assert (ran.status, document["rows"]["read"]) == (0, 162 + 24)
+    (effect,) = document["effects"]
+    assert effect["name"] == "k_xx"
+    assert "head_eccentricity" not in effect["also_possible"]
+    assert f"rows 1 to 162 from {k_xx_csv} and 163 to 186 from {tmp_path / 'probe.csv'}" in "".join(
+        document["warnings"]
+    )
+
+
+def test_two_recordings_of_one_unit_are_traced_together(tiny_recording, tiny, tmp_path):
+    tumble("run", "--programme", tiny, "--serial", "SN-7", "--out", tmp_path / "again.mcap")
+
+    ran = tumble("close-loop", tiny_recording, tmp_path / "again.mcap", "--json", "-")
+
+    assert (ran.status, json.loads(ran.out)["rows"]["read"]) == (0, 12)
+
+
+def test_recordings_of_two_units_are_refused(tiny_recording, tiny, tmp_path):
+    tumble("run", "--programme", tiny, "--serial", "SN-8", "--out", tmp_path / "other.mcap")
+
+    ran = tumble("close-loop", tiny_recording, tmp_path / "other.mcap")
+
+    assert ran.status == 2
+    assert ran.complaint == (
+        f"{tmp_path / 'other.mcap'}: holds unit SN-8, but {tiny_recording} holds unit SN-7; give only files of one unit"
+    )
+
+
+def test_a_file_that_is_given_twice_is_refused(k_xx_csv):
+    ran = tumble("close-loop", k_xx_csv, k_xx_csv)
+
+    assert ran.status == 2
+    assert ran.complaint == f"{k_xx_csv}: holds the same as {k_xx_csv}; give every file once"
+
+
+def test_a_question_about_one_of_the_files_comes_before_any_tracing(k_xx_csv, tmp_path):
+    rows = probe_table(realisations=2)
+    write_table(replace(rows, angle_deg=np.deg2rad(rows.angle_deg)), tmp_path / "radians.csv")
+
+    ran = tumble("close-loop", k_xx_csv, tmp_path / "radians.csv")
+
+    assert ran.status == 2
+    assert "are these radians?" in ran.complaint
+
+
+def test_a_report_names_all_files_that_it_rests_on(k_xx_csv, tmp_path):
+    write_table(probe_table(), tmp_path / "probe.csv")
+
+    measurement = read_together([k_xx_csv, tmp_path / "probe.csv"])
+
+    assert provenance(measurement).raw_path == f"{k_xx_csv.resolve()}, {(tmp_path / 'probe.csv').resolve()}"
+    assert [len(sha256) for sha256 in provenance(measurement).raw_sha256.split(", ")] == [64, 64]
+
+
+def test_without_a_file_there_is_nothing_to_trace():
+    assert tumble("close-loop").status == 2

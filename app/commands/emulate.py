@@ -1,0 +1,100 @@
+"""`tumble emulate`: serve the simulated world of a stand file through the protocols of real instruments."""
+
+import json
+import signal
+import sys
+import threading
+from contextlib import ExitStack
+from pathlib import Path
+from typing import Literal
+from urllib.parse import urlsplit
+
+import click
+
+from app.commands import options
+from app.instruments import DaqTable, HeadTable
+from app.simulation import simulation
+from app.stand import load_stand
+from drivers.simulated import SimulatedStand
+from emulators.emulation import Wanted, emulate
+from emulators.faults import FaultScript
+from emulators.speed import FasterClock
+from emulators.world import SharedWorld
+from procedures.errors import InputError
+from procedures.toml_lines import parse_toml, read_text
+
+_LOOPBACK = ("127.0.0.1", "localhost", "::1")
+
+
+@click.command("emulate")
+@options.stand
+@click.option(
+    "--head-port", type=click.IntRange(0, 65535), help="TCP port of the head; without, that of the stand file."
+)
+@click.option("--daq-port", type=click.IntRange(0, 65535), help="TCP port of the DAQ; without, that of the stand file.")
+@click.option("--pty", "ptys", is_flag=True, help="Serve on pseudo-terminals too.")
+@click.option("--speed", default=1.0, show_default=True, type=click.FloatRange(min=1e-3), help="Times real time.")
+@click.option("--faults", "script", type=options.EXISTING, help="What goes wrong, and when (TOML).")
+def command(
+    stand_path: Path | None,
+    head_port: int | None,
+    daq_port: int | None,
+    ptys: bool,
+    speed: float,
+    script: Path | None,
+) -> None:
+    """Serve the simulated world of a stand until stopped.
+
+    The first line on standard output says where, as JSON.
+    """
+    loaded = load_stand(stand_path)
+    head, daq = loaded.file.head, loaded.file.daq
+    if head.driver == "manual":
+        raise InputError(f"{loaded.path}: a manual head speaks no protocol; there is nothing to emulate")
+    clock = FasterClock(speed)
+    wanted = Wanted(
+        head=_head_protocol(head),
+        daq=_daq_protocol(daq),
+        steps_per_deg=head.steps_per_deg,
+        node=head.node,
+        head_port=_port(head.url) if head_port is None else head_port,
+        daq_port=_port(daq.url) if daq_port is None else daq_port,
+        ptys=ptys,
+    )
+    simulated = simulation(loaded, clock)
+    shared = SharedWorld(SimulatedStand(stand=simulated.stand, world=simulated.world))
+    with ExitStack() as stack:
+        try:
+            addresses = emulate(stack, shared, wanted, _read(script))
+        except OSError as error:
+            raise InputError(f"the emulated stand cannot be served ({error}); choose other ports") from error
+        click.echo(json.dumps(addresses))
+        sys.stdout.flush()
+        _until_stopped()
+
+
+def _head_protocol(head: HeadTable) -> Literal["zaber", "cia402"]:
+    return "cia402" if head.driver == "cia402" else "zaber"
+
+
+def _daq_protocol(daq: DaqTable) -> Literal["scpi", "can"]:
+    return "can" if daq.driver == "can" else "scpi"
+
+
+def _port(url: str) -> int:
+    """The TCP port of an address on this computer; 0, any, where it has none."""
+    place = urlsplit(url)
+    return place.port or 0 if place.scheme == "socket" and place.hostname in _LOOPBACK else 0
+
+
+def _read(path: Path | None) -> FaultScript | None:
+    return None if path is None else parse_toml(read_text(path), FaultScript, str(path))
+
+
+def _until_stopped() -> None:
+    """Wait for SIGINT or SIGTERM, or for whoever began this to be gone."""
+    stopped = threading.Event()
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, lambda *_: stopped.set())
+    while not stopped.wait(0.2):
+        pass

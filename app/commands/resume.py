@@ -1,0 +1,92 @@
+"""`tumble resume`: go on with a run that was cut off."""
+
+from datetime import UTC, datetime
+from pathlib import Path
+
+import click
+
+from app.calibrating import conclude, make_ready
+from app.commands import options
+from app.commands.telling import tell_calibrated, tell_run
+from app.console import messages, run_display, warn
+from app.resuming import Unfinished, find, load_same_stand, resume
+from app.running import Job, failure
+from app.stand_lock import holding
+from app.wiring import connect
+from procedures.errors import InputError
+
+
+@click.command("resume")
+@click.argument("recording", type=options.EXISTING)
+@click.option("--stand", "stand_path", type=options.EXISTING, help="The stand file, where it was moved.")
+@options.answers
+@options.attended
+@click.option(
+    "--tolerance-v",
+    type=click.FloatRange(min=0.0, min_open=True),
+    help="By how much the last point may differ when it is taken again; without it, by what noise explains.",
+)
+@click.option("--store", "folder", type=options.EXISTING, help="Store of a calibration whose recording was moved.")
+@options.json_out
+def command(
+    recording: Path,
+    stand_path: Path | None,
+    answers: Path | None,
+    attended: bool,
+    tolerance_v: float | None,
+    folder: Path | None,
+    json_path: Path | None,
+) -> None:
+    """Go on with a run that was cut off, and then with what was to follow it: fit, record and report."""
+    unfinished = find(recording)
+    header = unfinished.recording.header
+    store = _store(unfinished, folder) if header.job == "calibrate" else None
+    points = len(unfinished.recording.points)
+    if not unfinished.recording.complete:
+        points = _go_on(unfinished, stand_path, answers, attended, tolerance_v, store)
+    if store is None:
+        tell_run(unfinished.path, points, json_path)
+    else:
+        tell_calibrated(conclude(unfinished.path, store), json_path)
+
+
+def _go_on(
+    unfinished: Unfinished,
+    stand_path: Path | None,
+    answers: Path | None,
+    attended: bool,
+    tolerance_v: float | None,
+    store: Path | None,
+) -> int:
+    """Carry out what is left; return the number of points."""
+    header = unfinished.recording.header
+    loaded = load_same_stand(unfinished.recording, stand_path)
+    warn(loaded.file.expired(datetime.now(tz=UTC).date()))
+    job = Job(
+        stand=loaded, programme=unfinished.programme, serial_number=header.serial_number, operator=header.operator
+    )
+    plan = job.plan()
+    job.check(unfinished.recording.points)
+    if store is not None:
+        make_ready(store)
+    with holding(loaded, header.serial_number):
+        connected = connect(loaded, answers, attended, unfinished.past(job))
+        try:
+            done = len(unfinished.recording.points)
+            with run_display(plan, connected.stand.clock, messages(), done) as display:
+                outcome = resume(unfinished, job, connected, [display], tolerance_v)
+        finally:
+            connected.links.close()
+    if error := failure(outcome, unfinished.path):
+        raise error
+    return len(outcome.points)
+
+
+def _store(unfinished: Unfinished, folder: Path | None) -> Path:
+    """The store of a calibration, by where its recording lies: `STORE/recordings/SERIAL/RUN.mcap`."""
+    if folder is not None:
+        return folder
+    parents = unfinished.path.resolve().parents
+    if len(parents) < 3 or parents[1].name != "recordings":
+        raise InputError(f"{unfinished.path}: does not lie in a store; name the store of the calibration with --store")
+    return parents[2]

@@ -1,0 +1,28 @@
+"""What a command says at its end, on the terminal and as JSON."""
+
+from pathlib import Path
+
+from app.calibrating import Calibrated
+from app.commands.options import write_json
+from app.console import messages, show_result, warn
+from app.exits import Exit
+from app.loop_console import show_loop
+
+
+def tell_run(recording: Path, points: int, json_path: Path | None) -> None:
+    """Say that a run has left a recording."""
+    messages().print(f"recording {recording}", soft_wrap=True)
+    write_json({"schema": "tumble.run/1", "recording": str(recording), "points": points}, json_path)
+
+
+def tell_calibrated(done: Calibrated, json_path: Path | None) -> None:
+    """Show what a calibration gave. Raises `SystemExit` where a parameter lies outside its limits."""
+    warn(done.analysed.calibration.warnings)
+    if str(json_path) != "-":
+        show_result(done.analysed)
+        show_loop(done.analysed.loop)
+    messages().print(f"recording {done.recording}\nrecord    {done.record.id}\nreport    {done.report}", soft_wrap=True)
+    left = {"record": done.record.id, "recording": str(done.recording), "report": str(done.report)}
+    write_json(done.analysed.as_json() | left, json_path)
+    if not done.analysed.inside:
+        raise SystemExit(int(Exit.OUTSIDE_LIMITS))

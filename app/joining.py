@@ -1,0 +1,75 @@
+"""Several raw files of one unit as one measurement: a table, say, and the experiments that were run after it."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from app.measurements import Measurement, read_measurement
+from calibrations.joining import joined
+from calibrations.observations import Observations
+from calibrations.tracing.questions import questioned
+from procedures.errors import InputError
+
+
+def read_together(paths: Sequence[Path], stand: Mapping[str, Any] | None = None) -> Measurement:
+    """Read one or more recordings or tables as one measurement, in the order in which they are given.
+
+    Stand and programme are those of the first file that has them.
+
+    Parameters
+    ----------
+    paths
+        Files to read.
+    stand
+        Stand file as data, in place of what recordings hold.
+
+    Raises
+    ------
+    InputError
+        Unreadable or malformed, of different units, given twice, or one that contradicts its own description.
+    """
+    measurements = [read_measurement(path, stand) for path in paths]
+    first, *others = measurements
+    if not others:
+        return first
+    _refuse_twice(measurements)
+    _refuse_other_units(measurements)
+    return replace(
+        first,
+        observations=joined([_answered(each) for each in measurements], [_start_s(each) for each in measurements]),
+        stand=next((each.stand for each in measurements if each.stand), {}),
+        header=next((each.header for each in measurements if each.header), None),
+        others=tuple(others),
+    )
+
+
+def _refuse_twice(measurements: Sequence[Measurement]) -> None:
+    first: dict[str, Path] = {}
+    for each in measurements:
+        if each.sha256 in first:
+            raise InputError(f"{each.path}: holds the same as {first[each.sha256]}; give every file once")
+        first[each.sha256] = each.path
+
+
+def _refuse_other_units(measurements: Sequence[Measurement]) -> None:
+    recorded = [(each.path, each.header.serial_number) for each in measurements if each.header]
+    for path, serial_number in recorded[1:]:
+        if serial_number != recorded[0][1]:
+            raise InputError(
+                f"{path}: holds unit {serial_number}, but {recorded[0][0]} holds unit {recorded[0][1]}; "
+                "give only files of one unit"
+            )
+
+
+def _answered(measurement: Measurement) -> Observations:
+    """The rows of a file, repeats numbered; a question that nothing can be traced without must be answered first."""
+    asked = questioned(measurement.observations)
+    if not asked.answerable:
+        raise InputError(asked.questions[0])
+    return asked.observations
+
+
+def _start_s(measurement: Measurement) -> float | None:
+    """Clock time at which `time_s` is 0; only recordings say."""
+    return measurement.header.started_wall_ns / 1e9 if measurement.header else None

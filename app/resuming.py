@@ -1,0 +1,205 @@
+"""Going on with a run that was cut off.
+
+What there is of it is kept under another name, `RUN.cut-N.mcap`, and `RUN.mcap` begins anew with everything complete up
+to the break. Whatever happens in between, the most complete of these files is the one that counts.
+"""
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from hashlib import sha256
+from pathlib import Path
+
+from app.exits import Exit, JobError
+from app.running import Job, begin_recording, carry_out
+from app.simulation import Past
+from app.stand import LoadedStand, load_stand
+from app.wiring import Connected
+from drivers.protocols import Identity
+from procedures.announcer import Listener
+from procedures.errors import InputError
+from procedures.events import Identified
+from procedures.outcome import Outcome
+from procedures.programme import Programme, programme_from_text
+from procedures.recording.contents import Said
+from procedures.recording.errors import RecordingError
+from procedures.recording.header import FORMAT_VERSION
+from procedures.recording.reader import Recording, complete_messages, monotonic_s, read_recording
+
+_CUT = re.compile(r"(?P<run>.+)\.cut-(?P<number>\d+)")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Unfinished:
+    """A run that can go on."""
+
+    path: Path
+    """Where it goes on."""
+    recording: Recording
+    """The most complete file that there is of it."""
+    last: Said | None
+    """The last message before the break."""
+
+    @property
+    def programme(self) -> Programme:
+        """What the run carries out. Raises `InputError` where the recording was altered."""
+        header = self.recording.header
+        if sha256(header.programme_text.encode()).hexdigest() != header.programme_sha256:
+            raise InputError(
+                f"{self.recording.path}: its programme is not the one that was begun (its SHA-256 differs); "
+                "a run goes on with its own programme only"
+            )
+        return programme_from_text(header.programme_text, str(self.recording.path))
+
+    @property
+    def elapsed_s(self) -> float:
+        """Seconds from the beginning of the run to the break, by the stand's clock."""
+        return monotonic_s(self.last) - self.recording.header.started_monotonic_s if self.last else 0.0
+
+    @property
+    def identities(self) -> dict[str, Identity]:
+        """The instruments with which it was begun."""
+        return {
+            event.instrument: Identity(model=event.model, serial=event.serial, firmware=event.firmware)
+            for event in self.recording.events
+            if isinstance(event, Identified)
+        }
+
+    def past(self, job: Job) -> Past:
+        """What a simulated stand lives through again."""
+        return Past(
+            programme=job.programme,
+            acquisition=job.acquisition,
+            points=len(self.recording.points),
+        )
+
+
+def find(path: Path) -> Unfinished:
+    """Look for what there is of a run, by the name of its recording or of one that was set aside.
+
+    Raises
+    ------
+    InputError
+        There is no such recording, or none that can be read.
+    """
+    cut = _CUT.fullmatch(path.stem)
+    run = path.with_name(cut["run"] + path.suffix) if cut else path
+    found: list[Recording] = []
+    failure: RecordingError | None = None
+    for candidate in (run, *_set_aside_before(run)):
+        try:
+            found.append(read_recording(candidate))
+        except RecordingError as error:
+            failure = failure or error
+    if not found:
+        raise InputError(str(failure))
+    best = max(found, key=_completeness)
+    *_, last = (None, *complete_messages(best))
+    return Unfinished(path=run, recording=best, last=last)
+
+
+def load_same_stand(recording: Recording, path: Path | None = None) -> LoadedStand:
+    """The stand file of a run, from where it was or from `path`. Raises `InputError` where it is another by now."""
+    header = recording.header
+    loaded = load_stand(path or (Path(header.stand_path) if header.stand_path else None))
+    if loaded.sha256 != header.stand_sha256:
+        raise InputError(
+            f"{loaded.path or 'the built-in stand'}: is not the stand file with which {recording.path} was begun (its "
+            "SHA-256 differs); give the unchanged one with --stand, or begin a new run"
+        )
+    return loaded
+
+
+def resume(
+    unfinished: Unfinished,
+    job: Job,
+    connected: Connected,
+    listeners: Sequence[Listener] = (),
+    tolerance_v: float | None = None,
+) -> Outcome:
+    """Go on with the run where it was cut off; SIGINT and SIGTERM stop it at a safe standstill.
+
+    Parameters
+    ----------
+    unfinished
+        What there is of the run.
+    job
+        Its programme, unit and stand file.
+    connected
+        The instruments, and who seats the unit.
+    listeners
+        Called with every event.
+    tolerance_v
+        By how much the last point may differ when it is taken again; without it, by what noise explains.
+
+    Raises
+    ------
+    InputError
+        The recording is not the beginning of its programme; nothing has moved, and no file was touched.
+    JobError
+        A file cannot be set aside or written; nothing has moved.
+    """
+    recording, clock = unfinished.recording, connected.stand.clock
+    job.plan()
+    job.check(recording.points)
+    elapsed_s = partial(_elapsed_s, unfinished, connected)
+    source = _make_room(unfinished)
+    recorder = begin_recording(
+        unfinished.path,
+        replace(recording.header, format_version=FORMAT_VERSION),
+        clock,
+        before=complete_messages(replace(recording, path=source)),
+        elsewhen_s=recording.header.started_monotonic_s + elapsed_s() - clock.monotonic_s(),
+    )
+    return carry_out(
+        lambda engine: engine.resume(
+            job.programme.procedure(),
+            recording.points,
+            elapsed_s=elapsed_s,
+            known=unfinished.identities,
+            tolerance_v=tolerance_v,
+        ),
+        job,
+        connected,
+        recorder,
+        listeners,
+    )
+
+
+def _elapsed_s(unfinished: Unfinished, connected: Connected) -> float:
+    """Seconds since the run began: up to the break by the stand's clock, from there by the wall clock, if it rose."""
+    if connected.lived_s is not None:
+        return connected.lived_s
+    outage_ns = connected.stand.clock.wall_ns() - unfinished.last.log_time_ns if unfinished.last else 0
+    return unfinished.elapsed_s + max(0.0, outage_ns / 1e9)
+
+
+def _completeness(recording: Recording) -> tuple[int, int]:
+    return len(recording.points), len(recording.steps) + len(recording.events) + len(recording.answers)
+
+
+def _set_aside_before(run: Path) -> list[Path]:
+    """Files of a run that were set aside, in their order."""
+    numbered = {
+        int(cut["number"]): path
+        for path in run.parent.glob(f"*.cut-*{run.suffix}")
+        if (cut := _CUT.fullmatch(path.stem)) and cut["run"] == run.stem
+    }
+    return [numbered[number] for number in sorted(numbered)]
+
+
+def _make_room(unfinished: Unfinished) -> Path:
+    """Set aside what has the name of the run; return where what there is of it lies now."""
+    run = unfinished.path
+    if not run.exists():
+        return unfinished.recording.path
+    before = _set_aside_before(run)
+    last = _CUT.fullmatch(before[-1].stem) if before else None
+    aside = run.with_name(f"{run.stem}.cut-{int(last['number']) + 1 if last else 1}{run.suffix}")
+    try:
+        run.rename(aside)
+    except OSError as error:
+        sentence = f"{run}: cannot be renamed to {aside.name} ({error.strerror}); close whatever has it open"
+        raise JobError(sentence, Exit.STORAGE) from error
+    return aside if unfinished.recording.path == run else unfinished.recording.path

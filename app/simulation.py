@@ -1,0 +1,150 @@
+"""The stand that exists in this process only: its operator, its past, and a head of it that a person turns."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+from app.stand import LoadedStand
+from drivers.clock import Clock
+from drivers.manual import Eyepiece
+from drivers.protocols import Stand
+from drivers.simulated import HeadOptions, Simulated, SimulatedWorld, build
+from drivers.simulated.bench import Counts
+from drivers.simulated.head import SimulatedHead
+from procedures.acquisition import Acquisition
+from procedures.announcer import Listener
+from procedures.composition import advance
+from procedures.engine import Engine
+from procedures.errors import InputError
+from procedures.events import Event, RunResumed, StepStarted
+from procedures.operator import Answers, ScriptedOperator, SeatingOperator
+from procedures.programme import Programme
+from procedures.steps import Dwell, Point, Procedure
+
+
+@dataclass(frozen=True, kw_only=True)
+class Past:
+    """What a stand has lived through before a run is resumed."""
+
+    programme: Programme
+    acquisition: Acquisition
+    points: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class Simulation:
+    """A simulated stand, its world, and what must hear of a run there."""
+
+    stand: Stand
+    world: SimulatedWorld
+    listeners: tuple[Listener, ...]
+    lived_s: float = 0.0
+    """Since the run began that is resumed there."""
+
+    def turned_by(self, eyepiece: Eyepiece) -> Eyepiece:
+        """The same person, whose hand turns the simulated head."""
+        return _TurningEyepiece(eyepiece, self.world.head)
+
+    def after(self, past: Past) -> "Simulation":
+        """Have the world live through a run again up to its last point, and go on from there.
+
+        What it takes to go on is no part of the run: when that is done, the random draws are counted, and the drifts
+        stand, as they were.
+        """
+        operator = SeatingOperator(ScriptedOperator(Answers(mounts={"default": "yes"})), self.world.seat)
+        engine = Engine(self.stand, operator, _Nowhere(), past.acquisition, self.listeners)
+        moments_s: list[float] = []
+
+        def stop() -> None:
+            moments_s.append(self.stand.clock.monotonic_s())
+            engine.control.stop()
+
+        outcome = engine.run(_beginning(past.programme.procedure(), past.points, stop))
+        if not moments_s and outcome.error:  # somebody interrupted the program
+            raise outcome.error
+        putting_back = _putting_back(self.world, self.stand.clock, replace(self.world.counts), moments_s[0])
+        return replace(self, lived_s=moments_s[0], listeners=(*self.listeners, putting_back))
+
+
+def simulation(loaded: LoadedStand, clock: Clock) -> Simulation:
+    """Make the simulated stand of a stand file, at the beginning of its time.
+
+    Raises
+    ------
+    InputError
+        A file that the stand names cannot be used.
+    """
+    head = loaded.file.head
+    options = HeadOptions(limits_deg=head.limits_deg, steps_per_deg=head.steps_per_deg, speed_deg_s=head.speed_deg_s)
+    try:
+        built = build(
+            loaded.file.simulated or Simulated(),
+            name=loaded.file.name,
+            clock=clock,
+            head=options,
+            base_path=loaded.path.parent if loaded.path else None,
+        )
+    except ValueError as error:
+        raise InputError(f"{loaded.path}: {error}") from error
+    return Simulation(stand=built.stand, world=built.world, listeners=(switching_on(built.world.switch_on),))
+
+
+class _Nowhere:
+    """Keeps nothing."""
+
+    def record(self, event: Event) -> None:
+        """Forget an event."""
+
+
+class _TurningEyepiece:
+    """A person whose hand turns the simulated head to every setting."""
+
+    def __init__(self, eyepiece: Eyepiece, head: SimulatedHead) -> None:
+        self._eyepiece = eyepiece
+        self._head = head
+
+    def show(self, setting_deg: float) -> None:
+        """Turn the head, and have it read."""
+        self._head.start_move(setting_deg)
+        self._eyepiece.show(setting_deg)
+
+    def reading_deg(self) -> float | None:
+        """What is read once the head stands."""
+        return None if self._head.status().moving else self._eyepiece.reading_deg()
+
+    def withdraw(self) -> None:
+        """Leave the head where it is."""
+        self._head.stop()
+        self._eyepiece.withdraw()
+
+
+def _beginning(procedure: Procedure, points: int, stop: Callable[[], None]) -> Procedure:
+    """The steps of a procedure up to a point; then the run is stopped, where it stands."""
+    step = next(procedure, None)
+    while step is not None and points:
+        reply = yield step
+        points -= isinstance(reply, Point)
+        step = advance(procedure, reply)
+    stop()
+    if step is not None:
+        yield step
+
+
+def _putting_back(world: SimulatedWorld, clock: Clock, counts: Counts, lived_s: float) -> Listener:
+    def listen(event: Event) -> None:
+        if isinstance(event, RunResumed):
+            world.put_back(counts, clock.monotonic_s() - lived_s)
+
+    return listen
+
+
+def switching_on(switch_on: Callable[[], None]) -> Listener:
+    """Switch the simulated unit off and on between realisations, as the published method repeats the whole test."""
+    realisation = 1
+
+    def listen(event: Event) -> None:
+        nonlocal realisation
+        if isinstance(event, StepStarted) and isinstance(event.step, Dwell) and event.step.realisation != realisation:
+            realisation = event.step.realisation
+            switch_on()
+
+    return listen

@@ -1,0 +1,134 @@
+"""One stand, one process: a second one is refused with the name of the first.
+
+For every address of an instrument, and for the stand file, there is a small file in the user's own state folder. It is
+locked by the operating system for as long as the run lasts, so that a process that dies leaves nothing locked; what is
+written in it only says who has it.
+"""
+
+import json
+import os
+import socket
+import sys
+import tempfile
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager, suppress
+from datetime import UTC, datetime
+from hashlib import sha256
+from pathlib import Path
+from typing import IO, Any
+
+from app.exits import Exit, JobError
+from app.stand import LoadedStand
+
+_BEHIND = 1 << 20
+"""Place of the locked byte: Windows lets nobody read what is locked, and the words in front of it shall be read."""
+_ATTEMPTS = 100
+
+
+@contextmanager
+def holding(loaded: LoadedStand, serial_number: str) -> Iterator[None]:
+    """Have the stand for oneself. The stand that is built in is everybody's: each process has its own.
+
+    Raises
+    ------
+    JobError
+        Another process has it: which one, on which computer, with which unit, since when.
+    """
+    with ExitStack() as stack:
+        for address in _addresses(loaded):
+            stack.enter_context(_holding(_lock_path(address), address, serial_number))
+        yield
+
+
+def state_folder() -> Path:
+    """Where a program keeps what is neither a setting nor data (XDG Base Directory Specification; Windows likewise)."""
+    if sys.platform == "win32":
+        return Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local") / "tumble"
+    return Path(os.environ.get("XDG_STATE_HOME") or Path.home() / ".local" / "state") / "tumble"
+
+
+def _addresses(loaded: LoadedStand) -> list[str]:
+    file = str(loaded.path.resolve()) if loaded.path else ""
+    return sorted({address for address in (file, loaded.file.head.address, loaded.file.daq.address) if address})
+
+
+def _lock_path(address: str) -> Path:
+    name = sha256(f"{socket.gethostname()} {address}".encode()).hexdigest()[:32] + ".lock"
+    try:
+        folder = state_folder() / "stands"
+        folder.mkdir(parents=True, exist_ok=True)
+    except (OSError, RuntimeError):  # no home, or one that cannot be written
+        folder = Path(tempfile.gettempdir()) / "tumble-stands"
+        folder.mkdir(parents=True, exist_ok=True)
+    return folder / name
+
+
+@contextmanager
+def _holding(path: Path, address: str, serial_number: str) -> Iterator[None]:
+    with _locked(path, address) as stream:
+        stream.seek(0)
+        stream.truncate()
+        stream.write(json.dumps(_ourselves(serial_number)).encode())
+        stream.flush()
+        try:
+            yield
+        finally:
+            with suppress(OSError):  # Windows keeps a file that is open; it is then taken over as it is
+                path.unlink()
+
+
+@contextmanager
+def _locked(path: Path, address: str) -> Iterator[IO[bytes]]:
+    for _ in range(_ATTEMPTS):
+        with path.open("a+b") as stream:
+            if not _lock(stream):
+                raise JobError(_sentence(stream, address), Exit.DEVICE_FAULT)
+            if _is_still(path, stream):
+                yield stream
+                return
+    raise JobError(f"{path}: others take this lock and give it back all the time; try again", Exit.DEVICE_FAULT)
+
+
+def _is_still(path: Path, stream: IO[bytes]) -> bool:
+    """Whether the file that was opened has not been taken away by the one who had it before."""
+    try:
+        return os.path.samestat(path.stat(), os.fstat(stream.fileno()))
+    except FileNotFoundError:
+        return False
+
+
+if sys.platform == "win32":
+    import msvcrt
+
+    def _lock(stream: IO[bytes]) -> bool:
+        stream.seek(_BEHIND)
+        try:
+            msvcrt.locking(stream.fileno(), msvcrt.LK_NBLCK, 1)
+        except OSError:
+            return False
+        return True
+
+else:
+    import fcntl
+
+    def _lock(stream: IO[bytes]) -> bool:
+        try:
+            fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            return False
+        return True
+
+
+def _ourselves(serial_number: str) -> dict[str, Any]:
+    since = datetime.now(tz=UTC).isoformat(timespec="seconds")
+    return {"pid": os.getpid(), "host": socket.gethostname(), "serial_number": serial_number, "since": since}
+
+
+def _sentence(stream: IO[bytes], address: str) -> str:
+    try:
+        stream.seek(0)
+        other = json.loads(stream.read(_BEHIND - 1))
+        who = "process {pid} on {host}, which measures {serial_number} since {since}".format(**other)
+    except (OSError, ValueError, KeyError, TypeError):  # it has only just begun
+        who = "another process"
+    return f"the stand at {address} is in use by {who}; wait until it is done, or stop it"
