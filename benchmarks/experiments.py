@@ -28,7 +28,7 @@ from calibrations.tracing.experiments import next_experiments
 from calibrations.tracing.ground import ground
 from calibrations.tracing.noise import NoiseModel
 from calibrations.tracing.rivals import with_best_names
-from calibrations.tracing.separation import Outlook
+from calibrations.tracing.separation import Question, Rows
 from calibrations.tracing.trace import Tracer, found, refined_one
 
 _EFFECTS = (
@@ -36,7 +36,7 @@ _EFFECTS = (
     "daq_nonlinearity", "bias_drift", "base_tilt_drift", "settling",
 )  # fmt: skip
 """Those that a longer run leaves as they are."""
-_VISIBLE = 20.0
+_VISIBLE = 12.0
 _FIRST_SEED = DEVELOPMENT[950_000]
 """Beyond the seeds of the lists."""
 
@@ -67,7 +67,7 @@ def outcomes(tables: int, draws: int) -> Iterator[Outcome]:
 
 
 def _wanted() -> Iterator[tuple[Spec, int]]:
-    cells = [(name, design) for turn in range(4) for name in _EFFECTS for design in designs_for(name)[turn : turn + 1]]
+    cells = [(name, design) for turn in range(8) for name in _EFFECTS for design in designs_for(name)[turn : turn + 1]]
     for number, (name, design) in enumerate(cells):
         yield Spec(design=design, realisations=3, effects=((name, _VISIBLE),)), _FIRST_SEED + number
 
@@ -86,37 +86,50 @@ def _outcomes(spec: Spec, seed: int, draws: int) -> Iterator[Outcome]:
     for experiment in next_experiments(base, trace, close)[:1]:
         if experiment.outlook is None:
             return
-        for each in experiment.outlook.differences:
-            if each.true != true:
-                continue
-            realised = _realised(case.observations, experiment.outlook, (spec, seed, stage), (true, each.other), draws)
-            yield Outcome(
-                seed=seed,
-                design=spec.design,
-                true=true,
-                rival=each.other,
-                programme=experiment.programme,
-                predicted=float(np.sum(each.left_v**2)) / experiment.outlook.dwell_v**2,
-                realised=realised,
-            )
+        name, *told = experiment.separates
+        question = Question(base, trace, name, [rival for rival in close[name] if rival.name in told])
+        rows = experiment.outlook.rows
+        predicted = question.separations(_rows(question.table, rows))
+        for (way, number), expected in np.ndenumerate(predicted):
+            pair = (name, question.rivals[number])
+            if pair[way] == true:
+                yield Outcome(
+                    seed=seed,
+                    design=spec.design,
+                    true=true,
+                    rival=pair[1 - way],
+                    programme=experiment.programme,
+                    predicted=float(expected),
+                    realised=_realised(case.observations, rows, (spec, seed, stage), (true, pair[1 - way]), draws),
+                )
 
 
 def _realised(
-    table: Observations, outlook: Outlook, made: tuple[Spec, int, Stage], pair: tuple[str, str], draws: int
+    table: Observations, rows: Observations, made: tuple[Spec, int, Stage], pair: tuple[str, str], draws: int
 ) -> float:
     """Mean difference in -2 ln L, the coefficients that one has more counted."""
     spec, seed, stage = made
-    quiet_v = read_on(spec, seed, stage, _longer(stage.run, outlook.rows))
+    quiet_v = read_on(spec, seed, stage, _longer(stage.run, rows))
     assert np.allclose(quiet_v[: len(stage.run.dwells)], make_table(spec, seed).truth.noise_free_v)
-    new = len(outlook.rows) - len(table)
+    new = len(rows) - len(table)
     differences = []
     for draw in range(draws):
         noise_v = np.random.default_rng((seed, 10_000 + draw)).normal(0.0, spec.noise_v, new)
         volts = np.concatenate([table.output_v, quiet_v[-new:] + noise_v])
-        tracer = Tracer(ground(fit_jointly(replace(outlook.rows, voltage_v=volts)), CATALOGUE))
+        tracer = Tracer(ground(fit_jointly(replace(rows, voltage_v=volts)), CATALOGUE))
         true, other = (_deviance(tracer, name) for name in pair)
         differences.append(other - true)
     return float(np.mean(differences))
+
+
+def _rows(table: Rows, whole: Observations) -> Rows:
+    """The rows of a table with those that come after it, of weight 1."""
+    added = len(whole) - len(table.weights)
+    return Rows(
+        observations=whole,
+        weights=np.pad(table.weights, (0, added), constant_values=1.0),
+        programmes=np.pad(table.programmes, (0, added)),
+    )
 
 
 def _deviance(tracer: Tracer, name: str) -> float:

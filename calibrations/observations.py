@@ -49,6 +49,8 @@ class Observations:
     voltage_sd_v: FloatArray | None = None
     """Standard deviation of the single samples within the dwell, in volts."""
     samples: NDArray[np.int64] | None = None
+    run: NDArray[np.int64] | None = None
+    """Number of the run of each row, from 0, where several were joined: the unit was seated anew for each."""
     extra: Mapping[str, FloatArray | NDArray[np.str_]] = field(default_factory=dict)
     """Columns that the contract does not know, kept as covariates."""
     set_aside: tuple[SetAside, ...] = ()
@@ -85,6 +87,11 @@ class Observations:
         """Realisation of every row; 1 where the table does not say."""
         return np.ones(len(self), dtype=np.int64) if self.realisation is None else self.realisation
 
+    @property
+    def runs(self) -> NDArray[np.int64]:
+        """Run of every row; 0 where there is only one."""
+        return np.zeros(len(self), dtype=np.int64) if self.run is None else self.run
+
     def select(self, keep: NDArray[np.bool_]) -> "Observations":
         """Return the rows for which `keep` is true; what is set aside stays listed."""
         columns: dict[str, Any] = {
@@ -114,5 +121,6 @@ ARRAY_COLUMNS = (
     "temperature_degc",
     "voltage_sd_v",
     "samples",
+    "run",
 )
 """The fields of `Observations` that hold one value per row."""

@@ -18,7 +18,7 @@ class Provenance:
     stand: Mapping[str, Any]
     """The stand file as data, without what is simulated; empty for a bare table."""
     raw_path: str
-    """Recording or table, relative to the store where it lies inside."""
+    """Recording or table, relative to the store where it lies inside; several that were joined, with commas."""
     raw_sha256: str
     measured_at: str = ""
     """Start of the run, ISO 8601 with time zone."""

@@ -43,9 +43,10 @@ def pose_groups(observations: Observations) -> NDArray[np.int64]:
 
 
 def mountings(observations: Observations) -> NDArray[np.int64]:
-    """Number of the mounting of each row, from 0: an unbroken run of rows with one mount."""
-    mounts = observations.mounts
-    return np.concatenate([[0], np.cumsum(mounts[1:] != mounts[:-1])])[: len(mounts)].astype(np.int64)
+    """Number of the mounting of each row, from 0: an unbroken sequence of rows with one mount, in one run."""
+    mounts, runs = observations.mounts, observations.runs
+    seated = (mounts[1:] != mounts[:-1]) | (runs[1:] != runs[:-1])
+    return np.concatenate([[0], np.cumsum(seated)])[: len(mounts)].astype(np.int64)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -52,6 +52,14 @@ def _thresholds_v(scene: Scene) -> Sequence[float]:
     return tuple(between[picked].tolist()) if len(between) else ()
 
 
+def _latency(scene: Scene) -> Sequence[Form]:
+    """The voltage is that of an angle which the head has left by so much: an error of -velocity times latency."""
+    velocity_deg_s = scene.observations.velocity_deg_s
+    if velocity_deg_s is None or not velocity_deg_s.any():
+        return ()
+    return single(-scene.slope_v_per_deg * velocity_deg_s)
+
+
 DAQ_EFFECTS = (
     Effect(
         name="settling",
@@ -78,5 +86,13 @@ DAQ_EFFECTS = (
         forms=scan(_step, _thresholds_v),
         report=with_scanned(plain("step", "V"), threshold_V="V"),
         at=_step,
+    ),
+    Effect(
+        name="latency",
+        belongs_to="daq",
+        symbol="angle error -ω t_l",
+        source="reading late by a fixed time while the head moves",
+        forms=_latency,
+        report=plain("latency", "s"),
     ),
 )

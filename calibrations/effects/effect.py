@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Literal, TypeAlias
+from typing import Final, Literal, TypeAlias
 
 import numpy as np
 
@@ -10,6 +10,8 @@ from calibrations.effects.scene import Scene
 from calibrations.geometry import FloatArray
 
 Owner: TypeAlias = Literal["unit", "stand", "daq"]
+OWNER_WORDS: Final[Mapping[str, str]] = {"unit": "unit", "stand": "stand", "daq": "DAQ"}
+"""What an effect belongs to, as a reader calls it."""
 
 
 @dataclass(frozen=True, kw_only=True)

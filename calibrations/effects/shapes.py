@@ -106,7 +106,7 @@ def time_periods(scene: Scene) -> Iterator[Form]:
 def time_steps(scene: Scene) -> Iterator[Form]:
     """A jump at some time."""
     for hours in _hours(scene):
-        for at_h in np.linspace(0.02 * hours[-1], 0.98 * hours[-1], 49).tolist():
+        for at_h in np.linspace(0.01 * hours[-1], 0.99 * hours[-1], 150).tolist():
             yield _column((hours > at_h).astype(float), step_s=at_h * 3600.0)
 
 
@@ -126,7 +126,7 @@ def temperature_bends(scene: Scene) -> Iterator[Form]:
     """A dependence on temperature that is no straight line."""
     for temperature_k in _temperature(scene):
         relative = (temperature_k - temperature_k.mean()) / np.ptp(temperature_k)
-        for turning in (-0.2, -0.1, 0.0, 0.1, 0.2):
+        for turning in np.linspace(-0.2, 0.2, 9).tolist():
             yield _column((relative - turning) ** 2, power=2.0, turning=turning)
         for power in (3, 4):
             yield _column(relative**power, power=power)
@@ -135,9 +135,9 @@ def temperature_bends(scene: Scene) -> Iterator[Form]:
 def temperature_steps(scene: Scene) -> Iterator[Form]:
     """A transition within a small part of the range."""
     for temperature_k in _temperature(scene):
-        for place in np.linspace(0.05, 0.95, 13).tolist():
+        for place in np.linspace(0.05, 0.95, 25).tolist():
             at_k = float(temperature_k.min() + place * np.ptp(temperature_k))
-            step = np.tanh((temperature_k - at_k) / (0.05 * np.ptp(temperature_k)))
+            step = np.tanh((temperature_k - at_k) / (0.04 * np.ptp(temperature_k)))
             yield _column(step, at_degc=at_k + scene.reference_temperature_degc)
 
 

@@ -126,6 +126,12 @@ BY_EFFECT: Mapping[str, Abscissa] = {
     ),
     "daq_nonlinearity": _OUTPUT,
     "range_step": _OUTPUT,
+    "latency": Abscissa(
+        name="velocity",
+        label="speed of the head (°/s)",
+        values=lambda scene: scene.observations.velocity_deg_s,
+        as_angle=True,
+    ),
 }
 """By the name of an effect; a misreading shows nothing, its rows are set aside."""
 

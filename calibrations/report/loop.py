@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from calibrations.report.abscissa import Abscissa
+from calibrations.report.outlooks import outlook_figure
 from calibrations.report.subject import Subject
 from calibrations.report.traces import abscissae, trace_figure
 from calibrations.support import series
@@ -17,11 +18,13 @@ def closed_loop(subject: Subject) -> dict[str, Any]:
     if loop is None:
         return {"headline": "What the residual comes from was not asked."} | dict.fromkeys(_PARTS, ())
     found = bool(loop.effects or loop.unexplained)
-    parts = (findings(loop), _figures(loop), comparisons(loop), untold(loop)) if found else ((),) * len(_PARTS)
+    if not found:
+        return {"headline": headline(loop)} | dict.fromkeys(_PARTS, ())
+    parts = (findings(loop), _figures(loop), comparisons(loop), untold(loop), _experiments(loop))
     return {"headline": headline(loop)} | dict(zip(_PARTS, parts, strict=True))
 
 
-_PARTS = ("findings", "figures", "comparisons", "untold")
+_PARTS = ("findings", "figures", "comparisons", "untold", "experiments")
 """Of the section, below its headline; all empty where nothing was found."""
 
 
@@ -32,17 +35,22 @@ def _figures(loop: Loop) -> list[dict[str, Any]]:
 
 
 def _figure(loop: Loop, abscissa: Abscissa, seen: Sequence[str]) -> dict[str, Any]:
-    models = {"declared model": loop.declared}
-    if not WANDERING.issuperset(seen):
-        models["with what was found"] = loop.augmented
+    models = {"declared model": loop.declared, "with what was found": loop.augmented}
     return {
         "figure": trace_figure(models, abscissa),
         "seen": series(seen),
         "as_angle": abscissa.as_angle,
         "levels": abscissa.levels,
-        "wandering": len(models) == 1,
     }
 
 
-WANDERING = frozenset({"realisation_bias", "seating", "bias_random_walk"})
-"""Effects that differ at every repeat: the augmented model takes them as noise that rows share, and leaves them."""
+def _experiments(loop: Loop) -> list[dict[str, Any]]:
+    """What to measure next, each with what it would show."""
+    return [
+        {
+            "why": experiment.why,
+            "command": experiment.command,
+            "figure": outlook_figure(experiment.outlook, f"next-{number}") if experiment.outlook else None,
+        }
+        for number, experiment in enumerate(loop.next_experiment, start=1)
+    ]

@@ -93,15 +93,17 @@ def augment(ground: Ground, trace: Trace) -> Augmented:
 
 
 def level_quantities(ground: Ground, trace: Trace, best: Augmented, effect: Effect) -> Mapping[str, Quantity]:
-    """Levels of an effect as they happened: their best linear unbiased prediction (Henderson's equations)."""
+    """Levels of an effect as they happened: their best linear unbiased prediction (Henderson's equations).
+
+    The residual of the fit, free of what is known of them, is all that it takes.
+    """
     (form,) = effect.forms(ground.scene)
     root = np.sqrt(ground.joint.weights)
     columns, scaled = form.columns * root[:, None], ground.memory.levels[effect.name]
     unit = np.linalg.norm(scaled[:, 0]) / np.linalg.norm(columns[:, 0])
     variance = dict(trace.noise.levels)[effect.name] * unit**2
-    whiten = ground.memory.whitening(trace.noise)
-    residual, seen = whiten(best.joint.residual_v * root), whiten(columns)
-    predicted = variance * seen.T @ residual
+    seen = ground.memory.whitening(trace.noise)(columns)
+    predicted = variance * columns.T @ (best.joint.residual_v * root)
     left = variance * np.eye(columns.shape[1]) - variance**2 * seen.T @ seen
     return effect.report(form, predicted, best.joint.noise.used_v**2 * left)
 

@@ -17,7 +17,7 @@ FALSE_ALARM = 0.002
 
 ANOTHER_SHAPE = 0.02
 """Chance that an effect with one of the shapes of the catalogue is given a second one."""
-UNNAMED = 10.0
+UNNAMED = 6.0
 """What a shape without a name must earn beyond a named one: a known cause is the better guess."""
 
 

@@ -6,11 +6,13 @@ from itertools import combinations
 
 import numpy as np
 
+from calibrations.effects.effect import OWNER_WORDS
 from calibrations.geometry import FloatArray
+from calibrations.support import series
 from calibrations.tracing.ground import Ground
 from calibrations.tracing.probes import PROBES, Probe
 from calibrations.tracing.rivals import Rival
-from calibrations.tracing.separation import Question, Rows
+from calibrations.tracing.separation import Difference, Outlook, Question, Rows
 from calibrations.tracing.trace import Trace
 
 APART = 16.0
@@ -33,6 +35,8 @@ class Experiment:
     separation: float
     """Expected difference in -2 ln L, that of the closest of the rivals."""
     stand_time_s: float
+    outlook: Outlook | None = None
+    """What it would show; None where no programme would help."""
 
 
 def next_experiments(base: Ground, trace: Trace, close: Mapping[str, Sequence[Rival]]) -> tuple[Experiment, ...]:
@@ -127,12 +131,30 @@ def _experiment(question: Question, offer: _Offer, probe: Probe, apart: list[int
         separates=(question.name, *rivals),
         programme=probe.programme,
         why=(
-            f"{probe.programme} {probe.does}: {question.name} and {' or '.join(rivals)} then differ by "
-            f"{separation:.0f} in -2 ln L{''.join(remarks)}"
+            f"{probe.programme} {probe.does}: {question.name} then differs from {series(rivals)} by "
+            f"{'at least ' * (len(rivals) > 1)}{separation:.0f} in -2 ln L{''.join(remarks)}"
         ),
         command=f"tumble run --programme {probe.programme} --serial SERIAL",
         separation=separation,
         stand_time_s=offer.runs * probe.stand_time_s,
+        outlook=_outlook(question, offer, probe, apart, sure),
+    )
+
+
+def _outlook(question: Question, offer: _Offer, probe: Probe, apart: list[int], sure: bool) -> Outlook:
+    """What the probe would show of each rival: where the two are closer if that is enough, else where they are not."""
+    left_v = question.left(offer.rows) * question.dwell_v
+    each_way = offer.each_way[:, apart]
+    ways = each_way.argmin(axis=0) if sure else each_way.argmax(axis=0)
+    pairs = [(question.name, question.rivals[rival]) for rival in apart]
+    return Outlook(
+        rows=offer.rows.observations,
+        probed=offer.rows.programmes == probe.programme,
+        dwell_v=question.dwell_v,
+        differences=tuple(
+            Difference(true=pair[way], other=pair[1 - way], left_v=left_v[way, :, rival])
+            for pair, way, rival in zip(pairs, ways.tolist(), apart, strict=True)
+        ),
     )
 
 
@@ -144,13 +166,13 @@ def _needed(question: Question, offer: _Offer, apart: list[int]) -> list[str]:
 def _nothing(question: Question, left: list[int], nearest: _Offer) -> Experiment:
     rivals = tuple(question.rivals[rival] for rival in left)
     separation = float(nearest.separations(sure=False)[left].max())
-    owners = sorted({question.belongs_to(name) for name in (question.name, *rivals)})
-    exchange = f"; as they belong to {' and '.join(owners)}, exchange one of these" if len(owners) > 1 else ""
+    owners = sorted({f"the {OWNER_WORDS[question.belongs_to(name)]}" for name in (question.name, *rivals)})
+    exchange = f"; as they belong to {series(owners)}, exchange one of these" if len(owners) > 1 else ""
     return Experiment(
         separates=(question.name, *rivals),
         programme="",
         why=(
-            f"no programme that comes along tells {question.name} from {' or '.join(rivals)}: they differ by "
+            f"no programme that comes along tells {question.name} from {series(rivals, 'or')}: they differ by "
             f"{separation:.1f} in -2 ln L at most{exchange}"
         ),
         command="",

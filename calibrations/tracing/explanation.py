@@ -1,7 +1,8 @@
 """One explanation of a table, and what it says of rows that are not there yet."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from functools import reduce
 
 import numpy as np
 
@@ -47,8 +48,9 @@ class Explanation:
         fit = fit_given_alpha0(compress(functions, output_v, base.joint.weights, whiten), base.scene.alpha0_deg)
         self.theta: FloatArray = fit.theta[: len(PARAMETERS)]
         """Declared parameters."""
-        self.dwell_v = float(np.sqrt(fit.squares_v2 / max(base.rows - fit.fitted, 1)))
-        """Noise of a dwell, in volts."""
+        best = base.fit(trace.forms, trace.noise)
+        self.dwell_v = float(np.sqrt(best.squares_v2 / max(base.rows - len(best.theta), 1)))
+        """Noise of a dwell, in volts, by the best alpha0: another one leaves more."""
         self._residual_v = output_v - functions @ coefficients(fit.theta)
         ends = np.cumsum([form.columns.shape[1] for form in trace.forms], dtype=int)
         found = list(zip(trace.found, np.split(fit.theta[len(PARAMETERS) :], ends[:-1]), strict=False))
@@ -65,30 +67,28 @@ class Explanation:
         return np.asarray(sum(_columns(scene, item)[:, : len(values)] @ values for item, values in self._own))
 
     def left(self, scene: Scene, weights: FloatArray, outputs: FloatArray) -> FloatArray:
-        """Squared length of what this explanation cannot follow of each output, shape (outputs,).
+        """What this explanation cannot follow of each output, shape (rows, outputs), weighted and whitened.
 
         It may take any form of the effect that the table allows, or that only more rows bring up.
         """
         new = [value for value in self._scanned(scene) if value > 1.01 * max(self._grid)]
         forms = [self._followed(scene, self._own), *(self._form(scene, value) for value in (*self._allowed, *new))]
-        return np.asarray(np.min(self._squares(scene, weights, outputs, forms), axis=0))
+        return reduce(_shorter, self._rests(scene, weights, outputs, forms))
 
-    def _squares(
+    def _rests(
         self, scene: Scene, weights: FloatArray, outputs: FloatArray, forms: Iterable[FloatArray]
-    ) -> FloatArray:
-        """The same for each form of the effect by itself, shape (forms, outputs)."""
+    ) -> Iterator[FloatArray]:
+        """The same for each form of the effect by itself."""
         root = np.sqrt(weights)[:, None]
         whiten = self._whitening(scene, weights)
         declared = basis(scene.observations) @ coefficients_jacobian(self.theta)[:BASIS_SIZE]
         beside = whiten(np.column_stack([declared, self._followed(scene, self._beside)]) * root)
         span = _directions(beside, np.linalg.norm(beside, axis=0))
         free = _off(span, whiten(outputs * root))
-        squares = []
         for form in forms:
             columns = whiten(form * root)
             added = _directions(_off(span, columns), np.linalg.norm(columns, axis=0))
-            squares.append(np.sum(_off(added, free) ** 2, axis=0))
-        return np.array(squares)
+            yield _off(added, free)
 
     def _scanned(self, scene: Scene) -> list[float]:
         """Values to try of what is scanned for, where that is a continuous quantity."""
@@ -103,8 +103,8 @@ class Explanation:
         if not forms:
             return []
         output = self.output_v(scene)[:, None] / self.dwell_v
-        squares = self._squares(scene, self._base.joint.weights, output, forms)
-        return [value for value, square in zip(self._grid, squares[:, 0], strict=True) if square < _ALLOWED]
+        rests = self._rests(scene, self._base.joint.weights, output, forms)
+        return [value for value, rest in zip(self._grid, rests, strict=True) if np.sum(rest**2) < _ALLOWED]
 
     def _form(self, scene: Scene, value: float) -> FloatArray:
         """The effect at another scanned value, and its change with that, shape (rows, n)."""
@@ -167,3 +167,8 @@ def _directions(columns: FloatArray, length: FloatArray) -> FloatArray:
 def _off(span: FloatArray, columns: FloatArray) -> FloatArray:
     """What is left of columns beside orthonormal directions."""
     return np.asarray(columns - span @ (span.T @ columns))
+
+
+def _shorter(one: FloatArray, other: FloatArray) -> FloatArray:
+    """Of two columns in the same place, the shorter."""
+    return np.where(np.sum(one**2, axis=0) <= np.sum(other**2, axis=0), one, other)

@@ -15,7 +15,7 @@ from calibrations.joint import Joint
 from calibrations.model import ALPHA0, BASIS_SIZE, PARAMETERS, basis, coefficients, coefficients_jacobian
 from calibrations.observations import Observations
 from calibrations.tracing.declared import Accelerometer
-from calibrations.tracing.footing import Footing
+from calibrations.tracing.footing import Fitted, Footing
 from calibrations.tracing.noise import Memory, NoiseModel, scaled_levels, slow_modes
 
 _BLUNT_DEG = 0.5
@@ -57,9 +57,13 @@ class Ground:
 
     def deviance(self, forms: Sequence[Form], noise: NoiseModel) -> float:
         """-2 ln L of the declared model with these forms in this noise, up to a constant of the table."""
+        return self.footing(noise).deviance(self.fit(forms, noise))
+
+    def fit(self, forms: Sequence[Form], noise: NoiseModel) -> Fitted:
+        """The declared model with these forms in this noise."""
         footing = self.footing(noise)
         columns = np.column_stack([np.empty((self.rows, 0)), *(form.columns for form in forms)])
-        return footing.deviance(footing.fit(footing.split(columns), self.near))
+        return footing.fit(footing.split(columns), self.near)
 
     @property
     def near(self) -> FloatArray | None:

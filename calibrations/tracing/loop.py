@@ -154,10 +154,14 @@ def _rejected_rows(joint: Joint) -> set[int]:
 
 
 def _gross_errors(observations: Observations, explained: _Explained) -> tuple[SetAside, ...]:
-    """Gross errors of the whole table as the augmented model sees them: an effect may have looked like one."""
+    """Gross errors of the whole table as the augmented model sees them: an effect may have looked like one.
+
+    So may a level or a walk: what is known of it is taken off the rows that were fitted.
+    """
     joint = explained.best.joint
     scene = scene_of(observations, joint.fit.theta)
     residual = explained.best.residual_v(scene)
+    residual[np.isin(observations.row, joint.observations.row)] = joint.residual_v
     spare = len(joint.observations) - joint.fit.fitted
     return unlike_repeats(observations, residual, pose_groups(observations), joint.noise.used_v, spare)
 

@@ -14,6 +14,8 @@ _AGREES = 4.0
 """A row agrees with a misreading if what is left is below so many standard deviations of a dwell."""
 _BEYOND_TAILS = 20.0
 """No tail of an instrument's noise reaches so many standard deviations."""
+_MOST = 0.6
+"""A table in which fewer of the gross errors are round amounts has heavy tails."""
 _CHANCE = 1e-3
 """At which so many agreements by chance are no longer believed."""
 
@@ -49,7 +51,8 @@ def misreadings(whole: Observations, joint: Joint) -> tuple[Misreading, ...]:
     rows = whole.select(np.isin(whole.row, list(aside)))
     looks = [_look(rows.select(np.arange(len(rows)) == number), joint) for number in range(len(rows))]
     agreeing = [look.misreading for look in looks if look.misreading]
-    clear = any(look.misreading and look.sigmas > _BEYOND_TAILS for look in looks)
+    most = len(agreeing) > _MOST * len(looks)
+    clear = most and any(look.misreading and look.sigmas > _BEYOND_TAILS for look in looks)
     by_chance = (
         float(bdtrc(len(agreeing) - 1, len(looks), np.mean([look.chance for look in looks]))) if agreeing else 1.0
     )

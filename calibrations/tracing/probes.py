@@ -9,6 +9,7 @@ from typing import Any, Literal
 import numpy as np
 
 from calibrations.geometry import FloatArray
+from calibrations.joining import appended
 from calibrations.observations import ARRAY_COLUMNS, Observations
 
 MOUNTING_S = 60.0
@@ -129,37 +130,39 @@ PROBES = (
 
 
 def followed_by(observations: Observations, probe: Probe) -> Observations:
-    """Return a table with the rows that a probe would add, in realisations of their own.
+    """Return a table with the rows that a probe would add, in a run and realisations of their own.
 
-    Times, directions and temperatures follow from the probe; any other column, the output too, goes on with its last
-    value. A column that the table lacks stays away, but for mount and realisation.
+    Times, directions and temperatures follow from the probe, and the head rests in every dwell; any other column, the
+    output too, goes on with its last value. A column that the table lacks stays away, but for mount and realisation.
     """
+    return appended(observations, _rows_of(probe, observations))
+
+
+def _rows_of(probe: Probe, before: Observations) -> Observations:
+    """Rows of a probe that is run after a table."""
     angle_deg = probe.angles_deg.ravel()
-    rows = len(angle_deg)
-    step_s = probe.step_s(float(observations.angle_deg[-1]))
-    number = observations.realisations.max() + np.repeat(
-        np.arange(1, probe.realisations + 1), rows // probe.realisations
-    )
-    added: dict[str, Any] = {
-        "row": observations.row[-1] + 1 + np.arange(rows),
+    rows, start_deg = len(angle_deg), float(before.angle_deg[-1])
+    columns: dict[str, Any] = {
+        name: None if (column := getattr(before, name)) is None else np.repeat(column[-1:], rows)
+        for name in ARRAY_COLUMNS
+    }
+    columns |= {
+        "row": np.arange(1, rows + 1),
         "angle_deg": angle_deg,
-        "realisation": number,
+        "realisation": np.repeat(np.arange(1, probe.realisations + 1), rows // probe.realisations),
         "mount": np.full(rows, probe.mount),
+        "run": None,
     }
-    whole = replace(observations, realisation=observations.realisations, mount=observations.mounts)
-    if whole.time_s is not None:
-        added["time_s"] = whole.time_s[-1] + np.cumsum(step_s)
-    if whole.direction is not None:
-        added["direction"] = _directions(angle_deg, float(observations.angle_deg[-1]))
-    if whole.temperature_degc is not None:
-        added["temperature_degc"] = np.full(rows, _recent(whole.temperature_degc) + probe.warmer_k)
-    columns = {name: getattr(whole, name) for name in ARRAY_COLUMNS} | dict(whole.extra)
-    joined: dict[str, Any] = {
-        name: None if column is None else np.concatenate([column, added.get(name, np.repeat(column[-1:], rows))])
-        for name, column in columns.items()
-    }
-    extra = {name: joined.pop(name) for name in whole.extra}
-    return replace(whole, **joined, extra=extra)
+    if before.time_s is not None:
+        columns["time_s"] = before.time_s[-1] + np.cumsum(probe.step_s(start_deg))
+    if before.direction is not None:
+        columns["direction"] = _directions(angle_deg, start_deg)
+    if before.temperature_degc is not None:
+        columns["temperature_degc"] = np.full(rows, _recent(before.temperature_degc) + probe.warmer_k)
+    if before.velocity_deg_s is not None:
+        columns["velocity_deg_s"] = np.zeros(rows)
+    extra: dict[str, Any] = {name: np.repeat(column[-1:], rows) for name, column in before.extra.items()}
+    return replace(before, **columns, extra=extra, set_aside=())
 
 
 def _directions(angle_deg: FloatArray, start_deg: float) -> FloatArray:

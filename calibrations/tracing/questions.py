@@ -121,7 +121,7 @@ def _noise_v(observations: Observations, blocks: NDArray[np.int64]) -> float:
 
 def _blocks(observations: Observations) -> NDArray[np.int64]:
     """Runs of rows between pauses or changes of procedure: a unit is seated anew only there."""
-    breaks = np.zeros(len(observations), dtype=bool)
+    breaks = np.diff(observations.runs, prepend=0) != 0
     if observations.time_s is not None:
         breaks |= np.diff(observations.time_s, prepend=observations.time_s[0]) > _PAUSE_S
     if observations.procedure is not None:

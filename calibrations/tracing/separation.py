@@ -1,14 +1,15 @@
 """How far an experiment would part explanations of a table that cannot be told apart in it.
 
-The measure is that of T-optimality (Atkinson and Fedorov 1975): if one explanation is true, by how much -2 ln L of the
-other is expected to lie above it, that is the squared length of what the other cannot follow, in standard deviations of
-a dwell.
+The measure is that of T-optimality (Atkinson and Fedorov 1975): if one explanation is true, the squared length T
+of what the other cannot follow, in standard deviations of a dwell. As the noise is estimated with everything else,
+-2 ln L of the other is then expected to lie above by n ln(1 + T/n) in n rows.
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from calibrations.geometry import FloatArray
 from calibrations.observations import Observations
@@ -25,12 +26,42 @@ class Rows:
 
     observations: Observations
     weights: FloatArray
+    programmes: NDArray[np.str_]
+    """The probe to which each row belongs; empty for the rows of the table."""
 
     def followed_by(self, probe: Probe) -> "Rows":
         """Add those of a probe."""
         joined = followed_by(self.observations, probe)
         added = np.ones(len(joined) - len(self.weights))
-        return Rows(observations=joined, weights=np.concatenate([self.weights, added]))
+        return Rows(
+            observations=joined,
+            weights=np.concatenate([self.weights, added]),
+            programmes=np.concatenate([self.programmes, np.full(len(added), probe.programme)]),
+        )
+
+
+@dataclass(frozen=True, kw_only=True)
+class Difference:
+    """How far one explanation of a table and its probes would be from another that is true."""
+
+    true: str
+    other: str
+    left_v: FloatArray
+    """What the other cannot follow, shape (rows,), in volts, weighted and whitened."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Outlook:
+    """What the rows of a probe would show."""
+
+    rows: Observations
+    """The table and everything that is to be measured."""
+    probed: NDArray[np.bool_]
+    """Which of the rows are those of the probe."""
+    dwell_v: float
+    """Noise of a dwell, in volts."""
+    differences: tuple[Difference, ...]
+    """One for each rival that is told apart."""
 
 
 class Question:
@@ -48,7 +79,9 @@ class Question:
 
     def __init__(self, base: Ground, trace: Trace, name: str, close: Sequence[Rival]) -> None:
         self.name, self.rivals = name, tuple(rival.name for rival in close)
-        self.table = Rows(observations=base.joint.observations, weights=base.joint.weights)
+        self.table = Rows(
+            observations=base.joint.observations, weights=base.joint.weights, programmes=np.full(base.rows, "")
+        )
         self._base = base
         self._found = Explanation(base, trace, name)
         self._rivals = [Explanation(base, rival.trace, rival.name) for rival in close]
@@ -57,13 +90,35 @@ class Question:
         """Owner of an effect."""
         return next((effect.belongs_to for effect in self._base.effects if effect.name == name), "unit")
 
+    @property
+    def dwell_v(self) -> float:
+        """Noise of a dwell, in volts."""
+        return self._found.dwell_v
+
+    def left(self, rows: Rows) -> FloatArray:
+        """What one explanation cannot follow of the other, in standard deviations of a dwell, shape (2, rows, rivals).
+
+        First what each rival cannot follow if the effect is true, then what the effect cannot if the rival is; in rows
+        that are weighted and whitened.
+        """
+        scene = scene_of(rows.observations, self._found.theta, self._base.scene.reference_temperature_degc)
+        output = self._found.output_v(scene)[:, None] / self.dwell_v
+        others = np.column_stack([rival.output_v(scene) for rival in self._rivals]) / self.dwell_v
+        if_found = np.column_stack([rival.left(scene, rows.weights, output) for rival in self._rivals])
+        return np.array([if_found, self._found.left(scene, rows.weights, others)])
+
     def separations(self, rows: Rows) -> FloatArray:
         """Expected difference in -2 ln L between the effect and each rival, shape (2, rivals).
 
         First if the effect is true, then if the rival is.
         """
-        scene = scene_of(rows.observations, self._found.theta, self._base.scene.reference_temperature_degc)
-        output = self._found.output_v(scene)[:, None] / self._found.dwell_v
-        others = np.column_stack([rival.output_v(scene) for rival in self._rivals]) / self._found.dwell_v
-        if_found = [rival.left(scene, rows.weights, output)[0] for rival in self._rivals]
-        return np.array([if_found, self._found.left(scene, rows.weights, others)])
+        return separation(self.left(rows))
+
+
+def separation(left: FloatArray) -> FloatArray:
+    """Expected difference in -2 ln L where `left`, shape (…, rows, explanations), cannot be followed.
+
+    In standard deviations of a dwell.
+    """
+    rows = left.shape[-2]
+    return np.asarray(rows * np.log1p(np.sum(left**2, axis=-2) / rows))

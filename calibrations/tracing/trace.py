@@ -117,6 +117,8 @@ class Tracer:
         white = self._searched(NoiseModel())
         others = [self._adapted(self._settled(noise, white)) for noise in _other_noises(self.ground, white)]
         best = min((self._drawn(trace) for trace in (white, *others)), key=trace_price)
+        if best.noise.walk:
+            best = min(best, self._without(best, WALK), key=trace_price)
         return refined(self.ground, best)
 
     def _drawn(self, trace: Trace) -> Trace:
@@ -129,7 +131,7 @@ class Tracer:
         return min((best, *(self._without(best, name) for name, _ in best.noise.levels)), key=trace_price)
 
     def _without(self, trace: Trace, name: str) -> Trace:
-        """A trace without the levels of an effect."""
+        """A trace without an effect that is noise."""
         rest = trace.without(name)
         return replace(rest, deviance=self.ground.deviance(rest.forms, rest.noise))
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from calibrations.effects.effect import Quantity
+from calibrations.effects.effect import OWNER_WORDS, Quantity
 from calibrations.joint import LACK_OF_FIT_P
 from calibrations.quantities import format_concise, format_number, format_probability
 from calibrations.result import Calibration, Parameter
@@ -12,7 +12,6 @@ from calibrations.tracing.loop import EffectFound, Loop, Unexplained
 from calibrations.tracing.misreading import Misreading
 
 MISREADING = "misreading"
-_OWNERS = {"unit": "unit", "stand": "stand", "daq": "DAQ"}
 _UNIT_SUFFIXES = ("_deg", "_s", "_V")
 _NEGLIGIBLE = 0.01
 """A change below this part of the standard uncertainty is none."""
@@ -97,7 +96,7 @@ def findings(loop: Loop) -> list[Finding]:
         Finding(
             name=effect.name,
             also_possible=series(effect.also_possible, "or") if effect.also_possible else "",
-            belongs_to=_OWNERS[effect.belongs_to],
+            belongs_to=OWNER_WORDS[effect.belongs_to],
             coefficients=misread_text(loop.misread) if effect.name == MISREADING else _coefficients(effect),
             p_value=format_probability(effect.p_value),
         )

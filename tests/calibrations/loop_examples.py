@@ -15,9 +15,14 @@ _SWEEP_DEG = tuple(range(0, 360, 15))
 PARTS = (*FLIPS, ("sweep", "face-up", _SWEEP_DEG), ("sweep", "face-down", _SWEEP_DEG))
 
 
+def k_xx(mount, angle_deg):
+    """k_xx of 2 mV/g²."""
+    return K_XX * gravity_on(mount, angle_deg + 0.1121)[0] ** 2
+
+
 def k_xx_table():
     """162 rows with k_xx of 2 mV/g²."""
-    return table(*PARTS, realisations=3, extra_v=lambda mount, deg: K_XX * gravity_on(mount, deg + 0.1121)[0] ** 2)
+    return table(*PARTS, realisations=3, extra_v=k_xx)
 
 
 def misread_table():
@@ -55,12 +60,13 @@ def found(name, also_possible=(), belongs_to="unit", p_value=1e-20, **coefficien
 
 
 def timed(loop: Loop) -> Loop:
-    """The same with times, temperatures and standard deviations in its rows."""
+    """The same with times, temperatures, speeds and standard deviations in its rows."""
 
     def with_times(calibration):
         rows = calibration.observations
         count = np.arange(len(rows), dtype=float)
         columns = {"time_s": 20.0 * count, "temperature_degc": 22.0 + 0.01 * count, "voltage_sd_v": 1e-3 + 1e-6 * count}
+        columns["velocity_deg_s"] = np.where(count % 2 > 0, 10.0, -10.0)
         return replace(calibration, observations=replace(rows, **columns))
 
     return replace(loop, declared=with_times(loop.declared), augmented=with_times(loop.augmented))

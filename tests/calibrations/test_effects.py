@@ -13,7 +13,7 @@ CONTRACT = {
     "k_xx", "k_yy", "k_zz", "k_xz", "k_yz", "k_xxx", "scale_asymmetry", "hysteresis", "bias_temperature",
     "scale_temperature", "bias_drift", "scale_drift", "warm_up", "realisation_bias", "vibration_rectification",
     "head_eccentricity", "head_second_harmonic", "graduation", "backlash", "axis_tilt", "base_tilt_drift", "seating",
-    "settling", "daq_nonlinearity", "range_step",
+    "settling", "daq_nonlinearity", "range_step", "latency",
 }  # fmt: skip
 
 
@@ -61,6 +61,18 @@ def test_settling_leaves_a_part_of_the_reading_before_but_not_over_a_new_mount()
 
 def test_settling_leaves_nothing_over_a_pause():
     assert BY_NAME["settling"].forms(scene([-90.0, 90.0], time_s=np.array([0.0, 100.0]))) == ()
+
+
+def test_a_late_reading_is_that_of_the_angle_before():
+    moving = np.array([10.0, -10.0, 0.0])
+
+    # one second late at 0°, where ax falls by 1° in g per degree: 10° less, 10° more, nothing
+    assert column("latency", [0.0, 0.0, 0.0], velocity_deg_s=moving) == pytest.approx(np.deg2rad([10.0, -10.0, 0.0]))
+
+
+def test_a_head_at_rest_has_no_latency():
+    assert BY_NAME["latency"].forms(scene([0.0, 5.0])) == ()
+    assert BY_NAME["latency"].forms(scene([0.0, 5.0], velocity_deg_s=np.zeros(2))) == ()
 
 
 def test_axis_tilt_is_felt_by_the_axis_that_lies_along_the_head():

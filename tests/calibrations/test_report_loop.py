@@ -11,14 +11,16 @@ from report_examples import provenance
 from test_report_page import parsed, text_of
 
 from calibrations.effects import CATALOGUE
-from calibrations.report import traces
+from calibrations.report import outlooks, traces
 from calibrations.report.abscissa import BY_EFFECT, BY_VARIABLE
 from calibrations.report.page import SECTIONS
 from calibrations.report.results import notices
 from calibrations.report.subject import Subject
 from calibrations.report.traces import MOST_FIGURES, abscissae, trace_figure
+from calibrations.tracing.experiments import Experiment
 from calibrations.tracing.ground import scene_of
 from calibrations.tracing.loop import Unexplained
+from calibrations.tracing.separation import Difference, Outlook
 
 UNEXPLAINED = Unexplained(depends_on="angle", description="a bump of 18 arcsec near 141 deg on the head")
 
@@ -50,7 +52,7 @@ def test_before_and_after_stand_side_by_side(k_xx_section):
 
 
 def test_the_residual_is_drawn_against_what_explains_it_before_and_after(k_xx_section):
-    (plot,) = re.findall(r"<svg.*?</svg>", k_xx_section, flags=re.DOTALL)
+    plot, *_ = re.findall(r"<svg.*?</svg>", k_xx_section, flags=re.DOTALL)
     assert ET.fromstring(plot).get("aria-label") == "Residual against ax (g): declared model, with what was found"
     assert "Where k_xx shows." in text_of(k_xx_section)
 
@@ -89,10 +91,54 @@ def test_unexplained_structure_is_located_and_drawn():
     assert "Where what is unexplained shows." in text_of(page)
 
 
-def test_an_effect_that_differs_at_every_repeat_is_drawn_once_and_said_to_stay():
+def test_an_effect_that_differs_at_every_repeat_is_drawn_before_and_after_too():
     page = section(replace(clean(), effects=(found("realisation_bias", realisation_bias=(1e-4, 1e-5, "V")),)))
-    assert 'aria-label="Residual against realisation: declared model"' in page
-    assert "the augmented model takes it as noise that rows share" in text_of(page)
+    assert 'aria-label="Residual against realisation: declared model, with what was found"' in page
+
+
+def experiment(left_v=5e-4):
+    """A probe of the last 54 of the 162 rows of `clean`, in which k_yy would be off by `left_v`."""
+    rows = clean().declared.observations
+    outlook = Outlook(
+        rows=rows,
+        probed=np.arange(len(rows)) >= 108,
+        dwell_v=1e-4,
+        differences=(Difference(true="k_xx", other="k_yy", left_v=np.full(len(rows), left_v)),),
+    )
+    fields = {"separates": ("k_xx", "k_yy"), "programme": "probe-edge", "why": "probe-edge puts Oz in the place of Oy"}
+    return Experiment(
+        **fields, command="tumble run --programme probe-edge", separation=20.0, stand_time_s=1.0, outlook=outlook
+    )
+
+
+def test_what_to_measure_next_stands_with_its_command_and_what_it_would_show():
+    page = section(replace(with_k_xx(), next_experiment=(experiment(),)))
+    assert "What to measure next probe-edge puts Oz in the place of Oy. tumble run --programme" in text_of(page)
+    _, plot = re.findall(r"<svg.*?</svg>", page, flags=re.DOTALL)
+    label = "What the experiment would show against head angle: k_yy if k_xx is true"
+    assert ET.fromstring(plot).get("aria-label") == label
+    assert parsed(page).open == []
+
+
+def test_where_no_programme_helps_the_page_says_so_without_a_plot():
+    none = replace(experiment(), why="no programme that comes along tells them apart", command="", outlook=None)
+    page = section(replace(with_k_xx(), next_experiment=(none,)))
+    assert text_of(page).endswith("What to measure next no programme that comes along tells them apart.")
+    assert page.count("<svg") == 1
+
+
+@pytest.mark.parametrize(("left_v", "drawn", "label"), [(5e-4, 500.0, "(µV)"), (-2e-3, -2.0, "(mV)")])
+def test_only_the_rows_of_the_probe_are_drawn_beside_two_standard_deviations(monkeypatch, left_v, drawn, label):
+    kept = []
+    monkeypatch.setattr(outlooks, "to_svg", lambda figure, *_: kept.append(figure))
+    outlooks.outlook_figure(experiment(left_v).outlook, "next")
+    (panel,) = kept[0].axes
+    y = panel.lines[-1].get_ydata()
+    assert y[~np.isnan(y)] == pytest.approx([drawn] * 54)
+    assert np.isnan(y).any()  # from one sweep to the next there is no line
+    low, high = panel.patches[0].get_extents().transformed(panel.transData.inverted()).intervaly
+    assert (high - low) / abs(drawn) == pytest.approx(4e-4 / abs(left_v))
+    assert panel.get_ylabel().endswith(label)
 
 
 def test_the_head_of_the_page_says_what_was_found():
@@ -123,7 +169,7 @@ def test_every_variable_can_be_drawn(name):
 
 
 @pytest.mark.parametrize(
-    "name", ["time", "temperature", "temperature-ax", "time-ax", "variance", "time-angle", "ay-az"]
+    "name", ["time", "temperature", "temperature-ax", "time-ax", "variance", "time-angle", "velocity", "ay-az"]
 )
 def test_what_the_table_does_not_say_or_never_varies_is_not_drawn(name):
     assert trace_figure({"declared model": clean().declared}, EVERY[name]) is None

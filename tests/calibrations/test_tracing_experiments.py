@@ -1,3 +1,5 @@
+import re
+
 import numpy as np
 import pytest
 from tables import gravity_on
@@ -11,7 +13,7 @@ from calibrations.tracing.experiments import APART, next_experiments
 from calibrations.tracing.ground import ground
 from calibrations.tracing.probes import PROBES, Probe, followed_by
 from calibrations.tracing.rivals import CLOSE, rivals, with_best_names
-from calibrations.tracing.separation import Question
+from calibrations.tracing.separation import Question, Rows
 from calibrations.tracing.trace import Tracer
 from procedures.programme import shipped_programmes
 
@@ -50,6 +52,15 @@ def behind(found, name, rival):
     return next((each.behind for each in found[name] if each.name == rival), np.inf)
 
 
+def shown(experiment):
+    """Every difference that an experiment would show: true, other, and the separation n ln(1 + T/n) of its rows."""
+    outlook = experiment.outlook
+    count = len(outlook.rows)
+    squares = [np.sum(each.left_v**2) / outlook.dwell_v**2 for each in outlook.differences]
+    pairs = [(each.true, each.other) for each in outlook.differences]
+    return [(*pair, count * np.log1p(square / count)) for pair, square in zip(pairs, squares, strict=True)]
+
+
 def proposed(base, trace, found):
     return next_experiments(base, trace, close(found))
 
@@ -86,6 +97,7 @@ def test_a_probe_goes_on_where_the_table_ends():
         direction=np.array([1, 1]),
         temperature_degc=np.array([np.nan, 22.0]),
         realisation=np.array([1, 2]),
+        velocity_deg_s=np.array([0.0, 10.0]),
         extra={"lamp": np.array(["on", "off"])},
     )
     joined = followed_by(
@@ -98,6 +110,8 @@ def test_a_probe_goes_on_where_the_table_ends():
     assert joined.temperature_degc[2:].tolist() == [25.0] * 160
     assert joined.realisation[2:].tolist() == [3] * 80 + [4] * 80
     assert joined.mounts.tolist() == ["face-up"] * 2 + ["edge"] * 160
+    assert joined.velocity_deg_s[2:].tolist() == [0.0] * 160
+    assert joined.runs.tolist() == [0] * 2 + [1] * 160
     assert joined.extra["lamp"][2:].tolist() == ["off"] * 160
 
 
@@ -127,6 +141,9 @@ def test_once_per_turn_and_a_square_are_told_apart_by_a_turn_of_90_degrees():
     assert experiment.separates == ("k_xx", "head_eccentricity")
     assert experiment.command == "tumble run --programme probe-face-up-90 --serial SERIAL"
     assert experiment.separation > APART
+    assert shown(experiment) == [("k_xx", "head_eccentricity", pytest.approx(experiment.separation))]
+    assert experiment.outlook.rows.mounts[experiment.outlook.probed].tolist() == ["face-up-90"] * 240
+    assert len(experiment.outlook.rows) == len(base.joint.observations) + 240
     _, _, after = traced(runs(own, "probe-face-up-90", extra_v=k_xx, seed=2))
     assert behind(after, "k_xx", "head_eccentricity") > experiment.separation / 4
 
@@ -158,23 +175,27 @@ def test_what_only_the_voltmeter_can_tell_is_said_and_has_no_command():
     (experiment,) = next_experiments(base, trace, nonlinear)
     assert (experiment.programme, experiment.command) == ("", "")
     assert "exchange one of these" in experiment.why
+    assert experiment.outlook is None
 
 
-class Stub:
+class Stub(Question):
     """A question whose separations depend on the mounts that were visited, and on how often."""
+
+    dwell_v = 1e-4
 
     def __init__(self, names, separations):
         self.name, self.rivals, self._separations = "a", names, separations
-        observations = short_table()
-        self.table = experiments.Rows(observations=observations, weights=np.ones(2))
+        self.table = Rows(observations=short_table(), weights=np.ones(2), programmes=np.full(2, ""))
 
     def belongs_to(self, name):
         return "unit"
 
-    def separations(self, rows):
+    def left(self, rows):
         realisations = rows.observations.realisations[:, None]
         visited = np.unique(np.column_stack([rows.observations.mounts[:, None], realisations.astype(str)]), axis=0)
-        return np.array(self._separations([mount for mount, _ in visited]), dtype=float)
+        separations = np.array(self._separations([mount for mount, _ in visited]), dtype=float)
+        count = len(rows.observations)
+        return np.repeat(np.sqrt(np.expm1(separations / count))[:, None, :], count, axis=1)
 
 
 def answers(monkeypatch, names, separations):
@@ -213,11 +234,33 @@ def test_a_probe_is_run_several_times_where_once_is_not_enough(monkeypatch):
     assert answers(monkeypatch, ("b",), separations) == [("probe-edge", ("a", "b"), "; run it 3 times")]
 
 
+def test_the_smallest_difference_that_is_shown_is_the_separation_that_is_stated(monkeypatch):
+    def separations(mounts):
+        return [[40.0 * ("edge" in mounts), 30.0 * ("edge" in mounts)], [20.0, 50.0]]
+
+    monkeypatch.setattr(experiments, "Question", lambda *_: Stub(("b", "c"), separations))
+    (experiment,) = next_experiments(None, None, {"a": ["some"]})
+    assert shown(experiment) == [("b", "a", pytest.approx(20.0)), ("a", "c", pytest.approx(30.0))]
+    assert experiment.separation == pytest.approx(20.0)
+
+
+def test_of_two_mounts_each_shows_its_own_rows(monkeypatch):
+    def separations(mounts):
+        return [[20.0 * ({"face-down", "edge"} <= set(mounts))]] * 2
+
+    monkeypatch.setattr(experiments, "Question", lambda *_: Stub(("b",), separations))
+    proposed = next_experiments(None, None, {"a": ["some"]})
+    seen = [set(each.outlook.rows.mounts[each.outlook.probed].tolist()) for each in proposed]
+    assert seen == [{"face-down"}, {"edge"}]
+
+
 def test_an_experiment_that_tells_only_if_the_rival_is_true_says_so(monkeypatch):
     def separations(mounts):
         return [[0.0], [30.0 * ("edge" in mounts)]]
 
     assert answers(monkeypatch, ("b",), separations) == [("probe-edge", ("a", "b"), ", if b is the true one")]
+    (experiment,) = next_experiments(None, None, {"a": ["some"]})
+    assert shown(experiment) == [("b", "a", pytest.approx(30.0))]
 
 
 def test_a_later_pass_parts_what_jumps_from_what_drifts():
@@ -232,3 +275,22 @@ def test_a_later_pass_parts_what_jumps_from_what_drifts():
         question.separations(rows) for rows in (question.table, question.table.followed_by(BY_NAME["probe-later"]))
     )
     assert (later.max(axis=0) > now.max(axis=0)).all()
+
+
+@pytest.mark.parametrize("separates", ["both", "either", "neither"])
+def test_why_an_experiment_is_proposed_reads_as_a_sentence(monkeypatch, separates):
+    """Programmes and effects have their names in it, and nothing else is a word of the program."""
+
+    def separations(mounts):
+        told = {"both": [30.0, 40.0], "either": [0.0, 40.0], "neither": [1.0, 2.0]}[separates]
+        return [[0.0, told[0]], told] if "edge" in mounts else [[0.0, 0.0], [0.0, 0.0]]
+
+    monkeypatch.setattr(experiments, "Question", lambda *_: Stub(("k_yy", "graduation"), separations))
+    for experiment in next_experiments(None, None, {"a": ["some"]}):
+        words = experiment.why
+        for name in (experiment.programme, "k_yy", "graduation"):
+            words = words.replace(name, "NAME") if name else words
+        assert re.fullmatch(r"[A-Za-z0-9 ,:;.°-]+", words)
+        assert not words.endswith(".")
+        assert "  " not in words
+        assert (experiment.command == "") == experiment.why.startswith("no programme that comes along tells a from")

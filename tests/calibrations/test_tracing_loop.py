@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from tables import FLIPS, UNIT, gravity_on, sweep, table
+from tables import FLIPS, UNIT, gravity_on, output, sweep, table
 
 from calibrations.tracing.loop import close_loop
 from calibrations.tracing.questions import questioned
@@ -130,3 +130,22 @@ def test_an_inverted_output_is_asked_about():
 
 def test_a_table_that_says_what_it_is_is_asked_nothing():
     assert questioned(table(*THREE_MOUNTS)).questions == ()
+
+
+def test_a_reading_that_is_late_while_the_head_moves_is_called_latency():
+    rows = table(*TWO_MOUNTS, realisations=4, noise_v=0.0)
+    velocity_deg_s = np.where(rows.procedure == "flip", 0.0, np.resize([10.0, -10.0, 20.0, -5.0], len(rows)))
+    volts = np.concatenate(
+        [
+            output(mount, [angle_deg - 2e-3 * velocity])
+            for mount, angle_deg, velocity in zip(rows.mount, rows.angle_deg, velocity_deg_s, strict=True)
+        ]
+    )
+    volts += 1e-4 * np.random.default_rng(1).normal(size=len(rows))
+
+    loop = close_loop(replace(rows, voltage_v=volts, velocity_deg_s=velocity_deg_s))
+
+    (effect,) = loop.effects
+    latency = effect.coefficients["latency"]
+    assert (effect.name, effect.also_possible, effect.belongs_to, latency.unit) == ("latency", (), "daq", "s")
+    assert abs(latency.value - 2e-3) < 3 * latency.standard_uncertainty < 1e-3

@@ -61,3 +61,15 @@ def test_flicker_leaves_a_mean_that_no_run_can_see(quiet):
 
     assert ones @ memory.whitening(NoiseModel(flicker=0.05))(ones) < 0.5 * len(quiet)
     assert ones @ memory.whitening(NoiseModel(walk=0.05))(ones) > 0.9 * len(quiet)
+
+
+def test_levels_that_were_drawn_are_stated_as_they_happened_and_taken_off_the_residual(quiet):
+    """Biases of 0.3, -0.2, 0.4, -0.6 and 0.1 mV, one for each realisation: their standard deviation is 0.406 mV."""
+    jumps = np.array([3e-4, -2e-4, 4e-4, -6e-4, 1e-4])[quiet.realisation - 1]
+    loop = close_loop(replace(quiet, voltage_v=quiet.voltage_v + jumps))
+
+    (effect,) = loop.effects
+    size = effect.coefficients["realisation_bias"]
+    assert effect.name == "realisation_bias"
+    assert abs(size.value - 4.06e-4) < 3 * size.standard_uncertainty < 3e-5
+    assert loop.augmented.residual_rms_v < 1.1e-4 < 0.5 * loop.declared.residual_rms_v
