@@ -4,11 +4,12 @@ VENV := .venv
 BIN := $(VENV)/bin
 
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test check lock clean
+.PHONY: help setup demo test check endurance lock clean
 
 help:
 	@echo "make demo   run the main job on the simulated stand: recording, record and report in tumble-store/"
 	@echo "make test   style, types, import contracts and all tests"
+	@echo "make endurance   kills, cuts and a million mutated frames per protocol (more than an hour)"
 	@echo "make lock   pin the dependencies anew"
 
 $(VENV)/.ready: requirements.lock pyproject.toml
@@ -31,6 +32,13 @@ check: setup
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports
+
+endurance: setup
+	$(BIN)/python -m benchmarks.endurance.cuts
+	$(BIN)/python -m benchmarks.endurance.kills --count 200
+	$(BIN)/python -m benchmarks.endurance.zaber_frames
+	$(BIN)/python -m benchmarks.endurance.scpi_frames
+	$(BIN)/python -m benchmarks.endurance.can_frames
 
 lock:
 	uv pip compile --universal --python-version 3.11 --generate-hashes --no-emit-index-url --no-header \
