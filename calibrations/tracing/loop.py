@@ -10,13 +10,13 @@ from calibrations.analysis import assess
 from calibrations.budget import StandUncertainty
 from calibrations.effects import CATALOGUE
 from calibrations.effects.effect import Effect, Quantity
-from calibrations.effects.unnamed import TAKEN_BY_COURSES, Structure
+from calibrations.effects.unnamed import Structure
 from calibrations.gross import GROSS_SIGMA, unlike_repeats
 from calibrations.joint import Joint, fit_jointly, fit_without
-from calibrations.model import ALPHA0, PARAMETERS
+from calibrations.model import ALPHA0
 from calibrations.observations import Observations, SetAside
 from calibrations.repeats import pose_groups
-from calibrations.result import Calibration, Parameter
+from calibrations.result import Calibration
 from calibrations.tracing.augmented import Augmented, augment, level_quantities
 from calibrations.tracing.experiments import Experiment, next_experiments
 from calibrations.tracing.ground import Ground, ground, scene_of, seen_anew
@@ -24,11 +24,8 @@ from calibrations.tracing.held_out import held_out_rms
 from calibrations.tracing.misreading import Misreading, misreadings
 from calibrations.tracing.questions import questioned
 from calibrations.tracing.rivals import Rival, with_best_names
+from calibrations.tracing.taken_back import without_courses, without_rivals
 from calibrations.tracing.trace import WALK, Trace, Tracer, trace_price
-
-_COURSES = ("time", "temperature", "order", "realisation", "direction")
-RIVALS_APART = 2.0
-"""A parameter that differs between rivals by more than so many standard uncertainties cannot be told."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -94,10 +91,10 @@ def close_loop(
         explained = _explained(fit_without(observations, rejected), effects, reference_temperature_degc)
     trace, close, best = explained.trace, explained.close, explained.best
     misread = misreadings(observations, best.joint)
-    stated = _with_structure(assess(best.joint, uncertainty, trials=0), best)
+    stated = without_courses(assess(best.joint, uncertainty, trials=0), best)
     if trace.found or trace.names:
         stated = replace(stated, held_out_rms_v=held_out_rms(explained.tracer, trace))
-    augmented = _with_rivals(stated, explained.base, close)
+    augmented = without_rivals(stated, explained.base, close)
     return Loop(
         declared=assess(declared, uncertainty, trials=0),
         augmented=augmented,
@@ -234,60 +231,3 @@ def _unexplained(trace: Trace) -> Unexplained | None:
     first = structures[0]
     assert isinstance(first.effect, Structure)
     return Unexplained(depends_on=first.effect.depends_on, description=first.effect.describe(first.form))
-
-
-def _with_structure(calibration: Calibration, best: Augmented) -> Calibration:
-    """Take back u0 and alpha0 where structure without a name has a mean of its own: nobody knows where it is absent."""
-    for name in {item.effect.name for item in best.found} & TAKEN_BY_COURSES.keys():
-        calibration = _without(calibration, TAKEN_BY_COURSES[name], "it depends on where an unexplained course is zero")
-    u0 = calibration.parameters["u0"]
-    if u0.value is None or u0.standard_uncertainty is None:
-        return calibration
-    for item, columns in zip(best.found, best.columns, strict=True):
-        if isinstance(item.effect, Structure) and item.effect.depends_on in _COURSES:
-            mean_v = float(np.mean(item.form.columns @ best.coefficients[columns]))
-            if abs(mean_v) > RIVALS_APART * u0.standard_uncertainty:
-                reason = f"it depends on where the unexplained course with {item.effect.depends_on} is taken as absent"
-                return _without(calibration, ("u0",), reason)
-    return calibration
-
-
-def _without(calibration: Calibration, names: Sequence[str], reason: str) -> Calibration:
-    """Take parameters back, for a reason."""
-    told = {name: parameter for name in names if (parameter := calibration.parameters[name]).value is not None}
-    taken = {name: _taken_back(parameter, reason) for name, parameter in told.items()}
-    return replace(calibration, parameters={**calibration.parameters, **taken})
-
-
-def _with_rivals(calibration: Calibration, base: Ground, close: Mapping[str, Sequence[Rival]]) -> Calibration:
-    """Take back the parameters that depend on which of two rivals is true."""
-    parameters = dict(calibration.parameters)
-    for name, listed in close.items():
-        for rival in listed:
-            theta = augment(base, rival.trace).joint.fit.theta
-            for index, parameter in enumerate(PARAMETERS):
-                parameters[parameter] = _judged(parameters[parameter], float(theta[index]), name, rival.name)
-    return replace(calibration, parameters=parameters)
-
-
-def _judged(parameter: Parameter, other: float, name: str, rival: str) -> Parameter:
-    if parameter.value is None or parameter.standard_uncertainty is None:
-        return parameter
-    if abs(other - parameter.value) <= RIVALS_APART * parameter.standard_uncertainty:
-        return parameter
-    reason = f"it differs between {name} and {rival}, which this experiment cannot tell apart"
-    return _taken_back(parameter, reason)
-
-
-def _taken_back(parameter: Parameter, reason: str) -> Parameter:
-    """A parameter that cannot be told after all."""
-    return Parameter(
-        name=parameter.name,
-        unit=parameter.unit,
-        value=None,
-        standard_uncertainty=None,
-        type_a=None,
-        degrees_of_freedom=None,
-        interval_95=None,
-        reason=reason,
-    )

@@ -4,14 +4,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from calibrations.effects.unnamed import Structure
+from calibrations.tracing.fitting_noise import best_level, best_walk
 from calibrations.tracing.problem import Problem
 from calibrations.tracing.trace import (
     WALK,
     Found,
     Trace,
     Tracer,
-    best_level,
-    best_walk,
     found,
     refined_one,
     trace_price,

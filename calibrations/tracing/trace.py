@@ -3,26 +3,16 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from calibrations.effects.effect import Effect, Form
 from calibrations.effects.unnamed import STRUCTURES, Structure
 from calibrations.tracing.candidates import Candidate, all_columns, candidates
+from calibrations.tracing.fitting_noise import best_level, best_walk, fitting, golden_section, is_slow, noise_price
 from calibrations.tracing.ground import Ground
 from calibrations.tracing.noise import NoiseModel
 from calibrations.tracing.problem import Explanation, Problem
 from calibrations.tracing.search import entries, search, settled
 
-FLICKER_FLOOR = 0.25
-"""Floor of the Allan deviation up to which flicker is taken as the ordinary noise of a unit, in dwell deviations."""
-MOST_FLICKER = FLICKER_FLOOR**2 / (2 * np.log(2))
-"""The same as variance of the first mode (IEEE Std 952, annex C: floor² = 2 ln 2 h)."""
-FLICKER_PRICE = 4.0
-WALK_PRICE = 9.5
-"""What a random walk must earn: in flicker it is the cheaper explanation by that much once in hundreds of tables."""
-CORNER_PRICE = 4.0
-LEVEL_PRICE = 11.5
-"""What levels drawn at random must earn: one variance, among some thirty effects."""
+_NOTICED = 3.84
 WALK = "bias_random_walk"
 FEWEST_ROWS = 18
 """With fewer rows, three for each declared parameter, nothing is traced."""
@@ -115,11 +105,26 @@ class Tracer:
         if self.ground.rows < FEWEST_ROWS:
             return Trace(found=(), noise=NoiseModel(), deviance=self.ground.deviance((), NoiseModel()))
         white = self._searched(NoiseModel())
-        others = [self._adapted(self._settled(noise, white)) for noise in _other_noises(self.ground, white)]
+        others = [self._adapted(self._settled(noise, white)) for noise in self._other_noises(white)]
         best = min((self._drawn(trace) for trace in (white, *others)), key=trace_price)
         if best.noise.walk:
             best = min(best, self._without(best, WALK), key=trace_price)
         return refined(self.ground, best)
+
+    def _other_noises(self, white: Trace) -> list[NoiseModel]:
+        """Noises worth a search of their own: with what was found, or with the fast part of it.
+
+        What changes slowly may be the wandering itself, taken for effects: without it both are always tried.
+        """
+        if not self.ground.memory.modes.shape[1]:
+            return []
+        beside = fitting(self.ground, white.forms)
+        noises = [noise for noise, deviance in beside if white.deviance - deviance > _NOTICED]
+        slow = [item.effect.drawn or is_slow(self.ground, item.form) for item in white.found]
+        if any(slow):
+            fast = [item.form for item, away in zip(white.found, slow, strict=True) if not away]
+            noises += [noise for noise, _ in fitting(self.ground, fast)]
+        return list(dict.fromkeys(noises))
 
     def _drawn(self, trace: Trace) -> Trace:
         """A trace with the levels of its effects drawn; settled again where there are any."""
@@ -180,48 +185,7 @@ def found(problem: Problem, number: int) -> Found:
 
 def trace_price(trace: Trace) -> float:
     """Deviance plus what everything in the trace must earn."""
-    flicker = FLICKER_PRICE if trace.noise.flicker else 0.0
-    walk = (WALK_PRICE + CORNER_PRICE * bool(trace.noise.corner)) if trace.noise.walk else 0.0
-    levels = LEVEL_PRICE * len(trace.noise.levels)
-    return trace.deviance + flicker + walk + levels + entries([found.candidate for found in trace.found])
-
-
-def _other_noises(ground: Ground, white: Trace) -> list[NoiseModel]:
-    """Noises worth a search of their own: the best flicker and walk with what was found, or with the fast part of it.
-
-    What changes slowly may be the wandering itself, taken for effects: without it both are always tried.
-    """
-    if not ground.memory.modes.shape[1]:
-        return []
-    noises: list[NoiseModel] = []
-    for noise, deviance in (_best_noise(ground, white.forms, _FLICKERS), best_walk(ground, white.forms, NoiseModel())):
-        if white.deviance - deviance > _NOTICED:
-            noises.append(noise)
-    fast = [item.form for item in white.found if not (item.effect.drawn or _slow(ground, item.form))]
-    if len(fast) < len(white.found):
-        noises += [_best_noise(ground, fast, _FLICKERS)[0], best_walk(ground, fast, NoiseModel())[0]]
-    return list(dict.fromkeys(noises))
-
-
-def _slow(ground: Ground, form: Form) -> bool:
-    """Whether a shape is nearly all made of waves of which the run holds few."""
-    white = ground.memory.whitening(NoiseModel(walk=100.0))
-    columns = form.columns * np.sqrt(ground.joint.weights)[:, None]
-    columns = columns - columns.mean(axis=0)
-    return bool(np.sum(white(columns) ** 2) < _MOSTLY_SLOW * np.sum(columns**2))
-
-
-_NOTICED = 3.84
-_MOSTLY_SLOW = 0.2
-_FLICKERS = tuple(NoiseModel(flicker=float(part * MOST_FLICKER)) for part in (0.05, 0.15, 0.35, 0.65, 1.0))
-_WALKS = (0.003, 0.03, 0.3, 3.0, 30.0)
-_CORNERS = (4.0, 12.0)
-
-
-def _best_noise(ground: Ground, forms: Sequence[Form], tried: Sequence[NoiseModel]) -> tuple[NoiseModel, float]:
-    deviances = [ground.deviance(forms, noise) for noise in tried]
-    first = int(np.argmin(deviances))
-    return tried[first], deviances[first]
+    return trace.deviance + noise_price(trace.noise) + entries([found.candidate for found in trace.found])
 
 
 def refined(ground: Ground, trace: Trace, rounds: int = 2) -> Trace:
@@ -235,33 +199,6 @@ def refined(ground: Ground, trace: Trace, rounds: int = 2) -> Trace:
     return Trace(found=tuple(found), noise=trace.noise, deviance=deviance)
 
 
-def best_walk(ground: Ground, forms: Sequence[Form], noise: NoiseModel) -> tuple[NoiseModel, float]:
-    """The noise with the random walk that fits best in place of flicker, and its deviance.
-
-    Its rate is found first, then whether it has a corner.
-    """
-    walks = [replace(noise, flicker=0.0, walk=walk, corner=0.0) for walk in _WALKS]
-    coarse, _ = _best_noise(ground, forms, walks)
-    finer = [replace(coarse, walk=coarse.walk * ratio) for ratio in (1 / 3, 1.0, 3.0)]
-    best, _ = _best_noise(ground, forms, finer)
-    bent = [replace(best, corner=corner, walk=best.walk * ratio) for corner in _CORNERS for ratio in (1.0, 3.0)]
-    return _best_noise(ground, forms, (best, *bent))
-
-
-def best_level(ground: Ground, forms: Sequence[Form], noise: NoiseModel, name: str) -> NoiseModel:
-    """The noise with the levels of an effect drawn with the variance that fits best."""
-    low, high = np.log(1e-4), np.log(1e4)
-
-    def deviance(logarithm: float) -> float:
-        return ground.deviance(forms, noise.with_level(name, float(np.exp(logarithm))))
-
-    for _ in range(20):
-        inner, outer = high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)
-        low, high = (low, outer) if deviance(inner) < deviance(outer) else (inner, high)
-    return noise.with_level(name, float(np.exp((low + high) / 2)))
-
-
-_GOLDEN = (np.sqrt(5.0) - 1) / 2
 _RATIO = 1.35
 """Grids of scanned values are finer than this ratio between neighbours."""
 
@@ -277,10 +214,7 @@ def refined_one(ground: Ground, item: Found, others: Sequence[Form], noise: Nois
         return ground.deviance([*others, at(ground.scene, trial)], noise)
 
     low, high = sorted((value / _RATIO, value * _RATIO))
-    for _ in range(14):
-        inner, outer = high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)
-        low, high = (low, outer) if deviance(inner) < deviance(outer) else (inner, high)
-    better = (low + high) / 2
+    better = golden_section(deviance, low, high, steps=14)
     if deviance(better) >= deviance(value):
         return item
     return replace(item, form=at(ground.scene, better))

@@ -1,0 +1,87 @@
+"""Which noise that remembers suits a table, for given effects, and what it must earn."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from calibrations.effects.effect import Form
+from calibrations.tracing.ground import Ground
+from calibrations.tracing.noise import NoiseModel
+
+FLICKER_FLOOR = 0.25
+"""Floor of the Allan deviation up to which flicker is taken as the ordinary noise of a unit, in dwell deviations."""
+MOST_FLICKER = FLICKER_FLOOR**2 / (2 * np.log(2))
+"""The same as variance of the first mode (IEEE Std 952, annex C: floor² = 2 ln 2 h)."""
+FLICKER_PRICE = 4.0
+WALK_PRICE = 9.5
+"""What a random walk must earn: in flicker it is the cheaper explanation by that much once in hundreds of tables."""
+CORNER_PRICE = 4.0
+LEVEL_PRICE = 11.5
+"""What levels drawn at random must earn: one variance, among some thirty effects."""
+
+
+def noise_price(noise: NoiseModel) -> float:
+    """What everything in a noise beyond white must earn in -2 ln L."""
+    flicker = FLICKER_PRICE if noise.flicker else 0.0
+    walk = (WALK_PRICE + CORNER_PRICE * bool(noise.corner)) if noise.walk else 0.0
+    return flicker + walk + LEVEL_PRICE * len(noise.levels)
+
+
+def fitting(ground: Ground, forms: Sequence[Form]) -> tuple[tuple[NoiseModel, float], ...]:
+    """The flicker and the walk that fit best with these forms, each with its deviance."""
+    return _best(ground, forms, _FLICKERS), best_walk(ground, forms, NoiseModel())
+
+
+def is_slow(ground: Ground, form: Form) -> bool:
+    """Whether a shape is nearly all made of waves of which the run holds few."""
+    white = ground.memory.whitening(NoiseModel(walk=100.0))
+    columns = form.columns * np.sqrt(ground.joint.weights)[:, None]
+    columns = columns - columns.mean(axis=0)
+    return bool(np.sum(white(columns) ** 2) < _MOSTLY_SLOW * np.sum(columns**2))
+
+
+_MOSTLY_SLOW = 0.2
+_FLICKERS = tuple(NoiseModel(flicker=float(part * MOST_FLICKER)) for part in (0.05, 0.15, 0.35, 0.65, 1.0))
+_WALKS = (0.003, 0.03, 0.3, 3.0, 30.0)
+_CORNERS = (4.0, 12.0)
+
+
+def _best(ground: Ground, forms: Sequence[Form], tried: Sequence[NoiseModel]) -> tuple[NoiseModel, float]:
+    deviances = [ground.deviance(forms, noise) for noise in tried]
+    first = int(np.argmin(deviances))
+    return tried[first], deviances[first]
+
+
+def best_walk(ground: Ground, forms: Sequence[Form], noise: NoiseModel) -> tuple[NoiseModel, float]:
+    """The noise with the random walk that fits best in place of flicker, and its deviance.
+
+    Its rate is found first, then whether it has a corner.
+    """
+    walks = [replace(noise, flicker=0.0, walk=walk, corner=0.0) for walk in _WALKS]
+    coarse, _ = _best(ground, forms, walks)
+    finer = [replace(coarse, walk=coarse.walk * ratio) for ratio in (1 / 3, 1.0, 3.0)]
+    best, _ = _best(ground, forms, finer)
+    bent = [replace(best, corner=corner, walk=best.walk * ratio) for corner in _CORNERS for ratio in (1.0, 3.0)]
+    return _best(ground, forms, (best, *bent))
+
+
+def best_level(ground: Ground, forms: Sequence[Form], noise: NoiseModel, name: str) -> NoiseModel:
+    """The noise with the levels of an effect drawn with the variance that fits best."""
+
+    def deviance(logarithm: float) -> float:
+        return ground.deviance(forms, noise.with_level(name, float(np.exp(logarithm))))
+
+    best = golden_section(deviance, float(np.log(1e-4)), float(np.log(1e4)), steps=20)
+    return noise.with_level(name, float(np.exp(best)))
+
+
+_GOLDEN = (np.sqrt(5.0) - 1) / 2
+
+
+def golden_section(function: Callable[[float], float], low: float, high: float, steps: int) -> float:
+    """Where a function with one minimum has it (Kiefer 1953)."""
+    for _ in range(steps):
+        inner, outer = high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)
+        low, high = (low, outer) if function(inner) < function(outer) else (inner, high)
+    return float((low + high) / 2)
