@@ -25,7 +25,7 @@ from calibrations.tracing.misreading import Misreading, misreadings
 from calibrations.tracing.questions import questioned
 from calibrations.tracing.rivals import Rival, with_best_names
 from calibrations.tracing.taken_back import without_courses, without_rivals
-from calibrations.tracing.trace import WALK, Trace, Tracer, trace_price
+from calibrations.tracing.trace import FEWEST_ROWS, WALK, Trace, Tracer, trace_price
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -59,6 +59,8 @@ class Loop:
     misread: tuple[Misreading, ...]
     next_experiment: tuple[Experiment, ...] = ()
     """What would part the rivals that are left."""
+    not_traced: str = ""
+    """Why nothing was looked for; empty where the table was traced."""
 
 
 def close_loop(
@@ -82,7 +84,14 @@ def close_loop(
     declared = fit_jointly(observations)
     if not asked.answerable:
         calibration = assess(declared, uncertainty, trials=0)
-        return Loop(declared=calibration, augmented=calibration, effects=(), unexplained=None, misread=())
+        return Loop(
+            declared=calibration,
+            augmented=calibration,
+            effects=(),
+            unexplained=None,
+            misread=(),
+            not_traced="the table contradicts its own description; answer the question first",
+        )
     explained = _explained(declared, effects, reference_temperature_degc)
     for _ in range(_ROUNDS):
         rejected = _gross_errors(observations, explained)
@@ -101,6 +110,7 @@ def close_loop(
         effects=_effects(explained.base, trace, best, close, misread),
         unexplained=_unexplained(trace),
         misread=misread,
+        not_traced=_too_few(explained.base.rows),
         next_experiment=next_experiments(explained.base, trace, close),
     )
 
@@ -144,6 +154,10 @@ def _explained(joint: Joint, effects: Sequence[Effect], reference_temperature_de
             break
         base = seen_anew(base, best.joint.fit.theta)
     return min(looks, key=lambda look: trace_price(look.trace))
+
+
+def _too_few(rows: int) -> str:
+    return f"{rows} rows are too few; at least {FEWEST_ROWS} are needed" if rows < FEWEST_ROWS else ""
 
 
 def _rejected_rows(joint: Joint) -> set[int]:

@@ -148,7 +148,7 @@ class Problem:
         """The same for the candidates of two columns: what the first explains, then what the second adds."""
         first, second = self._first, self._first + 1
         between = self._between - np.sum(span[:, first] * span[:, second], axis=0)
-        part = between / np.maximum(lengths[first], _ABSORBED**2 * self._squares[first])
+        part = between / np.maximum(lengths[first], _ABSORBED**2 * self._squares[first] + 1e-300)
         beside = lengths[second] - part * between
         seen = beside > _ABSORBED**2 * self._squares[second]
         added = (residual[second] - part * residual[first]) ** 2

@@ -20,6 +20,7 @@ _CLEARER = 20.0
 """Another reading of the table must leave so many times less than the description does."""
 _MOSTLY = 0.6
 """A block of which more than this part is far off comes from another mount."""
+_RESOLUTION = 1e-12
 _PAUSE_S = 30.0
 _WHOLE_TURN_RAD = 7.5
 
@@ -40,7 +41,7 @@ def questioned(observations: Observations) -> Questioned:
     """Look for contradictions between a table and its description."""
     if observations.voltage_v is None or len(observations) < _FEWEST_ROWS:
         return Questioned(observations=observations, questions=(), answerable=True)
-    for ask in (_radians, _mounts):
+    for ask in (_dead, _radians, _mounts):
         if question := ask(observations):
             return Questioned(observations=_with(observations, (question,)), questions=(question,), answerable=False)
     questions = []
@@ -55,6 +56,17 @@ def questioned(observations: Observations) -> Questioned:
         )
         observations = replace(observations, realisation=repeats)
     return Questioned(observations=_with(observations, tuple(questions)), questions=tuple(questions), answerable=True)
+
+
+def _dead(observations: Observations) -> str:
+    """Ask about an output that never changes although the unit was turned; empty where there is nothing to ask."""
+    turned = np.ptp(observations.angle_deg) > 1.0
+    if turned and np.ptp(observations.output_v) <= _RESOLUTION * np.abs(observations.output_v).max():
+        return (
+            f"{observations.source}: the output is {observations.output_v[0]:g} V in every row, however the head is "
+            "turned; is the unit connected?"
+        )
+    return ""
 
 
 def _with(observations: Observations, questions: tuple[str, ...]) -> Observations:

@@ -60,6 +60,8 @@ def found_sentences(loop: Loop) -> list[str]:
 
 
 def _verdict(loop: Loop, found: bool) -> str:
+    if loop.not_traced:
+        return f"Nothing was traced: {loop.not_traced}."
     p_value = loop.augmented.lack_of_fit_p
     unfit = p_value is not None and p_value < LACK_OF_FIT_P
     if p_value is not None and found:

@@ -149,3 +149,18 @@ def test_a_reading_that_is_late_while_the_head_moves_is_called_latency():
     latency = effect.coefficients["latency"]
     assert (effect.name, effect.also_possible, effect.belongs_to, latency.unit) == ("latency", (), "daq", "s")
     assert abs(latency.value - 2e-3) < 3 * latency.standard_uncertainty < 1e-3
+
+
+def test_an_output_that_never_changes_is_asked_about():
+    rows = table(*TWO_MOUNTS)
+    loop = close_loop(replace(rows, voltage_v=np.full(len(rows), 2.5)))
+
+    assert names(loop) == []
+    assert any("is the unit connected?" in warning for warning in loop.augmented.warnings)
+    assert loop.not_traced
+
+
+def test_too_few_rows_are_said_not_to_have_been_traced():
+    loop = close_loop(table(*FLIPS, realisations=2))
+
+    assert "12 rows are too few" in loop.not_traced
