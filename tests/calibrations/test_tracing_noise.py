@@ -8,6 +8,7 @@ from tables import FLIPS, sweep, table
 
 from calibrations.effects import CATALOGUE
 from calibrations.joint import fit_jointly
+from calibrations.tracing.fitting_noise import golden_section
 from calibrations.tracing.ground import ground
 from calibrations.tracing.loop import close_loop
 from calibrations.tracing.noise import NoiseModel
@@ -73,3 +74,14 @@ def test_levels_that_were_drawn_are_stated_as_they_happened_and_taken_off_the_re
     assert effect.name == "realisation_bias"
     assert abs(size.value - 4.06e-4) < 3 * size.standard_uncertainty < 3e-5
     assert loop.augmented.residual_rms_v < 1.1e-4 < 0.5 * loop.declared.residual_rms_v
+
+
+def test_a_minimum_is_found_with_one_value_a_step():
+    asked = []
+
+    def valley(place):
+        asked.append(place)
+        return (place - 0.3) ** 2
+
+    assert golden_section(valley, -1.0, 2.0, steps=30) == pytest.approx(0.3, abs=1e-6)
+    assert len(asked) == 31
