@@ -6,18 +6,13 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import stdtrit
 
+from calibrations.best_alpha0 import ALPHA0_REACH_DEG, GRID_DEG, best_parameters
 from calibrations.compression import Compressed
-from calibrations.conditional import conditional, pseudo_inverse, smallest_solution
+from calibrations.conditional import conditional, pseudo_inverse
 from calibrations.geometry import FloatArray
 from calibrations.model import ALPHA0, PARAMETERS, coefficients, coefficients_jacobian, parameter_vector
 
-ALPHA0_REACH_DEG = 45.0
-"""Beyond this the declared model repeats itself with the axes renamed."""
-_GRID_DEG = np.linspace(-ALPHA0_REACH_DEG, ALPHA0_REACH_DEG, 37)
 _NODES = np.linspace(-6.0, 6.0, 49)
-_HALVINGS = 12
-_CONVERGED = 1e-10
-"""A step that changes the fitted voltages by less than this part of the sum of squares is the last."""
 
 
 def coverage_factor(freedom: float, probability: float = 0.95) -> float:
@@ -56,39 +51,8 @@ class JointFit:
 
 
 def joint_fit(compressed: Compressed) -> JointFit:
-    """Fit all parameters: the best alpha0 of a scan over its whole range, then Gauss-Newton."""
-    scan = conditional(compressed, _GRID_DEG)
-    best = int(np.argmin(scan.squares_v2))
-    return refined_fit(compressed, parameter_vector(scan.linear[best], _GRID_DEG[best]))
-
-
-def refined_fit(compressed: Compressed, start: FloatArray) -> JointFit:
-    """Fit all parameters by Gauss-Newton from a parameter vector that is near the best."""
-    return _solution(compressed, descended(compressed, start), True)
-
-
-def descended(compressed: Compressed, start: FloatArray) -> FloatArray:
-    """The parameter vector alone, by Gauss-Newton from one that is near the best; steps that lead uphill are halved."""
-    theta, squares = start, squares_v2(compressed, start)
-    for _ in range(50):
-        misfit = compressed.z - compressed.r @ coefficients(theta)
-        jacobian = compressed.r @ coefficients_jacobian(theta)
-        step = smallest_solution(jacobian, misfit)
-        step *= min(1.0, 2.0 / max(abs(step[ALPHA0]), 1e-300))
-        for _ in range(_HALVINGS):
-            trial = theta + step
-            trial[ALPHA0] = np.clip(trial[ALPHA0], -ALPHA0_REACH_DEG, ALPHA0_REACH_DEG)
-            reached = squares_v2(compressed, trial)
-            if reached <= squares * (1.0 + 1e-12):
-                break
-            step /= 2.0
-        else:
-            return theta
-        theta, squares = trial, reached
-        change = jacobian @ step
-        if change @ change < _CONVERGED * squares or abs(step[ALPHA0]) < 1e-10:
-            break
-    return theta
+    """Fit all parameters."""
+    return _solution(compressed, best_parameters(compressed), True)
 
 
 def squares_v2(compressed: Compressed, theta: FloatArray) -> float:
@@ -148,15 +112,15 @@ def alpha0_profile(compressed: Compressed, fit: JointFit, variance_v2: float, fa
     `variance_v2` is the variance of a row of weight 1, `factor` the Student factor.
     """
     if not np.isfinite(factor):
-        return Alpha0Profile(interval_deg=(-ALPHA0_REACH_DEG, ALPHA0_REACH_DEG), told=False, within_deg=_GRID_DEG)
+        return Alpha0Profile(interval_deg=(-ALPHA0_REACH_DEG, ALPHA0_REACH_DEG), told=False, within_deg=GRID_DEG)
     limit = fit.squares_v2 + variance_v2 * factor**2
-    scan = conditional(compressed, _GRID_DEG)
+    scan = conditional(compressed, GRID_DEG)
     centre = float(fit.theta[ALPHA0])
     accepted = scan.squares_v2 <= limit
     told = not (accepted[0] or accepted[-1]) and abs(centre) < ALPHA0_REACH_DEG and bool(fit.estimable[ALPHA0])
     reach = 3 * factor * float(np.sqrt(variance_v2 * (fit.inverse @ fit.inverse.T)[ALPHA0, ALPHA0]))
     low, high = (_crossing(compressed, centre, side * reach, limit) for side in (-1.0, 1.0))
-    within = np.concatenate([np.linspace(low, high, 21), _GRID_DEG[accepted]])
+    within = np.concatenate([np.linspace(low, high, 21), GRID_DEG[accepted]])
     if low < 0.0 < high:
         within = np.append(within, 0.0)
     return Alpha0Profile(interval_deg=(low, high), told=told, within_deg=within)

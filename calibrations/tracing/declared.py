@@ -6,9 +6,10 @@ from typing import Protocol, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from calibrations.best_alpha0 import best_parameters
 from calibrations.compression import Compressed
 from calibrations.conditional import smallest_solution
-from calibrations.fit import descended, fit_given_alpha0, joint_fit
+from calibrations.fit import fit_given_alpha0
 from calibrations.geometry import FloatArray
 from calibrations.model import BASIS_SIZE, PARAMETERS, coefficients, coefficients_jacobian
 
@@ -26,8 +27,8 @@ class Declared(Protocol):
         """How many parameters it has."""
         ...
 
-    def fitted(self, compressed: Compressed, near: FloatArray | None) -> FloatArray:
-        """Best parameters, then the coefficients of further columns; `near` are parameters near the best, if known."""
+    def fitted(self, compressed: Compressed) -> FloatArray:
+        """Best parameters, then the coefficients of further columns."""
         ...
 
     def coefficients(self, theta: FloatArray) -> FloatArray:
@@ -56,13 +57,9 @@ class Accelerometer:
         """u0, kx, ky, kz, kxy, alpha0."""
         return len(PARAMETERS)
 
-    def fitted(self, compressed: Compressed, near: FloatArray | None) -> FloatArray:
-        """By Gauss-Newton from parameters near the best; by a scan of alpha0 where there are none."""
-        if not self.alpha0_told:
-            return fit_given_alpha0(compressed, 0.0).theta
-        if near is None:
-            return joint_fit(compressed).theta
-        return descended(compressed, np.concatenate([near, np.zeros(compressed.terms)]))
+    def fitted(self, compressed: Compressed) -> FloatArray:
+        """With the best alpha0, or with none where it cannot be told."""
+        return best_parameters(compressed) if self.alpha0_told else fit_given_alpha0(compressed, 0.0).theta
 
     def coefficients(self, theta: FloatArray) -> FloatArray:
         """As in `calibrations.model`."""
@@ -88,7 +85,7 @@ class Linear:
         """One for each function."""
         return int(self.functions.shape[1])
 
-    def fitted(self, compressed: Compressed, near: FloatArray | None) -> FloatArray:  # noqa: ARG002
+    def fitted(self, compressed: Compressed) -> FloatArray:
         """By linear least squares."""
         return smallest_solution(compressed.r, compressed.z)
 

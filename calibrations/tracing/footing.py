@@ -89,10 +89,10 @@ class Footing:
             rest_v2=float(rest @ rest),
         )
 
-    def fit(self, further: Split, near: FloatArray | None = None) -> Fitted:
-        """Fit with further columns; `near` are parameters of the declared model near the best, None if none are."""
+    def fit(self, further: Split) -> Fitted:
+        """Fit with further columns."""
         compressed = self.compressed(further)
-        theta = self.declared.fitted(compressed, near)
+        theta = self.declared.fitted(compressed)
         misfit = compressed.z - compressed.r @ self.declared.coefficients(theta)
         squares_v2 = compressed.rest_v2 + float(misfit @ misfit)
         return Fitted(theta=theta, parameters=self.declared.parameters, squares_v2=squares_v2)

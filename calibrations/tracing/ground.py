@@ -18,9 +18,6 @@ from calibrations.tracing.declared import Accelerometer
 from calibrations.tracing.footing import Fitted, Footing
 from calibrations.tracing.noise import Memory, NoiseModel, scaled_levels, slow_modes
 
-_BLUNT_DEG = 0.5
-"""An alpha0 whose interval is wider may jump when an effect is added."""
-
 
 @dataclass(frozen=True, kw_only=True)
 class Ground:
@@ -63,13 +60,7 @@ class Ground:
         """The declared model with these forms in this noise."""
         footing = self.footing(noise)
         columns = np.column_stack([np.empty((self.rows, 0)), *(form.columns for form in forms)])
-        return footing.fit(footing.split(columns), self.near)
-
-    @property
-    def near(self) -> FloatArray | None:
-        """Parameters to start from; none where alpha0 is so blunt that it may jump when an effect is added."""
-        low, high = self.joint.profile.interval_deg
-        return None if high - low > _BLUNT_DEG else self.joint.fit.theta[: len(PARAMETERS)]
+        return footing.fit(footing.split(columns))
 
 
 def ground(joint: Joint, effects: Sequence[Effect], reference_temperature_degc: float = 23.0) -> Ground:

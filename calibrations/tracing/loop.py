@@ -69,9 +69,28 @@ def close_loop(
     reference_temperature_degc: float = 23.0,
     effects: Sequence[Effect] = CATALOGUE,
 ) -> Loop:
-    """Fit the declared model, trace what it leaves, add what was found, and say what that changes.
+    """Fit the declared model, trace what it leaves, add what was found, say what that changes and what to measure next.
 
     A table that contradicts its own description is asked about instead: the questions are among its warnings.
+
+    Raises
+    ------
+    ValueError
+        No voltage, or no usable row.
+    """
+    loop, explained = explain(observations, stand, reference_temperature_degc, effects)
+    if explained is None:
+        return loop
+    return replace(loop, next_experiment=next_experiments(explained.base, explained.trace, explained.close))
+
+
+def explain(
+    observations: Observations,
+    stand: StandUncertainty | None = None,
+    reference_temperature_degc: float = 23.0,
+    effects: Sequence[Effect] = CATALOGUE,
+) -> tuple[Loop, "Explained | None"]:
+    """`close_loop` before it is asked what to measure next; with it what that rests on, None where nothing was traced.
 
     Raises
     ------
@@ -84,7 +103,7 @@ def close_loop(
     declared = fit_jointly(observations)
     if not asked.answerable:
         calibration = assess(declared, uncertainty, trials=0)
-        return Loop(
+        unanswered = Loop(
             declared=calibration,
             augmented=calibration,
             effects=(),
@@ -92,6 +111,7 @@ def close_loop(
             misread=(),
             not_traced="the table contradicts its own description; answer the question first",
         )
+        return unanswered, None
     explained = _explained(declared, effects, reference_temperature_degc)
     for _ in range(_ROUNDS):
         rejected = _gross_errors(observations, explained)
@@ -104,15 +124,15 @@ def close_loop(
     if trace.found or trace.names:
         stated = replace(stated, held_out_rms_v=held_out_rms(explained.tracer, trace))
     augmented = without_rivals(stated, explained.base, close)
-    return Loop(
+    loop = Loop(
         declared=assess(declared, uncertainty, trials=0),
         augmented=augmented,
         effects=_effects(explained.base, trace, best, close, misread),
         unexplained=_unexplained(trace),
         misread=misread,
         not_traced=_too_few(explained.base.rows),
-        next_experiment=next_experiments(explained.base, trace, close),
     )
+    return loop, explained
 
 
 _ROUNDS = 3
@@ -124,8 +144,8 @@ _FAR_DEG = 10.0
 
 
 @dataclass(frozen=True, kw_only=True)
-class _Explained:
-    """A table without gross errors, and what it was traced to."""
+class Explained:
+    """A table without gross errors, what it was traced to, and what could stand in its place."""
 
     tracer: Tracer
     trace: Trace
@@ -139,15 +159,15 @@ class _Explained:
         return self.tracer.ground
 
 
-def _explained(joint: Joint, effects: Sequence[Effect], reference_temperature_degc: float) -> _Explained:
+def _explained(joint: Joint, effects: Sequence[Effect], reference_temperature_degc: float) -> Explained:
     """Trace a table; again, where what was found shows that it was looked at from a wrong alpha0."""
     base = ground(joint, effects, reference_temperature_degc)
-    looks: list[_Explained] = []
+    looks: list[Explained] = []
     for _ in range(_ROUNDS):
         tracer = Tracer(base)
         trace, close = with_best_names(tracer, tracer.trace())
         best = augment(base, trace)
-        looks.append(_Explained(tracer=tracer, trace=trace, close=close, best=best))
+        looks.append(Explained(tracer=tracer, trace=trace, close=close, best=best))
         alpha0_deg = float(best.joint.fit.theta[ALPHA0])
         moved_deg = abs(alpha0_deg - base.scene.alpha0_deg)
         if not trace.found or moved_deg < _MOVED_DEG or abs(alpha0_deg) > _FAR_DEG:
@@ -164,7 +184,7 @@ def _rejected_rows(joint: Joint) -> set[int]:
     return {entry.row for entry in joint.observations.set_aside if entry.reason.startswith("gross error")}
 
 
-def _gross_errors(observations: Observations, explained: _Explained) -> tuple[SetAside, ...]:
+def _gross_errors(observations: Observations, explained: Explained) -> tuple[SetAside, ...]:
     """Gross errors of the whole table as the augmented model sees them: an effect may have looked like one.
 
     So may a level or a walk: what is known of it is taken off the rows that were fitted.

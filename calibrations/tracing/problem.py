@@ -53,8 +53,7 @@ class Problem:
         self.offered = tuple(offered)
         self.entries = np.array([candidate.entry for candidate in offered])
         self.entries_again = np.array([candidate.again for candidate in offered])
-        names = [candidate.effect.name for candidate in offered]
-        self.forms = {name: slice(names.index(name), names.index(name) + names.count(name)) for name in names}
+        self.forms = _places(offered)
         """Where the forms of each effect stand among the candidates."""
         widths = np.array([candidate.columns.stop - candidate.columns.start for candidate in offered], dtype=int)
         starts = np.array([candidate.columns.start for candidate in offered], dtype=int)
@@ -74,9 +73,9 @@ class Problem:
         other.entries = np.where(unnamed, np.inf, self.entries)
         return other
 
-    def explain(self, chosen: tuple[int, ...], near: FloatArray | None = None) -> Explanation:
-        """Fit the declared model with the chosen candidates; `near` is a parameter vector of the declared part."""
-        fit = self._footing.fit(self._split.pick(self.columns_of(chosen)), near)
+    def explain(self, chosen: tuple[int, ...]) -> Explanation:
+        """Fit the declared model with the chosen candidates."""
+        fit = self._footing.fit(self._split.pick(self.columns_of(chosen)))
         return Explanation(chosen=chosen, fit=fit, deviance=self._footing.deviance(fit))
 
     def parameters(self, explanation: Explanation) -> FloatArray:
@@ -153,6 +152,15 @@ class Problem:
         seen = beside > _ABSORBED**2 * self._squares[second]
         added = (residual[second] - part * residual[first]) ** 2
         return np.asarray(alone[first] + np.where(seen, added / np.where(seen, beside, 1.0), 0.0))
+
+
+def _places(offered: Sequence[Candidate]) -> dict[str, slice]:
+    """Where the forms of each effect stand; they stand side by side."""
+    places: dict[str, slice] = {}
+    for number, candidate in enumerate(offered):
+        name = candidate.effect.name
+        places[name] = slice(places[name].start if name in places else number, number + 1)
+    return places
 
 
 def _directions(columns: FloatArray) -> FloatArray:

@@ -77,7 +77,7 @@ def _continued(problem: Problem, followed: Iterable[Explanation], beam: int) -> 
             if key not in expected or before - worth < expected[key][0]:
                 expected[key] = (before - worth, explanation, number)
     likely = sorted(expected.values(), key=lambda trial: trial[0])[: 2 * beam]
-    found = [problem.explain((*from_.chosen, number), from_.fit.declared) for _, from_, number in likely]
+    found = [problem.explain((*from_.chosen, number)) for _, from_, number in likely]
     return sorted(found, key=lambda explanation: price(problem, explanation))[:beam]
 
 
@@ -101,15 +101,13 @@ def _added(problem: Problem, explanation: Explanation) -> list[Explanation]:
     """Every set with one of the few that promise most added."""
     if len(explanation.chosen) >= MOST:
         return []
-    near = explanation.fit.declared
     promising = [number for worth, number in _promising(problem, explanation, BRANCHES) if worth > -_HOPELESS]
-    return [problem.explain((*explanation.chosen, number), near) for number in promising]
+    return [problem.explain((*explanation.chosen, number)) for number in promising]
 
 
 def _dropped(problem: Problem, explanation: Explanation) -> list[Explanation]:
     chosen = explanation.chosen
-    near = explanation.fit.declared
-    return [problem.explain(chosen[:place] + chosen[place + 1 :], near) for place in range(len(chosen))]
+    return [problem.explain(chosen[:place] + chosen[place + 1 :]) for place in range(len(chosen))]
 
 
 def _exchanged(problem: Problem, explanation: Explanation) -> list[Explanation]:
@@ -117,7 +115,7 @@ def _exchanged(problem: Problem, explanation: Explanation) -> list[Explanation]:
     exchanged = []
     for place in range(len(explanation.chosen)):
         chosen = explanation.chosen[:place] + explanation.chosen[place + 1 :]
-        without = problem.explain(chosen, explanation.fit.declared)
+        without = problem.explain(chosen)
         for _, number in _promising(problem, without, BRANCHES):
-            exchanged.append(problem.explain((*without.chosen, number), without.fit.declared))
+            exchanged.append(problem.explain((*without.chosen, number)))
     return exchanged

@@ -169,7 +169,7 @@ class Tracer:
         """What another trace turns into in another noise."""
         problem = self.problem(noise)
         chosen = tuple(item.number for item in start.found if not (noise.levels and item.effect.drawn))
-        return self._traced(noise, settled(problem, problem.explain(chosen, self.ground.near)))
+        return self._traced(noise, settled(problem, problem.explain(chosen)))
 
     def _traced(self, noise: NoiseModel, explanation: Explanation) -> Trace:
         problem = self.problem(noise)

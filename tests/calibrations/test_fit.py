@@ -8,6 +8,7 @@ from tables import FLIPS, UNIT, sweep, table
 from calibrations.compression import compress
 from calibrations.conditional import conditional
 from calibrations.fit import alpha0_profile, covariance, coverage_factor, fit_given_alpha0, joint_fit
+from calibrations.geometry import projections
 from calibrations.model import ALPHA0, PARAMETERS, basis, coefficients
 
 
@@ -99,3 +100,23 @@ def test_alpha0_is_not_told_without_curvature():
 @pytest.mark.parametrize(("freedom", "k"), [(1, 12.71), (2, 4.30), (5, 2.57), (10, 2.23), (20, 2.09), (50, 2.01)])
 def test_coverage_factor_is_that_of_gum_table_g_2(freedom, k):
     assert coverage_factor(freedom) == pytest.approx(k, abs=0.005)
+
+
+@settings(max_examples=20, deadline=None)
+@given(st.sampled_from([-2e-3, -3e-4, 3e-4, 2e-3]), st.integers(0, 10**6))
+def test_no_alpha0_leaves_less_where_an_effect_is_missing_or_added(kxx, seed):
+    rows = table(*FLIPS, sweep("face-up"), realisations=1, noise_v=1e-4, seed=seed)
+    functions = basis(rows)
+    squared = projections(rows.mounts, rows.angle_deg)[:, :1] ** 2
+    voltage_v = rows.voltage_v + kxx * squared[:, 0]
+    for columns in (functions, np.column_stack([functions, squared])):
+        c = compress(columns, voltage_v, np.ones(len(rows)))
+        least = conditional(c, np.linspace(-45.0, 45.0, 9001)).squares_v2.min()
+        assert joint_fit(c).squares_v2 <= least * (1 + 1e-9)
+
+
+def test_a_column_of_rounding_is_given_no_coefficient():
+    rows = table(*FLIPS, sweep("face-up"), realisations=1)
+    columns = np.column_stack([basis(rows), np.full(len(rows), 1e-17)])
+
+    assert joint_fit(compress(columns, rows.voltage_v, np.ones(len(rows)))).theta[-1] == 0.0

@@ -34,7 +34,7 @@ def numbers(tracer, name):
 def test_a_set_of_effects_is_fitted_as_by_the_joint_fit(tracer):
     problem, joint = tracer.problem(WHITE), tracer.ground.joint
     chosen = (numbers(tracer, "k_xx")[0], numbers(tracer, "graduation")[4])
-    explained = problem.explain(chosen, joint.fit.theta[:6])
+    explained = problem.explain(chosen)
     columns = np.column_stack([tracer.ground.declared, tracer.columns[:, problem.columns_of(chosen)]])
     plain = joint_fit(compress(columns, joint.observations.output_v, joint.weights))
 
