@@ -4,7 +4,6 @@ from dataclasses import dataclass, replace
 from typing import Protocol, Self
 
 import numpy as np
-from numpy.typing import NDArray
 
 from calibrations.best_alpha0 import best_parameters
 from calibrations.compression import Compressed
@@ -39,8 +38,8 @@ class Declared(Protocol):
         """Derivative of the coefficients of the functions, shape (functions, parameters)."""
         ...
 
-    def rows(self, kept: NDArray[np.bool_]) -> Self:
-        """The same for some of the rows."""
+    def with_functions(self, functions: FloatArray) -> Self:
+        """The same for other rows, or for rows that are weighted and turned."""
         ...
 
 
@@ -69,9 +68,9 @@ class Accelerometer:
         """As in `calibrations.model`."""
         return coefficients_jacobian(theta)[:BASIS_SIZE, : len(PARAMETERS)]
 
-    def rows(self, kept: NDArray[np.bool_]) -> "Accelerometer":
-        """The same for some of the rows."""
-        return replace(self, functions=self.functions[kept])
+    def with_functions(self, functions: FloatArray) -> "Accelerometer":
+        """The same for other rows, or for rows that are weighted and turned."""
+        return replace(self, functions=functions)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -97,6 +96,6 @@ class Linear:
         """One, each of its own."""
         return np.eye(self.parameters)
 
-    def rows(self, kept: NDArray[np.bool_]) -> "Linear":
-        """The same for some of the rows."""
-        return replace(self, functions=self.functions[kept])
+    def with_functions(self, functions: FloatArray) -> "Linear":
+        """The same for other rows, or for rows that are weighted and turned."""
+        return replace(self, functions=functions)

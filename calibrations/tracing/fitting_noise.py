@@ -34,7 +34,7 @@ def noise_price(noise: NoiseModel) -> float:
 
 def fitting(ground: Ground, forms: Sequence[Form]) -> tuple[tuple[NoiseModel, float], ...]:
     """The flicker and the walk that fit best with these forms, each with its deviance."""
-    return _best(ground, forms, _FLICKERS), best_walk(ground, forms, NoiseModel())
+    return _best(ground.deviance_by_noise(forms), _FLICKERS), best_walk(ground, forms, NoiseModel())
 
 
 def is_slow(ground: Ground, form: Form) -> bool:
@@ -51,8 +51,8 @@ _WALKS = (0.003, 0.03, 0.3, 3.0, 30.0)
 _CORNERS = (4.0, 12.0)
 
 
-def _best(ground: Ground, forms: Sequence[Form], tried: Sequence[NoiseModel]) -> tuple[NoiseModel, float]:
-    deviances = [ground.deviance(forms, noise) for noise in tried]
+def _best(deviance: Callable[[NoiseModel], float], tried: Sequence[NoiseModel]) -> tuple[NoiseModel, float]:
+    deviances = [deviance(noise) for noise in tried]
     first = int(np.argmin(deviances))
     return tried[first], deviances[first]
 
@@ -62,22 +62,24 @@ def best_walk(ground: Ground, forms: Sequence[Form], noise: NoiseModel) -> tuple
 
     Its rate is found first, then whether it has a corner.
     """
+    deviance = ground.deviance_by_noise(forms)
     walks = [replace(noise, flicker=0.0, walk=walk, corner=0.0) for walk in _WALKS]
-    coarse, _ = _best(ground, forms, walks)
+    coarse, _ = _best(deviance, walks)
     finer = [replace(coarse, walk=coarse.walk * ratio) for ratio in (1 / 3, 1.0, 3.0)]
-    best, _ = _best(ground, forms, finer)
+    best, _ = _best(deviance, finer)
     bent = [replace(best, corner=corner, walk=best.walk * ratio) for corner in _CORNERS for ratio in (1.0, 3.0)]
-    return _best(ground, forms, (best, *bent))
+    return _best(deviance, (best, *bent))
 
 
 def best_level(ground: Ground, forms: Sequence[Form], noise: NoiseModel, name: str) -> NoiseModel:
     """The noise with the levels of an effect drawn with the variance that fits best."""
+    deviance = ground.deviance_by_noise(forms)
 
-    def deviance(logarithm: float) -> float:
-        return ground.deviance(forms, noise.with_level(name, float(np.exp(logarithm))))
+    def at(logarithm: float) -> NoiseModel:
+        return noise.with_level(name, float(np.exp(logarithm)))
 
-    best = golden_section(deviance, float(np.log(1e-4)), float(np.log(1e4)), steps=20)
-    return noise.with_level(name, float(np.exp(best)))
+    low, high = float(np.log(1e-4)), float(np.log(1e4))
+    return at(golden_section(lambda logarithm: deviance(at(logarithm)), low, high, steps=20))
 
 
 _GOLDEN = (np.sqrt(5.0) - 1) / 2

@@ -17,7 +17,7 @@ class Split:
     along: FloatArray
     """Shape (functions, n)."""
     beside: FloatArray
-    """Shape (rows, n)."""
+    """Shape (turned rows, n)."""
 
     def pick(self, columns: list[int]) -> "Split":
         """Some of the columns."""
@@ -47,29 +47,28 @@ class Footing:
     Parameters
     ----------
     declared
-        The declared model.
-    output_v
-        Shape (rows,), in volts.
-    weights
-        Shape (rows,).
+        The declared model, its functions weighted and turned as in `noise.Memory.turned`.
+    output
+        The output likewise, shape (turned rows,), in volts.
     white
-        What makes the weighted noise white.
+        What makes the noise white.
+    rows
+        How many rows the table has.
     """
 
-    def __init__(self, declared: Declared, output_v: FloatArray, weights: FloatArray, white: Whitening) -> None:
+    def __init__(self, declared: Declared, output: FloatArray, white: Whitening, rows: int) -> None:
         self.declared = declared
-        self._root = np.sqrt(weights)[:, None]
         self._white = white
         self._size = declared.functions.shape[1]
-        padding = max(0, self._size - len(output_v))
-        q, self.r = np.linalg.qr(np.pad(white(declared.functions * self._root), ((0, padding), (0, 0))))
-        self._q = q[: len(output_v)]
-        self._rows = len(output_v)
-        self.output = self.split(output_v[:, None])
+        padding = max(0, self._size - len(output))
+        q, self.r = np.linalg.qr(np.pad(white.turned(declared.functions), ((0, padding), (0, 0))))
+        self._q = q[: len(output)]
+        self.rows = rows
+        self.output = self.split(output[:, None])
 
     def split(self, columns: FloatArray) -> Split:
-        """Weigh and whiten columns, shape (rows, n), and take out the declared functions."""
-        whitened = self._white(columns * self._root)
+        """Make columns white that are weighted and turned, shape (turned rows, n); take out the declared functions."""
+        whitened = self._white.turned(columns)
         along = self._q.T @ whitened
         return Split(along=along, beside=whitened - self._q @ along)
 
@@ -99,7 +98,7 @@ class Footing:
 
     def deviance(self, fit: Fitted) -> float:
         """-2 ln L of a fit, up to a constant of the table."""
-        return self._rows * float(np.log(max(fit.squares_v2, 1e-300) / self._rows)) + self._white.log_determinant
+        return self.rows * float(np.log(max(fit.squares_v2, 1e-300) / self.rows)) + self._white.log_determinant
 
     def _beside(self, further: Split) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Orthonormal directions of further columns, the columns along them, and the output along them."""

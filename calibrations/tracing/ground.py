@@ -1,7 +1,8 @@
 """What every explanation of a table starts from: its rows, the declared model, the scene that effects see."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,8 +16,9 @@ from calibrations.joint import Joint
 from calibrations.model import ALPHA0, BASIS_SIZE, PARAMETERS, basis, coefficients, coefficients_jacobian
 from calibrations.observations import Observations
 from calibrations.tracing.declared import Accelerometer
-from calibrations.tracing.footing import Fitted, Footing
+from calibrations.tracing.footing import Fitted
 from calibrations.tracing.noise import Memory, NoiseModel, scaled_levels, slow_modes
+from calibrations.tracing.sample import Sample, sample
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -28,7 +30,6 @@ class Ground:
     effects: tuple[Effect, ...]
     """The catalogue."""
     memory: Memory
-    _footings: dict[NoiseModel, Footing] = field(default_factory=dict, repr=False, compare=False)
 
     @property
     def rows(self) -> int:
@@ -40,27 +41,32 @@ class Ground:
         """The ten functions of the declared model, shape (rows, 10)."""
         return self.joint.basis[:, :BASIS_SIZE]
 
-    def footing(self, noise: NoiseModel) -> Footing:
-        """The declared model in a kind of noise."""
-        if noise not in self._footings:
-            self._footings[noise] = self.footing_of(np.ones(self.rows, dtype=bool), noise)
-        return self._footings[noise]
+    @cached_property
+    def whole(self) -> Sample:
+        """All rows, ready for comparison."""
+        return self.sample_of(np.ones(self.rows, dtype=bool))
 
-    def footing_of(self, kept: NDArray[np.bool_], noise: NoiseModel) -> Footing:
-        """The same for some of the rows."""
+    def sample_of(self, kept: NDArray[np.bool_]) -> Sample:
+        """Some of the rows, ready for comparison."""
         model = Accelerometer(functions=self.declared[kept], alpha0_told=self.joint.fit.alpha0_fitted)
-        output_v, weights = self.joint.observations.output_v[kept], self.joint.weights[kept]
-        return Footing(model, output_v, weights, self.memory.rows(kept).whitening(noise))
+        memory = self.memory if kept.all() else self.memory.rows(kept)
+        return sample(model, self.joint.observations.output_v[kept], self.joint.weights[kept], memory)
 
     def deviance(self, forms: Sequence[Form], noise: NoiseModel) -> float:
         """-2 ln L of the declared model with these forms in this noise, up to a constant of the table."""
-        return self.footing(noise).deviance(self.fit(forms, noise))
+        return self.whole.footing(noise).deviance(self.fit(forms, noise))
+
+    def deviance_by_noise(self, forms: Sequence[Form]) -> Callable[[NoiseModel], float]:
+        """The same as a function of the noise, where many are to be tried."""
+        return self.whole.deviance_by_noise(self._columns(forms))
 
     def fit(self, forms: Sequence[Form], noise: NoiseModel) -> Fitted:
         """The declared model with these forms in this noise."""
-        footing = self.footing(noise)
-        columns = np.column_stack([np.empty((self.rows, 0)), *(form.columns for form in forms)])
-        return footing.fit(footing.split(columns))
+        footing = self.whole.footing(noise)
+        return footing.fit(footing.split(self.whole.turned(self._columns(forms))))
+
+    def _columns(self, forms: Sequence[Form]) -> FloatArray:
+        return np.column_stack([np.empty((self.rows, 0)), *(form.columns for form in forms)])
 
 
 def ground(joint: Joint, effects: Sequence[Effect], reference_temperature_degc: float = 23.0) -> Ground:

@@ -21,7 +21,8 @@ def held_out_rms(tracer: Tracer, trace: Trace) -> float | None:
     for out in held_out_parts(ground.joint.observations):
         if np.count_nonzero(~out) < ground.declared.shape[1]:
             return None
-        problem = Problem(ground.footing_of(~out, trace.noise), tracer.columns[~out], offered)
+        sample = ground.sample_of(~out)
+        problem = Problem(sample.footing(trace.noise), sample.turned(tracer.columns[~out]), offered)
         explanation = search(problem, beam=1)
         columns = np.column_stack([ground.declared, tracer.columns[:, problem.columns_of(explanation.chosen)]])
         error[out] = output_v[out] - columns[out] @ coefficients(problem.parameters(explanation))

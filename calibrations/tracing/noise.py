@@ -52,13 +52,21 @@ class Whitening:
     directions: FloatArray
     """Orthonormal, shape (rows, n)."""
     shrink: FloatArray
-    """By how much what lies along them is changed, shape (n, n)."""
+    """By how much what lies along the first m of them is changed, shape (m, m)."""
     log_determinant: float
     """Logarithm of the determinant of the covariance, in units of the variance of a dwell."""
 
     def __call__(self, columns: FloatArray) -> FloatArray:
         """Transform columns, shape (rows, n) or (rows,)."""
-        return np.asarray(columns - self.directions @ (self.shrink @ (self.directions.T @ columns)))
+        along = self.directions[:, : len(self.shrink)]
+        return np.asarray(columns - along @ (self.shrink @ (along.T @ columns)))
+
+    def turned(self, columns: FloatArray) -> FloatArray:
+        """Transform columns that `Memory.turned` has turned."""
+        size = len(self.shrink)
+        if not size:
+            return columns
+        return np.concatenate([columns[:size] - self.shrink @ columns[:size], columns[size:]])
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -75,12 +83,29 @@ class Memory:
         return {}
 
     @cached_property
-    def _factors(self) -> dict[tuple[str, ...], tuple[FloatArray, FloatArray]]:
-        return {}
+    def _factors(self) -> tuple[FloatArray, FloatArray]:
+        """Orthonormal directions of modes and levels, and both along them."""
+        factored = np.linalg.qr(np.column_stack([self.modes, *self.levels.values()]))
+        return factored.Q, factored.R
 
     def rows(self, kept: NDArray[np.bool_]) -> "Memory":
         """The same for some of the rows."""
         return Memory(modes=self.modes[kept], levels={name: level[kept] for name, level in self.levels.items()})
+
+    def turned(self, columns: FloatArray) -> FloatArray:
+        """Weighted columns, shape (rows, n), with what noise can remember apart from the rest, shape (more rows, n).
+
+        First what lies along the directions of the memory, one row for each, then what lies beside them. Lengths and
+        angles stay as they are, and whatever the noise, only the first rows change when it is made white.
+        """
+        directions, _ = self._factors
+        along = directions.T @ columns
+        return np.concatenate([along, columns - directions @ along])
+
+    @property
+    def size(self) -> int:
+        """How many rows of turned columns lie along the memory."""
+        return int(self._factors[0].shape[1])
 
     def whitening(self, noise: NoiseModel) -> Whitening:
         """The transformation for a noise model; the identity for white noise."""
@@ -89,32 +114,28 @@ class Memory:
         return self._whitenings[noise]
 
     def _whitening(self, noise: NoiseModel) -> Whitening:
-        rows = len(self.modes)
+        directions, triangular = self._factors
         if noise.white:
-            return Whitening(directions=np.empty((rows, 0)), shrink=np.empty((0, 0)), log_determinant=0.0)
-        slow = bool(noise.flicker or noise.walk)
-        names = tuple(name for name, _ in noise.levels)
-        orthonormal, triangular = self._factor(slow, names)
-        order = np.arange(1, self.modes.shape[1] * slow)
-        waves = noise.flicker / order + noise.walk / (order**2 + noise.corner**2)
-        variances = [np.concatenate([[noise.flicker * np.log(2.0)] * slow, waves])]
-        variances += [np.full(self.levels[name].shape[1], variance) for name, variance in noise.levels]
-        inner = (triangular * np.concatenate(variances)) @ triangular.T
-        values, vectors = np.linalg.eigh(inner)
+            return Whitening(directions=directions, shrink=np.empty((0, 0)), log_determinant=0.0)
+        variances = self._variances(noise)
+        size = min(int(np.flatnonzero(variances)[-1]) + 1, len(triangular))
+        seen = triangular[:size, variances > 0]
+        values, vectors = np.linalg.eigh((seen * variances[variances > 0]) @ seen.T)
         values = np.clip(values, 0.0, None)
         return Whitening(
-            directions=orthonormal,
+            directions=directions,
             shrink=(vectors * (1.0 - 1.0 / np.sqrt(1.0 + values))) @ vectors.T,
             log_determinant=float(np.sum(np.log1p(values))),
         )
 
-    def _factor(self, slow: bool, names: tuple[str, ...]) -> tuple[FloatArray, FloatArray]:
-        key = ("*" if slow else "", *names)
-        if key not in self._factors:
-            parts = [self.modes] if slow else []
-            factored = np.linalg.qr(np.column_stack([*parts, *(self.levels[name] for name in names)]))
-            self._factors[key] = (factored.Q, factored.R)
-        return self._factors[key]
+    def _variances(self, noise: NoiseModel) -> FloatArray:
+        """Of every mode and every level."""
+        order = np.arange(1, self.modes.shape[1])
+        waves = noise.flicker / order + noise.walk / (order**2 + noise.corner**2)
+        drawn = dict(noise.levels)
+        levels = [np.full(level.shape[1], drawn.get(name, 0.0)) for name, level in self.levels.items()]
+        constant = [noise.flicker * np.log(2.0)] * min(self.modes.shape[1], 1)
+        return np.concatenate([constant, waves, *levels])
 
 
 def slow_modes(hours: FloatArray | None, weights: FloatArray) -> FloatArray:

@@ -35,7 +35,7 @@ class Problem:
     footing
         The declared model in the noise.
     columns
-        Columns of all candidates side by side, shape (rows, n).
+        Columns of all candidates side by side, weighted and turned, shape (turned rows, n).
     offered
         The candidates.
     """
@@ -49,7 +49,7 @@ class Problem:
         output = footing.output
         self._squares = np.sum(along**2, axis=0) + np.einsum("ij,ij->j", beside, beside)
         self._with_output = along.T @ output.along[:, 0] + beside.T @ output.beside[:, 0]
-        self._rows = beside.shape[0]
+        self._rows = footing.rows
         self.offered = tuple(offered)
         self.entries = np.array([candidate.entry for candidate in offered])
         self.entries_again = np.array([candidate.again for candidate in offered])

@@ -88,12 +88,13 @@ class Tracer:
         self.effects = ground.effects
         self.offered = candidates((*ground.effects, *STRUCTURES), ground.scene)
         self.columns = all_columns(self.offered, ground.rows)
+        self._turned = ground.whole.turned(self.columns)
         self._problems: dict[NoiseModel, Problem] = {}
 
     def problem(self, noise: NoiseModel) -> Problem:
         """The table in a kind of noise."""
         if noise not in self._problems:
-            self._problems[noise] = Problem(self.ground.footing(noise), self.columns, self.offered)
+            self._problems[noise] = Problem(self.ground.whole.footing(noise), self._turned, self.offered)
         return self._problems[noise]
 
     def trace(self) -> Trace:

@@ -1,0 +1,73 @@
+"""Rows ready for comparison: weighted, and turned so that noise that remembers is confined to the first of them."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from calibrations.geometry import FloatArray
+from calibrations.tracing.declared import Declared
+from calibrations.tracing.footing import Footing
+from calibrations.tracing.noise import Memory, NoiseModel
+
+
+@dataclass(frozen=True, kw_only=True)
+class Sample:
+    """Some or all rows of a table, with the declared model."""
+
+    declared: Declared
+    """Its functions weighted and turned."""
+    output: FloatArray
+    """Weighted and turned, shape (turned rows,), in volts."""
+    memory: Memory
+    root_weights: FloatArray
+    """Shape (rows,)."""
+    _footings: dict[NoiseModel, Footing] = field(default_factory=dict, repr=False, compare=False)
+
+    def turned(self, columns: FloatArray) -> FloatArray:
+        """Weigh and turn columns, shape (rows, n)."""
+        return self.memory.turned(columns * self.root_weights[:, None])
+
+    def footing(self, noise: NoiseModel) -> Footing:
+        """The declared model in a kind of noise."""
+        if noise not in self._footings:
+            white, rows = self.memory.whitening(noise), len(self.root_weights)
+            self._footings[noise] = Footing(self.declared, self.output, white, rows)
+        return self._footings[noise]
+
+    def deviance_by_noise(self, columns: FloatArray) -> Callable[[NoiseModel], float]:
+        """-2 ln L with further columns, shape (rows, n), as a function of the noise, up to a constant of the table.
+
+        Beside the directions of the memory no noise changes anything, so that the rows there are compressed first.
+        """
+        size, functions = self.memory.size, self.declared.functions.shape[1]
+        together = np.column_stack([self.declared.functions, self.turned(columns), self.output])
+        short = np.concatenate([together[:size], np.linalg.qr(together[size:], mode="r")])
+        sample = replace(
+            self, declared=self.declared.with_functions(short[:, :functions]), output=short[:, -1], _footings={}
+        )
+
+        def deviance(noise: NoiseModel) -> float:
+            footing = sample.footing(noise)
+            return footing.deviance(footing.fit(footing.split(short[:, functions:-1])))
+
+        return deviance
+
+
+def sample(declared: Declared, output_v: FloatArray, weights: FloatArray, memory: Memory) -> Sample:
+    """Weigh and turn rows.
+
+    Parameters
+    ----------
+    declared
+        The declared model, its functions as they are.
+    output_v, weights
+        Shape (rows,), in volts and relative.
+    memory
+        Of the weighted rows.
+    """
+    root = np.sqrt(weights)
+    turned = memory.turned(np.column_stack([declared.functions, output_v]) * root[:, None])
+    return Sample(
+        declared=declared.with_functions(turned[:, :-1]), output=turned[:, -1], memory=memory, root_weights=root
+    )
