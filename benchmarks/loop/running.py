@@ -11,7 +11,7 @@ from benchmarks.bank import make_table
 from benchmarks.loop.jobs import Job, Record
 from benchmarks.loop.measures import MEASURES
 from benchmarks.loop.results import read_results, streamed
-from calibrations.tracing.loop import explain
+from calibrations.tracing.loop import close_loop
 
 
 def run(wanted: Sequence[Job], workers: int, out: Path | None) -> list[Record]:
@@ -50,7 +50,7 @@ def graded(job: Job) -> Record:
         return record
     start = time.perf_counter()
     try:
-        loop, _ = explain(case.observations)
+        loop = close_loop(case.observations)
     except Exception as error:  # whatever it is, the table counts as failed and the others are still graded
         return record | {"shown": True, "failure": repr(error)}
     seconds = time.perf_counter() - start

@@ -97,7 +97,7 @@ UNIT_EFFECTS = (
         symbol="k_xT (T - T0) ax",
         source="IEEE Std 1293-2018, scale factor temperature sensitivity",
         forms=lambda scene: single(None if scene.temperature_k is None else scene.temperature_k * scene.ax_g),
-        report=plain("scale_temperature", "V/K/g"),
+        report=plain("scale_temperature", "V/g/K"),
     ),
     Effect(
         name="bias_drift",
