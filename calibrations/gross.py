@@ -48,7 +48,11 @@ def unlike_repeats(
     visits = np.bincount(mounting)
     seat_off = (np.bincount(mounting, suspects) == visits) & (visits > 1)
     return tuple(
-        SetAside(row=int(observations.row[row]), reason=f"gross error: {abs(residual_v[row]) / scale_v:.0f} sigma")
+        SetAside(
+            row=int(observations.row[row]),
+            reason=f"gross error: {abs(residual_v[row]) / scale_v:.0f} sigma",
+            gross=True,
+        )
         for row in np.flatnonzero(suspects & ~seat_off[mounting]).tolist()
         if _differs_from_repeats(row, residual_v, groups, limit_v)
     )

@@ -20,6 +20,8 @@ class SetAside:
     row: int
     """Number of the data row, the first being 1."""
     reason: str
+    gross: bool = False
+    """Whether its output is a gross error, not a value that is missing or none."""
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -8,7 +8,7 @@ from calibrations.effects.effect import Effect, Form, Quantity, plain, scan, sin
 from calibrations.effects.scene import Scene
 from calibrations.geometry import FloatArray
 
-_LONG_WAVE = 8.0
+_LONG_WAVE = 14.0
 """Doubt in a wave of which the output shows less than one period: it is next to nothing but a parabola and a cubic."""
 
 
@@ -67,7 +67,7 @@ DAQ_EFFECTS = (
         symbol="f (u_previous - u)",
         source="dwell begun before the reading has settled",
         forms=lambda scene: single(scene.left_over_v) if scene.left_over_v.any() else (),
-        report=plain("settling", ""),
+        report=plain("settling", "fraction"),
     ),
     Effect(
         name="daq_nonlinearity",

@@ -114,11 +114,24 @@ def _fit(ground: Ground, trace: Trace, columns: Sequence[FloatArray]) -> Joint:
 
 
 def form_in(scene: Scene, item: Found) -> Form:
-    """The form of an effect found, for the rows of another scene of the same table."""
+    """The form of an effect found, for the rows of another scene of the same table.
+
+    A grid of what is scanned may hang on the rows: then the nearest value counts. Where a shape needs other rows, there
+    is nothing.
+    """
     if item.effect.at is not None:
         (value,) = item.form.scanned.values()
         return item.effect.at(scene, value)
-    return next(form for form in item.effect.forms(scene) if form.scanned == item.form.scanned)
+    width = item.form.columns.shape[1]
+    alike = [form for form in item.effect.forms(scene) if form.scanned.keys() == item.form.scanned.keys()]
+    alike = [form for form in alike if form.columns.shape[1] == width]
+    nothing = Form(columns=np.zeros((len(scene.observations), width)), scanned=item.form.scanned)
+    return min(alike, key=lambda form: _apart(form, item.form), default=nothing)
+
+
+def _apart(form: Form, other: Form) -> float:
+    """How far what is scanned for lies apart."""
+    return sum(abs(value - other.scanned[key]) for key, value in form.scanned.items())
 
 
 def _slices(widths: Sequence[int]) -> list[slice]:

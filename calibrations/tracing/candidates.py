@@ -12,7 +12,7 @@ from calibrations.effects.unnamed import Structure
 from calibrations.geometry import FloatArray
 from calibrations.model import PARAMETERS
 
-FALSE_ALARM = 0.002
+FALSE_ALARM = 0.001
 """Chance that a clean table is given any effect at all, shared evenly among the effects that it could show."""
 
 ANOTHER_SHAPE = 0.02

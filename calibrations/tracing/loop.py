@@ -181,7 +181,7 @@ def _too_few(rows: int) -> str:
 
 
 def _rejected_rows(joint: Joint) -> set[int]:
-    return {entry.row for entry in joint.observations.set_aside if entry.reason.startswith("gross error")}
+    return {entry.row for entry in joint.observations.set_aside if entry.gross}
 
 
 def _gross_errors(observations: Observations, explained: Explained) -> tuple[SetAside, ...]:

@@ -13,7 +13,9 @@ from calibrations.observations import Observations
 _AGREES = 4.0
 """A row agrees with a misreading if what is left is below so many standard deviations of a dwell."""
 _BEYOND_TAILS = 20.0
-"""No tail of an instrument's noise reaches so many standard deviations."""
+"""No normal noise reaches so many standard deviations; where tails are heavy, one row may."""
+_TAIL, _BEYOND_TAIL = 4.0, 6.334e-5
+"""Standard deviations, and the part of rows of normal noise that are further off."""
 _MOST = 0.6
 """A table in which fewer of the gross errors are round amounts has heavy tails."""
 _CHANCE = 1e-3
@@ -45,18 +47,26 @@ def misreadings(whole: Observations, joint: Joint) -> tuple[Misreading, ...]:
     """Which of the gross errors that `joint` has set aside are misreadings.
 
     `whole` is the table with these rows still in it. Round amounts lie so close that a heavy tail of the noise meets
-    one by chance: there must be a row far beyond any tail, or more agreement than chance gives.
+    one by chance: there must be a row far beyond what noise without such tails reaches, or more agreement than chance
+    gives.
     """
-    aside = {entry.row for entry in joint.observations.set_aside if entry.reason.startswith("gross error")}
+    aside = {entry.row for entry in joint.observations.set_aside if entry.gross}
     rows = whole.select(np.isin(whole.row, list(aside)))
     looks = [_look(rows.select(np.arange(len(rows)) == number), joint) for number in range(len(rows))]
     agreeing = [look.misreading for look in looks if look.misreading]
     most = len(agreeing) > _MOST * len(looks)
-    clear = most and any(look.misreading and look.sigmas > _BEYOND_TAILS for look in looks)
+    far = any(look.misreading and look.sigmas > _BEYOND_TAILS for look in looks)
+    clear = most and far and not _heavy_tails(joint)
     by_chance = (
         float(bdtrc(len(agreeing) - 1, len(looks), np.mean([look.chance for look in looks]))) if agreeing else 1.0
     )
     return tuple(agreeing) if clear or by_chance < _CHANCE else ()
+
+
+def _heavy_tails(joint: Joint) -> bool:
+    """Whether more of the rows in use are far off than normal noise would bring."""
+    sigmas = np.abs(joint.residual_v) * np.sqrt(joint.weights) / joint.noise.used_v
+    return float(bdtrc(np.count_nonzero(sigmas > _TAIL) - 1, len(sigmas), _BEYOND_TAIL)) < _CHANCE
 
 
 @dataclass(frozen=True, kw_only=True)
