@@ -118,6 +118,9 @@ def _records(text: str, path: Path) -> Iterator[tuple[int, list[str]]]:
 
 
 def _check_header(header: list[str], path: Path) -> None:
+    if len(header) == 1 and (other := next((mark for mark in (";", "\t") if mark in header[0]), "")):
+        name = {";": "semicolons", "\t": "tabs"}[other]
+        raise TableError(f"{path}, line 1: values between {name}; write commas between them and decimal points in them")
     if len(set(header)) != len(header):
         double = next(name for name in header if header.count(name) > 1)
         raise TableError(f"{path}, line 1, column {double}: named twice; rename or remove one")

@@ -21,6 +21,8 @@ _CLEARER = 20.0
 _MOSTLY = 0.6
 """A block of which more than this part is far off comes from another mount."""
 _RESOLUTION = 1e-12
+_MOST_V = 100.0
+"""No accelerometer gives more."""
 _PAUSE_S = 30.0
 _WHOLE_TURN_RAD = 7.5
 
@@ -44,9 +46,7 @@ def questioned(observations: Observations) -> Questioned:
     for ask in (_dead, _radians, _mounts):
         if question := ask(observations):
             return Questioned(observations=_with(observations, (question,)), questions=(question,), answerable=False)
-    questions = []
-    if question := _sign(observations):
-        questions.append(question)
+    questions = [question for ask in (_sign, _millivolts) if (question := ask(observations))]
     repeats = _clear_repeats(observations)
     if repeats is not None:
         count = int(repeats.max())
@@ -174,6 +174,14 @@ def _sign(observations: Observations) -> str:
         f"{observations.source}: kx comes out as {kx:.4g} V/g; is the output inverted, or the sign of g? Here a "
         "projection is positive where the axis points down"
     )
+
+
+def _millivolts(observations: Observations) -> str:
+    """Ask about outputs that no accelerometer has."""
+    largest_v = float(np.abs(observations.output_v).max())
+    if largest_v < _MOST_V:
+        return ""
+    return f"{observations.source}: outputs reach {largest_v:.4g} V; are these millivolts? Write volts"
 
 
 def _clear_repeats(observations: Observations) -> NDArray[np.int64] | None:

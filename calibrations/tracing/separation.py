@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from calibrations.geometry import FloatArray
 from calibrations.observations import Observations
-from calibrations.tracing.explanation import Explanation
 from calibrations.tracing.ground import Ground, scene_of
+from calibrations.tracing.prediction import Prediction
 from calibrations.tracing.probes import Probe, followed_by
 from calibrations.tracing.rivals import Rival
 from calibrations.tracing.trace import Trace
@@ -83,8 +83,8 @@ class Question:
             observations=base.joint.observations, weights=base.joint.weights, programmes=np.full(base.rows, "")
         )
         self._base = base
-        self._found = Explanation(base, trace, name)
-        self._rivals = [Explanation(base, rival.trace, rival.name) for rival in close]
+        self._found = Prediction(base, trace, name)
+        self._rivals = [Prediction(base, rival.trace, rival.name) for rival in close]
 
     def belongs_to(self, name: str) -> str:
         """Owner of an effect."""

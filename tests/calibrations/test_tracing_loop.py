@@ -128,6 +128,12 @@ def test_an_inverted_output_is_asked_about():
     assert "inverted" in asked(replace(rows, voltage_v=5.0 - rows.voltage_v))
 
 
+def test_millivolts_are_asked_about():
+    rows = table(*TWO_MOUNTS)
+
+    assert "are these millivolts?" in asked(replace(rows, voltage_v=1e3 * rows.voltage_v))
+
+
 def test_a_table_that_says_what_it_is_is_asked_nothing():
     assert questioned(table(*THREE_MOUNTS)).questions == ()
 

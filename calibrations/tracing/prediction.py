@@ -25,7 +25,7 @@ _STEP = 1e-3
 """Relative step for the change of a form with what is scanned."""
 
 
-class Explanation:
+class Prediction:
     """A trace as it fits the table, seen from the alpha0 from which effects are seen in the table.
 
     Where alpha0 rests on a curvature alone, its best value may be degrees from the truth, and what further rows are
