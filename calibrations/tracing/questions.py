@@ -101,8 +101,10 @@ def _mounts(observations: Observations) -> str:
     blocks = _blocks(observations)
     residual = robust_residual(basis(observations), observations.output_v)
     noise_v = min(_noise_v(observations, blocks), float(1.4826 * np.median(np.abs(residual))))
-    off = np.bincount(blocks, np.abs(residual) > _CLEARER * max(noise_v, 1e-9)) / np.bincount(blocks)
-    if not np.any((off > _MOSTLY) & (np.bincount(blocks) > 1)):
+    rows = np.bincount(blocks)
+    residual -= (np.bincount(blocks, residual) / rows)[blocks]  # a bias that jumps is no other mount
+    off = np.bincount(blocks, np.abs(residual) > _CLEARER * max(noise_v, 1e-9)) / rows
+    if not np.any((off > _MOSTLY) & (rows > 1)):
         return ""
     guessed = _guessed_mounts(observations, blocks)
     others = sorted({str(mount) for mount in guessed} - {"face-up"})
@@ -114,20 +116,20 @@ def _mounts(observations: Observations) -> str:
     )
 
 
-def _beside_a_sine(observations: Observations, inside: NDArray[np.bool_]) -> FloatArray:
+def _beside_two_waves(observations: Observations, inside: NDArray[np.bool_]) -> FloatArray:
     angle = np.deg2rad(observations.angle_deg[inside])
-    sine = np.column_stack([np.ones_like(angle), np.sin(angle), np.cos(angle)])
-    volts = observations.output_v[inside]
-    return np.asarray(volts - sine @ np.linalg.lstsq(sine, volts, rcond=None)[0])
+    waves = [wave(order * angle) for order in (1, 2) for wave in (np.sin, np.cos)]
+    columns, volts = np.column_stack([np.ones_like(angle), *waves]), observations.output_v[inside]
+    return np.asarray(volts - columns @ np.linalg.lstsq(columns, volts, rcond=None)[0])
 
 
 def _noise_v(observations: Observations, blocks: NDArray[np.int64]) -> float:
-    """Typical scatter of a block about a sine of its own: what any mount could explain."""
+    """Typical scatter of a block about two waves of its own: what any mount could explain."""
     left = []
     for block in range(int(blocks.max()) + 1):
         inside = blocks == block
         if np.count_nonzero(inside) >= 8:
-            left.append(np.std(_beside_a_sine(observations, inside)))
+            left.append(np.std(_beside_two_waves(observations, inside)))
     return float(np.median(left)) if left else float("inf")
 
 

@@ -115,6 +115,20 @@ def test_a_missing_mount_column_is_asked_about():
     assert close_loop(rows).effects == ()
 
 
+@pytest.mark.parametrize("rows_read", [100, 200, 332])
+def test_a_missing_mount_column_is_asked_about_wherever_the_table_ends(rows_read):
+    rows = replace(table(*TWO_MOUNTS, realisations=2), mount=None)
+
+    assert "the rows cannot come from one mount" in asked(rows.select(np.arange(rows_read)))
+
+
+def test_a_bias_that_jumps_between_realisations_is_no_other_mount():
+    rows = table(*FLIPS[:2], sweep("face-up"))
+    jumps = np.array([5e-3, -2e-3, 0.0, 7e-3, -4e-3])[rows.realisation - 1]
+
+    assert questioned(replace(rows, mount=None, voltage_v=rows.voltage_v + jumps)).questions == ()
+
+
 def test_clear_repeats_are_taken_as_realisations():
     rows = replace(table(*TWO_MOUNTS, realisations=3), realisation=None)
 
