@@ -20,6 +20,8 @@ ANOTHER_SHAPE = 0.02
 UNNAMED = 6.0
 """What a shape without a name must earn beyond a named one: a known cause is the better guess."""
 
+_NARROW, _FEW_ROWS = 2, 4.0
+
 
 @dataclass(frozen=True, kw_only=True)
 class Candidate:
@@ -41,7 +43,8 @@ class Candidate:
 
 def candidates(effects: Sequence[Effect], scene: Scene) -> tuple[Candidate, ...]:
     """All forms of all effects that the table can show at all."""
-    tried = [(effect, forms) for effect in effects if (forms := effect.forms(scene))]
+    offered = ((effect, [form for form in effect.forms(scene) if _seen_in_several_rows(form)]) for effect in effects)
+    tried = [(effect, forms) for effect, forms in offered if forms]
     return tuple(_numbered(tried, len(scene.angle_deg)))
 
 
@@ -60,6 +63,15 @@ def _numbered(tried: Sequence[tuple[Effect, Sequence[Form]]], rows: int) -> Iter
                 again=_entry(width, second, rows) + handicap + form.doubt,
             )
             start += width
+
+
+def _seen_in_several_rows(form: Form) -> bool:
+    """Whether each of one or two columns rests on more than a few rows, by the participation ratio of their squares.
+
+    A shape that vanishes at all but a few settings would take the gross errors there for its own.
+    """
+    squares = form.columns**2
+    return squares.shape[1] > _NARROW or bool(np.all(squares.sum(axis=0) ** 2 >= _FEW_ROWS * (squares**2).sum(axis=0)))
 
 
 def _entry(width: int, chance: float, rows: int) -> float:

@@ -1,5 +1,7 @@
 """Footing, problem and search: the same answers as a plain least-squares fit, only faster."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from tables import FLIPS, gravity_on, sweep, table
@@ -71,6 +73,18 @@ def test_a_search_for_names_alone_finds_no_shape_without_one(tracer):
     problem = tracer.problem(WHITE).named()
 
     assert not any(isinstance(problem.offered[number].effect, Structure) for number in search(problem).chosen)
+
+
+def test_a_harmonic_that_only_one_row_could_show_is_not_on_offer():
+    """On settings of 5°, sin 36φ is zero everywhere; one row that was read 1.2′ wrong would be all of it."""
+    rows = table(*FLIPS, sweep("face-up"), sweep("face-down"))
+    angle_deg = rows.angle_deg.copy()
+    angle_deg[40] += 0.02
+    offered = Tracer(ground(fit_jointly(replace(rows, angle_deg=angle_deg)), CATALOGUE)).offered
+    orders = {candidate.form.scanned["order"] for candidate in offered if candidate.effect.name == "graduation"}
+
+    assert 35.0 in orders
+    assert 36.0 not in orders
 
 
 def test_every_shape_without_a_name_says_in_words_what_and_where_it_is(tracer):
