@@ -62,8 +62,7 @@ class Job:
 
     def check(self, points: Iterable[Point]) -> None:
         """Make sure that recorded points are the beginning of the programme. Raises `JournalError`."""
-        by_hand = self.stand.file.head.driver == "manual"
-        tolerance_deg = math.inf if by_hand else self.acquisition.position_tolerance_deg
+        tolerance_deg = math.inf if self.stand.file.head.by_hand else self.acquisition.position_tolerance_deg
         replay(self.programme.procedure(), points, tolerance_deg)
 
 
