@@ -8,6 +8,7 @@ from drivers.cia402.node import DriveNode
 from drivers.cia402.states import Mode, State
 from drivers.clock import Clock
 from drivers.errors import DeviceError, LimitError, NoReplyError
+from drivers.limits import check_limits
 from drivers.links.can_link import CanLink
 from drivers.protocols import HeadStatus, Identity
 
@@ -174,14 +175,12 @@ class Cia402Head:
         return self._homed and not self._node.booted
 
     def _counts(self, angle_deg: float) -> int:
-        low_deg, high_deg = self._limits_deg
-        if low_deg <= angle_deg <= high_deg and abs(angle_deg * self._steps_per_deg) <= _MOST_COUNTS:
-            return round(angle_deg * self._steps_per_deg)
-        raise LimitError(
-            self._node.device,
-            f"a move to {angle_deg:g} deg was asked for, outside the limits {low_deg:g} to {high_deg:g} deg",
-            "choose another angle or correct limits_deg in the stand file",
-        )
+        check_limits(self._node.device, angle_deg, self._limits_deg)
+        counts = round(angle_deg * self._steps_per_deg)
+        if abs(counts) > _MOST_COUNTS:
+            happened = f"cannot count to {angle_deg:g} deg, which are {counts} of its position units"
+            raise LimitError(self._node.device, happened, "choose coarser position units in the drive")
+        return counts
 
     def _says_homed(self) -> bool:
         """Whether the drive says in homing mode that it is homed; one in fault is not asked."""
