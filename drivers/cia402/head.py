@@ -24,8 +24,9 @@ _MOST_COUNTS: Final = 2**31 - 1
 class Cia402Head:
     """A head on CANopen. Fits `DividingHead` and `Reconnectable`.
 
-    The homing method is the one that is set in the drive. A fault of the drive is never reset on the way: whoever knows
-    that its cause is gone calls `reset_fault`.
+    The homing method is the one that is set in the drive. A fault of the drive is never reset on the way. One that is
+    there at the beginning is: whoever starts the program again has been told to remove its cause first. The head is
+    homed after it all the same.
 
     Parameters
     ----------
@@ -47,7 +48,7 @@ class Cia402Head:
     LinkLostError
         No such node answers.
     DeviceError
-        The node is no CiA 402 drive.
+        The node is no CiA 402 drive, or the cause of its fault is still there.
     """
 
     def __init__(
@@ -68,6 +69,7 @@ class Cia402Head:
         self._told = ""
         self._node = DriveNode(link, node_id)
         self.reconnect()
+        self.reset_fault()
 
     @property
     def limits_deg(self) -> tuple[float, float]:
@@ -89,7 +91,7 @@ class Cia402Head:
         """
         self._node.connect()
         self._node.booted = False
-        self._node.write(objects.QUICK_STOP_OPTION, _STAY_STOPPED)
+        self._node.write_where_offered(objects.QUICK_STOP_OPTION, _STAY_STOPPED)  # optional (CiA 402-2)
         if states.is_moving(self._node.read(objects.STATUSWORD)):
             self.stop()
             self._await("come to rest", states.TARGET_REACHED, states.TARGET_REACHED)
@@ -161,11 +163,12 @@ class Cia402Head:
 
     def reset_fault(self) -> None:
         """Reset a fault whose cause the operator has removed. Raises `DeviceError` where the cause is still there."""
-        if self._state() is State.FAULT:
-            self._control(states.DISABLE_VOLTAGE)
-            self._control(states.FAULT_RESET)
-            self._node.emergency = None
-            self._await("leave its fault", states.STATUS[State.FAULT][0], 0x40)
+        if self._state() is not State.FAULT:
+            return
+        self._control(states.DISABLE_VOLTAGE)
+        self._control(states.FAULT_RESET)
+        self._node.emergency = None
+        self._await("leave its fault", states.STATUS[State.FAULT][0], 0x40)
         if self._node.read(objects.ERROR_REGISTER):
             raise self._node.fault(self._node.read(objects.ERROR_CODE))
         self._node.emergency = None
