@@ -213,6 +213,7 @@ class Engine:
 
     def _verify(self, last: Point, tolerance_v: float | None) -> None:
         """Bring everything back to where `last` was taken, and see whether a point gives there what it gave."""
+        self._recovery.tell_of_winding(last.angle_deg)
         self._seat(Mounting(mount=last.mount))
         self._measuring.home()
         now = self._measuring.measure_again(Place(angle_deg=last.angle_deg, direction=last.direction)).reduction
