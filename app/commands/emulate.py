@@ -11,6 +11,7 @@ from urllib.parse import urlsplit
 import click
 
 from app.commands import options
+from app.running import STOPPING_SIGNALS
 from app.simulation import simulation
 from app.stand import load_stand
 from drivers.simulated import SimulatedStand
@@ -80,9 +81,9 @@ def _read(path: Path | None) -> FaultScript | None:
 
 
 def _until_stopped() -> None:
-    """Wait for SIGINT or SIGTERM, or for whoever began this to be gone."""
+    """Wait to be told to stop, in short waits: on Windows a long one is not interrupted."""
     stopped = threading.Event()
-    for number in (signal.SIGINT, signal.SIGTERM):
+    for number in STOPPING_SIGNALS:
         signal.signal(number, lambda *_: stopped.set())
     while not stopped.wait(0.2):
         pass
