@@ -223,11 +223,11 @@ class Engine:
             check_agreement(seen)
 
     def _checkpoint(self) -> bool:
-        """Stop or pause here where that is wanted; true where the run was paused, and the head braked for it."""
+        """Stop or pause here where that is wanted; true where the run was paused, and the head stood for it."""
         self.control.check()
         if not self.control.pause_wanted():
             return False
-        self._motion.brake()
+        self._motion.halt()
         self._change(State.PAUSED)
         while self.control.pause_wanted():
             self.control.check()

@@ -80,9 +80,7 @@ class Motion:
         DeviceError
             Where the head does not come to rest, or finds no reference in time.
         """
-        self.brake()
-        if not self.standstill():
-            raise DeviceError("dividing head", "cannot be brought to rest to be homed", "switch it off and look at it")
+        self.halt()
         if self._head.status().referenced:
             self.unwind(checkpoint)
         deadline_s = self._begin_homing()
@@ -111,6 +109,12 @@ class Motion:
     def brake(self) -> None:
         """Tell the head to stop. Raises `DeviceError`."""
         self._head.stop()
+
+    def halt(self) -> None:
+        """Tell the head to stop and read its rest back. Raises `DeviceError` where it does not come to rest."""
+        self.brake()
+        if not self.standstill():
+            raise DeviceError("dividing head", "cannot be brought to rest", "switch it off and look at it")
 
     def standstill(self) -> bool:
         """Read the head's rest back: twice in a row it is not moving, in the same place. Until then, tell it to stop.

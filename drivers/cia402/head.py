@@ -194,8 +194,6 @@ class Cia402Head:
 
     def _enable(self, mode: Mode) -> None:
         """Choose the mode, and walk through the state machine until the drive is enabled."""
-        if self._state() is State.ENABLED:
-            self._control(states.ENABLE)  # take back a start bit, so that its next edge counts
         self._set_mode(mode)
         deadline_s = time.monotonic() + ANSWER_S
         while (state := self._state()) is not State.ENABLED:
@@ -204,6 +202,8 @@ class Cia402Head:
             self._pause(deadline_s, "become enabled")
 
     def _set_mode(self, mode: Mode) -> None:
+        if self._state() is State.ENABLED:
+            self._control(states.ENABLE)  # without a start bit of before, which would begin something in the new mode
         deadline_s = time.monotonic() + ANSWER_S
         self._node.write(objects.MODE, mode)
         while self._node.read(objects.MODE_DISPLAY) != mode:

@@ -163,6 +163,24 @@ def test_whoever_starts_anew_after_a_fault_finds_it_reset_and_the_head_to_be_hom
         assert rested(other).referenced
 
 
+def test_a_start_bit_that_was_left_is_taken_back_before_the_mode_changes(bench: CanBench, monkeypatch):
+    head = bench.homed_head()
+    head.start_move(9.0)
+    rested(head)
+    head._control(states.ENABLE | states.START)
+    rested(head)
+    words, right = [], Drive.set_value
+
+    def set_value(drive, index, value):
+        if index in (objects.CONTROLWORD, objects.MODE):
+            words.append((index, value))
+        right(drive, index, value)
+
+    monkeypatch.setattr(Drive, "set_value", set_value)
+    bench.head()
+    assert words[:2] == [(objects.CONTROLWORD, states.ENABLE), (objects.MODE, 6)]
+
+
 def test_a_fault_in_mid_run_is_not_reset_by_a_reconnect():
     with can_bench(head_fault("stall")) as bench:
         head = stalled(bench)
