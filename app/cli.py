@@ -1,5 +1,6 @@
 """The command line. Commands are imported when they are called: `tumble --help` must not wait for numpy."""
 
+import io
 import os
 import sys
 import traceback
@@ -49,6 +50,7 @@ def cli() -> None:
 
 def main() -> None:
     """Entry point of `tumble`: one sentence for every error that a user can act on."""
+    _redirect_as_utf_8()
     try:
         with cli.make_context("tumble", sys.argv[1:]) as context:
             cli.invoke(context)
@@ -74,3 +76,10 @@ def main() -> None:
             sys.exit(int(Exit.INTERNAL))
         click.echo(f"tumble: {error}", err=True)
         sys.exit(int(status))
+
+
+def _redirect_as_utf_8() -> None:
+    """Write UTF-8 into files and pipes: not every system has a sign for arc seconds, and JSON is nothing else."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper) and not stream.isatty():
+            stream.reconfigure(encoding="utf-8")

@@ -10,7 +10,7 @@ from pydantic import ValidationError
 
 from app.files import is_recording
 from app.identity import program_identity
-from app.stand import Site, StandFile
+from app.stand import RecordedStand, Site
 from calibrations.budget import StandUncertainty
 from calibrations.observations import Observations
 from calibrations.provenance import LimitCheck, Provenance
@@ -50,11 +50,11 @@ class Measurement:
         return (file.site if file else Site()).reference_temperature_degc
 
     @property
-    def _stand_file(self) -> StandFile | None:
+    def _stand_file(self) -> RecordedStand | None:
         if not self.stand:
             return None
         try:
-            return StandFile.model_validate(self.stand)
+            return RecordedStand.model_validate(self.stand)
         except ValidationError as error:
             first = error.errors()[0]
             where = ".".join(map(str, first["loc"]))

@@ -3,6 +3,7 @@
 import math
 import re
 import signal
+import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -32,6 +33,9 @@ if TYPE_CHECKING:
     from procedures.recording.contents import Said
     from procedures.recording.writer import Recorder
 
+STOPPING_SIGNALS = [signal.SIGINT, signal.SIGTERM]
+if sys.platform == "win32":
+    STOPPING_SIGNALS.append(signal.SIGBREAK)  # sent there where the window of the terminal is closed
 _LONGEST_NAME = 60
 _RESERVED = {"CON", "PRN", "AUX", "NUL", *(f"{port}{n}" for port in ("COM", "LPT") for n in range(1, 10))}
 """Names of devices on Windows."""
@@ -62,8 +66,7 @@ class Job:
 
     def check(self, points: Iterable[Point]) -> None:
         """Make sure that recorded points are the beginning of the programme. Raises `JournalError`."""
-        by_hand = self.stand.file.head.driver == "manual"
-        tolerance_deg = math.inf if by_hand else self.acquisition.position_tolerance_deg
+        tolerance_deg = math.inf if self.stand.file.head.by_hand else self.acquisition.position_tolerance_deg
         replay(self.programme.procedure(), points, tolerance_deg)
 
 
@@ -187,7 +190,7 @@ def _storage_sentence(path: Path, error: Exception) -> str:
 
 @contextmanager
 def _stopping_on_signals(engine: Engine) -> Iterator[None]:
-    """Have SIGINT and SIGTERM stop the run; a second SIGINT interrupts it at once, still to a standstill."""
+    """Have `STOPPING_SIGNALS` stop the run; a second SIGINT interrupts it at once, still to a standstill."""
     asked = False
 
     def stop(number: int, _frame: FrameType | None) -> None:
@@ -198,7 +201,7 @@ def _stopping_on_signals(engine: Engine) -> Iterator[None]:
         engine.control.stop()
 
     try:
-        previous = {number: signal.signal(number, stop) for number in (signal.SIGINT, signal.SIGTERM)}
+        previous = {number: signal.signal(number, stop) for number in STOPPING_SIGNALS}
     except ValueError:  # not the main thread: whoever runs it there handles signals
         previous = {}
     try:

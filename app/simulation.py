@@ -81,7 +81,7 @@ def simulation(loaded: LoadedStand, clock: Clock) -> Simulation:
             name=loaded.file.name,
             clock=clock,
             head=options,
-            base_path=loaded.path.parent if loaded.path else None,
+            base_path=loaded.folder,
         )
     except ValueError as error:
         raise InputError(f"{loaded.path}: {error}") from error

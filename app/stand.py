@@ -1,7 +1,8 @@
 """Stand files: what stands where, how well it is known, and how to reach it."""
 
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from datetime import date
 from hashlib import sha256
@@ -9,15 +10,16 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any, Literal, Self
 
-from pydantic import BaseModel, ConfigDict, Field, model_validator
+from pydantic import BaseModel, ConfigDict, Field, create_model, model_validator
 
-from app.instruments import DaqTable, HeadTable
 from calibrations.budget import StandUncertainty
 from calibrations.gravity import Gravity, normal_gravity
+from drivers.driver import SIMULATED, DaqDriver, HeadDriver, find_daq, find_head
 from drivers.simulated import Simulated
-from procedures.toml_lines import parse_toml, read_text
+from drivers.tables import DaqTable, HeadTable
+from procedures.errors import InputError
+from procedures.toml_lines import parse_toml, place_of, read_text
 
-_MOTORISED = ("zaber", "cia402")
 _STRICT = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
 
@@ -67,17 +69,10 @@ class StandFile(BaseModel):
     simulated: Simulated | None = None
     stand_record: StandRecordTable = StandRecordTable()
 
-    @model_validator(mode="after")
-    def _sees_the_head(self) -> Self:
-        simulated = self.daq.driver == "simulated"
-        if (self.head.driver == "simulated" and not simulated) or (simulated and self.head.driver in _MOTORISED):
-            raise ValueError("a simulated head and a simulated daq belong together: a real one does not see the other")
-        return self
-
     @property
     def simulates(self) -> bool:
         """Whether the unit exists in this process only."""
-        return self.daq.driver == "simulated"
+        return self.daq.driver == SIMULATED
 
     @property
     def uncertainty(self) -> StandUncertainty:
@@ -100,17 +95,43 @@ class StandFile(BaseModel):
         ]
 
 
+class _RecordedHead(HeadTable):
+    model_config = ConfigDict(extra="ignore")
+
+
+class _RecordedDaq(DaqTable):
+    model_config = ConfigDict(extra="ignore")
+
+
+class RecordedStand(StandFile):
+    """What every driver's stand file says alike: an analysis needs no driver, and the driver may be elsewhere."""
+
+    model_config = ConfigDict(extra="ignore")
+
+    head: _RecordedHead
+    daq: _RecordedDaq
+
+
 @dataclass(frozen=True, kw_only=True)
 class LoadedStand:
-    """A stand file with where it came from."""
+    """A stand file with where it came from, and the drivers that it names."""
 
     file: StandFile
+    head_driver: HeadDriver | None
+    """None for the simulated head."""
+    daq_driver: DaqDriver | None
+    """None for the simulated DAQ."""
     path: Path | None
     """None for the stand that is built in."""
     sha256: str
     """Of the whole file."""
     recorded: Mapping[str, Any]
     """The file as data without its `simulated` table: what may be recorded."""
+
+    @property
+    def folder(self) -> Path:
+        """Where relative paths in the file begin."""
+        return self.path.parent if self.path else Path()
 
 
 def load_stand(path: Path | None = None) -> LoadedStand:
@@ -122,10 +143,47 @@ def load_stand(path: Path | None = None) -> LoadedStand:
         Unreadable or invalid: file, line, what is wrong and what to do.
     """
     text = (files("app") / "stands" / "simulated.toml").read_text("utf-8") if path is None else read_text(path)
-    file = parse_toml(text, StandFile, "the built-in stand" if path is None else str(path))
+    source = "the built-in stand" if path is None else str(path)
+    folder = path.parent if path else Path()
+    named = parse_toml(text, RecordedStand, source)
+    with _blaming("head", text, source):
+        head_driver = find_head(named.head.driver, folder)
+    with _blaming("daq", text, source):
+        daq_driver = find_daq(named.daq.driver, folder)
+    file = parse_toml(text, _model(head_driver, daq_driver), source)
+    if SIMULATED in (file.head.driver, file.daq.driver) and not (file.simulates and _seen(file.head)):
+        happened = "a simulated head and a simulated daq belong together: a real one does not see the other"
+        raise InputError(f"{source}: {happened}; correct it")
     return LoadedStand(
-        file=file, path=path, sha256=sha256(text.encode()).hexdigest(), recorded=without_simulated(tomllib.loads(text))
+        file=file,
+        head_driver=head_driver,
+        daq_driver=daq_driver,
+        path=path,
+        sha256=sha256(text.encode()).hexdigest(),
+        recorded=without_simulated(tomllib.loads(text)),
     )
+
+
+def _model(head: HeadDriver | None, daq: DaqDriver | None) -> type[StandFile]:
+    """A stand file with the keys of its drivers."""
+    head_table = head.table if head else HeadTable
+    daq_table = daq.table if daq else DaqTable
+    return create_model("StandFile", __base__=StandFile, head=(head_table, ...), daq=(daq_table, ...))
+
+
+def _seen(head: HeadTable) -> bool:
+    """Whether a simulated DAQ sees what the head does: it is simulated too, or a person turns the simulated one."""
+    return head.driver == SIMULATED or head.by_hand
+
+
+@contextmanager
+def _blaming(table: str, text: str, source: str) -> Iterator[None]:
+    """Tell of a driver that cannot be used with the line that names it."""
+    try:
+        yield
+    except ValueError as error:
+        where = place_of(source, text, (table, "driver"))
+        raise InputError(f"{where}: {table}: driver: {error}; correct it") from error
 
 
 def without_simulated(data: Mapping[str, Any]) -> dict[str, Any]:

@@ -49,7 +49,16 @@ def state_folder() -> Path:
 
 def _addresses(loaded: LoadedStand) -> list[str]:
     file = str(loaded.path.resolve()) if loaded.path else ""
-    return sorted({address for address in (file, loaded.file.head.address, loaded.file.daq.address) if address})
+    addresses = (file, loaded.file.head.address, loaded.file.daq.address)
+    return sorted({one_name(address) for address in addresses if address})
+
+
+def one_name(address: str) -> str:
+    """The one name of a port that has several: through links in a folder, or written in two ways on Windows."""
+    if sys.platform == "win32":
+        port = address.removeprefix("\\\\.\\").upper()
+        return port if port.startswith("COM") else address
+    return os.path.realpath(address) if address.startswith("/") else address
 
 
 def _lock_path(address: str) -> Path:

@@ -1,26 +1,25 @@
-"""The one place where drivers, operators and procedures are put together; drivers are imported when needed."""
+"""The one place where drivers, operators and procedures are put together."""
 
 import sys
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from functools import partial
+from functools import cache, partial
 from pathlib import Path
 
 import click
 
-from app.instruments import HeadTable
-from app.links import Links
 from app.simulation import Past, simulation, switching_on
 from app.stand import LoadedStand
 from drivers.clock import Clock, ReleasedClock, SystemClock
-from drivers.manual import Eyepiece, ManualHead
+from drivers.driver import Bench
+from drivers.links.opened import Links
+from drivers.manual import Eyepiece
 from drivers.protocols import Daq, DividingHead, Stand
 from emulators.backstage import Backstage, find_backstage
 from procedures.announcer import Listener
 from procedures.errors import InputError
 from procedures.eyepiece import OperatorEyepiece
 from procedures.operator import Answers, ConsoleOperator, Operator, ScriptedOperator, SeatingOperator
-
-ARCSEC_PER_DEG = 3600.0
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -58,23 +57,23 @@ def connect(
     if loaded.file.simulates:
         return _simulated(loaded, answers, attended, past)
     clock, links = SystemClock(), Links()
+    backstage = find_backstage((loaded.file.head.address, loaded.file.daq.address))
+    operator = cache(partial(_operator, answers, attended=attended or backstage is None))
+    person = _Person(operator, clock)
+    bench = Bench(clock=clock, links=links, folder=loaded.folder, eyepiece=person.at_the_head)
     try:
-        daq = _daq(loaded, clock, links)
-        motorised = _motorised(loaded.file.head, clock, links)
-        backstage = find_backstage((loaded.file.head.address, loaded.file.daq.address))
-        operator = _operator(answers, attended=attended or backstage is None)
+        head, daq = _instruments(loaded, bench)
     except BaseException:
         links.close()
         raise
-    eyepiece = OperatorEyepiece(operator, clock, _tolerance_deg(loaded))
     stand = Stand(
         name=loaded.file.name,
-        head=motorised or _manual(loaded, eyepiece, clock),
+        head=head,
         daq=daq,
         clock=clock,
         serials={"head": loaded.file.head.serial, "daq": loaded.file.daq.serial},
     )
-    connected = Connected(stand=stand, operator=operator, eyepiece=None if motorised else eyepiece, links=links)
+    connected = Connected(stand=stand, operator=operator(), eyepiece=person.eyepiece, links=links)
     return _behind_the_scenes(connected, backstage) if backstage else connected
 
 
@@ -92,12 +91,17 @@ def _simulated(loaded: LoadedStand, answers: Path | None, attended: bool, past: 
     if attended:
         clock.release()
     operator = SeatingOperator(_operator(answers, attended), simulated.world.seat)
-    stand, eyepiece = simulated.stand, None
-    if loaded.file.head.driver == "manual":
-        eyepiece = OperatorEyepiece(operator, clock, _tolerance_deg(loaded))
-        stand = replace(stand, head=_manual(loaded, simulated.turned_by(eyepiece), clock))
+    person = _Person(lambda: operator, clock, simulated.turned_by)
+    stand = simulated.stand
+    if loaded.head_driver is not None:
+        bench = Bench(clock=clock, links=Links(), folder=loaded.folder, eyepiece=person.at_the_head)
+        stand = replace(stand, head=loaded.head_driver.connect(loaded.file.head, bench))
     return Connected(
-        stand=stand, operator=operator, listeners=simulated.listeners, eyepiece=eyepiece, lived_s=simulated.lived_s
+        stand=stand,
+        operator=operator,
+        listeners=simulated.listeners,
+        eyepiece=person.eyepiece,
+        lived_s=simulated.lived_s,
     )
 
 
@@ -109,60 +113,28 @@ def _operator(answers: Path | None, attended: bool) -> Operator:
     return ScriptedOperator(Answers(mounts={"default": "yes"}, readings={"default": ""}))
 
 
-def _motorised(table: HeadTable, clock: Clock, links: Links) -> DividingHead | None:
-    """The head, unless a person turns it."""
-    if table.driver == "manual":
-        return None
-    if table.driver == "cia402":
-        from drivers.cia402 import Cia402Head
+class _Person:
+    """Reads a head without a motor, where a driver asks for somebody who does; a terminal is listened to from then."""
 
-        return Cia402Head(
-            links.can(table),
-            table.node,
-            limits_deg=table.limits_deg,
-            steps_per_deg=table.steps_per_deg,
-            speed_deg_s=table.speed_deg_s,
-            clock=clock,
-        )
-    from drivers.zaber import ZaberHead
+    def __init__(
+        self,
+        operator: Callable[[], Operator],
+        clock: Clock,
+        turning: Callable[[Eyepiece], Eyepiece] = lambda eyepiece: eyepiece,
+    ) -> None:
+        self.eyepiece: OperatorEyepiece | None = None
+        self._operator, self._clock, self._turning = operator, clock, turning
 
-    return ZaberHead(
-        links.serial(table, "dividing head"),
-        device=table.device,
-        axis=table.axis,
-        limits_deg=table.limits_deg,
-        steps_per_deg=table.steps_per_deg,
-        speed_deg_s=table.speed_deg_s,
-        clock=clock,
-    )
+    def at_the_head(self, tolerance_deg: float) -> Eyepiece:
+        self.eyepiece = OperatorEyepiece(self._operator(), self._clock, tolerance_deg)
+        return self._turning(self.eyepiece)
 
 
-def _daq(loaded: LoadedStand, clock: Clock, links: Links) -> Daq:
-    table = loaded.file.daq
-    if table.driver == "can":
-        from drivers.candaq import CanDaq, DaqFrames
-
-        path = (loaded.path.parent if loaded.path else Path()) / table.dbc if table.dbc else None
-        try:
-            frames = DaqFrames.from_file(path)
-        except (OSError, ValueError) as error:
-            raise InputError(f"{path}: {error}; name the DBC file of the DAQ in the stand file") from error
-        return CanDaq(links.can(table), frames, clock)
-    from drivers.scpi import ScpiMultimeter
-
-    return ScpiMultimeter(
-        links.serial(table, "multimeter"),
-        clock,
-        range_v=table.range_v,
-        temperature_sensor=table.temperature_sensor,
-        baud_rate=table.baud_rate,
-    )
-
-
-def _manual(loaded: LoadedStand, eyepiece: Eyepiece, clock: Clock) -> ManualHead:
-    table = loaded.file.head
-    return ManualHead(eyepiece, clock, limits_deg=table.limits_deg, speed_deg_s=table.speed_deg_s, serial=table.serial)
-
-
-def _tolerance_deg(loaded: LoadedStand) -> float:
-    return loaded.file.head.setting_tolerance_arcsec / ARCSEC_PER_DEG
+def _instruments(loaded: LoadedStand, bench: Bench) -> tuple[DividingHead, Daq]:
+    """Head and DAQ of a stand that is not simulated. Raises `InputError`, `DeviceError`."""
+    assert loaded.head_driver is not None and loaded.daq_driver is not None, "load_stand sees to that"
+    try:
+        daq = loaded.daq_driver.connect(loaded.file.daq, bench)  # first: it never needs a person
+        return loaded.head_driver.connect(loaded.file.head, bench), daq
+    except ValueError as error:
+        raise InputError(f"{loaded.path}: {error}") from error

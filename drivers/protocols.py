@@ -1,6 +1,7 @@
 """The narrow interfaces through which the engine sees a stand.
 
-Adding an instrument means writing one class that fits one of these; nothing inherits from anything.
+Adding an instrument means writing one class that fits one of these and declaring it (`drivers.driver`); nothing
+inherits from anything.
 """
 
 from collections.abc import Mapping

@@ -1,11 +1,12 @@
 """A whole emulated stand: one world, its head and its DAQ behind the protocols that a stand file names."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from contextlib import ExitStack
 from dataclasses import dataclass
-from typing import Literal
 from uuid import uuid4
 
+from drivers.driver import SIMULATED
+from drivers.tables import DaqTable, HeadTable, Instrument
 from emulators.backstage import backstage_of
 from emulators.faults import Faults, FaultScript
 from emulators.serving import Server, Session, serve_pty, serve_tcp
@@ -16,11 +17,9 @@ from emulators.world import SharedWorld
 class Wanted:
     """How a stand is to be served."""
 
-    head: Literal["zaber", "cia402"]
-    daq: Literal["scpi", "can"]
-    steps_per_deg: float
-    node: int = 1
-    """Number of the drive on CANopen."""
+    head: HeadTable
+    daq: DaqTable
+    """Tables of the stand file; what is simulated there is served as `zaber` and `scpi`."""
     head_port: int = 0
     """TCP port; 0 for any that is free. Where head and DAQ share a CAN bus, that of the head serves both."""
     daq_port: int = 0
@@ -35,6 +34,8 @@ def emulate(stack: ExitStack, shared: SharedWorld, wanted: Wanted, script: Fault
 
     Raises
     ------
+    ValueError
+        An instrument whose driver has no emulator.
     OSError
         A port is taken, or there are no pseudo-terminals.
     """
@@ -58,29 +59,42 @@ class _Emulation:
         return found
 
     def _head(self) -> dict[str, str]:
-        if self._wanted.head == "cia402":
-            from emulators.cia402 import EmulatedDrive
-
-            node, steps = self._wanted.node, self._wanted.steps_per_deg
-            drive = EmulatedDrive(self._shared, self._channel, self._head_faults, node_id=node, steps_per_deg=steps)
-            self._stack.callback(drive.close)
-            return self._bus("head", self._wanted.head_port)
-        from emulators.zaber import EmulatedZaber
-
-        stage = EmulatedZaber(self._shared, steps_per_deg=self._wanted.steps_per_deg, faults=self._head_faults)
-        return self._lines("head", stage.session, self._wanted.head_port, self._head_faults)
+        table = self._wanted.head
+        return _served(table, {SIMULATED: self._zaber, "zaber": self._zaber, "cia402": self._cia402})
 
     def _daq(self) -> dict[str, str]:
-        if self._wanted.daq == "can":
-            from emulators.candaq import EmulatedCanDaq
+        return _served(self._wanted.daq, {SIMULATED: self._scpi, "scpi": self._scpi, "can": self._candaq})
 
-            daq = EmulatedCanDaq(self._shared, self._channel, self._daq_faults)
-            self._stack.callback(daq.close)
-            return self._bus("daq", self._wanted.daq_port)
+    def _zaber(self) -> dict[str, str]:
+        from emulators.zaber import EmulatedZaber
+
+        stage = EmulatedZaber(self._shared, steps_per_deg=self._wanted.head.steps_per_deg, faults=self._head_faults)
+        return self._lines("head", stage.session, self._wanted.head_port, self._head_faults)
+
+    def _cia402(self) -> dict[str, str]:
+        from drivers.cia402.declaration import Cia402Table
+        from emulators.cia402 import EmulatedDrive
+
+        table = self._wanted.head
+        assert isinstance(table, Cia402Table)
+        drive = EmulatedDrive(
+            self._shared, self._channel, self._head_faults, node_id=table.node, steps_per_deg=table.steps_per_deg
+        )
+        self._stack.callback(drive.close)
+        return self._bus("head", self._wanted.head_port)
+
+    def _scpi(self) -> dict[str, str]:
         from emulators.scpi import Multimeter, ScpiSession
 
         meter = Multimeter(self._shared, self._daq_faults)
         return self._lines("daq", lambda: ScpiSession(meter), self._wanted.daq_port, self._daq_faults)
+
+    def _candaq(self) -> dict[str, str]:
+        from emulators.candaq import EmulatedCanDaq
+
+        daq = EmulatedCanDaq(self._shared, self._channel, self._daq_faults)
+        self._stack.callback(daq.close)
+        return self._bus("daq", self._wanted.daq_port)
 
     def _lines(self, name: str, session: Callable[[], Session], port: int, faults: Faults) -> dict[str, str]:
         """Serve a protocol of lines."""
@@ -103,3 +117,11 @@ class _Emulation:
 
     def _kept(self, server: Server) -> Server:
         return self._stack.enter_context(server)
+
+
+def _served(table: Instrument, emulators: Mapping[str, Callable[[], dict[str, str]]]) -> dict[str, str]:
+    """Serve the instrument by the emulator that there is for its driver."""
+    if table.driver not in emulators:
+        known = ", ".join(emulators)
+        raise ValueError(f"there is no emulator for the driver {table.driver}; there are some for {known}")
+    return emulators[table.driver]()

@@ -24,7 +24,7 @@ from emulators.zaber_axis import RejectError, ZaberAxis
 DEVICE_ID: Final = 99_001
 """None of Zaber's."""
 
-_READ_ONLY: Final = {
+_READ_ONLY: Final[dict[str, int | str]] = {
     "deviceid": DEVICE_ID,
     "version": "7.38",
     "version.build": 1,
@@ -119,6 +119,8 @@ class EmulatedZaber:
         try:
             if request.axis > 1:
                 raise RejectError("BADAXIS")
+            if request.axis and arguments and arguments[0] in self._device_settings():
+                raise RejectError("DEVICEONLY")
             data = self._obey(word, arguments)
         except RejectError as rejected:
             accepted, data = False, str(rejected)
@@ -144,10 +146,14 @@ class EmulatedZaber:
     def _get(self, arguments: Sequence[str]) -> str:
         if len(arguments) != 1:
             raise RejectError("BADCOMMAND")
-        values = {**_READ_ONLY, **self._settings, **self.axis.settings(), "system.serial": self.serial}
+        values = self._device_settings() | self.axis.settings()
         if arguments[0] not in values:
             raise RejectError("BADCOMMAND")
         return str(values[arguments[0]])
+
+    def _device_settings(self) -> dict[str, int | str]:
+        """Settings of the whole device, which no axis answers for."""
+        return {**_READ_ONLY, **self._settings, "system.serial": self.serial}
 
     def _set(self, arguments: Sequence[str]) -> str:
         if len(arguments) != 2:

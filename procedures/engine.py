@@ -213,6 +213,7 @@ class Engine:
 
     def _verify(self, last: Point, tolerance_v: float | None) -> None:
         """Bring everything back to where `last` was taken, and see whether a point gives there what it gave."""
+        self._recovery.tell_of_winding(last.angle_deg)
         self._seat(Mounting(mount=last.mount))
         self._measuring.home()
         now = self._measuring.measure_again(Place(angle_deg=last.angle_deg, direction=last.direction)).reduction
@@ -222,11 +223,11 @@ class Engine:
             check_agreement(seen)
 
     def _checkpoint(self) -> bool:
-        """Stop or pause here where that is wanted; true where the run was paused, and the head braked for it."""
+        """Stop or pause here where that is wanted; true where the run was paused, and the head stood for it."""
         self.control.check()
         if not self.control.pause_wanted():
             return False
-        self._motion.brake()
+        self._motion.halt()
         self._change(State.PAUSED)
         while self.control.pause_wanted():
             self.control.check()

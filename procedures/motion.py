@@ -10,13 +10,11 @@ from drivers.errors import DeviceError
 from drivers.protocols import DividingHead, HeadStatus
 from procedures.approach import EITHER_WAY, Approach, Place, direction_of
 from procedures.steps import Direction
+from procedures.watch import Watch, allowed_s
 
 POLL_S: Final = 0.05
 """Time between two looks at the head or at the operator."""
 
-_PATIENCE: Final = 2.0
-_MARGIN_S: Final = 5.0
-_STALL_S: Final = 2.0
 _STANDSTILL_S: Final = 10.0
 _HOMING_S: Final = 60.0
 _HALF_TURN_DEG: Final = 180.0
@@ -29,9 +27,8 @@ class ReferenceLostError(DeviceError):
 class Motion:
     """Moves of one head.
 
-    A move may take twice the time it should, plus 5 s, and a head that rests elsewhere for 2 s has not arrived. A
-    standstill must be there within 10 s; a reference within the time of two passes over all angles, plus 60 s. A head
-    that a person turns may take its time, and stands where that person reads it.
+    Every move is watched, see `Watch`. A standstill must be there within 10 s; a reference within the time of two
+    passes over all angles, plus 65 s. A head that a person turns may take its time, and stands where it is read.
     """
 
     def __init__(self, head: DividingHead, clock: Clock, tolerance_deg: float, approach: Approach = EITHER_WAY) -> None:
@@ -64,24 +61,28 @@ class Motion:
     def unwind(self, checkpoint: Callable[[], bool]) -> None:
         """Turn a head that is more than half a turn from its zero back into that revolution, for the sake of its cable.
 
-        A person who turns the head is not asked to. Raises as `travel`.
+        Where its limits do not allow that, it is turned back as far as they do. A person who turns the head is not
+        asked to. Raises as `travel`.
         """
         status = self._head.status()
-        turns = round(status.angle_deg / 360.0)
-        if turns and not status.by_hand and abs(status.angle_deg) > _HALF_TURN_DEG:
-            self._journey(status.angle_deg - 360.0 * turns, EITHER_WAY, checkpoint)
+        unwound_deg = self._unwound_deg(status.angle_deg)
+        if not status.by_hand and unwound_deg != status.angle_deg:
+            self._journey(unwound_deg, EITHER_WAY, checkpoint)
 
     def home(self, checkpoint: Callable[[], bool]) -> None:
         """Bring the head to rest, have it find its reference and wait for that; `checkpoint` as in `travel`.
+
+        A head that still knows its angle unwinds its cable first: it may find its reference in any revolution, and
+        call that the first.
 
         Raises
         ------
         DeviceError
             Where the head does not come to rest, or finds no reference in time.
         """
-        self.brake()
-        if not self.standstill():
-            raise DeviceError("dividing head", "cannot be brought to rest to be homed", "switch it off and look at it")
+        self.halt()
+        if self._head.status().referenced:
+            self.unwind(checkpoint)
         deadline_s = self._begin_homing()
         while (status := self._head.status()).moving or not status.referenced:
             if self._clock.monotonic_s() > deadline_s:
@@ -108,6 +109,12 @@ class Motion:
     def brake(self) -> None:
         """Tell the head to stop. Raises `DeviceError`."""
         self._head.stop()
+
+    def halt(self) -> None:
+        """Tell the head to stop and read its rest back. Raises `DeviceError` where it does not come to rest."""
+        self.brake()
+        if not self.standstill():
+            raise DeviceError("dividing head", "cannot be brought to rest", "switch it off and look at it")
 
     def standstill(self) -> bool:
         """Read the head's rest back: twice in a row it is not moving, in the same place. Until then, tell it to stop.
@@ -146,36 +153,44 @@ class Motion:
         return status
 
     def _go(self, angle_deg: float, checkpoint: Callable[[], bool]) -> HeadStatus:
-        deadline_s = self._depart(angle_deg)
-        stalled_s = math.inf
+        watch = self._depart(angle_deg)
         while True:
             status = self._referenced_status()
-            now_s = self._clock.monotonic_s()
             if not status.moving and self._at(status, angle_deg):
                 return status
-            stalled_s = math.inf if status.moving else min(stalled_s, now_s + _STALL_S)
-            if now_s > min(deadline_s, stalled_s) and not status.by_hand:
-                raise _late(status, angle_deg)
+            if not status.by_hand:
+                watch.look(status, self._clock.monotonic_s())
             self._clock.sleep(POLL_S)
             if checkpoint():
-                deadline_s, stalled_s = self._depart(angle_deg), math.inf
+                watch = self._depart(angle_deg)
 
-    def _depart(self, angle_deg: float) -> float:
-        """Set out and return the time by which the head must have arrived."""
+    def _depart(self, angle_deg: float) -> Watch:
+        """Set out, and have the way watched."""
         start_deg = self._referenced_status().angle_deg
         if not self._near(start_deg, angle_deg):
             self.direction = direction_of(angle_deg - start_deg)
         self._head.start_move(angle_deg)
-        return self._clock.monotonic_s() + self._allowed_s(abs(angle_deg - start_deg))
+        return Watch(
+            start_deg,
+            angle_deg,
+            speed_deg_s=self._head.speed_deg_s,
+            tolerance_deg=self._tolerance_deg,
+            now_s=self._clock.monotonic_s(),
+        )
+
+    def _unwound_deg(self, angle_deg: float) -> float:
+        """The same pose with the fewest turns that the limits allow."""
+        low_deg, high_deg = self._head.limits_deg
+        turns = round(angle_deg / 360.0) if abs(angle_deg) > _HALF_TURN_DEG else 0
+        fewer = range(turns, 0, -1 if turns > 0 else 1)
+        poses_deg = (angle_deg - 360.0 * fewer_turns for fewer_turns in fewer)
+        return next((pose_deg for pose_deg in poses_deg if low_deg <= pose_deg <= high_deg), angle_deg)
 
     def _begin_homing(self) -> float:
         """Send the head to its reference and return the time by which it must have found it."""
         low_deg, high_deg = self._head.limits_deg
         self._head.home()
-        return self._clock.monotonic_s() + self._allowed_s(high_deg - low_deg) + _HOMING_S
-
-    def _allowed_s(self, way_deg: float) -> float:
-        return _PATIENCE * way_deg / self._head.speed_deg_s + _MARGIN_S
+        return self._clock.monotonic_s() + allowed_s(high_deg - low_deg, self._head.speed_deg_s) + _HOMING_S
 
     def _referenced_status(self) -> HeadStatus:
         status = self._head.status()
@@ -190,12 +205,3 @@ class Motion:
 
     def _near(self, first_deg: float, second_deg: float) -> bool:
         return abs(first_deg - second_deg) <= self._tolerance_deg
-
-
-def _late(status: HeadStatus, angle_deg: float) -> DeviceError:
-    doing = "still moves" if status.moving else "stands"
-    return DeviceError(
-        "dividing head",
-        f"{doing} at {status.angle_deg:.4f} deg when it should long have stood at {angle_deg:g} deg",
-        "look for what blocks it, check its drive and speed, then resume the run",
-    )

@@ -8,6 +8,7 @@ from typing import Annotated, Final, Literal, TypeAlias
 
 from pydantic import BaseModel, ConfigDict, Field, PrivateAttr, model_validator
 
+from drivers.tables import MOST_SAMPLES
 from procedures.acquisition import Acquisition
 from procedures.approach import Approach
 from procedures.composition import compose
@@ -20,8 +21,6 @@ from procedures.toml_lines import line_of, parse_toml, read_text
 Parameter: TypeAlias = Literal["u0", "kx", "ky", "kz", "kxy", "alpha0"]
 
 _SHIPPED = files("procedures") / "programmes"
-MOST_SAMPLES = 10_000_000
-"""In a dwell."""
 MOST_DWELLS = 200_000
 """In a run: a week or two of stand time."""
 _DIRECTIONS: Final[Mapping[str, Direction]] = {"up": 1, "down": -1, "either": 0}

@@ -67,6 +67,19 @@ class Recovery:
             self._warn("dividing head: has no reference; it is homed")
             self._motion.home(self._carry_on)
 
+    def tell_of_winding(self, angle_deg: float) -> None:
+        """Warn where a head that stood whole turns from zero no longer knows its angle. Raises `DeviceError`.
+
+        One that finds its reference in every revolution then takes another for the first, and nobody counts the turns
+        that the cable has already.
+        """
+        turns = abs(round(angle_deg / 360.0))
+        if turns and not self._head.status().referenced:
+            self._warn(
+                f"dividing head: has lost its reference at {angle_deg:g} deg; look whether its cable is wound by "
+                f"{turns} turn{'s' if turns > 1 else ''}, and stop the run to unwind it by hand if it is"
+            )
+
     @contextmanager
     def using(self, name: str) -> Iterator[None]:
         """Note whose link it was that a `LinkLostError` tells of: `head` or `daq`."""
@@ -107,6 +120,8 @@ class Recovery:
             self._reach(name, instrument, began_s + RECONNECTING_S)
         with self.using("head"):
             if "head" in self._lost or not self._head.status().referenced:
+                if place is not None:
+                    self.tell_of_winding(place.angle_deg)
                 self._motion.home(self._carry_on)
                 if place is not None:
                     self._motion.return_to(place, self._carry_on)

@@ -58,6 +58,12 @@ def parse_toml(text: str, model: type[Model], source: str) -> Model:
         raise InputError(_complaint(error.errors(), text, data, source)) from error
 
 
+def place_of(source: str, text: str, location: Location) -> str:
+    """Where the value at `location` is written, as messages say it: `bench.toml, line 7`."""
+    line = line_of(text, location)
+    return source if line is None else f"{source}, line {line}"
+
+
 def line_of(text: str, location: Location) -> int | None:
     """Line, from 1, on which the value at `location` is written.
 
@@ -111,8 +117,7 @@ def _syntax_complaint(message: str, source: str) -> str:
 
 def _complaint(errors: Sequence[ErrorDetails], text: str, data: dict[str, Any], source: str) -> str:
     first = errors[0]
-    line = line_of(text, first["loc"])
-    where = source if line is None else f"{source}, line {line}"
+    where = place_of(source, text, first["loc"])
     named = "".join(f"{word}: " for word in _words(first, data))
     problem = first["msg"].removeprefix("Value error, ")
     remedy = _REMEDY.get(first["type"], "correct it")

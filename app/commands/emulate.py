@@ -6,13 +6,12 @@ import sys
 import threading
 from contextlib import ExitStack
 from pathlib import Path
-from typing import Literal
 from urllib.parse import urlsplit
 
 import click
 
 from app.commands import options
-from app.instruments import DaqTable, HeadTable
+from app.running import STOPPING_SIGNALS
 from app.simulation import simulation
 from app.stand import load_stand
 from drivers.simulated import SimulatedStand
@@ -49,14 +48,10 @@ def command(
     """
     loaded = load_stand(stand_path)
     head, daq = loaded.file.head, loaded.file.daq
-    if head.driver == "manual":
-        raise InputError(f"{loaded.path}: a manual head speaks no protocol; there is nothing to emulate")
     clock = FasterClock(speed)
     wanted = Wanted(
-        head=_head_protocol(head),
-        daq=_daq_protocol(daq),
-        steps_per_deg=head.steps_per_deg,
-        node=head.node,
+        head=head,
+        daq=daq,
         head_port=_port(head.url) if head_port is None else head_port,
         daq_port=_port(daq.url) if daq_port is None else daq_port,
         ptys=ptys,
@@ -66,19 +61,13 @@ def command(
     with ExitStack() as stack:
         try:
             addresses = emulate(stack, shared, wanted, _read(script))
+        except ValueError as error:
+            raise InputError(f"{loaded.path}: {error}") from error
         except OSError as error:
             raise InputError(f"the emulated stand cannot be served ({error}); choose other ports") from error
         click.echo(json.dumps(addresses))
         sys.stdout.flush()
         _until_stopped()
-
-
-def _head_protocol(head: HeadTable) -> Literal["zaber", "cia402"]:
-    return "cia402" if head.driver == "cia402" else "zaber"
-
-
-def _daq_protocol(daq: DaqTable) -> Literal["scpi", "can"]:
-    return "can" if daq.driver == "can" else "scpi"
 
 
 def _port(url: str) -> int:
@@ -92,9 +81,9 @@ def _read(path: Path | None) -> FaultScript | None:
 
 
 def _until_stopped() -> None:
-    """Wait for SIGINT or SIGTERM, or for whoever began this to be gone."""
+    """Wait to be told to stop, in short waits: on Windows a long one is not interrupted."""
     stopped = threading.Event()
-    for number in (signal.SIGINT, signal.SIGTERM):
+    for number in STOPPING_SIGNALS:
         signal.signal(number, lambda *_: stopped.set())
     while not stopped.wait(0.2):
         pass

@@ -8,6 +8,7 @@ from drivers.cia402.node import DriveNode
 from drivers.cia402.states import Mode, State
 from drivers.clock import Clock
 from drivers.errors import DeviceError, LimitError, NoReplyError
+from drivers.limits import check_limits
 from drivers.links.can_link import CanLink
 from drivers.protocols import HeadStatus, Identity
 
@@ -23,8 +24,9 @@ _MOST_COUNTS: Final = 2**31 - 1
 class Cia402Head:
     """A head on CANopen. Fits `DividingHead` and `Reconnectable`.
 
-    The homing method is the one that is set in the drive. A fault of the drive is never reset on the way: whoever knows
-    that its cause is gone calls `reset_fault`.
+    The homing method is the one that is set in the drive. A fault of the drive is never reset on the way. One that is
+    there at the beginning is: whoever starts the program again has been told to remove its cause first. The head is
+    homed after it all the same.
 
     Parameters
     ----------
@@ -46,7 +48,7 @@ class Cia402Head:
     LinkLostError
         No such node answers.
     DeviceError
-        The node is no CiA 402 drive.
+        The node is no CiA 402 drive, or the cause of its fault is still there.
     """
 
     def __init__(
@@ -67,6 +69,7 @@ class Cia402Head:
         self._told = ""
         self._node = DriveNode(link, node_id)
         self.reconnect()
+        self.reset_fault()
 
     @property
     def limits_deg(self) -> tuple[float, float]:
@@ -88,7 +91,7 @@ class Cia402Head:
         """
         self._node.connect()
         self._node.booted = False
-        self._node.write(objects.QUICK_STOP_OPTION, _STAY_STOPPED)
+        self._node.write_where_offered(objects.QUICK_STOP_OPTION, _STAY_STOPPED)  # optional (CiA 402-2)
         if states.is_moving(self._node.read(objects.STATUSWORD)):
             self.stop()
             self._await("come to rest", states.TARGET_REACHED, states.TARGET_REACHED)
@@ -160,11 +163,12 @@ class Cia402Head:
 
     def reset_fault(self) -> None:
         """Reset a fault whose cause the operator has removed. Raises `DeviceError` where the cause is still there."""
-        if self._state() is State.FAULT:
-            self._control(states.DISABLE_VOLTAGE)
-            self._control(states.FAULT_RESET)
-            self._node.emergency = None
-            self._await("leave its fault", states.STATUS[State.FAULT][0], 0x40)
+        if self._state() is not State.FAULT:
+            return
+        self._control(states.DISABLE_VOLTAGE)
+        self._control(states.FAULT_RESET)
+        self._node.emergency = None
+        self._await("leave its fault", states.STATUS[State.FAULT][0], 0x40)
         if self._node.read(objects.ERROR_REGISTER):
             raise self._node.fault(self._node.read(objects.ERROR_CODE))
         self._node.emergency = None
@@ -174,14 +178,12 @@ class Cia402Head:
         return self._homed and not self._node.booted
 
     def _counts(self, angle_deg: float) -> int:
-        low_deg, high_deg = self._limits_deg
-        if low_deg <= angle_deg <= high_deg and abs(angle_deg * self._steps_per_deg) <= _MOST_COUNTS:
-            return round(angle_deg * self._steps_per_deg)
-        raise LimitError(
-            self._node.device,
-            f"a move to {angle_deg:g} deg was asked for, outside the limits {low_deg:g} to {high_deg:g} deg",
-            "choose another angle or correct limits_deg in the stand file",
-        )
+        check_limits(self._node.device, angle_deg, self._limits_deg)
+        counts = round(angle_deg * self._steps_per_deg)
+        if abs(counts) > _MOST_COUNTS:
+            happened = f"cannot count to {angle_deg:g} deg, which are {counts} of its position units"
+            raise LimitError(self._node.device, happened, "choose coarser position units in the drive")
+        return counts
 
     def _says_homed(self) -> bool:
         """Whether the drive says in homing mode that it is homed; one in fault is not asked."""
@@ -192,8 +194,6 @@ class Cia402Head:
 
     def _enable(self, mode: Mode) -> None:
         """Choose the mode, and walk through the state machine until the drive is enabled."""
-        if self._state() is State.ENABLED:
-            self._control(states.ENABLE)  # take back a start bit, so that its next edge counts
         self._set_mode(mode)
         deadline_s = time.monotonic() + ANSWER_S
         while (state := self._state()) is not State.ENABLED:
@@ -202,6 +202,8 @@ class Cia402Head:
             self._pause(deadline_s, "become enabled")
 
     def _set_mode(self, mode: Mode) -> None:
+        if self._state() is State.ENABLED:
+            self._control(states.ENABLE)  # without a start bit of before, which would begin something in the new mode
         deadline_s = time.monotonic() + ANSWER_S
         self._node.write(objects.MODE, mode)
         while self._node.read(objects.MODE_DISPLAY) != mode:

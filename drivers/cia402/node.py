@@ -19,6 +19,8 @@ from drivers.links.can_link import CanLink
 TRIES: Final = 3
 REPLY_TIMEOUT_S: Final = 0.5
 HEARTBEAT_S: Final = 0.2
+NO_SUCH_OBJECT: Final = 0x06020000
+"""SDO abort code (CiA 301, 7.2.4.3.17)."""
 PATIENCE_S: Final = 1.5
 """A node from which no heartbeat came for so long is lost."""
 
@@ -113,6 +115,15 @@ class DriveNode:
             else:
                 return
         raise self._silent()
+
+    def write_where_offered(self, index: int, value: int) -> None:
+        """Set an object that a drive need not have. Raises `LinkLostError`, `NoReplyError`, `DeviceError`."""
+        try:
+            self.write(index, value)
+        except DeviceError as error:
+            refusal = error.__cause__
+            if not (isinstance(refusal, SdoAbortedError) and refusal.code == NO_SUCH_OBJECT):
+                raise
 
     def _read(self, variable: ODVariable) -> int | str:
         for _ in range(TRIES):

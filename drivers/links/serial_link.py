@@ -22,6 +22,8 @@ _SLICE_S: Final = 0.05
 class SerialLink:
     """A serial port, `socket://HOST:PORT`, `rfc2217://HOST:PORT`, or the path of a terminal.
 
+    A port is had by one program at a time.
+
     Every failure of the port is a `LinkLostError`, and the port is then closed: only `reopen` makes it usable again.
     What came after the end of a line is kept for the next `read_line`.
 
@@ -95,6 +97,7 @@ class SerialLink:
                 baudrate=self._baud_rate,
                 timeout=0.0 if self._is_socket else _SLICE_S,
                 write_timeout=None if telnet else WRITE_TIMEOUT_S,
+                exclusive=True,
             )
         except (serial.SerialException, OSError, ValueError) as error:
             raise LinkLostError(

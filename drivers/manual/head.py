@@ -3,7 +3,7 @@
 from typing import Protocol
 
 from drivers.clock import Clock
-from drivers.errors import LimitError
+from drivers.limits import check_limits
 from drivers.protocols import HeadStatus, Identity
 
 
@@ -80,13 +80,7 @@ class ManualHead:
 
     def start_move(self, angle_deg: float) -> None:
         """Ask for a setting. Raises `LimitError` outside the limits, or for what is no angle."""
-        low_deg, high_deg = self._limits_deg
-        if not low_deg <= angle_deg <= high_deg:
-            raise LimitError(
-                "manual head",
-                f"a setting of {angle_deg:g} deg was asked for, outside the limits {low_deg:g} to {high_deg:g} deg",
-                "choose another angle or correct limits_deg in the stand file",
-            )
+        check_limits("manual head", angle_deg, self._limits_deg)
         if angle_deg == self._setting_deg and not self._awaited:
             return
         self._setting_deg, self._awaited = angle_deg, True

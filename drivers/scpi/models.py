@@ -25,5 +25,5 @@ MODELS: Mapping[str, Model] = {
     "34465A": Model(nplc=(0.02, 0.06, 0.2, 1.0, 10.0, 100.0), timer=True, memory=50_000),
     "34470A": Model(nplc=(0.02, 0.06, 0.2, 1.0, 10.0, 100.0), timer=True, memory=50_000),
     "34410A": Model(nplc=(0.006, 0.02, 0.06, 0.2, 1.0, 2.0, 10.0, 100.0), timer=True, memory=50_000),
-    "34411A": Model(nplc=(0.001, 0.006, 0.02, 0.06, 0.2, 1.0, 2.0, 10.0, 100.0), timer=True, memory=1_000_000),
+    "34411A": Model(nplc=(0.001, 0.002, 0.006, 0.02, 0.06, 0.2, 1.0, 2.0, 10.0, 100.0), timer=True, memory=1_000_000),
 }

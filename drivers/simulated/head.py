@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from drivers.clock import Clock
-from drivers.errors import LimitError
+from drivers.limits import check_limits
 from drivers.protocols import HeadStatus, Identity
 from drivers.simulated.effects import Effects
 from drivers.simulated.external import HeadError
@@ -117,13 +117,7 @@ class SimulatedHead:
 
     def start_move(self, angle_deg: float) -> None:
         """Begin to move to the nearest count. Raises `LimitError` outside the limits, or for what is no angle."""
-        low_deg, high_deg = self.limits_deg
-        if not low_deg <= angle_deg <= high_deg:
-            raise LimitError(
-                DEVICE,
-                f"a move to {angle_deg:g} deg was asked for, outside the limits {low_deg:g} to {high_deg:g} deg",
-                "choose another angle or correct limits_deg in the stand file",
-            )
+        check_limits(DEVICE, angle_deg, self.limits_deg)
         self._travel_to(self._options.on_the_grid(angle_deg))
 
     def status(self) -> HeadStatus:

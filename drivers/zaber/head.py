@@ -5,6 +5,7 @@ from typing import Final
 
 from drivers.clock import Clock
 from drivers.errors import DeviceError, LimitError
+from drivers.limits import check_limits
 from drivers.protocols import HeadStatus, Identity
 from drivers.zaber.codec import Message
 from drivers.zaber.conversation import ATTEMPTS, Conversation, Link, RejectedError, UnclearError
@@ -108,13 +109,7 @@ class ZaberHead:
         DeviceError
             The head is not homed, is blocked, or does not answer.
         """
-        low_deg, high_deg = self._limits_deg
-        if not low_deg <= angle_deg <= high_deg:
-            raise LimitError(
-                self._conversation.name,
-                f"a move to {angle_deg:g} deg was asked for, outside the limits {low_deg:g} to {high_deg:g} deg",
-                "choose another angle or correct limits_deg in the stand file",
-            )
+        check_limits(self._conversation.name, angle_deg, self._limits_deg)
         if not self.status().referenced:
             raise DeviceError(self._conversation.name, "does not know its angle", "home it before it moves")
         steps = round(angle_deg * self._steps_per_deg)

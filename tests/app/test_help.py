@@ -1,3 +1,4 @@
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -21,6 +22,15 @@ def python(*arguments):
     return subprocess.run(
         [sys.executable, *map(str, arguments)], cwd=ROOT, capture_output=True, encoding="utf-8", timeout=60, check=False
     )
+
+
+def test_what_is_redirected_is_utf_8_whatever_the_system_writes_otherwise(tmp_path):
+    (tmp_path / "one.toml").write_text('name = "Жук″"\n[[procedure]]\nkind = "flip"\naxes = ["x"]\n', "utf-8")
+    command = [sys.executable, "-m", "app", "plan", str(tmp_path / "one.toml")]
+    environment = {**os.environ, "PYTHONIOENCODING": "cp1252"}  # as on Windows
+    ran = subprocess.run(command, cwd=ROOT, capture_output=True, timeout=60, check=False, env=environment)
+    assert ran.returncode == 0, ran.stderr
+    assert "Жук″" in ran.stdout.decode("utf-8")
 
 
 def test_help_waits_for_no_heavy_library():

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from app_jobs import tumble
 
+from app import stand_lock
 from app.exits import JobError
 from app.stand import load_stand
 from app.stand_lock import holding, state_folder
@@ -98,3 +99,21 @@ def test_a_lock_whose_words_cannot_be_read_is_still_one(stand):
         (lock,) = (state_folder() / "stands").iterdir()
         lock.write_text("{")
         refused(stand, "is in use by another process; wait until it is done, or stop it")
+
+
+@pytest.mark.skipif(os.name == "nt", reason="ports have no second names in a folder on Windows")
+def test_a_port_by_another_name_is_the_same_port(write, tmp_path):
+    (tmp_path / "ttyUSB0").touch()
+    (tmp_path / "by-id").symlink_to(tmp_path / "ttyUSB0")
+    text = 'name = "a"\n[head]\ndriver = "manual"\nlimits_deg = [0.0, 1.0]\n[daq]\ndriver = "scpi"\nurl = "{}"\n'
+    one, other = (write(f"{name}.toml", text.format(tmp_path / name)) for name in ("ttyUSB0", "by-id"))
+    with holding(load_stand(one), "A"):
+        refused(other, "in use by process")
+
+
+@pytest.mark.parametrize(
+    ("name", "same"), [("com3", "COM3"), (r"\\.\COM12", "COM12"), ("socket://a:1", "socket://a:1")]
+)
+def test_a_port_has_one_name_on_windows(monkeypatch, name, same):
+    monkeypatch.setattr(sys, "platform", "win32")
+    assert stand_lock.one_name(name) == same

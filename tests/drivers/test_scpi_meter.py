@@ -5,6 +5,8 @@ from scpi_bench import emulated
 from drivers.errors import DeviceError, LinkLostError, NoReplyError
 from drivers.protocols import Daq, Identity, Reconnectable
 from drivers.scpi import ScpiMultimeter
+from drivers.scpi.measurement import voltage
+from drivers.scpi.models import MODELS
 from drivers.simulated import Simulated
 from emulators.faults import At, Fault, FaultScript
 
@@ -346,3 +348,11 @@ def test_nothing_but_late_answers_is_no_answer():
 
     with pytest.raises(DeviceError, match="nothing but answers to earlier requests"):
         ScpiMultimeter(link, clock).identify()
+
+
+@pytest.mark.parametrize(
+    ("model", "rate_hz", "nplc"),
+    [("34461A", 100.0, 0.2), ("34461A", 2500.0, 0.02), ("34465A", 500.0, 0.06), ("34411A", 20_000.0, 0.002)],
+)
+def test_the_longest_integration_time_is_taken_that_the_rate_allows(model, rate_hz, nplc):
+    assert ("VOLT:DC:NPLC", nplc) in voltage(MODELS[model], 50.0, 10.0, 10, rate_hz).settings

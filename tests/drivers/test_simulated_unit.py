@@ -78,15 +78,16 @@ def test_an_external_response_takes_the_place_of_the_unit(tmp_path: Path):
 @pytest.mark.parametrize(
     ("reference", "message"),
     [
-        ("physics.py", "names no function"),
-        ("physics.py:other", "has no function 'other'"),
+        ("physics.py", "names nothing in a file"),
+        ("physics.py:other", "has no 'other'"),
+        ("physics.py:g", "is no function"),
         ("absent.py:response", "absent.py could not be loaded .FileNotFoundError"),
         ("broken.py:response", "broken.py could not be loaded .SyntaxError"),
         ("physics.txt:response", "is no Python file"),
     ],
 )
 def test_a_function_that_cannot_be_loaded_is_named(tmp_path: Path, reference, message):
-    (tmp_path / "physics.py").write_text("response = abs\n")
+    (tmp_path / "physics.py").write_text("response = abs\ng = 9.8\n")
     (tmp_path / "broken.py").write_text("def\n")
     with pytest.raises(ValueError, match=message):
         load_function(reference, tmp_path)

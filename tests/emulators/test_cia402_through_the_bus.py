@@ -3,10 +3,11 @@ from contextlib import suppress
 
 import pytest
 from can_bench import DEADLINE_S, CanBench, can_bench, raised, rested, until
+from canopen import SdoAbortedError
 
 import drivers.cia402.head
 import drivers.cia402.node
-from drivers.cia402 import Cia402Head, states
+from drivers.cia402 import Cia402Head, objects, states
 from drivers.errors import DeviceError, LimitError, LinkLostError, NoReplyError
 from drivers.protocols import DividingHead, Reconnectable
 from emulators.cia402_drive import Drive
@@ -153,15 +154,63 @@ def test_a_stalled_drive_moves_again_only_after_its_fault_was_reset():
         assert rested(head).angle_deg == 90.0
 
 
-def test_a_fault_met_by_a_new_master_is_told_from_the_error_code():
+def test_whoever_starts_anew_after_a_fault_finds_it_reset_and_the_head_to_be_homed():
     with can_bench(head_fault("stall")) as bench:
         stalled(bench)
         other = bench.head()
-        with pytest.raises(DeviceError, match="following error"):
-            other.status()
         assert not other.status().referenced
+        other.home()
+        assert rested(other).referenced
+
+
+def test_a_start_bit_that_was_left_is_taken_back_before_the_mode_changes(bench: CanBench, monkeypatch):
+    head = bench.homed_head()
+    head.start_move(9.0)
+    rested(head)
+    head._control(states.ENABLE | states.START)
+    rested(head)
+    words, right = [], Drive.set_value
+
+    def set_value(drive, index, value):
+        if index in (objects.CONTROLWORD, objects.MODE):
+            words.append((index, value))
+        right(drive, index, value)
+
+    monkeypatch.setattr(Drive, "set_value", set_value)
+    bench.head()
+    assert words[:2] == [(objects.CONTROLWORD, states.ENABLE), (objects.MODE, 6)]
+
+
+def test_a_fault_in_mid_run_is_not_reset_by_a_reconnect():
+    with can_bench(head_fault("stall")) as bench:
+        head = stalled(bench)
+        head.reconnect()
         with pytest.raises(DeviceError, match="following error"):
-            other.home()
+            head.home()
+
+
+def test_a_fault_whose_cause_is_still_there_is_told_to_whoever_starts_anew(bench: CanBench, statusword, monkeypatch):
+    monkeypatch.setattr(drivers.cia402.head, "ANSWER_S", 0.2)
+    statusword(setting=0x08, clearing=0x47)
+    with pytest.raises(DeviceError, match="unknown error"):
+        bench.head()
+
+
+def test_a_drive_that_cannot_be_told_how_to_stop_is_stopped_its_own_way(bench: CanBench, monkeypatch):
+    right = Drive.set_value
+
+    def set_value(drive, index, value):
+        if index == objects.QUICK_STOP_OPTION:
+            raise SdoAbortedError(0x06020000)
+        right(drive, index, value)
+
+    monkeypatch.setattr(Drive, "set_value", set_value)
+    head = bench.homed_head()
+    head.start_move(700.0)
+    head.stop()
+    assert not rested(head).moving
+    head.start_move(9.0)
+    assert rested(head).angle_deg == 9.0
 
 
 def test_an_overshoot_is_read_back():

@@ -143,3 +143,13 @@ def test_a_terminal_has_no_port_number():
         return
     with serve_pty(Counter) as server, pytest.raises(AttributeError, match="no TCP port"):
         partial(getattr, server, "port")()
+
+
+@on_posix
+def test_a_port_that_another_program_has_is_refused():
+    with serve_pty(Counter) as server:
+        link = SerialLink(server.url)
+        with pytest.raises(LinkLostError, match="cannot be reached"):
+            SerialLink(server.url)
+        link.close()
+        SerialLink(server.url).close()

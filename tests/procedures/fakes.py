@@ -34,6 +34,8 @@ class FakeHead:
         self.deaf_stops = 0
         """How many commands to stop get lost."""
         self.stuck_at_deg: float | None = None
+        self.knows = True
+        """Whether it knows its angle; homing tells it."""
         self.coasting = False
         """Says for ever that it moves."""
         self.on_status: Callable[[], None] = lambda: None
@@ -42,6 +44,7 @@ class FakeHead:
         return Identity(model="fake head", serial="1")
 
     def home(self) -> None:
+        self.knows = True
         self.start_move(0.0)
 
     def start_move(self, angle_deg: float) -> None:
@@ -56,6 +59,7 @@ class FakeHead:
             angle_deg=angle_deg,
             moving=self.coasting or angle_deg != self._to_deg,
             device_time_s=self._clock.monotonic_s(),
+            referenced=self.knows,
         )
 
     def stop(self) -> None:

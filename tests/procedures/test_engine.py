@@ -380,6 +380,16 @@ def test_a_pause_brakes_a_moving_head_and_the_move_goes_on_after_it(stand: FakeS
     assert (point.angle_deg, point.direction) == (90.0, 1)
 
 
+def test_a_head_that_cannot_be_paused_ends_the_run(stand: FakeStand):
+    engine = stand.engine()
+    engine.control.pause()
+    stand.head.coasting = True
+    outcome = engine.run(dwells(10.0))
+    assert outcome.message.startswith("dividing head: cannot be brought to rest; switch it off and look at it")
+    assert State.PAUSED not in states(stand)
+    assert not outcome.at_standstill
+
+
 def test_a_stop_ends_a_pause(stand: FakeStand):
     engine = stand.engine()
     engine.control.pause()

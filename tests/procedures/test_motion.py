@@ -93,6 +93,30 @@ def test_a_cable_that_was_wound_is_unwound_at_the_end(stand: FakeStand, last_deg
     assert stand.head.status().angle_deg == rest_deg
 
 
+@pytest.mark.parametrize(("limits_deg", "rest_deg"), [((-10.0, 760.0), 200.0), ((-180.0, 760.0), -160.0)])
+def test_a_cable_is_unwound_as_far_as_the_limits_allow(limits_deg, rest_deg):
+    head, motion = head_and_motion()
+    head.limits_deg = limits_deg
+    motion.travel(560.0, going_on)
+    motion.unwind(going_on)
+    assert head.status().angle_deg == rest_deg
+
+
+def test_a_head_that_knows_its_angle_unwinds_its_cable_before_it_is_homed():
+    head, motion = head_and_motion()
+    motion.travel(730.0, going_on)
+    motion.home(going_on)
+    assert head.targets_deg == [730.0, 10.0, 0.0]
+
+
+def test_a_head_that_does_not_know_its_angle_is_homed_from_where_it_stands():
+    head, motion = head_and_motion()
+    motion.travel(730.0, going_on)
+    head.knows = False
+    motion.home(going_on)
+    assert head.targets_deg == [730.0, 0.0]
+
+
 def test_a_head_that_stalls_is_noticed_at_once():
     head, motion = head_and_motion()
     head.stuck_at_deg = 3.0
@@ -114,6 +138,30 @@ def test_a_head_that_says_for_ever_that_it_moves_is_not_waited_for_any_longer():
     with pytest.raises(DeviceError, match=r"still moves at 30\.0000 deg when it should long have stood at 30 deg"):
         motion.travel(30.0, going_on)
     assert head._clock.monotonic_s() < 8.0
+
+
+def test_a_head_that_does_not_get_on_is_noticed_long_before_the_end_of_a_long_way():
+    head, motion = head_and_motion()
+    head.speed_deg_s = 1.0
+    head.coasting, head.stuck_at_deg = True, 2.0
+    with pytest.raises(DeviceError, match=r"still moves at 2\.0000 deg when it should long have stood at 300 deg"):
+        motion.travel(300.0, going_on)
+    assert head._clock.monotonic_s() < 8.0  # two seconds of way, and the time to notice
+
+
+def test_a_slow_head_that_gets_on_is_waited_for():
+    head, motion = head_and_motion()
+    head.speed_deg_s = 1e-3
+    assert motion.travel(0.1, going_on).angle_deg == 0.1
+
+
+@pytest.mark.parametrize("astray_deg", [-20.0, 50.0])
+def test_a_head_that_leaves_its_way_is_stopped_at_once(astray_deg):
+    head, motion = head_and_motion()
+    head.stuck_at_deg = astray_deg
+    with pytest.raises(DeviceError, match=r"is at -?\d+\.\d+ deg on its way from 0 to 30 deg"):
+        motion.travel(30.0, going_on)
+    assert head._clock.monotonic_s() < 1.2
 
 
 def test_a_head_that_is_turned_during_a_dwell_ends_the_run(stand: FakeStand):

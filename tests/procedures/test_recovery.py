@@ -260,6 +260,20 @@ def test_a_head_that_loses_its_power_under_way_is_homed_and_the_step_begins_anew
     assert linked.head.homings == 1
 
 
+def test_turns_of_the_cable_that_nobody_counts_any_more_are_told(linked: FakeStand):
+    def lose_power():
+        linked.head.referenced = False
+
+    text = 'name = "a"\n[[procedure]]\nkind = "sweep"\nstart_deg = 700\nstep_deg = -5\npoints = 2\n'
+    linked.daq.on_acquire = once_when(lambda: len(linked.sink.of(PointCompleted)) == 1, lose_power)
+    outcome = linked.engine().run(programme_from_text(text, "a").procedure())
+    assert [point.angle_deg for point in outcome.points] == [700.0, 695.0]
+    assert warnings(linked)[1] == (
+        "dividing head: has lost its reference at 700 deg; look whether its cable is wound by 2 turns, and stop the "
+        "run to unwind it by hand if it is"
+    )
+
+
 def test_a_head_that_never_finds_its_reference_ends_the_run(linked: FakeStand):
     linked.head.referenced = False
     linked.head.home = lambda: None

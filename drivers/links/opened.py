@@ -3,13 +3,11 @@
 from contextlib import ExitStack
 from typing import TYPE_CHECKING
 
-from app.instruments import Instrument
-from procedures.errors import InputError
+from drivers.tables import OnCan, OnSerialLine
 
-if TYPE_CHECKING:
-    from drivers.links import SerialLink
-    from drivers.links.can_address import CanAddress
+if TYPE_CHECKING:  # opened when needed: neither library is there for nothing
     from drivers.links.can_link import CanLink
+    from drivers.links.serial_link import SerialLink
 
 
 class Links:
@@ -19,19 +17,19 @@ class Links:
         self._opened = ExitStack()
         self._buses: dict[str, CanLink] = {}
 
-    def serial(self, table: Instrument, device: str) -> "SerialLink":
+    def serial(self, table: OnSerialLine, device: str) -> "SerialLink":
         """Open a serial line; errors call the instrument `device`. Raises `LinkLostError`."""
-        from drivers.links import SerialLink
+        from drivers.links.serial_link import SerialLink
 
         link = SerialLink(table.url, table.baud_rate, device)
         self._opened.callback(link.close)
         return link
 
-    def can(self, table: Instrument) -> "CanLink":
-        """The bus of an instrument. Raises `InputError`, `LinkLostError`."""
+    def can(self, table: OnCan) -> "CanLink":
+        """The bus of an instrument. Raises `LinkLostError`."""
         from drivers.links.can_link import CanLink
 
-        address = _can_address(table)
+        address = table.bus
         if address.url not in self._buses:
             self._buses[address.url] = CanLink(address)
             self._opened.callback(self._buses[address.url].close)
@@ -40,14 +38,3 @@ class Links:
     def close(self) -> None:
         """Close everything; a second call does nothing."""
         self._opened.close()
-
-
-def _can_address(table: Instrument) -> "CanAddress":
-    from drivers.links.can_address import CanAddress
-
-    if not table.url:
-        return CanAddress(interface=table.interface, channel=table.channel, options=table.options)
-    try:
-        return CanAddress.from_url(table.url)
-    except ValueError as error:
-        raise InputError(f"the stand file: url: {error}") from error

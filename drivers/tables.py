@@ -1,14 +1,17 @@
-"""The tables `[head]` and `[daq]` of a stand file."""
+"""The tables `[head]` and `[daq]` of a stand file: what they all may say, and what a way to an instrument adds.
+
+A driver that has keys of its own derives its table from one of these; see `drivers.driver`.
+"""
 
 from datetime import date
-from typing import Literal, Self
+from typing import ClassVar, Final, Self
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
-from procedures.programme import MOST_SAMPLES
+from drivers.links.can_address import CanAddress, Option
 
-_CAN = ("cia402", "can")
-_SERIAL = ("zaber", "scpi")
+MOST_SAMPLES: Final = 10_000_000
+"""More in one dwell is a slip of the pen."""
 
 
 class Instrument(BaseModel):
@@ -17,39 +20,66 @@ class Instrument(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
     driver: str
+    """Name of a driver that is installed, or `FILE.py:NAME`, the file being relative to the stand file."""
     url: str = ""
-    """A serial port or anything else that pyserial opens; for CAN `INTERFACE:CHANNEL?OPTION=VALUE`."""
-    baud_rate: int = Field(default=115_200, ge=50, le=4_000_000)
-    interface: str = ""
-    """Interface of python-can, with `channel` and `options` in place of `url`."""
-    channel: str = ""
-    options: dict[str, int | float | str] = {}
     serial: str = ""
     certificate: str = ""
     calibration_due: date | None = None
 
-    @model_validator(mode="after")
-    def _reachable(self) -> Self:
-        on_can = bool(self.interface and self.channel)
-        if self.driver in _SERIAL and not self.url:
-            raise ValueError(f"the driver {self.driver} needs a url: a port name, or such as socket://127.0.0.1:7001")
-        if self.driver in _CAN and on_can == bool(self.url):
-            raise ValueError(
-                f"the driver {self.driver} needs interface and channel, or a url such as socketcan:can0, and not both"
-            )
-        return self
-
     @property
     def address(self) -> str:
         """Where the instrument is found: what two processes cannot both use; empty where it has no address."""
-        options = "".join(f" {name}={value}" for name, value in sorted(self.options.items()))
-        return self.url or f"{self.interface}:{self.channel}".strip(":") + options
+        return self.url
+
+
+class OnSerialLine(Instrument):
+    """An instrument on a serial line; `url` is a port name or anything else that pyserial opens."""
+
+    baud_rate: int = Field(default=115_200, ge=50, le=4_000_000)
+
+    @model_validator(mode="after")
+    def _reachable(self) -> Self:
+        if not self.url:
+            raise ValueError(f"the driver {self.driver} needs a url: a port name, or such as socket://127.0.0.1:7001")
+        return self
+
+
+class OnCan(Instrument):
+    """An instrument on CAN; `url` is `INTERFACE:CHANNEL?OPTION=VALUE`."""
+
+    interface: str = ""
+    """Interface of python-can, with `channel` and `options` in place of `url`."""
+    channel: str = ""
+    options: dict[str, Option] = {}
+
+    @model_validator(mode="after")
+    def _reachable(self) -> Self:
+        if bool(self.interface and self.channel) == bool(self.url):
+            raise ValueError(
+                f"the driver {self.driver} needs interface and channel, or a url such as socketcan:can0, and not both"
+            )
+        _ = self.bus  # raises where the url names none
+        return self
+
+    @property
+    def bus(self) -> CanAddress:
+        """The bus that it is on."""
+        if self.url:
+            return CanAddress.from_url(self.url)
+        return CanAddress(interface=self.interface, channel=self.channel, options=self.options)
+
+    @property
+    def address(self) -> str:
+        """The bus as one line of text."""
+        return self.bus.url
 
 
 class HeadTable(Instrument):
     """The dividing head."""
 
-    driver: Literal["simulated", "zaber", "cia402", "manual"]
+    by_hand: ClassVar[bool] = False
+    """Whether a person turns the head and reads it."""
+
     steps_per_deg: float = 1000.0
     """Counts of the device per degree, sign included."""
     limits_deg: tuple[float, float]
@@ -57,13 +87,6 @@ class HeadTable(Instrument):
     cable_turns: float | None = Field(default=None, gt=0.0)
     """Turns to either side of zero that the cable of the unit allows; without it, what the limits allow."""
     speed_deg_s: float = Field(default=20.0, ge=1e-3, le=1e4)
-    device: int = Field(default=1, ge=1, le=99)
-    """Number in a chain of Zaber devices."""
-    axis: int = Field(default=1, ge=1, le=9)
-    node: int = Field(default=1, ge=1, le=127)
-    """Number on CANopen."""
-    setting_tolerance_arcsec: float = Field(default=60.0, gt=0.0)
-    """A reading by hand that differs from the setting by more is asked for again."""
     accuracy_arcsec: float = Field(default=0.0, ge=0.0)
     """Standard uncertainty of the reading."""
     seating_arcsec: float = Field(default=0.0, ge=0.0)
@@ -87,15 +110,8 @@ class HeadTable(Instrument):
 class DaqTable(Instrument):
     """The voltmeter."""
 
-    driver: Literal["simulated", "scpi", "can"]
     samples: int = Field(default=100, ge=2, le=MOST_SAMPLES)
     """Per dwell, unless the programme says otherwise."""
     rate_hz: float = Field(default=100.0, ge=1e-2, le=1e6)
-    range_v: float | None = Field(default=10.0, gt=0.0, le=1000.0)
-    """Range of a multimeter."""
-    temperature_sensor: str | None = None
-    """Parameters of `CONF:TEMP` of a multimeter with a sensor."""
-    dbc: str = ""
-    """DBC file of a CAN DAQ, relative to the stand file; without it the one that comes along."""
     gain_uncertainty: float = Field(default=0.0, ge=0.0)
     offset_uncertainty_v: float = Field(default=0.0, ge=0.0)

@@ -1,0 +1,90 @@
+"""How a driver declares itself, so that a stand file can name it: one value, wherever the driver lives.
+
+    class Keys(OnSerialLine, HeadTable):
+        axis: int = 1
+
+    def connect(keys: Keys, bench: Bench) -> MyHead:
+        return MyHead(bench.links.serial(keys, "dividing head"), keys, bench.clock)
+
+    MY_HEAD = Driver(table=Keys, connect=connect)
+
+In a file of a laboratory's own the stand file says `driver = "my_head.py:MY_HEAD"`. A package that is installed gives
+the value a name in the entry point group `tumble.heads` or `tumble.daqs`; the drivers that come along do the same.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from importlib.metadata import entry_points
+from pathlib import Path
+from typing import Any, Final, Generic, TypeVar
+
+from drivers.clock import Clock
+from drivers.links.opened import Links
+from drivers.manual.head import Eyepiece
+from drivers.own_file import load_from_file
+from drivers.protocols import Daq, DividingHead
+from drivers.tables import DaqTable, HeadTable, Instrument
+
+SIMULATED: Final = "simulated"
+"""Names no driver, but the world that exists in this process only, with head and DAQ in one."""
+
+Table = TypeVar("Table", bound=Instrument)
+Made = TypeVar("Made", bound=DividingHead | Daq, covariant=True)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Bench:
+    """What a driver is given besides its table."""
+
+    clock: Clock
+    """The stand's clock: a driver reads and waits by no other, except for what a link takes."""
+    links: Links
+    """Opens serial lines and CAN buses, and closes them at the end."""
+    folder: Path
+    """Where relative paths of the stand file begin."""
+    eyepiece: Callable[[float], Eyepiece]
+    """The person at a head without a motor; a reading farther from its setting than so many degrees is questioned."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Driver(Generic[Table, Made]):
+    """What a stand file names by `driver`."""
+
+    table: type[Table]
+    """The keys of the driver's table in a stand file, with types, bounds and defaults."""
+    connect: Callable[[Table, Bench], Made]
+    """Reach the instrument; it is identified and referenced later, and nothing moves.
+
+    Raises `DeviceError` where it cannot be reached, `ValueError` where a file that the table names cannot be used.
+    """
+
+
+HeadDriver = Driver[Any, DividingHead]
+DaqDriver = Driver[Any, Daq]
+
+
+def find_head(name: str, folder: Path) -> HeadDriver | None:
+    """The driver of a head by its name in a stand file in `folder`; None for the simulated one. Raises `ValueError`."""
+    return _find(name, folder, "tumble.heads", HeadTable)
+
+
+def find_daq(name: str, folder: Path) -> DaqDriver | None:
+    """The driver of a DAQ, likewise. Raises `ValueError`."""
+    return _find(name, folder, "tumble.daqs", DaqTable)
+
+
+def _find(name: str, folder: Path, group: str, kind: type[Instrument]) -> Driver[Any, Any] | None:
+    if name == SIMULATED:
+        return None
+    found = load_from_file(name, folder) if ":" in name else _installed(name, group)
+    if not (isinstance(found, Driver) and issubclass(found.table, kind)):
+        raise ValueError(f"{name} is no driver whose table is a {kind.__name__}; name the value made with Driver(...)")
+    return found
+
+
+def _installed(name: str, group: str) -> object:
+    known = {entry.name: entry for entry in entry_points(group=group)}
+    if name not in known:
+        names = ", ".join(sorted({*known, SIMULATED}))
+        raise ValueError(f"no driver is called {name!r}; known are {names}, or write FILE.py:NAME")
+    return known[name].load()

@@ -1,0 +1,28 @@
+"""A SCPI multimeter in a stand file."""
+
+from pydantic import Field
+
+from drivers.driver import Bench, Driver
+from drivers.scpi.meter import ScpiMultimeter
+from drivers.tables import DaqTable, OnSerialLine
+
+
+class ScpiTable(OnSerialLine, DaqTable):
+    """`driver = "scpi"`."""
+
+    range_v: float | None = Field(default=10.0, gt=0.0, le=1000.0)
+    temperature_sensor: str | None = None
+    """Parameters of `CONF:TEMP`; without them there is no temperature."""
+
+
+def _connect(table: ScpiTable, bench: Bench) -> ScpiMultimeter:
+    return ScpiMultimeter(
+        bench.links.serial(table, "multimeter"),
+        bench.clock,
+        range_v=table.range_v,
+        temperature_sensor=table.temperature_sensor,
+        baud_rate=table.baud_rate,
+    )
+
+
+SCPI = Driver(table=ScpiTable, connect=_connect)

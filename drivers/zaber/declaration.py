@@ -1,0 +1,30 @@
+"""A Zaber stage in a stand file."""
+
+from pydantic import Field
+
+from drivers.driver import Bench, Driver
+from drivers.tables import HeadTable, OnSerialLine
+from drivers.zaber.head import ZaberHead
+
+
+class ZaberTable(OnSerialLine, HeadTable):
+    """`driver = "zaber"`."""
+
+    device: int = Field(default=1, ge=1, le=99)
+    """Number in a chain of devices."""
+    axis: int = Field(default=1, ge=1, le=9)
+
+
+def _connect(table: ZaberTable, bench: Bench) -> ZaberHead:
+    return ZaberHead(
+        bench.links.serial(table, "dividing head"),
+        device=table.device,
+        axis=table.axis,
+        limits_deg=table.limits_deg,
+        steps_per_deg=table.steps_per_deg,
+        speed_deg_s=table.speed_deg_s,
+        clock=bench.clock,
+    )
+
+
+ZABER = Driver(table=ZaberTable, connect=_connect)
