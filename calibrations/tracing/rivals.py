@@ -20,6 +20,8 @@ CLOSE = 3.84
 """Two explanations whose deviances differ by less cannot be told apart (chi-square, one degree of freedom, 95%)."""
 _SIMPLER = 6.0
 """What a coefficient more must earn for its effect to give the name: the simpler one may be a special case of it."""
+_WALK_NAMED = 9.0
+"""What a random walk must earn beyond its price to give the name: of a walk and one effect, the better fit decides."""
 _EQUAL = 1e-3
 """Deviances closer than this are equal: the effects are the same in this table."""
 _WORTH_A_LOOK = 60.0
@@ -67,7 +69,8 @@ def _naming_price(trace: Trace) -> float:
 
     It only ever falls, or stays while names move up in the catalogue, so that exchanging names comes to an end.
     """
-    return trace_price(trace) + _SIMPLER * sum(item.coefficients for item in trace.found)
+    price = trace_price(trace) + _SIMPLER * sum(item.coefficients for item in trace.found)
+    return price + (_SIMPLER + _WALK_NAMED) * bool(trace.noise.walk)
 
 
 def rivals(tracer: Tracer, trace: Trace, name: str) -> list[Rival]:
