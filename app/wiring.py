@@ -9,7 +9,7 @@ import click
 
 from app.instruments import HeadTable
 from app.links import Links
-from app.simulation import Past, simulation, switching_on
+from app.simulation import Past, TurningEyepiece, simulation, switching_on
 from app.stand import LoadedStand
 from drivers.clock import Clock, ReleasedClock, SystemClock
 from drivers.manual import Eyepiece, ManualHead
@@ -45,7 +45,7 @@ def connect(
 
     The operator of a simulated or emulated stand is simulated too, and seats the unit whenever asked, unless an answers
     file says otherwise. An attended stand asks the person at the terminal, and lives in real time, as a real one always
-    does.
+    does. An emulated stand lives by the clock of its emulation.
     Where a run is resumed, a simulated stand lives through its `past` again first.
 
     Raises
@@ -57,19 +57,20 @@ def connect(
     """
     if loaded.file.simulates:
         return _simulated(loaded, answers, attended, past)
-    clock, links = SystemClock(), Links()
+    backstage, links = find_backstage((loaded.file.head.address, loaded.file.daq.address)), Links()
+    clock = backstage.clock if backstage else SystemClock()
     try:
         daq = _daq(loaded, clock, links)
         motorised = _motorised(loaded.file.head, clock, links)
-        backstage = find_backstage((loaded.file.head.address, loaded.file.daq.address))
         operator = _operator(answers, attended=attended or backstage is None)
     except BaseException:
         links.close()
         raise
     eyepiece = OperatorEyepiece(operator, clock, _tolerance_deg(loaded))
+    person = TurningEyepiece(eyepiece, backstage) if backstage else eyepiece
     stand = Stand(
         name=loaded.file.name,
-        head=motorised or _manual(loaded, eyepiece, clock),
+        head=motorised or _manual(loaded, person, clock),
         daq=daq,
         clock=clock,
         serials={"head": loaded.file.head.serial, "daq": loaded.file.daq.serial},
@@ -95,7 +96,7 @@ def _simulated(loaded: LoadedStand, answers: Path | None, attended: bool, past: 
     stand, eyepiece = simulated.stand, None
     if loaded.file.head.driver == "manual":
         eyepiece = OperatorEyepiece(operator, clock, _tolerance_deg(loaded))
-        stand = replace(stand, head=_manual(loaded, simulated.turned_by(eyepiece), clock))
+        stand = replace(stand, head=_manual(loaded, TurningEyepiece(eyepiece, simulated), clock))
     return Connected(
         stand=stand, operator=operator, listeners=simulated.listeners, eyepiece=eyepiece, lived_s=simulated.lived_s
     )

@@ -16,7 +16,8 @@ from emulators.world import SharedWorld
 class Wanted:
     """How a stand is to be served."""
 
-    head: Literal["zaber", "cia402"]
+    head: Literal["zaber", "cia402", "manual"]
+    """A manual one speaks no protocol: it is turned backstage."""
     daq: Literal["scpi", "can"]
     steps_per_deg: float
     node: int = 1
@@ -31,7 +32,8 @@ class Wanted:
 def emulate(stack: ExitStack, shared: SharedWorld, wanted: Wanted, script: FaultScript | None = None) -> dict[str, str]:
     """Serve a stand until `stack` is closed.
 
-    Returns the addresses of `head` and `daq` as a stand file writes them, and those of their pseudo-terminals.
+    Returns the addresses of `head`, unless it is a manual one, and of `daq` as a stand file writes them, and those of
+    their pseudo-terminals.
 
     Raises
     ------
@@ -58,6 +60,8 @@ class _Emulation:
         return found
 
     def _head(self) -> dict[str, str]:
+        if self._wanted.head == "manual":
+            return {}
         if self._wanted.head == "cia402":
             from emulators.cia402 import EmulatedDrive
 

@@ -49,8 +49,6 @@ def command(
     """
     loaded = load_stand(stand_path)
     head, daq = loaded.file.head, loaded.file.daq
-    if head.driver == "manual":
-        raise InputError(f"{loaded.path}: a manual head speaks no protocol; there is nothing to emulate")
     clock = FasterClock(speed)
     wanted = Wanted(
         head=_head_protocol(head),
@@ -73,8 +71,8 @@ def command(
         _until_stopped()
 
 
-def _head_protocol(head: HeadTable) -> Literal["zaber", "cia402"]:
-    return "cia402" if head.driver == "cia402" else "zaber"
+def _head_protocol(head: HeadTable) -> Literal["zaber", "cia402", "manual"]:
+    return "zaber" if head.driver == "simulated" else head.driver
 
 
 def _daq_protocol(daq: DaqTable) -> Literal["scpi", "can"]:
