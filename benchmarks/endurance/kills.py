@@ -1,7 +1,7 @@
 """Kill -9 in the midst of runs, then resume: how many completed points are lost, and what becomes of the result.
 
-`python -m benchmarks.endurance.kills` kills a `quick` run at every point boundary, a `seed` run at random moments
-(`--count`, spread evenly over the time that it takes), and as many of a `seed` run on a stand with drift, backlash and
+`python -m benchmarks.endurance.kills [--count 200]` kills a `quick` run at every point boundary, a `seed` run at random
+moments (spread evenly over the time that it takes), and as many of a `seed` run on a stand with drift, backlash and
 flicker, which lives on for a whole dwell before the run goes on. Completed is what was on the disk when the process
 died. Every resumed run is compared with the undisturbed one: with white noise alone, which is tied to the point, every
 point and every parameter must be the same to the last bit; with drift every parameter must be within 0.1 standard
@@ -176,7 +176,7 @@ def identical(survived: list[Survived]) -> bool:
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--count", type=int, default=10, help="kills at random moments, on either stand")
+    parser.add_argument("--count", type=int, default=200, help="kills at random moments, on either stand")
     parser.add_argument("--every", type=int, default=1, help="every n-th point boundary of a quick run")
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
