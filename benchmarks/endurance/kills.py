@@ -31,9 +31,10 @@ from procedures.steps import Point
 
 DRIFT = """\
 seed = 1
-flicker_v = 2e-5
+flicker_v = 1e-5
 effects = { backlash = 0.002, bias_drift = 2e-3, scale_drift = 1e-3, bias_temperature = 5e-4, bias_random_walk = 1e-4 }
 """
+"""Flicker of 10 µg: the bias of a measured triad wandered by 2.4 to 6 µg (Dzuev 2018: 1.0″ to 2.5″, twice sigma)."""
 DRIFTING = Job(programme="seed", simulated=DRIFT, outage_s=1.0)
 """The outage is a dwell."""
 AGREED = 0.1
