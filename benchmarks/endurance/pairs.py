@@ -1,4 +1,4 @@
-"""A whole programme through the wire: `python -m benchmarks.endurance.pairs [--programme seed] [--speed 100]`.
+"""A whole programme through the wire: `python -m benchmarks.endurance.pairs [--programme seed] [--speed 30]`.
 
 Every pair of drivers measures the emulated stand, `tumble run` and `tumble emulate` each in a process of its own; a
 short programme also goes over pseudo-terminals and through a network port server (RFC 2217). The same stand is run with
@@ -132,7 +132,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--programme", default="seed")
     parser.add_argument("--short", default="quick", help="programme for the other ports")
-    parser.add_argument("--speed", type=float, default=100.0, help="of the emulated stand, times real time")
+    parser.add_argument("--speed", type=float, default=30.0, help="of the emulated stand, times real time")
     options = parser.parse_args()
     good = True
     for programme, runs in ((options.programme, through_sockets), (options.short, through_other_ports)):

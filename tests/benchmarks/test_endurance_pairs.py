@@ -20,7 +20,7 @@ axes = ["x", "y"]
 [[procedure]]
 kind = "sweep"
 mount = "face-down"
-step_deg = 60.0
+step_deg = 30.0
 points = 5
 """
 TRUE_KX = 1.0
@@ -41,7 +41,7 @@ def reference(programme):
 @pytest.mark.skipif(os.name == "nt", reason="SIGINT cannot be sent to one process on Windows")
 @pytest.mark.parametrize("pair", ["zaber, can", "cia402, scpi", "manual, scpi"])
 def test_a_run_through_the_wire_gives_what_the_simulated_stand_gives(pair, programme, reference, tmp_path):
-    with served(PAIRS[pair], tmp_path, speed=100.0) as stand:
+    with served(PAIRS[pair], tmp_path, speed=30.0) as stand:
         one = whole(pair, stand, programme)
 
     assert one.points == 2 * (4 + 5)
