@@ -9,7 +9,7 @@ BIN := $(VENV)/bin
 help:
 	@echo "make demo   run the main job on the simulated stand: recording, record and report in tumble-store/"
 	@echo "make test   style, types, import contracts and all tests"
-	@echo "make endurance   kills, cuts, whole runs through the wire, a million mutated frames per protocol (two hours)"
+	@echo "make endurance   kills, cuts, whole runs through the wire, a million mutated frames per protocol (more than an hour)"
 	@echo "make lock   pin the dependencies anew"
 
 $(VENV)/.ready: requirements.lock pyproject.toml
