@@ -7,7 +7,7 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-from benchmarks.endurance.emulated import SIMULATED, TUMBLE
+from benchmarks.endurance.processes import SIMULATED, TUMBLE
 
 AT_BOUNDARY = """\
 import os, signal, sys

@@ -17,8 +17,8 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from benchmarks.endurance import emulated as stands
-from benchmarks.endurance.emulated import Instruments, emulated, run
+from benchmarks.endurance import processes as stands
+from benchmarks.endurance.processes import Instruments, emulated, run
 from benchmarks.endurance.rfc2217 import rfc2217_port
 from calibrations.analysis import analyse
 from calibrations.result import Calibration

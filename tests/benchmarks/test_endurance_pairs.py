@@ -5,8 +5,8 @@ from dataclasses import replace
 
 import pytest
 
-from benchmarks.endurance.emulated import SIMULATED
 from benchmarks.endurance.pairs import PAIRS, agrees, row, served, simulated, whole
+from benchmarks.endurance.processes import SIMULATED
 
 PROGRAMME = """
 name = "short"
