@@ -9,7 +9,7 @@ BIN := $(VENV)/bin
 help:
 	@echo "make demo   run the main job on the simulated stand: recording, record and report in tumble-store/"
 	@echo "make test   style, types, import contracts and all tests"
-	@echo "make endurance   kills, cuts and a million mutated frames per protocol (more than an hour)"
+	@echo "make endurance   kills, cuts, whole runs through the wire, a million mutated frames per protocol (more than an hour)"
 	@echo "make lock   pin the dependencies anew"
 
 $(VENV)/.ready: requirements.lock pyproject.toml
@@ -36,7 +36,9 @@ check: setup
 
 endurance: setup
 	$(BIN)/python -m benchmarks.endurance.cuts
-	$(BIN)/python -m benchmarks.endurance.kills --count 200
+	$(BIN)/python -m benchmarks.endurance.kills
+	$(BIN)/python -m benchmarks.endurance.peers
+	$(BIN)/python -m benchmarks.endurance.pairs
 	$(BIN)/python -m benchmarks.endurance.zaber_frames
 	$(BIN)/python -m benchmarks.endurance.scpi_frames
 	$(BIN)/python -m benchmarks.endurance.can_frames

@@ -97,7 +97,8 @@ def store(traced: Traced, folder: Path) -> Record:
     """Store a calibration; a raw file that was calibrated before gets a further revision. Raises `JobError`."""
     try:
         records = Store(folder)
-        before = _standing_record(records, traced.provenance)
+        origin = traced.provenance
+        before = standing_record(records, origin.serial_number, origin.raw_sha256)
         return records.add(
             traced.calibration,
             traced.provenance,
@@ -121,11 +122,16 @@ def make_ready(folder: Path) -> None:
         raise JobError(sentence, Exit.STORAGE) from error
 
 
-def _standing_record(records: Store, provenance: Provenance) -> Record | None:
-    """The record that a new analysis of the same raw file supersedes."""
-    same_unit = records.find(serial_number=provenance.serial_number)
-    same_file = [record for record in same_unit if record.provenance.raw_sha256 == provenance.raw_sha256]
+def standing_record(records: Store, serial_number: str, raw_sha256: str) -> Record | None:
+    """The record of a raw file that stands, which a new analysis of it supersedes; None where there is none."""
+    same_unit = records.find(serial_number=serial_number)
+    same_file = [record for record in same_unit if record.provenance.raw_sha256 == raw_sha256]
     return same_file[-1] if same_file else None
+
+
+def report_path(folder: Path, record: Record) -> Path:
+    """Where the report of a record lies."""
+    return folder / "reports" / f"{record.id}.html"
 
 
 def write_report(traced: Traced, path: Path, record_id: str = "", revision: int = 1) -> None:
@@ -204,7 +210,7 @@ def conclude(recording: Path, folder: Path, tell: Callable[[str], None] = lambda
     tell("storing")
     record = store(traced, folder)
     tell("reporting")
-    report = folder / "reports" / f"{record.id}.html"
+    report = report_path(folder, record)
     try:
         write_report(traced, report, record.id, record.revision)
     except JobError as error:

@@ -4,10 +4,11 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from app.calibrating import fit, trace
+from app.calibrating import fit, report_path, standing_record, trace, write_report
 from app.identity import program_identity
 from app.measurements import Measurement, read_measurement
 from calibrations.records.errors import StoreError
+from calibrations.records.raw import file_sha256
 from calibrations.records.record import Record
 from calibrations.records.store import Store
 from calibrations.records.verify import Verification, verify
@@ -27,6 +28,23 @@ def recall(folder: Path, record_id: str) -> tuple[Record, Measurement]:
     store = open_store(folder)
     record = store.get(record_id)
     return record, read_measurement(store.raw_file(record), record.provenance.stand)
+
+
+def record_of(recording: Path, serial_number: str, folder: Path) -> Record | None:
+    """The record of a recording that stands in a store; None where there is none."""
+    try:
+        return standing_record(Store.existing(folder), serial_number, file_sha256(recording))
+    except StoreError:
+        return None
+
+
+def report_again(folder: Path, record_id: str, path: Path | None = None) -> Path:
+    """Write the report of a record anew from its raw file. Raises as `recall`, and `JobError`."""
+    record, measurement = recall(folder, record_id)
+    page = path or report_path(folder, record)
+    analysed = fit(measurement, record.provenance.serial_number, folder=folder)
+    write_report(trace(analysed), page, record.id, record.revision)
+    return page
 
 
 def verify_record(store: Store, record: Record) -> Verification:

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import Protocol
 
 from app.stand import LoadedStand
 from drivers.clock import Clock
@@ -9,7 +10,6 @@ from drivers.manual import Eyepiece
 from drivers.protocols import Stand
 from drivers.simulated import HeadOptions, Simulated, SimulatedWorld, build
 from drivers.simulated.bench import Counts
-from drivers.simulated.head import SimulatedHead
 from procedures.acquisition import Acquisition
 from procedures.announcer import Listener
 from procedures.composition import advance
@@ -40,9 +40,17 @@ class Simulation:
     lived_s: float = 0.0
     """Since the run began that is resumed there."""
 
-    def turned_by(self, eyepiece: Eyepiece) -> Eyepiece:
-        """The same person, whose hand turns the simulated head."""
-        return _TurningEyepiece(eyepiece, self.world.head)
+    def turn(self, angle_deg: float) -> None:
+        """Begin to turn the head by hand."""
+        self.world.head.start_move(angle_deg)
+
+    def let_go(self) -> None:
+        """Leave the head where it is."""
+        self.world.head.stop()
+
+    def turning(self) -> bool:
+        """Whether the head still turns."""
+        return self.world.head.status().moving
 
     def after(self, past: Past) -> "Simulation":
         """Have the world live through a run again up to its last point, and go on from there.
@@ -95,25 +103,41 @@ class _Nowhere:
         """Forget an event."""
 
 
-class _TurningEyepiece:
-    """A person whose hand turns the simulated head to every setting."""
+class Hand(Protocol):
+    """What turns a head without a motor where there is nobody: `Simulation`, or the backstage of an emulated stand."""
 
-    def __init__(self, eyepiece: Eyepiece, head: SimulatedHead) -> None:
+    def turn(self, angle_deg: float) -> None:
+        """Begin to turn the head."""
+        ...
+
+    def let_go(self) -> None:
+        """Leave the head where it is."""
+        ...
+
+    def turning(self) -> bool:
+        """Whether the head still turns."""
+        ...
+
+
+class TurningEyepiece:
+    """A person whose hand turns a head that is not real to every setting. Fits `Eyepiece`."""
+
+    def __init__(self, eyepiece: Eyepiece, hand: Hand) -> None:
         self._eyepiece = eyepiece
-        self._head = head
+        self._hand = hand
 
     def show(self, setting_deg: float) -> None:
         """Turn the head, and have it read."""
-        self._head.start_move(setting_deg)
+        self._hand.turn(setting_deg)
         self._eyepiece.show(setting_deg)
 
     def reading_deg(self) -> float | None:
         """What is read once the head stands."""
-        return None if self._head.status().moving else self._eyepiece.reading_deg()
+        return None if self._hand.turning() else self._eyepiece.reading_deg()
 
     def withdraw(self) -> None:
         """Leave the head where it is."""
-        self._head.stop()
+        self._hand.let_go()
         self._eyepiece.withdraw()
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import click
 
-from app.simulation import Past, simulation, switching_on
+from app.simulation import Hand, Past, TurningEyepiece, simulation, switching_on
 from app.stand import LoadedStand
 from drivers.clock import Clock, ReleasedClock, SystemClock
 from drivers.driver import Bench
@@ -44,7 +44,7 @@ def connect(
 
     The operator of a simulated or emulated stand is simulated too, and seats the unit whenever asked, unless an answers
     file says otherwise. An attended stand asks the person at the terminal, and lives in real time, as a real one always
-    does.
+    does. An emulated stand lives by the clock of its emulation.
     Where a run is resumed, a simulated stand lives through its `past` again first.
 
     Raises
@@ -56,10 +56,10 @@ def connect(
     """
     if loaded.file.simulates:
         return _simulated(loaded, answers, attended, past)
-    clock, links = SystemClock(), Links()
-    backstage = find_backstage((loaded.file.head.address, loaded.file.daq.address))
+    backstage, links = find_backstage((loaded.file.head.address, loaded.file.daq.address)), Links()
+    clock = backstage.clock if backstage else SystemClock()
     operator = cache(partial(_operator, answers, attended=attended or backstage is None))
-    person = _Person(operator, clock)
+    person = _Person(operator, clock, backstage)
     bench = Bench(clock=clock, links=links, folder=loaded.folder, eyepiece=person.at_the_head)
     try:
         head, daq = _instruments(loaded, bench)
@@ -91,7 +91,7 @@ def _simulated(loaded: LoadedStand, answers: Path | None, attended: bool, past: 
     if attended:
         clock.release()
     operator = SeatingOperator(_operator(answers, attended), simulated.world.seat)
-    person = _Person(lambda: operator, clock, simulated.turned_by)
+    person = _Person(lambda: operator, clock, simulated)
     stand = simulated.stand
     if loaded.head_driver is not None:
         bench = Bench(clock=clock, links=Links(), folder=loaded.folder, eyepiece=person.at_the_head)
@@ -114,20 +114,18 @@ def _operator(answers: Path | None, attended: bool) -> Operator:
 
 
 class _Person:
-    """Reads a head without a motor, where a driver asks for somebody who does; a terminal is listened to from then."""
+    """Reads a head without a motor, where a driver asks for somebody who does; a terminal is listened to from then.
 
-    def __init__(
-        self,
-        operator: Callable[[], Operator],
-        clock: Clock,
-        turning: Callable[[Eyepiece], Eyepiece] = lambda eyepiece: eyepiece,
-    ) -> None:
+    The `hand` turns the head where it is not real.
+    """
+
+    def __init__(self, operator: Callable[[], Operator], clock: Clock, hand: Hand | None) -> None:
         self.eyepiece: OperatorEyepiece | None = None
-        self._operator, self._clock, self._turning = operator, clock, turning
+        self._operator, self._clock, self._hand = operator, clock, hand
 
     def at_the_head(self, tolerance_deg: float) -> Eyepiece:
         self.eyepiece = OperatorEyepiece(self._operator(), self._clock, tolerance_deg)
-        return self._turning(self.eyepiece)
+        return TurningEyepiece(self.eyepiece, self._hand) if self._hand else self.eyepiece
 
 
 def _instruments(loaded: LoadedStand, bench: Bench) -> tuple[DividingHead, Daq]:

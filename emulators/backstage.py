@@ -1,8 +1,8 @@
-"""What people do at an emulated stand: seat the unit, switch it off and on.
+"""What people do at an emulated stand: seat the unit, switch it off and on, turn a head that has no motor.
 
 No protocol of an instrument has words for that. A program that drives an emulated stand finds its backstage by the
 address of an instrument, through a small file in the folder for temporary files, and tells it what a person would have
-done.
+done. The same file says how fast time goes there.
 """
 
 import getpass
@@ -16,15 +16,23 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Final
 
+from drivers.clock import Clock, SystemClock
 from drivers.errors import DeviceError
 from emulators.serving import serve_tcp
+from emulators.speed import FasterClock
 from emulators.world import SharedWorld
 
 _TIMEOUT_S: Final = 5.0
+_DONE: Final = "done"
+_TURNING: Final = "turning"
 
 
 class BackstageSession:
-    """Hears `seat MOUNT` and `switch on`, a line each, and answers `done`, or what is wrong. Fits `Session`."""
+    """Hears one thing that a person does, a line each, and answers `done`, or what is wrong. Fits `Session`.
+
+    `seat MOUNT`; `switch on`; `turn ANGLE`, which begins to turn the head, `turn off`, which leaves it where it is;
+    `look`, which is answered `turning` as long as it turns.
+    """
 
     def __init__(self, shared: SharedWorld) -> None:
         self._shared = shared
@@ -34,29 +42,37 @@ class BackstageSession:
         verb, _, what = data.decode("utf-8", "replace").strip().partition(" ")
         with self._shared.lock:
             try:
-                self._do(verb, what)
-            except ValueError as error:
+                return f"{self._do(verb, what)}\n".encode()
+            except (ValueError, DeviceError) as error:
                 return f"{error}\n".encode()
-        return b"done\n"
 
     def due(self) -> bytes:
         """Nothing is said unasked."""
         return b""
 
-    def _do(self, verb: str, what: str) -> None:
-        if verb == "seat":
-            self._shared.world.seat(what)
-        elif (verb, what) == ("switch", "on"):
-            self._shared.world.switch_on()
-        else:
-            raise ValueError(f"{verb} {what} is nothing that is done backstage")
+    def _do(self, verb: str, what: str) -> str:
+        match verb, what:
+            case "seat", mount:
+                self._shared.world.seat(mount)
+            case "switch", "on":
+                self._shared.world.switch_on()
+            case "turn", "off":
+                self._shared.head.stop()
+            case "turn", angle_deg:
+                self._shared.head.start_move(float(angle_deg))
+            case "look", "":
+                return _TURNING if self._shared.head.status().moving else _DONE
+            case _:
+                raise ValueError(f"{verb} {what} is nothing that is done backstage")
+        return _DONE
 
 
 class Backstage:
-    """The way to the people at an emulated stand."""
+    """The way to the people at an emulated stand, and the clock by which they live."""
 
-    def __init__(self, port: int) -> None:
+    def __init__(self, port: int, clock: Clock) -> None:
         self._port = port
+        self.clock = clock
 
     def seat(self, mount: str) -> None:
         """Seat the unit. Raises `DeviceError`."""
@@ -66,6 +82,18 @@ class Backstage:
         """Switch the unit off and on. Raises `DeviceError`."""
         self._tell("switch on")
 
+    def turn(self, angle_deg: float) -> None:
+        """Begin to turn the head by hand. Raises `DeviceError`."""
+        self._tell(f"turn {angle_deg!r}")
+
+    def let_go(self) -> None:
+        """Leave the head where it is. Raises `DeviceError`."""
+        self._tell("turn off")
+
+    def turning(self) -> bool:
+        """Whether the head still turns. Raises `DeviceError`."""
+        return self._tell("look") == _TURNING
+
     def alive(self) -> bool:
         """Whether somebody is there."""
         try:
@@ -74,25 +102,28 @@ class Backstage:
             return False
         return True
 
-    def _tell(self, line: str) -> None:
+    def _tell(self, line: str) -> str:
         try:
             with socket.create_connection(("127.0.0.1", self._port), timeout=_TIMEOUT_S) as connection:
                 connection.sendall(f"{line}\n".encode())
                 answer = connection.makefile("rb").readline().decode().strip()
         except OSError as error:
             raise DeviceError("emulated stand", f"{line}: nobody heard it ({error})", "start it again") from error
-        if answer != "done":
+        if answer not in (_DONE, _TURNING):
             raise DeviceError("emulated stand", f"{line}: {answer or 'no answer'}", "look at what is asked of it")
+        return answer
 
 
 @contextmanager
 def backstage_of(shared: SharedWorld, addresses: Sequence[str]) -> Iterator[None]:
     """Open the backstage of a world whose instruments have these addresses, as long as the context lasts."""
     with serve_tcp(lambda: BackstageSession(shared), terminators=b"\n") as server:
+        pace = shared.clock.pace if isinstance(shared.clock, FasterClock) else None
+        known = json.dumps({"port": server.port, "process": os.getpid(), "pace": pace})
         entries = [_entry(address) for address in addresses]
         for entry in entries:
             entry.parent.mkdir(parents=True, exist_ok=True)
-            entry.write_text(json.dumps({"port": server.port, "process": os.getpid()}), "utf-8")
+            entry.write_text(known, "utf-8")
         try:
             yield
         finally:
@@ -105,7 +136,8 @@ def find_backstage(addresses: Sequence[str]) -> Backstage | None:
     for address in addresses:
         try:
             known = json.loads(_entry(address).read_text("utf-8"))
-            backstage = Backstage(int(known["port"]))
+            clock = FasterClock(**known["pace"]) if known["pace"] else SystemClock()
+            backstage = Backstage(int(known["port"]), clock)
         except (OSError, ValueError, KeyError, TypeError):
             continue
         if backstage.alive():

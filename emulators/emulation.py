@@ -19,7 +19,10 @@ class Wanted:
 
     head: HeadTable
     daq: DaqTable
-    """Tables of the stand file; what is simulated there is served as `zaber` and `scpi`."""
+    """Tables of the stand file; what is simulated there is served as `zaber` and `scpi`.
+
+    A manual head speaks no protocol: it is turned backstage.
+    """
     head_port: int = 0
     """TCP port; 0 for any that is free. Where head and DAQ share a CAN bus, that of the head serves both."""
     daq_port: int = 0
@@ -30,7 +33,8 @@ class Wanted:
 def emulate(stack: ExitStack, shared: SharedWorld, wanted: Wanted, script: FaultScript | None = None) -> dict[str, str]:
     """Serve a stand until `stack` is closed.
 
-    Returns the addresses of `head` and `daq` as a stand file writes them, and those of their pseudo-terminals.
+    Returns the addresses of `head`, unless it is a manual one, and of `daq` as a stand file writes them, and those of
+    their pseudo-terminals.
 
     Raises
     ------
@@ -60,7 +64,8 @@ class _Emulation:
 
     def _head(self) -> dict[str, str]:
         table = self._wanted.head
-        return _served(table, {SIMULATED: self._zaber, "zaber": self._zaber, "cia402": self._cia402})
+        known = {SIMULATED: self._zaber, "zaber": self._zaber, "cia402": self._cia402, "manual": dict[str, str]}
+        return _served(table, known)
 
     def _daq(self) -> dict[str, str]:
         return _served(self._wanted.daq, {SIMULATED: self._scpi, "scpi": self._scpi, "can": self._candaq})

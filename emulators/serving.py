@@ -1,5 +1,6 @@
 """Serve an emulated instrument to any client, over loopback TCP or a pseudo-terminal."""
 
+import math
 import time
 from collections.abc import Callable
 from threading import Event, Thread
@@ -14,6 +15,10 @@ __all__ = ["Server", "Session", "serve_pty", "serve_tcp"]
 
 POLL_S: Final = 0.003
 """Time between two looks at what an instrument wants to say unasked."""
+
+BRISK_POLL_S: Final = 0.0003
+BRISK_S: Final = 0.02
+"""For so long after a client was heard, it is looked more often: an answer from another thread, as on CAN, is near."""
 
 LINE_ENDS: Final = b"\r\n"
 
@@ -31,6 +36,7 @@ class Server:
         self._faults = faults
         self._terminators = terminators
         self._wires: dict[Channel, Wire] = {}
+        self._heard_s = -math.inf
         self._closing = Event()
         port.open()
         self._thread = Thread(target=self._serve, name=f"serving {port.url}", daemon=True)
@@ -68,7 +74,8 @@ class Server:
 
     def _turn(self) -> None:
         """Hear every client once, then answer, unless the link is lost meanwhile."""
-        answers = [(channel, self._heard(channel)) for channel in self._port.wait(POLL_S)]
+        brisk = time.monotonic() - self._heard_s < BRISK_S
+        answers = [(channel, self._heard(channel)) for channel in self._port.wait(BRISK_POLL_S if brisk else POLL_S)]
         if drop := self._faults.take("drop"):
             self._vanish(drop.lasts_s)
             return
@@ -86,6 +93,8 @@ class Server:
             wire = self._wires[channel] = Wire(self._session_factory(), self._faults, self._terminators)
         data = channel.read()
         now_s = time.monotonic()
+        if data:
+            self._heard_s = now_s
         return None if data is None else wire.hear(data, now_s) + wire.due(now_s)
 
     def _vanish(self, lasts_s: float) -> None:

@@ -7,7 +7,7 @@ import click
 from app.calibrating import fit, trace, write_report
 from app.commands import options
 from app.measurements import read_measurement
-from app.recall import recall
+from app.recall import report_again
 from app.stand import load_stand
 
 
@@ -25,8 +25,5 @@ def command(file_or_record: str, out: Path | None, stand_path: Path | None, seri
         page = out or path.with_suffix(".html")
         write_report(trace(fit(measurement, serial_number)), page)
     else:
-        record, measurement = recall(folder, file_or_record)
-        page = out or folder / "reports" / f"{record.id}.html"
-        analysed = fit(measurement, record.provenance.serial_number, folder=folder)
-        write_report(trace(analysed), page, record.id, record.revision)
+        page = report_again(folder, file_or_record, out)
     click.echo(f"report {page}")

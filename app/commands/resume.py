@@ -7,8 +7,9 @@ import click
 
 from app.calibrating import conclude, make_ready
 from app.commands import options
-from app.commands.telling import tell_calibrated, tell_run
+from app.commands.telling import tell_calibrated, tell_recorded, tell_run
 from app.console import messages, run_display, warn
+from app.recall import record_of
 from app.resuming import Unfinished, find, load_same_stand, resume
 from app.running import Job, failure
 from app.stand_lock import holding
@@ -37,7 +38,10 @@ def command(
     folder: Path | None,
     json_path: Path | None,
 ) -> None:
-    """Go on with a run that was cut off, and then with what was to follow it: fit, record and report."""
+    """Go on with a run that was cut off, and then with what was to follow it: fit, record and report.
+
+    What is done already is not done again.
+    """
     unfinished = find(recording)
     header = unfinished.recording.header
     store = _store(unfinished, folder) if header.job == "calibrate" else None
@@ -46,6 +50,8 @@ def command(
         points = _go_on(unfinished, stand_path, answers, attended, tolerance_v, store)
     if store is None:
         tell_run(unfinished.path, points, json_path)
+    elif record := record_of(unfinished.path, header.serial_number, store):
+        tell_recorded(unfinished.path, record, store, json_path)
     else:
         tell_calibrated(conclude(unfinished.path, store), json_path)
 

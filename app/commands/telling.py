@@ -2,11 +2,13 @@
 
 from pathlib import Path
 
-from app.calibrating import Calibrated
+from app.calibrating import Calibrated, report_path
 from app.commands.options import write_json
 from app.console import messages, show_result, warn
 from app.exits import Exit
 from app.loop_console import show_loop
+from app.recall import report_again
+from calibrations.records.record import Record, Verdict
 
 
 def tell_run(recording: Path, points: int, json_path: Path | None) -> None:
@@ -25,4 +27,21 @@ def tell_calibrated(done: Calibrated, json_path: Path | None) -> None:
     left = {"record": done.record.id, "recording": str(done.recording), "report": str(done.report)}
     write_json(done.analysed.as_json() | left, json_path)
     if not done.analysed.inside:
+        raise SystemExit(int(Exit.OUTSIDE_LIMITS))
+
+
+def tell_recorded(recording: Path, record: Record, folder: Path, json_path: Path | None) -> None:
+    """Say that a run is complete and was calibrated; only a missing report is written.
+
+    Raises `SystemExit` where a parameter lies outside its limits.
+    """
+    report = report_path(folder, record)
+    done = "nothing was done"
+    if not report.is_file():
+        report_again(folder, record.id)
+        done = "only its report was missing"
+    messages().print(f"{recording} is complete, and record {record.id} of it exists: {done}", soft_wrap=True)
+    left = {"record": record.id, "recording": str(recording), "report": str(report)}
+    write_json({**record.result, **left}, json_path)
+    if record.verdict is Verdict.OUTSIDE:
         raise SystemExit(int(Exit.OUTSIDE_LIMITS))

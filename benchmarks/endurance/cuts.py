@@ -1,8 +1,9 @@
 """A recording cut at random byte lengths: is every point read that was complete before the cut?
 
-`python -m benchmarks.endurance.cuts --count 1000` records a `quick` run, notes the size of the file on the disk after
-every point, and cuts copies of it. A cut file must give every point that was on the disk at that size, each as it was,
-and at most the one besides that was being written: behind a point comes an index, which reading does without.
+`python -m benchmarks.endurance.cuts [--count 1000]` records a `quick` run, notes the size of the file on the disk after
+every point, and cuts copies of it. A cut file must give every point that was on the disk at that size, each as it was
+with its samples, and at most the one besides that was being written: behind a point comes an index, which reading does
+without.
 """
 
 import argparse
@@ -15,7 +16,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from procedures.recording.errors import RecordingError
-from procedures.recording.reader import read_recording
+from procedures.recording.reader import iter_samples, read_recording
 from procedures.steps import Point
 
 NOTING = """\
@@ -66,14 +67,15 @@ def cut_correctly(whole: Recorded, content: bytes, size: int, copy: Path) -> boo
     complete = bisect_right(whole.sizes, size) - 1
     try:
         found = read_recording(copy).points
+        sampled = {block.point for block in iter_samples(copy)}
     except RecordingError:
         return complete < 0
-    return found == whole.points[: len(found)] and 0 <= len(found) - max(complete, 0) <= 1
+    as_it_was = found == whole.points[: len(found)] and sampled.issuperset(range(len(found)))
+    return as_it_was and 0 <= len(found) - max(complete, 0) <= 1
 
 
-def wrong_cuts(folder: Path, count: int, seed: int) -> list[int]:
+def wrong_cuts(whole: Recorded, folder: Path, count: int, seed: int) -> list[int]:
     """Sizes at which something else than the complete points was read."""
-    whole = recorded(folder)
     content = whole.path.read_bytes()
     sizes = [random.Random(seed + number).randrange(len(content)) for number in range(count)]
     boundaries = [size + off for size in whole.sizes for off in (-1, 0, 1)]
@@ -83,11 +85,12 @@ def wrong_cuts(folder: Path, count: int, seed: int) -> list[int]:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--count", type=int, default=100)
+    parser.add_argument("--count", type=int, default=1000)
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as name:
-        wrong = wrong_cuts(Path(name), options.count, options.seed)
+        folder = Path(name)
+        wrong = wrong_cuts(recorded(folder), folder, options.count, options.seed)
     print(f"{options.count} cuts at random, and those at and next to every point boundary: {len(wrong)} read wrongly")
     if wrong:
         sys.exit(f"at {wrong[:20]} bytes")

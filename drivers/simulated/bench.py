@@ -18,6 +18,8 @@ class Counts:
     """How often each thing has happened. Every random draw is keyed by one of these."""
 
     acquisitions: int = 0
+    in_dwell: int = 0
+    """Acquisitions in the present dwell, or in the last one."""
     dwells: int = 0
     """Stays of the head at which something was acquired."""
     mountings: int = 1
@@ -78,6 +80,8 @@ class Bench:
         if not self._in_dwell:
             self._in_dwell = True
             self.counts.dwells += 1
+            self.counts.in_dwell = 0
+        self.counts.in_dwell += 1
         self._follow()
 
     def gravity_g(self, times_s: FloatArray) -> FloatArray:

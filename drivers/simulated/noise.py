@@ -22,20 +22,20 @@ class Stream(IntEnum):
     THERMOMETER = 8
 
 
-def generator(seed: int, stream: Stream, number: int = 0) -> np.random.Generator:
-    """Generator of the numbers that belong to one acquisition, dwell or mounting: the `number`-th of its stream.
+def generator(seed: int, stream: Stream, number: int = 0, part: int = 0) -> np.random.Generator:
+    """Generator of the numbers that belong to one dwell or mounting, the `number`-th of its stream, or to a part of it.
 
-    Philox is a counter-based generator: seed and stream are its key, the number the highest word of its counter.
+    Philox is a counter-based generator: seed and stream are its key, number and part the highest words of its counter.
     """
     key = np.array([seed, stream], dtype=np.uint64)
-    counter = np.array([0, 0, 0, number], dtype=np.uint64)
+    counter = np.array([0, 0, part, number], dtype=np.uint64)
     return np.random.Generator(np.random.Philox(key=key, counter=counter))
 
 
 @lru_cache(maxsize=256)
-def standard_normal(seed: int, stream: Stream, number: int) -> float:
-    """Draw the one normal number, of variance 1, that belongs to the `number`-th of a stream."""
-    return float(generator(seed, stream, number).standard_normal())
+def standard_normal(seed: int, stream: Stream, number: int, part: int = 0) -> float:
+    """Draw the one normal number, of variance 1, that belongs to the `number`-th of a stream, or to a part of it."""
+    return float(generator(seed, stream, number, part).standard_normal())
 
 
 def interpolated(function: Callable[[FloatArray], FloatArray], times_s: FloatArray, step_s: float) -> FloatArray:

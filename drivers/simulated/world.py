@@ -58,14 +58,19 @@ class WiredUnit:
         return response_v + wandering_v + self._constant_bias_v()
 
     def sample_v(self, times_s: FloatArray) -> FloatArray:
-        """Samples of the output; their noise belongs to the number of the acquisition."""
-        random = generator(self._settings.seed, Stream.SAMPLES, self._bench.counts.acquisitions)
+        """Samples of the output; their noise belongs to the dwell and to the number of the acquisition in it.
+
+        How often the output was looked at in another dwell, to see whether it had settled, leaves it as it is.
+        """
+        counts = self._bench.counts
+        random = generator(self._settings.seed, Stream.SAMPLES, counts.dwells, counts.in_dwell)
         noise_v = self._noise_v() * random.standard_normal(len(times_s))
         return self.output_v(times_s) + noise_v
 
     def sensor_degc(self, time_s: float) -> float:
         """Temperature at a clock time with the noise of the sensor."""
-        drawn = standard_normal(self._settings.seed, Stream.THERMOMETER, self._bench.counts.acquisitions)
+        counts = self._bench.counts
+        drawn = standard_normal(self._settings.seed, Stream.THERMOMETER, counts.dwells, counts.in_dwell)
         true_degc = float(self._room.temperature_degc(np.array([time_s - self._began_s]))[0])
         return true_degc + self._settings.temperature.sensor_noise_k * drawn
 

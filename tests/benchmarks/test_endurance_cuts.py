@@ -1,5 +1,31 @@
-from benchmarks.endurance.cuts import wrong_cuts
+from dataclasses import replace
+
+import pytest
+
+from benchmarks.endurance.cuts import cut_correctly, recorded, wrong_cuts
 
 
-def test_a_recording_that_is_cut_anywhere_gives_every_complete_point(tmp_path):
-    assert wrong_cuts(tmp_path, count=40, seed=1) == []
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory):
+    return recorded(tmp_path_factory.mktemp("whole"))
+
+
+def read_correctly(whole, size, tmp_path):
+    return cut_correctly(whole, whole.path.read_bytes(), size, tmp_path / "cut.mcap")
+
+
+def test_a_recording_that_is_cut_anywhere_gives_every_complete_point(whole, tmp_path):
+    assert wrong_cuts(whole, tmp_path, count=40, seed=1) == []
+
+
+def test_a_point_that_is_not_read_is_noticed(whole, tmp_path):
+    size = whole.sizes[5]
+    assert read_correctly(whole, size, tmp_path)
+    earlier = replace(whole, sizes=[size - 3000 for size in whole.sizes])
+    assert not read_correctly(earlier, whole.sizes[5] - 3000, tmp_path)
+
+
+def test_a_point_that_is_read_with_another_voltage_is_noticed(whole, tmp_path):
+    changed = replace(whole.points[2], voltage_v=0.0)
+    other = replace(whole, points=(*whole.points[:2], changed, *whole.points[3:]))
+    assert not read_correctly(other, whole.sizes[5], tmp_path)

@@ -157,6 +157,24 @@ def test_the_bias_follows_the_variance_of_the_samples_in_the_dwell():
     assert np.polyfit(variances_v2, biases_v, 1)[0] == pytest.approx(1000.0, rel=0.05)
 
 
+def test_the_noise_of_a_dwell_is_the_same_however_often_one_looked_in_the_dwell_before():
+    blocks_v = []
+    for looks in (1, 3):
+        stand = world(noise_v=1e-3)
+        for _ in range(looks):
+            stand.stand.daq.acquire(10, 100.0)
+        stand.stand.head.start_move(10.0)
+        stand.stand.clock.sleep(10.0)
+        blocks_v.append(stand.stand.daq.acquire(100, 100.0).voltage_v.tolist())
+    assert blocks_v[0] == blocks_v[1]
+
+
+def test_every_look_in_a_dwell_has_noise_of_its_own():
+    stand = world(noise_v=1e-3)
+    first_v, second_v = (stand.stand.daq.acquire(100, 100.0).voltage_v for _ in range(2))
+    assert not np.any(first_v == second_v)
+
+
 def test_the_vibration_level_is_that_of_the_dwell():
     stand = world(noise_v=1e-3, vibration_spread=2.0)
     first_v, second_v = (stand.stand.daq.acquire(10000, 10000.0).voltage_v for _ in range(2))

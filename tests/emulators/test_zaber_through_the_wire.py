@@ -1,16 +1,13 @@
 """The real driver on the emulated stage through real ports, with everything that can happen on the way."""
 
-import socket
 import sys
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
-from threading import Thread
+from contextlib import contextmanager
 
 import pytest
-import serial
-from serial.rfc2217 import PortManager
 
+from benchmarks.endurance.rfc2217 import rfc2217_port
 from drivers.errors import LinkLostError
 from drivers.links import SerialLink
 from drivers.simulated import HeadOptions, Simulated, build
@@ -73,40 +70,6 @@ def test_it_homes_moves_and_stops(serve):
         head.start_move(700.0)
         head.stop()
         assert 90.0 <= settled_deg(head) < 700.0
-
-
-@contextmanager
-def rfc2217_port(url: str) -> Iterator[str]:
-    """A network port server after RFC 2217 in front of another port, for one client: pyserial's own, both ways."""
-    listening = socket.create_server(("127.0.0.1", 0))
-    port = serial.serial_for_url(url, timeout=0.0)
-
-    def serve() -> None:
-        connection = listening.accept()[0]
-        connection.settimeout(0.002)
-        manager = PortManager(port, _Writer(connection))
-        with connection, suppress(OSError, serial.SerialException):
-            while True:
-                with suppress(TimeoutError):
-                    if not (data := connection.recv(1024)):
-                        return
-                    port.write(b"".join(manager.filter(data)))
-                if data := port.read(4096):
-                    connection.sendall(b"".join(manager.escape(data)))
-
-    thread = Thread(target=serve, daemon=True)
-    thread.start()
-    try:
-        yield f"rfc2217://127.0.0.1:{listening.getsockname()[1]}"
-    finally:
-        thread.join(5.0)
-        port.close()
-        listening.close()
-
-
-class _Writer:
-    def __init__(self, connection: socket.socket) -> None:
-        self.write = connection.sendall
 
 
 @pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")  # pyserial's own
