@@ -20,6 +20,7 @@ from drivers.clock import Clock
 from procedures.acquisition import Acquisition
 from procedures.announcer import Listener
 from procedures.engine import Engine
+from procedures.events import State
 from procedures.outcome import Outcome
 from procedures.plan import Plan, check_cable, check_limits, plan
 from procedures.programme import Programme
@@ -122,7 +123,7 @@ def carry_out(
     heard = [*connected.listeners, *listeners]
     engine = Engine(connected.stand, connected.operator, recorder, job.acquisition, heard, connected.eyepiece)
     try:
-        with recorder, _stopping_on_signals(engine):
+        with _stopping_on_signals(engine), recorder:
             return action(engine)
     except RecordingError as error:  # from closing it: what fails during the run is in the outcome
         raise JobError(f"{error}; its complete points can be read", Exit.STORAGE) from error
@@ -187,12 +188,15 @@ def _storage_sentence(path: Path, error: Exception) -> str:
 
 @contextmanager
 def _stopping_on_signals(engine: Engine) -> Iterator[None]:
-    """Have SIGINT and SIGTERM stop the run; a second SIGINT interrupts it at once, still to a standstill."""
+    """Have SIGINT and SIGTERM stop the run; a second SIGINT interrupts it at once, still to a standstill.
+
+    Nothing interrupts what brings the head to rest and closes the recording, which takes seconds at most.
+    """
     asked = False
 
     def stop(number: int, _frame: FrameType | None) -> None:
         nonlocal asked
-        if asked and number == signal.SIGINT:
+        if asked and number == signal.SIGINT and engine.state not in (State.STOPPING, State.STANDSTILL):
             raise KeyboardInterrupt
         asked = True
         engine.control.stop()

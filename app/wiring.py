@@ -39,14 +39,19 @@ class Connected:
 
 
 def connect(
-    loaded: LoadedStand, answers: Path | None = None, attended: bool = False, past: Past | None = None
+    loaded: LoadedStand,
+    answers: Path | None = None,
+    attended: bool = False,
+    past: Past | None = None,
+    clock: Clock | None = None,
 ) -> Connected:
     """Connect to the instruments of a stand file.
 
     The operator of a simulated or emulated stand is simulated too, and seats the unit whenever asked, unless an answers
     file says otherwise. An attended stand asks the person at the terminal, and lives in real time, as a real one always
     does.
-    Where a run is resumed, a simulated stand lives through its `past` again first.
+    Where a run is resumed, a simulated stand lives through its `past` again first. Real instruments live by the
+    computer's clock, emulated ones by any that goes as fast as theirs: `clock`.
 
     Raises
     ------
@@ -57,7 +62,7 @@ def connect(
     """
     if loaded.file.simulates:
         return _simulated(loaded, answers, attended, past)
-    clock, links = SystemClock(), Links()
+    clock, links = clock or SystemClock(), Links()
     try:
         daq = _daq(loaded, clock, links)
         motorised = _motorised(loaded.file.head, clock, links)

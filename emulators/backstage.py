@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Final
 
 from drivers.errors import DeviceError
+from emulators.faults import Faults
 from emulators.serving import serve_tcp
 from emulators.world import SharedWorld
 
@@ -24,14 +25,19 @@ _TIMEOUT_S: Final = 5.0
 
 
 class BackstageSession:
-    """Hears `seat MOUNT` and `switch on`, a line each, and answers `done`, or what is wrong. Fits `Session`."""
+    """Hears `seat MOUNT` and `switch on`, a line each, and answers `done`, or what is wrong. Fits `Session`.
 
-    def __init__(self, shared: SharedWorld) -> None:
+    The fault `not_seated` has it answer so without having seated the unit.
+    """
+
+    def __init__(self, shared: SharedWorld, faults: Faults) -> None:
         self._shared = shared
+        self._faults = faults
 
     def received(self, data: bytes) -> bytes:
         """Do what one line says."""
         verb, _, what = data.decode("utf-8", "replace").strip().partition(" ")
+        self._faults.note_command(data)
         with self._shared.lock:
             try:
                 self._do(verb, what)
@@ -45,7 +51,8 @@ class BackstageSession:
 
     def _do(self, verb: str, what: str) -> None:
         if verb == "seat":
-            self._shared.world.seat(what)
+            if not self._faults.take("not_seated"):
+                self._shared.world.seat(what)
         elif (verb, what) == ("switch", "on"):
             self._shared.world.switch_on()
         else:
@@ -86,9 +93,10 @@ class Backstage:
 
 
 @contextmanager
-def backstage_of(shared: SharedWorld, addresses: Sequence[str]) -> Iterator[None]:
+def backstage_of(shared: SharedWorld, addresses: Sequence[str], faults: Faults | None = None) -> Iterator[None]:
     """Open the backstage of a world whose instruments have these addresses, as long as the context lasts."""
-    with serve_tcp(lambda: BackstageSession(shared), terminators=b"\n") as server:
+    of_operator = faults or Faults()
+    with serve_tcp(lambda: BackstageSession(shared, of_operator), terminators=b"\n") as server:
         entries = [_entry(address) for address in addresses]
         for entry in entries:
             entry.parent.mkdir(parents=True, exist_ok=True)

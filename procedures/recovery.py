@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from typing import Final, TypeVar
 
 from drivers.errors import DeviceError, LinkLostError, NoReplyError
-from drivers.protocols import Daq, DividingHead, Identity, Reconnectable, Stand
+from drivers.protocols import Daq, DividingHead, Identity, Reconnectable, Resettable, Stand
 from procedures.approach import Place
 from procedures.events import Event, Identified, WarningRaised
 from procedures.motion import Motion, ReferenceLostError
@@ -60,6 +60,12 @@ class Recovery:
         """Ask both instruments who they are. Raises `DeviceError` where one does not answer, or is another."""
         for name, instrument in self._instruments.items():
             self._recognise(name, instrument.identify())
+
+    def reset(self) -> None:
+        """Reset what an earlier run has left in fault. Raises `DeviceError` where the cause is still there."""
+        for name, instrument in self._instruments.items():
+            if isinstance(instrument, Resettable) and (fault := instrument.reset_fault()):
+                self._warn(f"{_NAMES[name]}: was left in fault by {fault}; the fault is reset")
 
     def reference(self) -> None:
         """Home a head that does not know its angle. Raises `DeviceError`."""

@@ -19,6 +19,7 @@ from drivers.simulated import SimulatedStand
 from emulators.emulation import Wanted, emulate
 from emulators.faults import FaultScript
 from emulators.speed import FasterClock
+from emulators.stand_faults import StandFaults
 from emulators.world import SharedWorld
 from procedures.errors import InputError
 from procedures.toml_lines import parse_toml, read_text
@@ -63,9 +64,10 @@ def command(
     )
     simulated = simulation(loaded, clock)
     shared = SharedWorld(SimulatedStand(stand=simulated.stand, world=simulated.world))
+    faults = StandFaults(_read(script), clock, lambda: simulated.world.counts.dwells)
     with ExitStack() as stack:
         try:
-            addresses = emulate(stack, shared, wanted, _read(script))
+            addresses = emulate(stack, shared, wanted, faults)
         except OSError as error:
             raise InputError(f"the emulated stand cannot be served ({error}); choose other ports") from error
         click.echo(json.dumps(addresses))

@@ -4,6 +4,7 @@ import time
 from typing import Final
 
 from drivers.cia402 import objects, states
+from drivers.cia402.emergencies import emergency_words
 from drivers.cia402.node import DriveNode
 from drivers.cia402.states import Mode, State
 from drivers.clock import Clock
@@ -21,10 +22,10 @@ _MOST_COUNTS: Final = 2**31 - 1
 
 
 class Cia402Head:
-    """A head on CANopen. Fits `DividingHead` and `Reconnectable`.
+    """A head on CANopen. Fits `DividingHead`, `Reconnectable` and `Resettable`.
 
     The homing method is the one that is set in the drive. A fault of the drive is never reset on the way: whoever knows
-    that its cause is gone calls `reset_fault`.
+    that its cause is gone calls `reset_fault`, after which the head is to be homed.
 
     Parameters
     ----------
@@ -158,9 +159,11 @@ class Cia402Head:
         """Brake on the quick stop ramp; in every other state than a move this changes nothing. Raises `DeviceError`."""
         self._control(states.QUICK_STOP)
 
-    def reset_fault(self) -> None:
+    def reset_fault(self) -> str:
         """Reset a fault whose cause the operator has removed. Raises `DeviceError` where the cause is still there."""
-        if self._state() is State.FAULT:
+        code = self._node.emergency or self._node.read(objects.ERROR_CODE)
+        faulty = self._state() is State.FAULT
+        if faulty:
             self._control(states.DISABLE_VOLTAGE)
             self._control(states.FAULT_RESET)
             self._node.emergency = None
@@ -168,6 +171,9 @@ class Cia402Head:
         if self._node.read(objects.ERROR_REGISTER):
             raise self._node.fault(self._node.read(objects.ERROR_CODE))
         self._node.emergency = None
+        if faulty:
+            self._homed, self._told = False, ""
+        return emergency_words(code) if faulty else ""
 
     @property
     def _referenced(self) -> bool:

@@ -4,7 +4,7 @@ import pytest
 from fakes import QUICK, FakeDaq, FakeHead, FakeStand
 
 from drivers.clock import VirtualClock
-from drivers.errors import LinkLostError, NoReplyError
+from drivers.errors import DeviceError, LinkLostError, NoReplyError
 from drivers.protocols import HeadStatus, Identity
 from procedures.events import FinishReason, Identified, PointCompleted, SamplesAcquired, WarningRaised
 from procedures.programme import programme_from_text
@@ -278,3 +278,43 @@ def test_a_wall_clock_that_is_set_back_changes_nothing(linked: FakeStand):
     times_s = [point.time_s for point in outcome.points]
     assert times_s == sorted(times_s)
     assert times_s[-1] < 60.0
+
+
+def test_a_head_that_an_earlier_run_left_in_fault_is_reset_before_it_moves(linked: FakeStand):
+    left = ["following error"]
+    linked.head.referenced = False
+    linked.head.reset_fault = lambda: left.pop() if left else ""
+
+    def refuse_in_fault():
+        if left:
+            raise DeviceError("fake head", "is in fault", "reset it")
+
+    linked.head.on_status = refuse_in_fault
+    outcome = linked.engine().run(SWEEP.procedure())
+
+    assert outcome.reason is FinishReason.COMPLETED
+    assert warnings(linked) == [
+        "dividing head: was left in fault by following error; the fault is reset",
+        "dividing head: has no reference; it is homed",
+    ]
+
+
+def test_a_fault_whose_cause_is_still_there_ends_the_run_before_anything_moves(linked: FakeStand):
+    def refuse():
+        raise DeviceError("fake head", "reports following error", "remove the cause, then resume the run")
+
+    linked.head.reset_fault = refuse
+    outcome = linked.engine().run(SWEEP.procedure())
+
+    assert (outcome.reason, outcome.points) == (FinishReason.DEVICE_FAULT, ())
+    assert outcome.message == "fake head: reports following error; remove the cause, then resume the run"
+    assert linked.head.targets_deg == []
+
+
+def test_a_fault_under_way_is_not_reset(linked: FakeStand):
+    resets = []
+    linked.head.reset_fault = lambda: resets.append(linked.clock.monotonic_s()) or ""
+    linked.head.on_status = once_when(lambda: linked.clock.monotonic_s() > 1.5, lambda: linked.head.link.pull(5.0))
+
+    assert linked.engine().run(SWEEP.procedure()).reason is FinishReason.COMPLETED
+    assert len(resets) == 1
