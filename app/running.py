@@ -136,7 +136,8 @@ def failure(outcome: Outcome, recording: Path) -> JobError | None:
         return None
     kept = len(outcome.points)
     points = f"{kept} complete point{'s' if kept != 1 else ''} kept in {recording}"
-    return JobError(f"{outcome.message}; {points}", status)
+    remedy = "; tumble resume goes on" if status is Exit.STOPPED else ""  # all others say what to do first
+    return JobError(f"{outcome.message}; {points}{remedy}", status)
 
 
 def recording_path(folder: Path, serial_number: str, programme: str, clock: Clock) -> Path:

@@ -91,8 +91,9 @@ class _Emulation:
         from emulators.slcan import serve_slcan, slcan_address
         from emulators.socketcand import serve_socketcand, socketcand_address
 
-        faults = self._faults.of_bus(name)
         if not self._bus_address:
+            on_bus = {"head": self._wanted.head == "cia402", "daq": self._wanted.daq == "can"}
+            faults = self._faults.of_bus([device for device, on in on_bus.items() if on])
             self._bus_address[""] = socketcand_address(self._kept(serve_socketcand(self._channel, port, faults))).url
             if self._wanted.ptys:
                 self._bus_address["_pty"] = slcan_address(self._kept(serve_slcan(self._channel, faults))).url

@@ -46,7 +46,8 @@ class Announcer:
         try:
             return self._sink.record(event)
         except Exception as error:
-            raise StorageError(f"the recording failed: {error or type(error).__name__}") from error
+            what = str(error) or type(error).__name__
+            raise StorageError(f"the recording failed: {what}; then resume the run") from error
 
     def tell(self, event: Event) -> list[str]:
         """Call every listener; drop those that fail and return a sentence on each."""

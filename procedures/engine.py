@@ -92,7 +92,7 @@ class Engine:
     def run(self, procedure: Procedure) -> Outcome:
         """Carry out `procedure` to its end, or until something else ends it, and bring the head to a standstill."""
         self._began_s = self._clock.monotonic_s()
-        return self._to_its_end(procedure, next(procedure, None), self._know_the_stand)
+        return self._to_its_end(procedure, next(procedure, None), self._recovery.begin)
 
     def resume(
         self,
@@ -145,14 +145,9 @@ class Engine:
             raise
         return self._finish(None)
 
-    def _know_the_stand(self) -> None:
-        """Who are the instruments, and are they fit to work?"""
-        self._recovery.identify()
-        self._recovery.reset()
-
     def _go_on(self, elapsed_s: Callable[[], float], tolerance_v: float | None) -> None:
         """Make sure that the stand is as it was, and let the run's time go on."""
-        self._know_the_stand()
+        self._recovery.begin()
         last = self._points[-1] if self._points else None
         if last is not None:
             self._verify(last, tolerance_v)
@@ -245,7 +240,9 @@ class Engine:
         with suppress(Exception):  # first of all; `standstill` sees whether it helped, and says it again
             self._motion.brake()
         self._change_anyway(State.STOPPING, message_of(error))
-        at_standstill = self._motion.standstill()
+        at_standstill = False
+        with suppress(KeyboardInterrupt):  # from whoever runs the engine without handling signals
+            at_standstill = self._motion.standstill()
         if at_standstill:
             self._change_anyway(State.STANDSTILL, message_of(error))
         outcome = outcome_of(error, self._points, at_standstill)

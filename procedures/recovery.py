@@ -56,22 +56,17 @@ class Recovery:
         """Expect the instruments with which the run was begun."""
         self._known.update(identities)
 
-    def identify(self) -> None:
-        """Ask both instruments who they are. Raises `DeviceError` where one does not answer, or is another."""
-        for name, instrument in self._instruments.items():
-            self._recognise(name, instrument.identify())
+    def begin(self) -> None:
+        """Ask both instruments who they are, and reset what an earlier run has left in fault.
 
-    def reset(self) -> None:
-        """Reset what an earlier run has left in fault. Raises `DeviceError` where the cause is still there."""
-        for name, instrument in self._instruments.items():
-            if isinstance(instrument, Resettable) and (fault := instrument.reset_fault()):
-                self._warn(f"{_NAMES[name]}: was left in fault by {fault}; the fault is reset")
+        Raises `DeviceError` where one does not answer, is another, or has a fault whose cause is still there.
+        """
+        self.persist(self._identify, None)
+        self.persist(self._reset, None)
 
     def reference(self) -> None:
         """Home a head that does not know its angle. Raises `DeviceError`."""
-        if not self._head.status().referenced:
-            self._warn("dividing head: has no reference; it is homed")
-            self._motion.home(self._carry_on)
+        self.persist(self._home_where_needed, None)
 
     @contextmanager
     def using(self, name: str) -> Iterator[None]:
@@ -105,6 +100,23 @@ class Recovery:
             f"was lost {_LOSSES} times in one step, the last time so: {interruption.happened}",
             interruption.remedy,
         )
+
+    def _identify(self) -> None:
+        for name, instrument in self._instruments.items():
+            with self.using(name):
+                self._recognise(name, instrument.identify())
+
+    def _reset(self) -> None:
+        for name, instrument in self._instruments.items():
+            with self.using(name):
+                if isinstance(instrument, Resettable) and (fault := instrument.reset_fault()):
+                    self._warn(f"{_NAMES[name]}: was left in fault by {fault}; the fault is reset")
+
+    def _home_where_needed(self) -> None:
+        with self.using("head"):
+            if not self._head.status().referenced:
+                self._warn("dividing head: has no reference; it is homed")
+                self._motion.home(self._carry_on)
 
     def _get_back(self, interruption: DeviceError, place: Place | None) -> None:
         self._warn(f"{interruption.device}: {interruption.happened}; trying to go on")

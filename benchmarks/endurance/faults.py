@@ -9,6 +9,7 @@ point of the programme, once.
 import argparse
 import math
 import os
+import re
 import sys
 import tempfile
 import time
@@ -30,8 +31,11 @@ from benchmarks.endurance.emulated import EmulatedStand, Pair, emulated
 from benchmarks.endurance.kills import points_said
 from benchmarks.endurance.kinds import KINDS, Kind, room_again
 from benchmarks.endurance.moments import MOMENTS, Moment, strike_at, take_time_to_answer
+from calibrations.tracing.questions import questioned
 from drivers.errors import DeviceError
 from procedures.events import Event, PointCompleted, State, StateChanged, WarningRaised
+from procedures.recording.observations import observations
+from procedures.recording.reader import read_recording
 
 SPEED: Final = 10.0
 PAIRS: Final[tuple[Pair, ...]] = ("serial", "CAN")
@@ -41,16 +45,26 @@ settle_s = 0.1
 
 [[procedure]]
 kind = "sweep"
+mount = "face-up-90"
 step_deg = 40.0
 points = 7
 
 [[procedure]]
 kind = "sweep"
-mount = "edge"
+mount = "face-up"
 step_deg = 40.0
 points = 7
 """
 _LINK_BACK_S: Final = 20.0
+_ALWAYS: Final = "dividing head: has no reference; it is homed"
+_PLACES: Final = {
+    r"\S*run\.mcap": "run.mcap",
+    r"127\.0\.0\.1[:&a-z=]*\d+": "HOST:PORT",
+    r"after [\d.]+ s;": "after some seconds;",
+    r"\d+ complete points?": "some complete points",
+    r"point \d+ \([^)]*\)": "point (pose)",
+    r"-?[\d.]+ deg when(.*) at -?[\d.]+ deg": r"some angle when\1 at another",
+}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -79,7 +93,7 @@ class Result:
     status: Exit
     """Exit status of the run in which the fault happened."""
     sentences: tuple[str, ...]
-    """What was said: how the run ended, or its warnings where it went on."""
+    """What was said: how the run ended; where it went on, its warnings and what the analysis asks about its rows."""
     lost: int
     doubled: int
     standing: bool
@@ -100,6 +114,8 @@ class Watch:
     struck_s: float | None = None
     """When the fault was put, by the stand's clock; it may take until the next command to happen."""
     completed_s: list[float] = field(default_factory=list)
+    warned_s: list[float] = field(default_factory=list)
+    standstill_s: float | None = None
     read_back: bool = False
     completed: list[int] = field(default_factory=list)
     warnings: list[str] = field(default_factory=list)
@@ -111,17 +127,20 @@ class Watch:
             self.completed_s.append(self.stand.clock.monotonic_s())
         elif isinstance(event, WarningRaised):
             self.warnings.append(event.message)
+            self.warned_s.append(self.stand.clock.monotonic_s())
         elif isinstance(event, StateChanged) and event.state is State.STANDSTILL:
-            self.read_back = True
+            self.read_back, self.standstill_s = True, self.stand.clock.monotonic_s()
 
     def safe_s(self, ended_s: float, went_on: bool) -> float:
-        """From the fault to the end of the run, or to the next point where it went on."""
+        """From the fault to the standstill; where the run went on, to the first point after it was said to be over."""
         happened = [time_s for time_s, _ in self.stand.faults.happened]
         began_s = happened[0] if happened else self.struck_s
         if began_s is None:
             return math.nan
-        later_s = [time_s for time_s in self.completed_s if time_s >= began_s] if went_on else []
-        return min([*later_s, ended_s]) - began_s
+        if not went_on:
+            return (self.standstill_s or ended_s) - began_s
+        over_s = max([began_s, *self.warned_s])
+        return min([*(time_s for time_s in self.completed_s if time_s >= over_s), ended_s]) - began_s
 
 
 def carried_out(case: Case, folder: Path, programme: str = PROGRAMME) -> Result:
@@ -131,9 +150,10 @@ def carried_out(case: Case, folder: Path, programme: str = PROGRAMME) -> Result:
         status, said = Exit.GOOD, ""
         try:
             status, said = _run(case, stand, watch, recording)
-        except (Exception, KeyboardInterrupt) as error:
-            status, said = status_of(error) if isinstance(error, Exception) else None, str(error) or repr(error)
-            status = Exit.INTERNAL if status is None else status
+        except KeyboardInterrupt:  # after the run was over
+            status, said = Exit.STOPPED, "interrupted"
+        except Exception as error:  # a fault of the program among them
+            status, said = status_of(error) or Exit.INTERNAL, str(error) or repr(error)
         ended_s = stand.clock.monotonic_s()
         with room_again():
             pass
@@ -142,7 +162,7 @@ def carried_out(case: Case, folder: Path, programme: str = PROGRAMME) -> Result:
         whole, points = status is Exit.GOOD, stand.job.plan().dwells
         return Result(
             status=status,
-            sentences=tuple(watch.warnings) if whole else (said,),
+            sentences=(*watch.warnings, *_asked(recording)) if whole else (said,),
             lost=sum(index not in kept for index in watch.completed) + (points - len(kept) if whole else 0),
             doubled=sum(count - 1 for count in kept.values()),
             standing=standing,
@@ -169,13 +189,18 @@ def _run(case: Case, stand: EmulatedStand, watch: Watch, recording: Path) -> tup
     return (error.status, str(error)) if error else (Exit.GOOD, "")
 
 
+def _asked(recording: Path) -> tuple[str, ...]:
+    """What the analysis asks about the rows, the mount of some of them above all."""
+    return questioned(observations(read_recording(recording))).questions
+
+
 def _resumed(stand: EmulatedStand, recording: Path) -> bool:
     """Take a run up again, as an operator would who has seen to the cause."""
     if not recording.exists():
         return False
     stand.clock.set_by_s = 0.0
     try:
-        connected = _reached(stand)
+        connected = reached(stand)
         try:
             outcome = resume(find(recording), stand.job, connected)
         finally:
@@ -189,7 +214,7 @@ def _resumed(stand: EmulatedStand, recording: Path) -> bool:
     return error is None and indices == list(range(stand.job.plan().dwells))
 
 
-def _reached(stand: EmulatedStand) -> Connected:
+def reached(stand: EmulatedStand) -> Connected:
     """The stand, once its links are back."""
     deadline_s = time.monotonic() + _LINK_BACK_S
     while True:
@@ -219,6 +244,7 @@ def cell(case: Case, result: Result) -> str:
         "**head moves**": not result.standing,
         f"**{result.lost} lost**": result.lost > 0,
         f"**{result.doubled} doubled**": result.doubled > 0,
+        "asked by the analysis": any("seated as asked" in said for said in result.sentences),
     }
     return ", ".join([*words, *(remark for remark, holds in remarks.items() if holds)])
 
@@ -238,12 +264,20 @@ def table(pair: Pair, results: dict[Case, Result]) -> str:
 
 
 def sentences(results: dict[Case, Result]) -> str:
-    """What was said, once each."""
-    said: dict[str, None] = {}
-    for case, result in results.items():
-        for sentence in result.sentences:
-            said.setdefault(f"- {case.kind.name} ({case.moment}, {case.pair}): {sentence}")
-    return "\n".join(said)
+    """What was said, once for each kind of fault, with how often."""
+    said = Counter(
+        f"- {case.kind.name}: {sentence}"
+        for case, result in results.items()
+        for sentence in {_without_place(sentence) for sentence in result.sentences} - {_ALWAYS}
+    )
+    return "\n".join(f"{sentence} ({count} times)" for sentence, count in said.items())
+
+
+def _without_place(sentence: str) -> str:
+    """A sentence without what is another one in every run."""
+    for pattern, word in _PLACES.items():
+        sentence = re.sub(pattern, word, sentence)
+    return sentence
 
 
 def summary(results: dict[Case, Result]) -> str:
@@ -263,7 +297,10 @@ def summary(results: dict[Case, Result]) -> str:
 def is_bad(case: Case, result: Result) -> bool:
     """Whether something happened that must not."""
     resumed = result.resumed is not False or case.kind.other_unit
-    return bool(result.lost or result.doubled or not result.standing or result.status is Exit.INTERNAL or not resumed)
+    unasked = case.kind.device == "operator" and not any("seated as asked" in said for said in result.sentences)
+    return bool(
+        unasked or result.lost or result.doubled or not result.standing or result.status is Exit.INTERNAL or not resumed
+    )
 
 
 def cases(kinds: Iterable[Kind], speed: float) -> list[Case]:

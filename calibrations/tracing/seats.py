@@ -40,6 +40,8 @@ class Seats:
     """Of every row."""
     squares_v2: float
     freedom: int
+    along_x: bool
+    """Whether the input axis, x, is then the most sensitive one."""
 
 
 def wrong_seat(observations: Observations) -> str:
@@ -65,7 +67,13 @@ def wrong_seat(observations: Observations) -> str:
 def _seats(observations: Observations, mounts: NDArray[np.str_]) -> Seats:
     functions = basis(replace(observations, mount=mounts))
     fit = joint_fit(compress(functions, observations.output_v, np.ones(len(observations))))
-    return Seats(mounts=mounts, squares_v2=fit.squares_v2, freedom=len(observations) - fit.fitted)
+    kx, ky, kz = np.abs(fit.theta[1:4])
+    return Seats(
+        mounts=mounts,
+        squares_v2=fit.squares_v2,
+        freedom=len(observations) - fit.fitted,
+        along_x=bool(kx > max(ky, kz)),
+    )
 
 
 def _noise_v2(observations: Observations) -> float:
@@ -88,18 +96,18 @@ def _explains(declared: Seats, supposed: Seats, noise_v2: float) -> bool:
 
 
 def _best_swap(observations: Observations, numbers: Numbers, supposed: Seats) -> Seats:
-    """The one mounting in another mount that leaves least; of several that do, one that was not changed."""
-    swaps: list[tuple[float, bool, Seats]] = []
+    """The one mounting in another mount that leaves least; of several that do, a likely one, and not changed."""
+    swaps: list[tuple[bool, bool, float, Seats]] = []
     for number in range(int(numbers[-1]) + 1):
         inside = numbers == number
         before = supposed.mounts[numbers == number - 1][0] if number else ""
         for mount in MOUNTS:
             if mount != supposed.mounts[inside][0]:
                 swapped = _seats(observations, np.where(inside, mount, supposed.mounts))
-                swaps.append((swapped.squares_v2, mount != before, swapped))
-    least_v2 = min(squares_v2 for squares_v2, _, _ in swaps)
-    tied = [swap for swap in swaps if swap[0] <= _TIED * least_v2]
-    return min(tied, key=lambda swap: (swap[1], swap[0]))[2]
+                swaps.append((not swapped.along_x, mount != before, swapped.squares_v2, swapped))
+    least_v2 = min(squares_v2 for *_, squares_v2, _ in swaps)
+    tied = [swap for swap in swaps if swap[2] <= _TIED * least_v2]
+    return min(tied, key=lambda swap: swap[:3])[3]
 
 
 def _question(observations: Observations, numbers: Numbers, mounts: NDArray[np.str_]) -> str:

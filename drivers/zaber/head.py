@@ -78,7 +78,8 @@ class ZaberHead:
 
         Model and serial number of a stage behind a controller follow a stroke: `50081/43211`.
         """
-        self._require("comm.checksum", 1, axis=False)
+        if {self._get("comm.checksum", axis=False) for _ in range(2)} != {"1"}:  # one answer alone may be garbled
+            self._conversation.repeat("set comm.checksum 1", axis=False)
         self._conversation.checksums = True
         speed = round(self._speed_deg_s * abs(self._steps_per_deg) * SPEED_UNITS_PER_HZ)
         self._require("maxspeed", speed)
@@ -186,10 +187,10 @@ class ZaberHead:
     def _get(self, setting: str, *, axis: bool = True) -> str:
         return self._conversation.repeat(f"get {setting}", axis=axis).data
 
-    def _require(self, setting: str, value: int, *, axis: bool = True) -> None:
+    def _require(self, setting: str, value: int) -> None:
         """Set what is not so already: settings are kept in a memory that wears out."""
-        if self._get(setting, axis=axis) != str(value):
-            self._conversation.repeat(f"set {setting} {value}", axis=axis)
+        if self._get(setting) != str(value):
+            self._conversation.repeat(f"set {setting} {value}")
 
     def _peripheral(self, setting: str) -> list[str]:
         """What a stage behind a controller says; nothing where stage and controller are one."""

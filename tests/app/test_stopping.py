@@ -31,7 +31,9 @@ def test_a_signal_stops_the_run_at_a_standstill_and_keeps_the_points(tiny, tmp_p
 
     found = read_recording(recording)
     assert ran.status == 4
-    assert ran.complaint == f"the operator stopped the run; 3 complete points kept in {recording}"
+    assert (
+        ran.complaint == f"the operator stopped the run; 3 complete points kept in {recording}; tumble resume goes on"
+    )
     assert len(found.points) == 3
     assert found.closed
     assert found.ending.reason is FinishReason.STOPPED

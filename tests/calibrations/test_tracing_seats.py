@@ -42,6 +42,16 @@ def test_a_unit_in_another_mount_than_the_one_before_is_asked_about_too():
     assert "rows 41 to 60 are said to be in edge and fit face-up-90; was" in wrong_seat(said(PARTS, (2, "edge")))
 
 
+@pytest.mark.parametrize(
+    ("true", "rows"), [("face-up", "1 to 20 are said to be in face-up-90"), ("face-up-90", "21 to 40 are said")]
+)
+def test_of_two_mountings_the_one_is_asked_about_that_leaves_x_the_most_sensitive_axis(true, rows):
+    table_of_one = said((sweep(true, 20.0), sweep(true, 20.0)), realisations=1)
+    mounts = np.repeat(["face-up-90", "face-up"], 20)
+
+    assert f"rows {rows}" in wrong_seat(replace(table_of_one, mount=mounts))
+
+
 def test_two_mountings_that_were_wrong_are_both_named():
     question = wrong_seat(said(PARTS, (2, "edge"), (6, "edge")))
 

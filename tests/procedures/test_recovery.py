@@ -318,3 +318,51 @@ def test_a_fault_under_way_is_not_reset(linked: FakeStand):
 
     assert linked.engine().run(SWEEP.procedure()).reason is FinishReason.COMPLETED
     assert len(resets) == 1
+
+
+@pytest.mark.parametrize("name", ["head", "daq"])
+def test_a_cable_that_is_pulled_while_the_instruments_are_identified_is_waited_for(linked: FakeStand, name):
+    instrument = getattr(linked, name)
+    instrument.link.pull(3.0)
+    outcome = linked.engine().run(SWEEP.procedure())
+    assert voltages(outcome) == undisturbed()
+    assert linked.head.homings == (1 if name == "head" else 0)
+
+
+def test_a_cable_that_is_pulled_while_the_head_is_homed_for_the_first_time_is_waited_for(linked: FakeStand):
+    linked.head.referenced = False
+    linked.head.on_status = once_when(lambda: linked.head.homings == 1, lambda: linked.head.link.pull(3.0))
+    assert voltages(linked.engine().run(SWEEP.procedure())) == undisturbed()
+
+
+def test_an_instrument_that_is_not_there_when_the_run_begins_ends_it_within_its_time(linked: FakeStand):
+    linked.daq.link.pull(1e9)
+    outcome = linked.engine().run(SWEEP.procedure())
+    assert (outcome.reason, outcome.at_standstill) == (FinishReason.DEVICE_FAULT, True)
+    assert "did not come back within 30 s; check its power and its cable" in outcome.message
+    assert linked.clock.monotonic_s() < 45.0
+
+
+def test_a_standstill_is_read_back_also_where_the_link_was_lost_when_the_run_was_stopped(linked: FakeStand):
+    engine = linked.engine()
+
+    def stop():
+        engine.control.stop()
+        linked.head.link.pull(1.0)
+
+    linked.daq.on_acquire = once_when(lambda: linked.daq.blocks == 7, stop)
+    outcome = engine.run(SWEEP.procedure())
+
+    assert (outcome.reason, outcome.at_standstill) == (FinishReason.STOPPED, True)
+
+
+def test_an_interrupt_while_the_head_comes_to_rest_to_be_homed_is_no_device_fault(linked: FakeStand):
+    linked.head.referenced = False
+
+    def interrupt():
+        raise KeyboardInterrupt
+
+    linked.head.on_status = once_when(lambda: linked.head.stops == 1, interrupt)
+    outcome = linked.engine().run(SWEEP.procedure())
+
+    assert (outcome.reason, outcome.at_standstill) == (FinishReason.STOPPED, True)
