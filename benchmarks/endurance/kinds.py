@@ -3,8 +3,7 @@
 import os
 import signal
 import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from threading import Timer
@@ -85,17 +84,13 @@ def _fill_disk(_: EmulatedStand, recording: Path) -> None:
         resource.setrlimit(resource.RLIMIT_FSIZE, (size, resource.getrlimit(resource.RLIMIT_FSIZE)[1]))
 
 
-@contextmanager
-def room_again() -> Iterator[None]:
-    """Make room on the disk when the context ends."""
-    try:
-        yield
-    finally:
-        if sys.platform != "win32":
-            import resource  # not on Windows
+def make_room() -> None:
+    """Take back that the disk is full."""
+    if sys.platform != "win32":
+        import resource  # not on Windows
 
-            hard = resource.getrlimit(resource.RLIMIT_FSIZE)[1]
-            resource.setrlimit(resource.RLIMIT_FSIZE, (hard, hard))
+        hard = resource.getrlimit(resource.RLIMIT_FSIZE)[1]
+        resource.setrlimit(resource.RLIMIT_FSIZE, (hard, hard))
 
 
 def _of_instrument(device: Literal["head", "daq"]) -> list[Kind]:

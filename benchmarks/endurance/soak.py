@@ -23,7 +23,7 @@ from typing import Final
 from app.resuming import find, resume
 from app.running import failure, run
 from benchmarks.endurance.emulated import EmulatedStand, Pair, emulated
-from benchmarks.endurance.faults import reached
+from benchmarks.endurance.fault_runs import reached
 from benchmarks.endurance.kills import points_said
 from calibrations.analysis import analyse
 from calibrations.result import Parameter

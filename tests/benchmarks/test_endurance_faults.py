@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from app.exits import Exit
-from benchmarks.endurance.faults import carried_out, case_named, cases, is_bad
+from benchmarks.endurance.fault_runs import carried_out, case_named
+from benchmarks.endurance.faults import cases, is_bad
 from benchmarks.endurance.kinds import KINDS
 
 SHORT = """\
