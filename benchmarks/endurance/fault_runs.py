@@ -16,7 +16,7 @@ from app.running import failure, run
 from app.wiring import Connected
 from benchmarks.endurance.emulated import EmulatedStand, Pair, emulated
 from benchmarks.endurance.kills import points_said
-from benchmarks.endurance.kinds import KINDS, Kind, make_room
+from benchmarks.endurance.kinds import FOR_GOOD_S, KINDS, Kind, make_room
 from benchmarks.endurance.moments import Moment, strike_at, take_time_to_answer
 from calibrations.tracing.questions import questioned
 from drivers.errors import DeviceError
@@ -42,6 +42,7 @@ step_deg = 40.0
 points = 7
 """
 _LINK_BACK_S: Final = 20.0
+"""How much longer than the links were away for good, in real time."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -196,14 +197,13 @@ def _resumed(stand: EmulatedStand, recording: Path) -> bool:
 
 
 def reached(stand: EmulatedStand) -> Connected:
-    """The stand, once its links are back."""
-    deadline_s = time.monotonic() + _LINK_BACK_S
-    while True:
+    """Connect the stand, once its links are back. Raises `DeviceError` where they stay away."""
+    deadline_s = time.monotonic() + _LINK_BACK_S + FOR_GOOD_S / stand.speed
+    while time.monotonic() < deadline_s:
         with suppress(DeviceError):
             return stand.connect()
-        if time.monotonic() > deadline_s:
-            return stand.connect()
         time.sleep(0.1)
+    return stand.connect()
 
 
 def of_case(case: Case) -> Result:

@@ -19,7 +19,7 @@ Does = Callable[[EmulatedStand, Path], None]
 _LATE_S: Final = 1.2
 """Later than any driver waits for an answer, in real time."""
 _AWAY_S: Final = 3.0
-_FOR_GOOD_S: Final = 60.0
+FOR_GOOD_S: Final = 60.0
 """By the stand's clock; the engine waits 30 s for a link."""
 _SECOND_INTERRUPT_S: Final = 0.01
 
@@ -115,7 +115,7 @@ def _of_instrument(device: Literal["head", "daq"]) -> list[Kind]:
         Kind(
             name=f"{device}: port vanishes for good",
             device=device,
-            does=_goes_wrong(device, "drop", stand_s=_FOR_GOOD_S),
+            does=_goes_wrong(device, "drop", stand_s=FOR_GOOD_S),
         ),
         Kind(name=f"{device}: power lost", device=device, does=_goes_wrong(device, "power_loss", real_s=0.3)),
         Kind(name=f"{device}: another unit after a reconnect", device=device, does=swapped, other_unit=True),

@@ -35,7 +35,7 @@ from procedures.recording.observations import observations
 from procedures.recording.reader import iter_samples, read_recording
 
 SPEED: Final = 10.0
-EVERY_S: Final = 4.0
+EVERY_S: Final = 2.0
 REALISATIONS: Final = 4
 MOUNTS: Final = ("face-up", "face-down", "face-up-90", "edge", "end")
 SWEEP: Final = """\
