@@ -6,7 +6,7 @@ from contextlib import suppress
 from typing import Final
 
 from drivers.clock import Clock
-from drivers.errors import DeviceError, LinkLostError
+from drivers.errors import DeviceError, LinkLostError, ReferenceLostError
 from drivers.protocols import DividingHead, HeadStatus, Reconnectable
 from procedures.approach import EITHER_WAY, Approach, Place, direction_of
 from procedures.steps import Direction
@@ -20,10 +20,6 @@ _STALL_S: Final = 2.0
 _STANDSTILL_S: Final = 10.0
 _HOMING_S: Final = 60.0
 _HALF_TURN_DEG: Final = 180.0
-
-
-class ReferenceLostError(DeviceError):
-    """The head no longer knows its angle; it has to be homed."""
 
 
 class Motion:

@@ -121,7 +121,9 @@ def main() -> None:
     parser.add_argument("--speed", type=float, default=SPEED, help="of the stand, times real time")
     parser.add_argument("--kind", default="", help="only the kinds whose name contains this")
     parser.add_argument("--moment", choices=MOMENTS, help="only this step")
-    parser.add_argument("--processes", type=int, default=os.cpu_count() or 1)
+    parser.add_argument(
+        "--processes", type=int, default=2 * (os.cpu_count() or 1), help="most of the time is spent waiting"
+    )
     options = parser.parse_args()
     chosen = [kind for kind in KINDS if options.kind in kind.name]
     wanted = [case for case in cases(chosen, options.speed) if options.moment in (None, case.moment)]

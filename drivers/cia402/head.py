@@ -8,7 +8,7 @@ from drivers.cia402.emergencies import emergency_words
 from drivers.cia402.node import DriveNode
 from drivers.cia402.states import Mode, State
 from drivers.clock import Clock
-from drivers.errors import DeviceError, LimitError, NoReplyError
+from drivers.errors import DeviceError, LimitError, NoReplyError, ReferenceLostError
 from drivers.links.can_link import CanLink
 from drivers.protocols import HeadStatus, Identity
 
@@ -120,13 +120,15 @@ class Cia402Head:
         ------
         LimitError
             Outside the limits; nothing moved.
+        ReferenceLostError
+            The head has not been homed, or has lost its reference since.
         DeviceError
-            The head has not been homed, or the drive is faulty or did not take the set-point.
+            The drive is faulty or did not take the set-point.
         """
         counts = self._counts(angle_deg)
         self._refuse_fault()
         if not self._referenced:
-            raise DeviceError(self._node.device, "has lost its reference", "home it before it is moved")
+            raise ReferenceLostError(self._node.device, "has lost its reference", "home it before it is moved")
         self._enable(Mode.PROFILE_POSITION)
         self._node.write(objects.PROFILE_VELOCITY, max(1, round(abs(self._speed_deg_s * self._steps_per_deg))))
         self._node.write(objects.TARGET_POSITION, counts)

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import Final
 
 from drivers.clock import Clock
-from drivers.errors import DeviceError, LimitError
+from drivers.errors import DeviceError, LimitError, ReferenceLostError
 from drivers.protocols import HeadStatus, Identity
 from drivers.zaber.codec import Message
 from drivers.zaber.conversation import ATTEMPTS, Conversation, Link, RejectedError, UnclearError
@@ -106,8 +106,10 @@ class ZaberHead:
         ------
         LimitError
             Outside the soft limits or those set in the device.
+        ReferenceLostError
+            The head is not homed.
         DeviceError
-            The head is not homed, is blocked, or does not answer.
+            It is blocked, or does not answer.
         """
         low_deg, high_deg = self._limits_deg
         if not low_deg <= angle_deg <= high_deg:
@@ -117,7 +119,7 @@ class ZaberHead:
                 "choose another angle or correct limits_deg in the stand file",
             )
         if not self.status().referenced:
-            raise DeviceError(self._conversation.name, "does not know its angle", "home it before it moves")
+            raise ReferenceLostError(self._conversation.name, "does not know its angle", "home it before it moves")
         steps = round(angle_deg * self._steps_per_deg)
         try:
             self._begin(f"move abs {steps}", arrived=lambda status: self._steps(status) == steps)

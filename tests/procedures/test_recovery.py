@@ -4,7 +4,7 @@ import pytest
 from fakes import QUICK, FakeDaq, FakeHead, FakeStand
 
 from drivers.clock import VirtualClock
-from drivers.errors import DeviceError, LinkLostError, NoReplyError
+from drivers.errors import DeviceError, LinkLostError, NoReplyError, ReferenceLostError
 from drivers.protocols import HeadStatus, Identity
 from procedures.events import FinishReason, Identified, PointCompleted, SamplesAcquired, WarningRaised
 from procedures.programme import programme_from_text
@@ -255,6 +255,22 @@ def test_a_head_that_loses_its_power_under_way_is_homed_and_the_step_begins_anew
         linked.head.referenced = False
 
     linked.head.on_status = once_when(lambda: linked.clock.monotonic_s() > 1.5, lose_power)
+    outcome = linked.engine().run(SWEEP.procedure())
+    assert voltages(outcome) == undisturbed()
+    assert linked.head.homings == 1
+
+
+def test_a_head_that_has_lost_its_power_when_it_is_told_to_move_is_homed_and_the_step_begins_anew(linked: FakeStand):
+    start_move, moves = linked.head.start_move, []
+
+    def lose_power(angle_deg):
+        moves.append(angle_deg)
+        if len(moves) == 3:
+            linked.head.referenced = False
+            raise ReferenceLostError("fake head", "has lost its reference", "home it before it is moved")
+        start_move(angle_deg)
+
+    linked.head.start_move = lose_power
     outcome = linked.engine().run(SWEEP.procedure())
     assert voltages(outcome) == undisturbed()
     assert linked.head.homings == 1
