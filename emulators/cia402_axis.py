@@ -84,7 +84,7 @@ class Axis:
         """Halt."""
         with self._world.lock:
             self._world.head.stop()
-            self._homing, self._arrives = False, True
+            self._homing, self._arrives, self.blocked = False, True, False
 
     def lose_power(self) -> None:
         """Halt and forget the count, which begins again at 0."""

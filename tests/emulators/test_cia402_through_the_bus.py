@@ -140,6 +140,16 @@ def test_a_stall_is_told_once_as_a_following_error_and_then_the_standstill_can_b
         assert (stuck.moving, stuck.angle_deg) == (False, 45.0)
 
 
+def test_a_drive_that_is_stopped_before_it_notices_its_stall_comes_to_rest(monkeypatch):
+    monkeypatch.setattr(Drive, "update", lambda _: None)
+    with can_bench(head_fault("stall")) as bench:
+        head = bench.head()
+        monkeypatch.setattr(head, "_homed", True)
+        head.start_move(90.0)
+        head.stop()
+        assert not head.status().moving
+
+
 def test_a_stalled_drive_moves_again_only_after_its_fault_was_reset():
     with can_bench(head_fault("stall")) as bench:
         head = stalled(bench)
