@@ -9,7 +9,7 @@ BIN := $(VENV)/bin
 help:
 	@echo "make demo   run the main job on the simulated stand: recording, record and report in tumble-store/"
 	@echo "make test   style, types, import contracts and all tests"
-	@echo "make endurance   kills, cuts, whole runs through the wire, a million mutated frames per protocol (more than an hour)"
+	@echo "make endurance   kills, cuts, runs through the wire, faults at every step, a soak, mutated frames (two hours)"
 	@echo "make lock   pin the dependencies anew"
 
 $(VENV)/.ready: requirements.lock pyproject.toml
@@ -42,6 +42,8 @@ endurance: setup
 	$(BIN)/python -m benchmarks.endurance.zaber_frames
 	$(BIN)/python -m benchmarks.endurance.scpi_frames
 	$(BIN)/python -m benchmarks.endurance.can_frames
+	$(BIN)/python -m benchmarks.endurance.faults
+	$(BIN)/python -m benchmarks.endurance.soak
 
 lock:
 	uv pip compile --universal --python-version 3.11 --generate-hashes --no-emit-index-url --no-header \

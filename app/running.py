@@ -21,6 +21,7 @@ from drivers.clock import Clock
 from procedures.acquisition import Acquisition
 from procedures.announcer import Listener
 from procedures.engine import Engine
+from procedures.events import State
 from procedures.outcome import Outcome
 from procedures.plan import Plan, check_cable, check_limits, plan
 from procedures.programme import Programme
@@ -125,7 +126,7 @@ def carry_out(
     heard = [*connected.listeners, *listeners]
     engine = Engine(connected.stand, connected.operator, recorder, job.acquisition, heard, connected.eyepiece)
     try:
-        with recorder, _stopping_on_signals(engine):
+        with _stopping_on_signals(engine), recorder:
             return action(engine)
     except RecordingError as error:  # from closing it: what fails during the run is in the outcome
         raise JobError(f"{error}; its complete points can be read", Exit.STORAGE) from error
@@ -138,7 +139,8 @@ def failure(outcome: Outcome, recording: Path) -> JobError | None:
         return None
     kept = len(outcome.points)
     points = f"{kept} complete point{'s' if kept != 1 else ''} kept in {recording}"
-    return JobError(f"{outcome.message}; {points}", status)
+    remedy = "; tumble resume goes on" if status is Exit.STOPPED else ""  # all others say what to do first
+    return JobError(f"{outcome.message}; {points}{remedy}", status)
 
 
 def recording_path(folder: Path, serial_number: str, programme: str, clock: Clock) -> Path:
@@ -190,12 +192,15 @@ def _storage_sentence(path: Path, error: Exception) -> str:
 
 @contextmanager
 def _stopping_on_signals(engine: Engine) -> Iterator[None]:
-    """Have `STOPPING_SIGNALS` stop the run; a second SIGINT interrupts it at once, still to a standstill."""
+    """Have `STOPPING_SIGNALS` stop the run; a second SIGINT interrupts it at once, still to a standstill.
+
+    Nothing interrupts what brings the head to rest and closes the recording, which takes seconds at most.
+    """
     asked = False
 
     def stop(number: int, _frame: FrameType | None) -> None:
         nonlocal asked
-        if asked and number == signal.SIGINT:
+        if asked and number == signal.SIGINT and engine.state not in (State.STOPPING, State.STANDSTILL):
             raise KeyboardInterrupt
         asked = True
         engine.control.stop()

@@ -38,13 +38,17 @@ class Connected:
 
 
 def connect(
-    loaded: LoadedStand, answers: Path | None = None, attended: bool = False, past: Past | None = None
+    loaded: LoadedStand,
+    answers: Path | None = None,
+    attended: bool = False,
+    past: Past | None = None,
+    clock: Clock | None = None,
 ) -> Connected:
     """Connect to the instruments of a stand file.
 
     The operator of a simulated or emulated stand is simulated too, and seats the unit whenever asked, unless an answers
     file says otherwise. An attended stand asks the person at the terminal, and lives in real time, as a real one always
-    does. An emulated stand lives by the clock of its emulation.
+    does; an emulated stand lives by the clock of its emulation, or by `clock`, which goes as fast.
     Where a run is resumed, a simulated stand lives through its `past` again first.
 
     Raises
@@ -57,7 +61,7 @@ def connect(
     if loaded.file.simulates:
         return _simulated(loaded, answers, attended, past)
     backstage, links = find_backstage((loaded.file.head.address, loaded.file.daq.address)), Links()
-    clock = backstage.clock if backstage else SystemClock()
+    clock = clock or (backstage.clock if backstage else SystemClock())
     operator = cache(partial(_operator, answers, attended=attended or backstage is None))
     person = _Person(operator, clock, backstage)
     bench = Bench(clock=clock, links=links, folder=loaded.folder, eyepiece=person.at_the_head)

@@ -18,6 +18,10 @@ class LimitError(DeviceError):
     """A move was asked for that the head's soft limits forbid; nothing moved."""
 
 
+class ReferenceLostError(DeviceError):
+    """The head no longer knows its angle, and did not move; it has to be homed."""
+
+
 class LinkLostError(DeviceError):
     """The way to the instrument is gone: port vanished, cable pulled, connection closed.
 

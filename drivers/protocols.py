@@ -106,6 +106,19 @@ class Reconnectable(Protocol):
         ...
 
 
+@runtime_checkable
+class Resettable(Protocol):
+    """An instrument that stays in fault until it is told that the cause is gone."""
+
+    def reset_fault(self) -> str:
+        """Reset the fault that it was left in; returns which, and nothing where there was none.
+
+        To be called only where somebody has seen to the cause: when a run begins. Raises `DeviceError` where the cause
+        is still there.
+        """
+        ...
+
+
 @dataclass(frozen=True, kw_only=True)
 class Stand:
     """A head, a DAQ and the clock by which they live: all that the engine needs to know of a stand."""

@@ -18,6 +18,7 @@ from typing import Final
 
 from drivers.clock import Clock, SystemClock
 from drivers.errors import DeviceError
+from emulators.faults import Faults
 from emulators.serving import serve_tcp
 from emulators.speed import FasterClock
 from emulators.world import SharedWorld
@@ -32,14 +33,19 @@ class BackstageSession:
 
     `seat MOUNT`; `switch on`; `turn ANGLE`, which begins to turn the head, `turn off`, which leaves it where it is;
     `look`, which is answered `turning` as long as it turns.
+
+
+    The fault `not_seated` has it answer so without having seated the unit.
     """
 
-    def __init__(self, shared: SharedWorld) -> None:
+    def __init__(self, shared: SharedWorld, faults: Faults) -> None:
         self._shared = shared
+        self._faults = faults
 
     def received(self, data: bytes) -> bytes:
         """Do what one line says."""
         verb, _, what = data.decode("utf-8", "replace").strip().partition(" ")
+        self._faults.note_command(data)
         with self._shared.lock:
             try:
                 return f"{self._do(verb, what)}\n".encode()
@@ -53,7 +59,8 @@ class BackstageSession:
     def _do(self, verb: str, what: str) -> str:
         match verb, what:
             case "seat", mount:
-                self._shared.world.seat(mount)
+                if not self._faults.take("not_seated"):
+                    self._shared.world.seat(mount)
             case "switch", "on":
                 self._shared.world.switch_on()
             case "turn", "off":
@@ -115,9 +122,10 @@ class Backstage:
 
 
 @contextmanager
-def backstage_of(shared: SharedWorld, addresses: Sequence[str]) -> Iterator[None]:
+def backstage_of(shared: SharedWorld, addresses: Sequence[str], faults: Faults | None = None) -> Iterator[None]:
     """Open the backstage of a world whose instruments have these addresses, as long as the context lasts."""
-    with serve_tcp(lambda: BackstageSession(shared), terminators=b"\n") as server:
+    of_operator = faults or Faults()
+    with serve_tcp(lambda: BackstageSession(shared, of_operator), terminators=b"\n") as server:
         pace = shared.clock.pace if isinstance(shared.clock, FasterClock) else None
         known = json.dumps({"port": server.port, "process": os.getpid(), "pace": pace})
         entries = [_entry(address) for address in addresses]

@@ -10,16 +10,16 @@ import canopen
 from canopen.pdo.base import PdoMap
 
 from drivers.cia402 import objects
-from drivers.links.can_link import BUS_OFF
 from emulators.cia402_axis import Axis
-from emulators.cia402_drive import ERROR_REGISTER, Drive
+from emulators.cia402_bus import DriveNetwork
+from emulators.cia402_drive import ERROR_REGISTER, OVERHEATED, Drive
 from emulators.faults import Fault, Faults, Kind
 from emulators.world import SharedWorld
 
 CYCLE_S: Final = 0.02
 """Time between two transmissions of the TPDOs: a master of the profile waits for them."""
 
-_KINDS: Final[tuple[Kind, ...]] = ("power_loss", "bus_off", "heartbeat_lost", "swapped")
+_KINDS: Final[tuple[Kind, ...]] = ("power_loss", "bus_off", "heartbeat_lost", "emergency", "swapped")
 """Faults of the node; those of the axis are the axis's."""
 
 _RESET_NODE: Final = 129
@@ -58,7 +58,7 @@ class EmulatedDrive:
         self._struck: deque[Fault] = deque()
         """Faults that came with a command and have yet to happen."""
         self._drive = Drive(Axis(world, self._faults, steps_per_deg))
-        self._network = _Network(can.Bus(interface="virtual", channel=channel))
+        self._network = DriveNetwork(can.Bus(interface="virtual", channel=channel), self._faults)
         self._network.connect()
         self._node = self._make_node(node_id)
         self._closing = threading.Event()
@@ -100,6 +100,7 @@ class EmulatedDrive:
             while self._drive.emergencies:
                 code = self._drive.emergencies.popleft()
                 self._node.emcy.send(code, ERROR_REGISTER if code else 0)
+            self._network.send_late()
             if self._node.nmt.state == "OPERATIONAL":
                 self._send_pdos()
 
@@ -118,6 +119,8 @@ class EmulatedDrive:
             return
         if fault.kind == "swapped":
             self._drive.serial += 1
+        elif fault.kind == "emergency":
+            self._drive.fail(OVERHEATED)
         elif fault.kind == "heartbeat_lost":
             self._pause(fault.lasts_s)
         elif fault.kind == "bus_off":
@@ -170,26 +173,3 @@ class EmulatedDrive:
         self._drive.set_value(index, value)
         if fault := self._faults.take(*_KINDS):
             self._struck.append(fault)
-
-
-class _Network(canopen.Network):
-    """A network from which a node can vanish for a while."""
-
-    NOTIFIER_CYCLE = 0.05
-
-    silent = False
-
-    def send_message(self, can_id: int, data: bytes, remote: bool = False) -> None:
-        """Send, unless silent."""
-        if not self.silent:
-            super().send_message(can_id, data, remote)
-
-    def notify(self, can_id: int, data: bytearray, timestamp: float) -> None:
-        """Hear, unless silent."""
-        if not self.silent:
-            super().notify(can_id, data, timestamp)
-
-    def report_bus_off(self) -> None:
-        """Have every interface on the bus say what a controller says that has switched itself off."""
-        if self.bus is not None:
-            self.bus.send(can.Message(arbitration_id=BUS_OFF, is_error_frame=True, is_extended_id=True))

@@ -69,17 +69,22 @@ class Axis:
             self._start(target_deg)
 
     def home(self) -> None:
-        """Look for the reference."""
+        """Look for the reference; stalled on its way it never finds it, and moving for ever it never says so."""
+        fault = self._faults.take("stall", "moving_for_ever")
+        kind = fault.kind if fault else ""
         with self._world.lock:
-            self.homed = self.blocked = False
-            self._homing = self._arrives = True
+            here_deg = self._status().angle_deg
+            self.homed, self.blocked = False, kind == "stall"
+            self._homing, self._arrives = kind == "", kind != "moving_for_ever"
             self._world.head.home()
+            if self.blocked:
+                self._start(here_deg / 2)
 
     def stop(self) -> None:
         """Halt."""
         with self._world.lock:
             self._world.head.stop()
-            self._homing, self._arrives = False, True
+            self._homing, self._arrives, self.blocked = False, True, False
 
     def lose_power(self) -> None:
         """Halt and forget the count, which begins again at 0."""

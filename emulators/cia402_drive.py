@@ -12,6 +12,7 @@ from emulators.cia402_axis import Axis
 from emulators.cia402_stage import PowerStage
 
 FOLLOWING_ERROR: Final = 0x8611
+OVERHEATED: Final = 0x4310
 ERROR_REGISTER: Final = 1 << 5 | 1
 """Error register in a fault: specific to the profile, and generic."""
 
@@ -54,9 +55,17 @@ class Drive:
         """Let time do its part: arrive, get stuck, come to rest after a quick stop."""
         with self._lock:
             if self.axis.update() and self._stage.state is State.ENABLED:
-                self._fail(FOLLOWING_ERROR)
+                self.fail(FOLLOWING_ERROR)
             if self._stage.state is State.QUICK_STOP and self._quick_stop_option < _STAYS_STOPPED:
                 self._stage.state = State.SWITCH_ON_DISABLED
+
+    def fail(self, code: int) -> None:
+        """Stand still, go into fault and tell of it."""
+        with self._lock:
+            self.axis.stop()
+            self._stage.fail()
+            self._error_code = code
+            self.emergencies.append(code)
 
     def value(self, index: int, subindex: int) -> int | str | None:
         """Value of an object; None for one that is merely stored."""
@@ -135,12 +144,6 @@ class Drive:
             self.axis.home()
         elif self._mode == Mode.PROFILE_POSITION:
             self.axis.move_to(self._target)
-
-    def _fail(self, code: int) -> None:
-        self.axis.stop()
-        self._stage.fail()
-        self._error_code = code
-        self.emergencies.append(code)
 
     def _recover(self) -> None:
         self._error_code = 0

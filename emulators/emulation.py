@@ -8,8 +8,9 @@ from uuid import uuid4
 from drivers.driver import SIMULATED
 from drivers.tables import DaqTable, HeadTable, Instrument
 from emulators.backstage import backstage_of
-from emulators.faults import Faults, FaultScript
+from emulators.faults import Faults
 from emulators.serving import Server, Session, serve_pty, serve_tcp
+from emulators.stand_faults import StandFaults
 from emulators.world import SharedWorld
 
 
@@ -30,8 +31,8 @@ class Wanted:
     """Whether each is served on a pseudo-terminal too (not on Windows)."""
 
 
-def emulate(stack: ExitStack, shared: SharedWorld, wanted: Wanted, script: FaultScript | None = None) -> dict[str, str]:
-    """Serve a stand until `stack` is closed.
+def emulate(stack: ExitStack, shared: SharedWorld, wanted: Wanted, faults: StandFaults | None = None) -> dict[str, str]:
+    """Serve a stand until `stack` is closed; nothing goes wrong there but `faults`.
 
     Returns the addresses of `head`, unless it is a manual one, and of `daq` as a stand file writes them, and those of
     their pseudo-terminals.
@@ -43,23 +44,19 @@ def emulate(stack: ExitStack, shared: SharedWorld, wanted: Wanted, script: Fault
     OSError
         A port is taken, or there are no pseudo-terminals.
     """
-    return _Emulation(stack, shared, wanted, script).addresses()
+    return _Emulation(stack, shared, wanted, faults or StandFaults(None, shared.clock, lambda: 0)).addresses()
 
 
 class _Emulation:
-    def __init__(self, stack: ExitStack, shared: SharedWorld, wanted: Wanted, script: FaultScript | None) -> None:
-        self._stack, self._shared, self._wanted = stack, shared, wanted
-        self._script = script
-        self._head_faults, self._daq_faults = self._faults("head"), self._faults("daq")
+    def __init__(self, stack: ExitStack, shared: SharedWorld, wanted: Wanted, faults: StandFaults) -> None:
+        self._stack, self._shared, self._wanted, self._faults = stack, shared, wanted, faults
+        self._head_faults, self._daq_faults = faults.of("head"), faults.of("daq")
         self._channel = f"tumble-{uuid4().hex}"
         self._bus_address: dict[str, str] = {}
 
-    def _faults(self, device: str) -> Faults:
-        return Faults(self._script, device, self._shared.clock, lambda: self._shared.world.counts.dwells)
-
     def addresses(self) -> dict[str, str]:
         found = self._head() | self._daq()
-        self._stack.enter_context(backstage_of(self._shared, tuple(found.values())))
+        self._stack.enter_context(backstage_of(self._shared, tuple(found.values()), self._faults.of("operator")))
         return found
 
     def _head(self) -> dict[str, str]:
@@ -109,12 +106,13 @@ class _Emulation:
         return found
 
     def _bus(self, name: str, port: int) -> dict[str, str]:
-        """Serve the CAN bus, once, whoever asks first. Frames are not commands: the bus counts faults of its own."""
+        """Serve the CAN bus, once, whoever asks first."""
         from emulators.slcan import serve_slcan, slcan_address
         from emulators.socketcand import serve_socketcand, socketcand_address
 
-        faults = self._faults(name)
         if not self._bus_address:
+            on_bus = {"head": self._wanted.head.driver == "cia402", "daq": self._wanted.daq.driver == "can"}
+            faults = self._faults.of_bus([device for device, on in on_bus.items() if on])
             self._bus_address[""] = socketcand_address(self._kept(serve_socketcand(self._channel, port, faults))).url
             if self._wanted.ptys:
                 self._bus_address["_pty"] = slcan_address(self._kept(serve_slcan(self._channel, faults))).url

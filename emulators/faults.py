@@ -30,12 +30,19 @@ DeviceKind = Literal[
     "frames_lost",
     "bus_off",
     "heartbeat_lost",
+    "emergency",
+    "error_queued",
     "swapped",
 ]
-"""What may happen in an instrument. `swapped`: another unit, with another serial number, stands in its place."""
+"""What may happen in an instrument.
 
-Kind = Literal[WireKind, "drop", DeviceKind]
-"""Any fault. `drop`: the link vanishes and returns; the last command was heard, its answer was not."""
+`emergency`: a drive gets too hot, says so and goes into fault. `error_queued`: a multimeter has an error in its queue.
+`swapped`: another unit, with another serial number, stands in its place.
+"""
+
+Kind = Literal[WireKind, "drop", DeviceKind, "not_seated"]
+"""Any fault. `drop`: the link vanishes and returns; the last command was heard, its answer was not. `not_seated`: the
+operator confirms a mount and leaves the unit as it sits."""
 
 WIRE: Final[tuple[WireKind, ...]] = ("late", "cut", "double", "garble", "reorder", "wrong_checksum")
 
@@ -70,7 +77,7 @@ class Fault(BaseModel):
 
     model_config = _STRICT
 
-    device: Literal["head", "daq"]
+    device: Literal["head", "daq", "operator"]
     kind: Kind
     at: At
     lasts_s: float = Field(default=1.0, ge=0.0)
@@ -95,7 +102,7 @@ class Faults:
     script
         What shall go wrong; nothing by default.
     device
-        The instrument whose faults these are: "head" or "daq".
+        Whose faults these are: "head", "daq" or "operator".
     clock
         Clock of the world.
     points
@@ -115,6 +122,13 @@ class Faults:
         self._points = points
         self._began_s = self._clock.monotonic_s()
         self._lock = Lock()
+        self.happened: list[tuple[float, Fault]] = []
+        """What went wrong so far, with the time of the clock."""
+
+    def add(self, fault: Fault) -> None:
+        """Have one more thing go wrong; `at` counts commands from now on."""
+        with self._lock:
+            self._pending.append(_Pending(fault))
 
     def note_command(self, command: bytes) -> None:
         """Count a command that the instrument has heard."""
@@ -128,6 +142,7 @@ class Faults:
             for pending in self._pending:
                 if pending.fault.kind in kinds and pending.left and self._due(pending):
                     pending.left -= 1
+                    self.happened.append((self._clock.monotonic_s(), pending.fault))
                     return pending.fault
         return None
 

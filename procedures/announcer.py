@@ -14,10 +14,10 @@ Listener: TypeAlias = Callable[[Event], None]
 class Sink(Protocol):
     """What keeps the events of a run."""
 
-    def record(self, event: Event) -> None:
+    def record(self, event: Event) -> str | None:
         """Take an event; when this returns from a `PointCompleted`, the point is safe.
 
-        Whatever is raised ends the run.
+        Returns a sentence where something had to be put right for that. Whatever is raised ends the run.
         """
         ...
 
@@ -31,9 +31,9 @@ class Announcer:
 
     def announce(self, event: Event) -> None:
         """Pass `event` on. Raises `StorageError`, and no listener hears of what could not be stored."""
-        self.store(event)
-        for failure in self.tell(event):
-            self.announce(WarningRaised(message=failure))
+        remark = self.store(event)
+        for sentence in (*self.tell(event), *([remark] if remark else [])):
+            self.announce(WarningRaised(message=sentence))
 
     def announce_anyway(self, event: Event) -> None:
         """Pass `event` on to the listeners even where the sink fails."""
@@ -41,12 +41,13 @@ class Announcer:
             self.store(event)
         self.tell(event)
 
-    def store(self, event: Event) -> None:
-        """Give `event` to the sink alone. Raises `StorageError`."""
+    def store(self, event: Event) -> str | None:
+        """Give `event` to the sink alone; returns what that says. Raises `StorageError`."""
         try:
-            self._sink.record(event)
+            return self._sink.record(event)
         except Exception as error:
-            raise StorageError(f"the recording failed: {error or type(error).__name__}") from error
+            what = str(error) or type(error).__name__
+            raise StorageError(f"the recording failed: {what}; then resume the run") from error
 
     def tell(self, event: Event) -> list[str]:
         """Call every listener; drop those that fail and return a sentence on each."""

@@ -92,7 +92,7 @@ class Engine:
     def run(self, procedure: Procedure) -> Outcome:
         """Carry out `procedure` to its end, or until something else ends it, and bring the head to a standstill."""
         self._began_s = self._clock.monotonic_s()
-        return self._to_its_end(procedure, next(procedure, None), self._recovery.identify)
+        return self._to_its_end(procedure, next(procedure, None), self._recovery.begin)
 
     def resume(
         self,
@@ -147,7 +147,7 @@ class Engine:
 
     def _go_on(self, elapsed_s: Callable[[], float], tolerance_v: float | None) -> None:
         """Make sure that the stand is as it was, and let the run's time go on."""
-        self._recovery.identify()
+        self._recovery.begin()
         last = self._points[-1] if self._points else None
         if last is not None:
             self._verify(last, tolerance_v)
@@ -237,10 +237,13 @@ class Engine:
 
     def _finish(self, error: BaseException | None) -> Outcome:
         """Bring the head to a standstill, then tell everybody, the sink too, even where it was the sink that failed."""
+        self.state = State.STOPPING
         with suppress(Exception):  # first of all; `standstill` sees whether it helped, and says it again
             self._motion.brake()
         self._change_anyway(State.STOPPING, message_of(error))
-        at_standstill = self._motion.standstill()
+        at_standstill = False
+        with suppress(KeyboardInterrupt):  # from whoever runs the engine without handling signals
+            at_standstill = self._motion.standstill()
         if at_standstill:
             self._change_anyway(State.STANDSTILL, message_of(error))
         outcome = outcome_of(error, self._points, at_standstill)

@@ -6,8 +6,8 @@ from contextlib import suppress
 from typing import Final
 
 from drivers.clock import Clock
-from drivers.errors import DeviceError
-from drivers.protocols import DividingHead, HeadStatus
+from drivers.errors import DeviceError, LinkLostError, ReferenceLostError
+from drivers.protocols import DividingHead, HeadStatus, Reconnectable
 from procedures.approach import EITHER_WAY, Approach, Place, direction_of
 from procedures.steps import Direction
 from procedures.watch import Watch, allowed_s
@@ -18,10 +18,6 @@ POLL_S: Final = 0.05
 _STANDSTILL_S: Final = 10.0
 _HOMING_S: Final = 60.0
 _HALF_TURN_DEG: Final = 180.0
-
-
-class ReferenceLostError(DeviceError):
-    """The head no longer knows its angle; it has to be homed."""
 
 
 class Motion:
@@ -119,26 +115,29 @@ class Motion:
     def standstill(self) -> bool:
         """Read the head's rest back: twice in a row it is not moving, in the same place. Until then, tell it to stop.
 
-        Never raises, whatever the head does: false says that no standstill could be read back within its time, or
-        before somebody interrupted the program.
+        A link that is lost is opened anew. Raises nothing, whatever the head does: false says that no standstill could
+        be read back within its time.
         """
-        with suppress(KeyboardInterrupt):
-            deadline_s = self._clock.monotonic_s() + _STANDSTILL_S
-            rested_deg = math.nan
-            while self._clock.monotonic_s() <= deadline_s:
-                angle_deg = self._resting_angle_deg()
-                if self._near(angle_deg, rested_deg):
-                    return True
-                rested_deg = angle_deg
-                self._clock.sleep(POLL_S)
+        deadline_s = self._clock.monotonic_s() + _STANDSTILL_S
+        rested_deg = math.nan
+        while self._clock.monotonic_s() <= deadline_s:
+            angle_deg = self._resting_angle_deg()
+            if self._near(angle_deg, rested_deg):
+                return True
+            rested_deg = angle_deg
+            self._clock.sleep(POLL_S)
         return False
 
     def _resting_angle_deg(self) -> float:
         """Angle at which the head says it stands; NaN, which is near to nothing, where it does not say so."""
         with suppress(Exception):
-            status = self._head.status()
-            if not status.moving:
-                return status.angle_deg
+            try:
+                status = self._head.status()
+                if not status.moving:
+                    return status.angle_deg
+            except LinkLostError:
+                if isinstance(self._head, Reconnectable):
+                    self._head.reconnect()
         with suppress(Exception):
             self._head.stop()
         return math.nan

@@ -8,11 +8,11 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Final, TypeVar
 
-from drivers.errors import DeviceError, LinkLostError, NoReplyError
-from drivers.protocols import Daq, DividingHead, Identity, Reconnectable, Stand
+from drivers.errors import DeviceError, LinkLostError, NoReplyError, ReferenceLostError
+from drivers.protocols import Daq, DividingHead, Identity, Reconnectable, Resettable, Stand
 from procedures.approach import Place
 from procedures.events import Event, Identified, WarningRaised
-from procedures.motion import Motion, ReferenceLostError
+from procedures.motion import Motion
 
 RECONNECTING_S: Final = 30.0
 """How long a link may stay away."""
@@ -56,16 +56,17 @@ class Recovery:
         """Expect the instruments with which the run was begun."""
         self._known.update(identities)
 
-    def identify(self) -> None:
-        """Ask both instruments who they are. Raises `DeviceError` where one does not answer, or is another."""
-        for name, instrument in self._instruments.items():
-            self._recognise(name, instrument.identify())
+    def begin(self) -> None:
+        """Ask both instruments who they are, and reset what an earlier run has left in fault.
+
+        Raises `DeviceError` where one does not answer, is another, or has a fault whose cause is still there.
+        """
+        self.persist(self._identify, None)
+        self.persist(self._reset, None)
 
     def reference(self) -> None:
         """Home a head that does not know its angle. Raises `DeviceError`."""
-        if not self._head.status().referenced:
-            self._warn("dividing head: has no reference; it is homed")
-            self._motion.home(self._carry_on)
+        self.persist(self._home_where_needed, None)
 
     def tell_of_winding(self, angle_deg: float) -> None:
         """Warn where a head that stood whole turns from zero no longer knows its angle. Raises `DeviceError`.
@@ -112,6 +113,23 @@ class Recovery:
             f"was lost {_LOSSES} times in one step, the last time so: {interruption.happened}",
             interruption.remedy,
         )
+
+    def _identify(self) -> None:
+        for name, instrument in self._instruments.items():
+            with self.using(name):
+                self._recognise(name, instrument.identify())
+
+    def _reset(self) -> None:
+        for name, instrument in self._instruments.items():
+            with self.using(name):
+                if isinstance(instrument, Resettable) and (fault := instrument.reset_fault()):
+                    self._warn(f"{_NAMES[name]}: was left in fault by {fault}; the fault is reset")
+
+    def _home_where_needed(self) -> None:
+        with self.using("head"):
+            if not self._head.status().referenced:
+                self._warn("dividing head: has no reference; it is homed")
+                self._motion.home(self._carry_on)
 
     def _get_back(self, interruption: DeviceError, place: Place | None) -> None:
         self._warn(f"{interruption.device}: {interruption.happened}; trying to go on")

@@ -18,6 +18,7 @@ from drivers.simulated import SimulatedStand
 from emulators.emulation import Wanted, emulate
 from emulators.faults import FaultScript
 from emulators.speed import FasterClock
+from emulators.stand_faults import StandFaults
 from emulators.world import SharedWorld
 from procedures.errors import InputError
 from procedures.toml_lines import parse_toml, read_text
@@ -58,9 +59,10 @@ def command(
     )
     simulated = simulation(loaded, clock)
     shared = SharedWorld(SimulatedStand(stand=simulated.stand, world=simulated.world))
+    faults = StandFaults(_read(script), clock, lambda: simulated.world.counts.dwells)
     with ExitStack() as stack:
         try:
-            addresses = emulate(stack, shared, wanted, _read(script))
+            addresses = emulate(stack, shared, wanted, faults)
         except ValueError as error:
             raise InputError(f"{loaded.path}: {error}") from error
         except OSError as error:

@@ -12,6 +12,7 @@ from calibrations.gross import robust_residual
 from calibrations.model import basis, coefficients
 from calibrations.observations import Observations
 from calibrations.repeats import labels, settings
+from calibrations.tracing.seats import wrong_seat
 
 _FEWEST_ROWS = 8
 """Fewer rows contradict nothing."""
@@ -43,7 +44,7 @@ def questioned(observations: Observations) -> Questioned:
     """Look for contradictions between a table and its description."""
     if observations.voltage_v is None or len(observations) < _FEWEST_ROWS:
         return Questioned(observations=observations, questions=(), answerable=True)
-    for ask in (_dead, _radians, _mounts):
+    for ask in (_dead, _radians, _mounts, wrong_seat):
         if question := ask(observations):
             return Questioned(observations=_with(observations, (question,)), questions=(question,), answerable=False)
     questions = [question for ask in (_sign, _millivolts) if (question := ask(observations))]

@@ -4,10 +4,11 @@ import time
 from typing import Final
 
 from drivers.cia402 import objects, states
+from drivers.cia402.emergencies import emergency_words
 from drivers.cia402.node import DriveNode
 from drivers.cia402.states import Mode, State
 from drivers.clock import Clock
-from drivers.errors import DeviceError, LimitError, NoReplyError
+from drivers.errors import DeviceError, LimitError, NoReplyError, ReferenceLostError
 from drivers.limits import check_limits
 from drivers.links.can_link import CanLink
 from drivers.protocols import HeadStatus, Identity
@@ -22,11 +23,10 @@ _MOST_COUNTS: Final = 2**31 - 1
 
 
 class Cia402Head:
-    """A head on CANopen. Fits `DividingHead` and `Reconnectable`.
+    """A head on CANopen. Fits `DividingHead`, `Reconnectable` and `Resettable`.
 
-    The homing method is the one that is set in the drive. A fault of the drive is never reset on the way. One that is
-    there at the beginning is: whoever starts the program again has been told to remove its cause first. The head is
-    homed after it all the same.
+    The homing method is the one that is set in the drive. A fault of the drive is never reset on the way: whoever knows
+    that its cause is gone calls `reset_fault`, after which the head is to be homed.
 
     Parameters
     ----------
@@ -122,13 +122,15 @@ class Cia402Head:
         ------
         LimitError
             Outside the limits; nothing moved.
+        ReferenceLostError
+            The head has not been homed, or has lost its reference since.
         DeviceError
-            The head has not been homed, or the drive is faulty or did not take the set-point.
+            The drive is faulty or did not take the set-point.
         """
         counts = self._counts(angle_deg)
         self._refuse_fault()
         if not self._referenced:
-            raise DeviceError(self._node.device, "has lost its reference", "home it before it is moved")
+            raise ReferenceLostError(self._node.device, "has lost its reference", "home it before it is moved")
         self._enable(Mode.PROFILE_POSITION)
         self._node.write(objects.PROFILE_VELOCITY, max(1, round(abs(self._speed_deg_s * self._steps_per_deg))))
         self._node.write(objects.TARGET_POSITION, counts)
@@ -161,17 +163,21 @@ class Cia402Head:
         """Brake on the quick stop ramp; in every other state than a move this changes nothing. Raises `DeviceError`."""
         self._control(states.QUICK_STOP)
 
-    def reset_fault(self) -> None:
+    def reset_fault(self) -> str:
         """Reset a fault whose cause the operator has removed. Raises `DeviceError` where the cause is still there."""
-        if self._state() is not State.FAULT:
-            return
-        self._control(states.DISABLE_VOLTAGE)
-        self._control(states.FAULT_RESET)
-        self._node.emergency = None
-        self._await("leave its fault", states.STATUS[State.FAULT][0], 0x40)
+        code = self._node.emergency or self._node.read(objects.ERROR_CODE)
+        faulty = self._state() is State.FAULT
+        if faulty:
+            self._control(states.DISABLE_VOLTAGE)
+            self._control(states.FAULT_RESET)
+            self._node.emergency = None
+            self._await("leave its fault", states.STATUS[State.FAULT][0], 0x40)
         if self._node.read(objects.ERROR_REGISTER):
             raise self._node.fault(self._node.read(objects.ERROR_CODE))
         self._node.emergency = None
+        if faulty:
+            self._homed, self._told = False, ""
+        return emergency_words(code) if faulty else ""
 
     @property
     def _referenced(self) -> bool:

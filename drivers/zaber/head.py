@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import Final
 
 from drivers.clock import Clock
-from drivers.errors import DeviceError, LimitError
+from drivers.errors import DeviceError, LimitError, ReferenceLostError
 from drivers.limits import check_limits
 from drivers.protocols import HeadStatus, Identity
 from drivers.zaber.codec import Message
@@ -79,7 +79,8 @@ class ZaberHead:
 
         Model and serial number of a stage behind a controller follow a stroke: `50081/43211`.
         """
-        self._require("comm.checksum", 1, axis=False)
+        if {self._get("comm.checksum", axis=False) for _ in range(2)} != {"1"}:  # one answer alone may be garbled
+            self._conversation.repeat("set comm.checksum 1", axis=False)
         self._conversation.checksums = True
         speed = round(self._speed_deg_s * abs(self._steps_per_deg) * SPEED_UNITS_PER_HZ)
         self._require("maxspeed", speed)
@@ -106,12 +107,14 @@ class ZaberHead:
         ------
         LimitError
             Outside the soft limits or those set in the device.
+        ReferenceLostError
+            The head is not homed.
         DeviceError
-            The head is not homed, is blocked, or does not answer.
+            It is blocked, or does not answer.
         """
         check_limits(self._conversation.name, angle_deg, self._limits_deg)
         if not self.status().referenced:
-            raise DeviceError(self._conversation.name, "does not know its angle", "home it before it moves")
+            raise ReferenceLostError(self._conversation.name, "does not know its angle", "home it before it moves")
         steps = round(angle_deg * self._steps_per_deg)
         try:
             self._begin(f"move abs {steps}", arrived=lambda status: self._steps(status) == steps)
@@ -181,10 +184,10 @@ class ZaberHead:
     def _get(self, setting: str, *, axis: bool = True) -> str:
         return self._conversation.repeat(f"get {setting}", axis=axis).data
 
-    def _require(self, setting: str, value: int, *, axis: bool = True) -> None:
+    def _require(self, setting: str, value: int) -> None:
         """Set what is not so already: settings are kept in a memory that wears out."""
-        if self._get(setting, axis=axis) != str(value):
-            self._conversation.repeat(f"set {setting} {value}", axis=axis)
+        if self._get(setting) != str(value):
+            self._conversation.repeat(f"set {setting} {value}")
 
     def _peripheral(self, setting: str) -> list[str]:
         """What a stage behind a controller says; nothing where stage and controller are one."""

@@ -27,6 +27,7 @@ MESSAGES: Mapping[int, str] = {
     -222: "Data out of range",
     -224: "Illegal parameter value",
     -230: "Data corrupt or stale",
+    -310: "System error",
     -350: "Queue overflow",
     -410: "Query INTERRUPTED",
     -440: "Query UNTERMINATED after indefinite response",

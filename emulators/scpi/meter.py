@@ -28,7 +28,7 @@ class Multimeter:
     world
         Where it is wired.
     faults
-        What shall go wrong in it: nan, overload, swapped, power_loss.
+        What shall go wrong in it: nan, overload, error_queued, swapped, power_loss.
     model
         One of `settings.MODELS`.
     serial
@@ -71,6 +71,8 @@ class Multimeter:
                     answers.append(reply)
         except ScpiError as error:
             self.status.report(error)
+        if self._faults.take("error_queued"):
+            self.status.report(ScpiError(-310))
         return ";".join(answers)
 
     def _attempt(self, act: Callable[[], Reply]) -> Reply:

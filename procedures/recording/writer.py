@@ -1,7 +1,5 @@
 """Writing a recording while a run goes on."""
 
-import os
-import sys
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
 from itertools import count
@@ -15,6 +13,7 @@ from drivers.clock import Clock
 from procedures.events import Event, MountAnswered, PointCompleted, ReadingAnswered, RunFinished
 from procedures.recording.contents import Said
 from procedures.recording.errors import RecordingError
+from procedures.recording.file import JournalFile, synchronise_folder
 from procedures.recording.header import Header, header_to_strings
 from procedures.recording.messages import encode, to_messages
 from procedures.recording.schemas import HEADER_METADATA, PROGRAMME_ATTACHMENT, json_schema, schema_name
@@ -60,21 +59,21 @@ class Recorder:
         self._elsewhen_s = elsewhen_s
         self._sequence = count(1)
         try:
-            self._stream = path.open("xb")
+            self._stream = JournalFile(path)
         except FileExistsError as error:
             raise RecordingError(
                 path, "exists already", "recordings are not overwritten: choose another name"
             ) from error
         except OSError as error:
             raise _storage_error(path, error) from error
-        self._writer = Writer(self._stream)
+        self._writer = Writer(self._stream)  # type: ignore[arg-type]  # it wants no more than there is
         self._channels: dict[str, int] = {}
         with self._storage():
             self._begin(header)
             for said in before:
                 self._append(said.topic, said.log_time_ns, said.data)
             self._make_durable()
-            _synchronise_folder(path.parent)
+            synchronise_folder(path.parent)
 
     def __enter__(self) -> Self:
         return self
@@ -84,16 +83,21 @@ class Recorder:
     ) -> None:
         self.close()
 
-    def record(self, event: Event) -> None:
-        """Append an event; what a run must not lose is on the disk when this returns. Raises `RecordingError`."""
+    def record(self, event: Event) -> str | None:
+        """Append an event; what a run must not lose is on the disk when this returns. Raises `RecordingError`.
+
+        Returns a sentence where the file had been removed and was put back.
+        """
         if self._stream.closed:
             raise RecordingError(self.path, "is closed already", "start another recording")
         wall_ns, monotonic_s = self._clock.wall_ns(), self._clock.monotonic_s() + self._elsewhen_s
         with self._storage():
             for topic, fields in to_messages(event):
                 self._append(topic, wall_ns, encode({"monotonic_s": monotonic_s, **fields}))
-            if isinstance(event, _DURABLE):
-                self._make_durable()
+            put_back = isinstance(event, _DURABLE) and self._make_durable()
+        if put_back:
+            return f"{self.path}: was removed while it was written, and was put back; leave it there until the run ends"
+        return None
 
     def close(self) -> None:
         """Write the index and the footer, and close the file; a second call does nothing. Raises `RecordingError`."""
@@ -121,9 +125,10 @@ class Recorder:
             self._channels[topic] = self._writer.register_channel(topic, "json", schema)
         return self._channels[topic]
 
-    def _make_durable(self) -> None:
+    def _make_durable(self) -> bool:
+        """Have everything on the disk; true where the file had to be put back."""
         self._writer.flush()  # type: ignore[no-untyped-call]
-        os.fsync(self._stream.fileno())
+        return self._stream.make_durable()
 
     @contextmanager
     def _storage(self) -> Iterator[None]:
@@ -139,15 +144,3 @@ class Recorder:
 def _storage_error(path: Path, error: OSError) -> RecordingError:
     happened = f"cannot be written ({error.strerror or error})"
     return RecordingError(path, happened, "make sure that the folder exists, is writable and has room")
-
-
-def _synchronise_folder(folder: Path) -> None:
-    """Put a new file's name on the disk, where the system has a way to (fsync(2), POSIX)."""
-    if sys.platform == "win32":
-        return
-    descriptor = os.open(folder, os.O_RDONLY)
-    try:
-        with suppress(OSError):  # some network file systems cannot do it for a folder
-            os.fsync(descriptor)
-    finally:
-        os.close(descriptor)

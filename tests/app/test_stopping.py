@@ -31,7 +31,9 @@ def test_a_signal_stops_the_run_at_a_standstill_and_keeps_the_points(tiny, tmp_p
 
     found = read_recording(recording)
     assert ran.status == 4
-    assert ran.complaint == f"the operator stopped the run; 3 complete points kept in {recording}"
+    assert (
+        ran.complaint == f"the operator stopped the run; 3 complete points kept in {recording}; tumble resume goes on"
+    )
     assert len(found.points) == 3
     assert found.closed
     assert found.ending.reason is FinishReason.STOPPED
@@ -56,6 +58,25 @@ def test_a_second_interrupt_ends_the_run_at_once_still_at_a_standstill(tiny, tmp
     assert outcome.at_standstill
     assert failure(outcome, recording).status == 4
     assert len(read_recording(recording).points) == 2
+
+
+@pytest.mark.parametrize("state", [State.STOPPING, State.STANDSTILL])
+def test_interrupts_while_the_run_is_being_ended_do_not_keep_it_from_its_end(tiny, tmp_path, state):
+    job = Job(stand=load_stand(), programme=load_programme(tiny), serial_number="A")
+    recording = tmp_path / "x.mcap"
+
+    def interrupt(event):
+        if isinstance(event, PointCompleted) and event.point.index == 1:
+            signal.raise_signal(signal.SIGINT)
+        if event == StateChanged(state=state, reason="the operator stopped the run"):
+            signal.raise_signal(signal.SIGINT)
+            signal.raise_signal(signal.SIGINT)
+
+    outcome = run(job, connect(job.stand), recording, [interrupt])
+
+    assert outcome.at_standstill
+    assert outcome.message == "the operator stopped the run"
+    assert read_recording(recording).ending.at_standstill
 
 
 def test_calibrate_that_is_stopped_stores_nothing(tiny, tmp_path, monkeypatch):

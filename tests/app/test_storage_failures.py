@@ -24,7 +24,7 @@ def test_a_full_disk_ends_the_run_and_keeps_the_points_before(tiny, tmp_path, mo
     assert ran.status == 5
     assert ran.complaint == (
         f"the recording failed: {recording}: cannot be written (No space left on device); make sure that the folder "
-        f"exists, is writable and has room; 3 complete points kept in {recording}"
+        f"exists, is writable and has room; then resume the run; 3 complete points kept in {recording}"
     )
     kept = read_recording(recording)
     assert [point.angle_deg for point in kept.points] == [0.0, 60.0, 120.0]

@@ -273,3 +273,11 @@ def _changed(answer, *, flag=None, data=None):
 
 def _rejected(answer, reason):
     return _changed(answer, flag="RJ", data=reason)
+
+
+@pytest.mark.parametrize("spoilt", [lambda answer: answer.replace(b" 0\r", b" 1\r"), lambda answer: answer * 2])
+def test_a_wrong_answer_to_the_only_question_without_a_checksum_does_no_harm(spoilt):
+    stage = Stage()
+    stage.link.spoil = once("get comm.checksum", spoilt)
+    assert stage.head.identify().serial == "51234"
+    assert "set comm.checksum 1" in stage.link.heard

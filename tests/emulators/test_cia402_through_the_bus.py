@@ -9,7 +9,7 @@ import drivers.cia402.head
 import drivers.cia402.node
 from drivers.cia402 import Cia402Head, objects, states
 from drivers.errors import DeviceError, LimitError, LinkLostError, NoReplyError
-from drivers.protocols import DividingHead, Reconnectable
+from drivers.protocols import DividingHead, Reconnectable, Resettable
 from emulators.cia402_drive import Drive
 
 START = {"command": 1, "containing": "controlword 003F"}
@@ -141,6 +141,16 @@ def test_a_stall_is_told_once_as_a_following_error_and_then_the_standstill_can_b
         assert (stuck.moving, stuck.angle_deg) == (False, 45.0)
 
 
+def test_a_drive_that_is_stopped_before_it_notices_its_stall_comes_to_rest(monkeypatch):
+    monkeypatch.setattr(Drive, "update", lambda _: None)
+    with can_bench(head_fault("stall")) as bench:
+        head = bench.head()
+        monkeypatch.setattr(head, "_homed", True)
+        head.start_move(90.0)
+        head.stop()
+        assert not head.status().moving
+
+
 def test_a_stalled_drive_moves_again_only_after_its_fault_was_reset():
     with can_bench(head_fault("stall")) as bench:
         head = stalled(bench)
@@ -211,6 +221,61 @@ def test_a_drive_that_cannot_be_told_how_to_stop_is_stopped_its_own_way(bench: C
     assert not rested(head).moving
     head.start_move(9.0)
     assert rested(head).angle_deg == 9.0
+
+
+@pytest.mark.parametrize("kind", ["late", "cut", "double", "garble", "reorder", "wrong_checksum"])
+@pytest.mark.parametrize("controlword", ["001F", "003F", "0002"])
+def test_whatever_happens_to_an_answer_the_head_is_where_it_should_be(kind: str, controlword: str):
+    at = {"command": 1, "containing": f"controlword {controlword}"}
+    with can_bench(head_fault(kind, at=at, lasts_s=0.25)) as bench:
+        head = bench.homed_head()
+        head.start_move(90.0)
+        assert rested(head).angle_deg == 90.0
+        head.stop()
+        assert not head.status().moving
+        assert head.identify().serial == "402001"
+
+
+def test_a_stall_on_the_way_to_the_reference_is_told_and_no_reference_found():
+    homing = {"command": 2, "containing": "controlword 001F"}
+    with can_bench(head_fault("stall", at=homing)) as bench:
+        head = bench.homed_head()
+        head.start_move(90.0)
+        rested(head)
+        head.home()
+        assert "following error" in str(raised(DeviceError, head.status))
+        assert not head.status().referenced
+
+
+def test_a_search_for_the_reference_that_does_not_end_can_be_stopped():
+    with can_bench(head_fault("moving_for_ever", at={"command": 1, "containing": "controlword 001F"})) as bench:
+        head = bench.head()
+        head.home()
+        assert head.status().moving
+        head.stop()
+        assert not head.status().moving
+        assert not head.status().referenced
+
+
+def test_an_emergency_message_is_told_once_and_then_the_standstill_can_be_read():
+    with can_bench(head_fault("emergency")) as bench:
+        head = bench.homed_head()
+        with suppress(DeviceError):  # it may be that early
+            head.start_move(700.0)
+        assert "excess temperature of the drive (code 4310h); remove the cause" in str(raised(DeviceError, head.status))
+        assert not head.status().moving
+
+
+def test_a_fault_that_was_reset_is_named_and_the_head_is_to_be_homed():
+    with can_bench(head_fault("stall")) as bench:
+        stalled(bench)
+        other = bench.head()
+        assert isinstance(other, Resettable)
+        assert other.reset_fault() == "following error: the axis did not keep up with its set-point (code 8611h)"
+        assert other.reset_fault() == ""
+        assert not other.status().referenced
+        other.home()
+        assert rested(other).referenced
 
 
 def test_an_overshoot_is_read_back():

@@ -3,6 +3,7 @@ from pydantic import ValidationError
 
 from drivers.clock import VirtualClock
 from emulators.faults import At, Fault, Faults, FaultScript
+from emulators.stand_faults import StandFaults
 
 
 def one(clock=None, points=lambda: 0, **fault):
@@ -72,3 +73,39 @@ def test_each_instrument_has_its_own_faults():
 def test_a_moment_that_is_none_is_refused(at, says):
     with pytest.raises(ValidationError, match=says):
         At.model_validate(at)
+
+
+def test_what_is_added_later_happens_from_then_on_and_is_listed_with_its_time():
+    clock = VirtualClock(0)
+    faults = Faults(None, "head", clock)
+    clock.sleep(7.0)
+    stall = Fault(device="head", kind="stall", at=At(command=1, containing="move"))
+    faults.add(stall)
+    faults.note_command(b"move abs 1")
+
+    assert faults.happened == []
+    assert faults.take("stall") == stall
+    assert faults.take("stall") is None
+    assert faults.happened == [(7.0, stall)]
+
+
+def test_a_link_that_vanishes_is_the_bus_where_instruments_share_one():
+    scripted = Fault(device="daq", kind="drop", at=At(time_s=0.0))
+    stand = StandFaults(FaultScript(fault=(scripted,)), VirtualClock(0), lambda: 0)
+    bus = stand.of_bus(["head", "daq"])
+    told = Fault(device="head", kind="drop", at=At(time_s=0.0))
+    stand.add(told)
+    stand.add(Fault(device="head", kind="late", at=At(time_s=0.0)))
+
+    assert [bus.take("drop"), bus.take("drop"), bus.take("drop")] == [scripted, told, None]
+    assert bus.take("late") is None
+    assert stand.of("head").take("late") is not None
+    assert sorted(fault.kind for _, fault in stand.happened) == ["drop", "drop", "late"]
+
+
+def test_the_link_of_another_instrument_is_not_that_of_the_bus():
+    stand = StandFaults(None, VirtualClock(0), lambda: 0)
+    bus = stand.of_bus(["head"])
+    stand.add(Fault(device="daq", kind="drop", at=At(time_s=0.0)))
+
+    assert bus.take("drop") is None

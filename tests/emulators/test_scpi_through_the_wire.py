@@ -9,7 +9,7 @@ from functools import partial
 import numpy as np
 import pytest
 
-from drivers.errors import LinkLostError
+from drivers.errors import DeviceError, LinkLostError
 from drivers.links import SerialLink
 from drivers.scpi import ScpiMultimeter
 from drivers.simulated import Simulated, build
@@ -94,3 +94,18 @@ def reconnect(meter: ScpiMultimeter) -> None:
 def test_a_thousand_readings_come_through():
     with served() as at, meter_at(*at) as meter:
         assert len(meter.acquire(1000, 1000.0).voltage_v) == 1000
+
+
+def test_a_block_behind_which_an_error_is_queued_is_taken_anew():
+    fault = {"kind": "error_queued", "at": {"command": 1, "containing": "INIT"}}
+    with served(serve_tcp, fault) as at, meter_at(*at) as meter:
+        meter.identify()
+        assert_right(meter)
+
+
+def test_a_meter_whose_errors_do_not_end_is_told_with_its_own_words():
+    fault = {"kind": "error_queued", "at": {"command": 1, "containing": "INIT"}, "times": 3}
+    with served(serve_tcp, fault) as at, meter_at(*at) as meter:
+        meter.identify()
+        with pytest.raises(DeviceError, match=r"failed to measure 3 times: .*System error.*look at its display"):
+            meter.acquire(100, 100.0)

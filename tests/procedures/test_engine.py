@@ -259,7 +259,7 @@ def test_a_sink_that_fails_ends_the_run(stand: FakeStand, kind, points):
     told = []
     outcome = stand.engine(listeners=[told.append]).run(dwells(10.0))
     assert (outcome.reason, outcome.at_standstill) == (FinishReason.STORAGE, True)
-    assert outcome.message == "the recording failed: No space left on device"
+    assert outcome.message == "the recording failed: No space left on device; then resume the run"
     assert len(outcome.points) == points
     assert isinstance(stand.sink.events[-1], RunFinished)
     assert told[-1] == stand.sink.events[-1]

@@ -19,6 +19,8 @@ from procedures.recording.header import header_to_strings
 from procedures.recording.reader import iter_samples, read_recording
 from procedures.recording.writer import Recorder
 
+posix = pytest.mark.skipif(os.name == "nt", reason="Windows lets nobody remove an open file")
+
 
 def start(path):
     return Recorder(path, HEADER, VirtualClock(wall_start_ns=STARTED_NS))
@@ -265,3 +267,56 @@ def test_a_header_without_one_of_its_fields_is_said(tmp_path, monkeypatch):
 
     with pytest.raises(RecordingError, match="KeyError: 'operator'"):
         read_recording(path)
+
+
+@posix
+@pytest.mark.parametrize("folder_too", [False, True])
+def test_a_recording_that_is_removed_under_way_is_put_back_with_all_its_points(tmp_path, folder_too):
+    path = tmp_path / "folder" / "run.mcap"
+    path.parent.mkdir()
+    with start(path) as recorder:
+        recorder.record(samples(0))
+        assert recorder.record(completed(0)) is None
+        path.unlink()
+        if folder_too:
+            path.parent.rmdir()
+        recorder.record(samples(1))
+        said = recorder.record(completed(1))
+        assert [point.index for point in read_recording(path).points] == [0, 1]
+        recorder.record(completed(2))
+        recorder.record(FINISHED)
+
+    assert said == f"{path}: was removed while it was written, and was put back; leave it there until the run ends"
+    recording = read_recording(path)
+    assert recording.complete
+    assert [point.index for point in recording.points] == [0, 1, 2]
+    assert [event.point for event in iter_samples(path)] == [0, 1]
+
+
+@posix
+def test_a_recording_that_is_removed_after_its_last_event_is_put_back(tmp_path):
+    path = tmp_path / "run.mcap"
+    with start(path) as recorder:
+        recorder.record(completed(0))
+        recorder.record(FINISHED)
+        path.unlink()
+
+    assert read_recording(path).complete
+
+
+@posix
+def test_a_recording_that_is_replaced_by_another_file_is_kept_beside_it(tmp_path):
+    path = tmp_path / "run.mcap"
+    (tmp_path / "other").write_text("other")
+    recorder = start(path)
+    recorder.record(completed(0))
+    (tmp_path / "other").rename(path)
+
+    with pytest.raises(RecordingError, match=r"was replaced by another file .*kept-.*; give it its name back") as said:
+        recorder.record(completed(1))
+    recorder.close()
+
+    assert path.read_text() == "other"
+    (kept,) = tmp_path.glob("run.kept-*.mcap")
+    assert kept.name in str(said.value)
+    assert [point.index for point in read_recording(kept).points] == [0, 1]

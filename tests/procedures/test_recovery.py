@@ -4,7 +4,7 @@ import pytest
 from fakes import QUICK, FakeDaq, FakeHead, FakeStand
 
 from drivers.clock import VirtualClock
-from drivers.errors import LinkLostError, NoReplyError
+from drivers.errors import DeviceError, LinkLostError, NoReplyError, ReferenceLostError
 from drivers.protocols import HeadStatus, Identity
 from procedures.events import FinishReason, Identified, PointCompleted, SamplesAcquired, WarningRaised
 from procedures.programme import programme_from_text
@@ -274,6 +274,22 @@ def test_turns_of_the_cable_that_nobody_counts_any_more_are_told(linked: FakeSta
     )
 
 
+def test_a_head_that_has_lost_its_power_when_it_is_told_to_move_is_homed_and_the_step_begins_anew(linked: FakeStand):
+    start_move, moves = linked.head.start_move, []
+
+    def lose_power(angle_deg):
+        moves.append(angle_deg)
+        if len(moves) == 3:
+            linked.head.referenced = False
+            raise ReferenceLostError("fake head", "has lost its reference", "home it before it is moved")
+        start_move(angle_deg)
+
+    linked.head.start_move = lose_power
+    outcome = linked.engine().run(SWEEP.procedure())
+    assert voltages(outcome) == undisturbed()
+    assert linked.head.homings == 1
+
+
 def test_a_head_that_never_finds_its_reference_ends_the_run(linked: FakeStand):
     linked.head.referenced = False
     linked.head.home = lambda: None
@@ -292,3 +308,91 @@ def test_a_wall_clock_that_is_set_back_changes_nothing(linked: FakeStand):
     times_s = [point.time_s for point in outcome.points]
     assert times_s == sorted(times_s)
     assert times_s[-1] < 60.0
+
+
+def test_a_head_that_an_earlier_run_left_in_fault_is_reset_before_it_moves(linked: FakeStand):
+    left = ["following error"]
+    linked.head.referenced = False
+    linked.head.reset_fault = lambda: left.pop() if left else ""
+
+    def refuse_in_fault():
+        if left:
+            raise DeviceError("fake head", "is in fault", "reset it")
+
+    linked.head.on_status = refuse_in_fault
+    outcome = linked.engine().run(SWEEP.procedure())
+
+    assert outcome.reason is FinishReason.COMPLETED
+    assert warnings(linked) == [
+        "dividing head: was left in fault by following error; the fault is reset",
+        "dividing head: has no reference; it is homed",
+    ]
+
+
+def test_a_fault_whose_cause_is_still_there_ends_the_run_before_anything_moves(linked: FakeStand):
+    def refuse():
+        raise DeviceError("fake head", "reports following error", "remove the cause, then resume the run")
+
+    linked.head.reset_fault = refuse
+    outcome = linked.engine().run(SWEEP.procedure())
+
+    assert (outcome.reason, outcome.points) == (FinishReason.DEVICE_FAULT, ())
+    assert outcome.message == "fake head: reports following error; remove the cause, then resume the run"
+    assert linked.head.targets_deg == []
+
+
+def test_a_fault_under_way_is_not_reset(linked: FakeStand):
+    resets = []
+    linked.head.reset_fault = lambda: resets.append(linked.clock.monotonic_s()) or ""
+    linked.head.on_status = once_when(lambda: linked.clock.monotonic_s() > 1.5, lambda: linked.head.link.pull(5.0))
+
+    assert linked.engine().run(SWEEP.procedure()).reason is FinishReason.COMPLETED
+    assert len(resets) == 1
+
+
+@pytest.mark.parametrize("name", ["head", "daq"])
+def test_a_cable_that_is_pulled_while_the_instruments_are_identified_is_waited_for(linked: FakeStand, name):
+    instrument = getattr(linked, name)
+    instrument.link.pull(3.0)
+    outcome = linked.engine().run(SWEEP.procedure())
+    assert voltages(outcome) == undisturbed()
+    assert linked.head.homings == (1 if name == "head" else 0)
+
+
+def test_a_cable_that_is_pulled_while_the_head_is_homed_for_the_first_time_is_waited_for(linked: FakeStand):
+    linked.head.referenced = False
+    linked.head.on_status = once_when(lambda: linked.head.homings == 1, lambda: linked.head.link.pull(3.0))
+    assert voltages(linked.engine().run(SWEEP.procedure())) == undisturbed()
+
+
+def test_an_instrument_that_is_not_there_when_the_run_begins_ends_it_within_its_time(linked: FakeStand):
+    linked.daq.link.pull(1e9)
+    outcome = linked.engine().run(SWEEP.procedure())
+    assert (outcome.reason, outcome.at_standstill) == (FinishReason.DEVICE_FAULT, True)
+    assert "did not come back within 30 s; check its power and its cable" in outcome.message
+    assert linked.clock.monotonic_s() < 45.0
+
+
+def test_a_standstill_is_read_back_also_where_the_link_was_lost_when_the_run_was_stopped(linked: FakeStand):
+    engine = linked.engine()
+
+    def stop():
+        engine.control.stop()
+        linked.head.link.pull(1.0)
+
+    linked.daq.on_acquire = once_when(lambda: linked.daq.blocks == 7, stop)
+    outcome = engine.run(SWEEP.procedure())
+
+    assert (outcome.reason, outcome.at_standstill) == (FinishReason.STOPPED, True)
+
+
+def test_an_interrupt_while_the_head_comes_to_rest_to_be_homed_is_no_device_fault(linked: FakeStand):
+    linked.head.referenced = False
+
+    def interrupt():
+        raise KeyboardInterrupt
+
+    linked.head.on_status = once_when(lambda: linked.head.stops == 1, interrupt)
+    outcome = linked.engine().run(SWEEP.procedure())
+
+    assert (outcome.reason, outcome.at_standstill) == (FinishReason.STOPPED, True)

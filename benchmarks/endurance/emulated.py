@@ -1,0 +1,98 @@
+"""An emulated stand in this process, reached by the real drivers through loopback sockets, whose clock runs faster."""
+
+from collections.abc import Iterator, Mapping
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final, Literal
+
+from app.running import Job
+from app.stand import LoadedStand, load_stand
+from app.wiring import Connected, connect
+from drivers.simulated import HeadOptions, Simulated, build
+from emulators.emulation import Wanted, emulate
+from emulators.speed import FasterClock
+from emulators.stand_faults import StandFaults
+from emulators.world import SharedWorld
+from procedures.programme import programme_from_text
+
+Pair = Literal["serial", "CAN"]
+"""Zaber and a multimeter, or a CiA 402 drive and a CAN DAQ on one bus."""
+
+SPEED_DEG_S: Final = 60.0
+SAMPLES: Final = 50
+_DRIVERS: Final[dict[Pair, tuple[str, str]]] = {"serial": ("zaber", "scpi"), "CAN": ("cia402", "can")}
+_ANYWHERE: Final[dict[Pair, dict[str, str]]] = {
+    "serial": dict.fromkeys(("head", "daq"), "socket://127.0.0.1:0"),
+    "CAN": dict.fromkeys(("head", "daq"), "virtual:anywhere"),
+}
+"""Addresses of a stand that is not served yet."""
+
+
+class StandClock(FasterClock):
+    """The clock of an emulated stand, whose wall time somebody may set."""
+
+    set_by_s = 0.0
+    """What was added to the wall time."""
+
+    def wall_ns(self) -> int:
+        """The wall time as it was set."""
+        return super().wall_ns() + round(self.set_by_s * 1e9)
+
+
+@dataclass(frozen=True, kw_only=True)
+class EmulatedStand:
+    """A stand being served, and what is to be measured there."""
+
+    job: Job
+    clock: StandClock
+    speed: float
+    """Times real time."""
+    shared: SharedWorld
+    faults: StandFaults
+
+    def connect(self) -> Connected:
+        """Connect the real drivers. Raises `DeviceError`."""
+        return connect(self.job.stand, clock=self.clock)
+
+
+@contextmanager
+def emulated(
+    folder: Path, pair: Pair, programme: str, speed: float, settings: Simulated | None = None
+) -> Iterator[EmulatedStand]:
+    """Serve a stand while the context lasts.
+
+    Parameters
+    ----------
+    folder
+        Where its stand file is written.
+    pair
+        Which instruments.
+    programme
+        Text of what is to be measured.
+    speed
+        Times real time.
+    settings
+        The simulated world.
+    """
+    clock = StandClock(speed)
+    built = build(settings or Simulated(seed=3), clock=clock, head=HeadOptions(speed_deg_s=SPEED_DEG_S))
+    shared = SharedWorld(built)
+    faults = StandFaults(None, clock, lambda: built.world.counts.dwells)
+    anywhere = _stand(folder, pair, _ANYWHERE[pair])
+    with ExitStack() as stack:
+        where = emulate(stack, shared, Wanted(head=anywhere.file.head, daq=anywhere.file.daq), faults)
+        stand = _stand(folder, pair, where)
+        job = Job(stand=stand, programme=programme_from_text(programme, "faults"), serial_number="E-1")
+        yield EmulatedStand(job=job, clock=clock, speed=speed, shared=shared, faults=faults)
+
+
+def _stand(folder: Path, pair: Pair, where: Mapping[str, str]) -> LoadedStand:
+    """The stand whose instruments have these addresses."""
+    head, daq = _DRIVERS[pair]
+    file = folder / "stand.toml"
+    file.write_text(
+        f'name = "emulated"\n[head]\ndriver = "{head}"\nurl = "{where["head"]}"\nlimits_deg = [-180.0, 760.0]\n'
+        f'speed_deg_s = {SPEED_DEG_S}\n[daq]\ndriver = "{daq}"\nurl = "{where["daq"]}"\nsamples = {SAMPLES}\n'
+    )
+    return load_stand(file)

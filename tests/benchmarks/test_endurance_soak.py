@@ -1,0 +1,9 @@
+from benchmarks.endurance.soak import soak, summary
+
+
+def test_a_run_in_which_something_goes_wrong_all_the_time_loses_nothing_and_is_right(tmp_path):
+    soaked = soak(tmp_path, "serial", points=4, realisations=1, speed=15.0)
+
+    assert (soaked.points, soaked.planned, soaked.lost, soaked.doubled) == (20, 20, 0, 0)
+    assert soaked.happened.total() >= 3
+    assert max(map(abs, soaked.errors.values())) < 6.0, summary(soaked)
