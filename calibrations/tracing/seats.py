@@ -13,10 +13,11 @@ from typing import Final
 import numpy as np
 from scipy.special import chdtrc
 
+from calibrations.best_alpha0 import best_parameters
 from calibrations.compression import Compressed, compress
-from calibrations.fit import joint_fit
-from calibrations.geometry import MOUNTS
-from calibrations.model import basis
+from calibrations.fit import squares_v2
+from calibrations.geometry import MOUNTS, FloatArray
+from calibrations.model import PARAMETERS, basis
 from calibrations.observations import Observations
 from calibrations.repeats import mountings
 
@@ -30,6 +31,8 @@ _WORTH_A_SWAP: Final = 0.9
 """Another mount must leave less than this part of the sum of squares to be looked at further."""
 _MOST_SWAPS: Final = 5
 _MOST_MOUNTINGS: Final = 100
+_SUSPECTS: Final = 6
+"""So many mountings, those that agree least with the rest, are tried in other mounts."""
 _TIED: Final = 1.05
 
 
@@ -39,41 +42,45 @@ class Seats:
 
     mounts: tuple[str, ...]
     squares_v2: float
-    freedom: int
+    off_v2: FloatArray
+    """Mean square residual of each mounting, shape (mountings,)."""
     along_x: bool
     """Whether the input axis, x, is then the most sensitive one."""
 
 
 class Mountings:
-    """The mountings of a table, each compressed in every mount once, so that trying others costs little."""
+    """The mountings of a table, each compressed at most once in every mount, so that trying others costs little."""
 
     def __init__(self, observations: Observations) -> None:
         self.observations = observations
         self.numbers = mountings(observations)
         self.declared = tuple(str(observations.mounts[self.numbers == number][0]) for number in self.each)
-        self._compressed = {(number, mount): self._compress(number, mount) for number in self.each for mount in MOUNTS}
+        self._rows = np.bincount(self.numbers)
+        self._compressed: dict[tuple[int, str], Compressed] = {}
 
     @property
     def each(self) -> range:
         """Numbers of the mountings."""
         return range(int(self.numbers[-1]) + 1)
 
-    def _compress(self, number: int, mount: str) -> Compressed:
-        rows = self.observations.select(self.numbers == number)
-        seated = replace(rows, mount=np.full(len(rows), mount))
-        return compress(basis(seated), rows.output_v, np.ones(len(rows)))
+    def _in_mount(self, number: int, mount: str) -> Compressed:
+        if (number, mount) not in self._compressed:
+            rows = self.observations.select(self.numbers == number)
+            seated = replace(rows, mount=np.full(len(rows), mount))
+            self._compressed[number, mount] = compress(basis(seated), rows.output_v, np.ones(len(rows)))
+        return self._compressed[number, mount]
 
     def seated(self, mounts: tuple[str, ...]) -> Seats:
         """Fit the table with these mounts."""
-        parts = [self._compressed[number, mount] for number, mount in enumerate(mounts)]
+        parts = [self._in_mount(number, mount) for number, mount in enumerate(mounts)]
         z = np.concatenate([part.z for part in parts])
-        whole = compress(np.vstack([part.r for part in parts]), z, np.ones(len(z)))
-        fit = joint_fit(whole)
-        kx, ky, kz = np.abs(fit.theta[1:4])
+        theta = best_parameters(compress(np.vstack([part.r for part in parts]), z, np.ones(len(z))))
+        left_v2 = np.array([squares_v2(part, theta) for part in parts])
+        kx, ky, kz = np.abs(theta[1:4])
         return Seats(
             mounts=mounts,
-            squares_v2=fit.squares_v2 + sum(part.rest_v2 for part in parts),
-            freedom=len(self.observations) - fit.fitted,
+            squares_v2=float(left_v2.sum()),
+            off_v2=left_v2 / self._rows,
             along_x=bool(kx > max(ky, kz)),
         )
 
@@ -85,14 +92,15 @@ def wrong_seat(observations: Observations) -> str:
     table = Mountings(observations)
     supposed = declared = table.seated(table.declared)
     noise_v2 = _noise_v2(observations)
-    if declared.freedom < 1 or not _chance(declared, noise_v2) < _REJECTED_P:
+    spare = len(observations) - len(PARAMETERS)
+    if spare < 1 or not _chance(declared, noise_v2, spare) < _REJECTED_P:
         return ""
     for _ in range(_MOST_SWAPS):
         better = _best_swap(table, supposed)
         if better.squares_v2 > _WORTH_A_SWAP * supposed.squares_v2:
             return ""
         supposed = better
-        if _explains(declared, supposed, noise_v2):
+        if _explains(declared, supposed, noise_v2, spare):
             return _question(table, supposed.mounts)
     return ""
 
@@ -104,27 +112,27 @@ def _noise_v2(observations: Observations) -> float:
     return float(np.mean(observations.voltage_sd_v**2 / np.maximum(observations.samples, 1)))
 
 
-def _chance(seats: Seats, noise_v2: float) -> float:
+def _chance(seats: Seats, noise_v2: float, spare: int) -> float:
     """Probability of so much left by noise alone; 0 without a noise to judge by."""
     if not noise_v2 > 0.0:  # not a number, neither
         return 0.0
-    return float(chdtrc(max(seats.freedom, 1), seats.squares_v2 / noise_v2))
+    return float(chdtrc(spare, seats.squares_v2 / noise_v2))
 
 
-def _explains(declared: Seats, supposed: Seats, noise_v2: float) -> bool:
+def _explains(declared: Seats, supposed: Seats, noise_v2: float, spare: int) -> bool:
     less = math.sqrt(declared.squares_v2 / max(supposed.squares_v2, 1e-300))
     unchanged = all(
         mount in (said, supposed.mounts[number - 1]) if number else mount == said
         for number, (said, mount) in enumerate(zip(declared.mounts, supposed.mounts, strict=True))
     )
-    accepted = unchanged and _chance(supposed, noise_v2) > _ACCEPTED_P
+    accepted = unchanged and _chance(supposed, noise_v2, spare) > _ACCEPTED_P
     return less > _CLEARER or (accepted and less > _CLEARLY_LESS)
 
 
 def _best_swap(table: Mountings, supposed: Seats) -> Seats:
     """The one mounting in another mount that leaves least; of several that do, a likely one, and not changed."""
     swaps: list[tuple[bool, bool, float, Seats]] = []
-    for number in table.each:
+    for number in np.argsort(-supposed.off_v2)[:_SUSPECTS].tolist():
         before = supposed.mounts[number - 1] if number else ""
         for mount in set(MOUNTS) - {supposed.mounts[number]}:
             swapped = table.seated((*supposed.mounts[:number], mount, *supposed.mounts[number + 1 :]))
