@@ -96,7 +96,7 @@ def wrong_seat(observations: Observations) -> str:
     if spare < 1 or not _chance(declared, noise_v2, spare) < _REJECTED_P:
         return ""
     for _ in range(_MOST_SWAPS):
-        better = _best_swap(table, supposed)
+        better = _best_swap(table, supposed, noise_v2, spare)
         if better.squares_v2 > _WORTH_A_SWAP * supposed.squares_v2:
             return ""
         supposed = better
@@ -129,8 +129,11 @@ def _explains(declared: Seats, supposed: Seats, noise_v2: float, spare: int) -> 
     return less > _CLEARER or (accepted and less > _CLEARLY_LESS)
 
 
-def _best_swap(table: Mountings, supposed: Seats) -> Seats:
-    """The one mounting in another mount that leaves least; of several that do, a likely one, and not changed."""
+def _best_swap(table: Mountings, supposed: Seats, noise_v2: float, spare: int) -> Seats:
+    """The one mounting in another mount that leaves least.
+
+    Of several that do, or leave no more than noise: a likely one, and not changed.
+    """
     swaps: list[tuple[bool, bool, float, Seats]] = []
     for number in np.argsort(-supposed.off_v2)[:_SUSPECTS].tolist():
         before = supposed.mounts[number - 1] if number else ""
@@ -138,7 +141,7 @@ def _best_swap(table: Mountings, supposed: Seats) -> Seats:
             swapped = table.seated((*supposed.mounts[:number], mount, *supposed.mounts[number + 1 :]))
             swaps.append((not swapped.along_x, mount != before, swapped.squares_v2, swapped))
     least_v2 = min(squares_v2 for *_, squares_v2, _ in swaps)
-    tied = [swap for swap in swaps if swap[2] <= _TIED * least_v2]
+    tied = [swap for swap in swaps if swap[2] <= _TIED * least_v2 or _chance(swap[3], noise_v2, spare) > _ACCEPTED_P]
     return min(tied, key=lambda swap: swap[:3])[3]
 
 

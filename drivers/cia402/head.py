@@ -69,7 +69,6 @@ class Cia402Head:
         self._told = ""
         self._node = DriveNode(link, node_id)
         self.reconnect()
-        self.reset_fault()
 
     @property
     def limits_deg(self) -> tuple[float, float]:

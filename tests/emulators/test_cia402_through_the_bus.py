@@ -164,15 +164,6 @@ def test_a_stalled_drive_moves_again_only_after_its_fault_was_reset():
         assert rested(head).angle_deg == 90.0
 
 
-def test_whoever_starts_anew_after_a_fault_finds_it_reset_and_the_head_to_be_homed():
-    with can_bench(head_fault("stall")) as bench:
-        stalled(bench)
-        other = bench.head()
-        assert not other.status().referenced
-        other.home()
-        assert rested(other).referenced
-
-
 def test_a_start_bit_that_was_left_is_taken_back_before_the_mode_changes(bench: CanBench, monkeypatch):
     head = bench.homed_head()
     head.start_move(9.0)
@@ -203,7 +194,7 @@ def test_a_fault_whose_cause_is_still_there_is_told_to_whoever_starts_anew(bench
     monkeypatch.setattr(drivers.cia402.head, "ANSWER_S", 0.2)
     statusword(setting=0x08, clearing=0x47)
     with pytest.raises(DeviceError, match="unknown error"):
-        bench.head()
+        bench.head().reset_fault()
 
 
 def test_a_drive_that_cannot_be_told_how_to_stop_is_stopped_its_own_way(bench: CanBench, monkeypatch):
