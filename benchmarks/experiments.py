@@ -27,7 +27,7 @@ from calibrations.observations import Observations
 from calibrations.tracing.experiments import next_experiments
 from calibrations.tracing.ground import ground
 from calibrations.tracing.noise import NoiseModel
-from calibrations.tracing.rivals import with_best_names
+from calibrations.tracing.rivals import CLOSE, with_best_names
 from calibrations.tracing.separation import Question, Rows
 from calibrations.tracing.trace import Tracer, found, refined_one
 
@@ -80,7 +80,8 @@ def _outcomes(spec: Spec, seed: int, draws: int) -> Iterator[Outcome]:
     ((true, _),) = spec.effects
     base = ground(fit_jointly(case.observations), CATALOGUE)
     tracer = Tracer(base)
-    trace, close = with_best_names(tracer, tracer.trace())
+    trace, near = with_best_names(tracer, tracer.trace())
+    close = {name: [rival for rival in rivals if rival.behind < CLOSE] for name, rivals in near.items()}
     if len(trace.found) != 1 or not trace.noise.white:
         return
     for experiment in next_experiments(base, trace, close)[:1]:

@@ -85,7 +85,8 @@ def _beside(span: FloatArray, column: FloatArray) -> FloatArray:
 
 def chance_of(name: str, observations: Observations) -> float:
     """Chance of a false alarm that the tracer allows each form of an effect in this table."""
-    offered = candidates((*CATALOGUE, *STRUCTURES), ground(fit_jointly(observations), CATALOGUE).scene)
+    base = ground(fit_jointly(observations), CATALOGUE)
+    offered = candidates((*CATALOGUE, *STRUCTURES), base.scene, base.declared)
     names = [candidate.effect.name for candidate in offered]
     return FALSE_ALARM / len(set(names)) / names.count(name)
 

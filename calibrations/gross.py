@@ -4,7 +4,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import stdtrit
 
+from calibrations.best_alpha0 import best_parameters
+from calibrations.compression import compress
 from calibrations.geometry import FloatArray
+from calibrations.model import coefficients
 from calibrations.observations import Observations, SetAside
 from calibrations.repeats import mountings
 
@@ -23,9 +26,9 @@ def gross_errors(
 ) -> tuple[SetAside, ...]:
     """Rows to set aside, each with the reason.
 
-    `basis`, shape (rows, p), spans what the model can follow; `groups` are the poses, `fitted` the number of
-    parameters. Where a pose was visited at least three times, a row must also differ from the median of the other
-    visits: what comes back at every visit is no gross error but structure.
+    `basis` are the ten functions of the declared model, shape (rows, 10); `groups` are the poses, `fitted` the number
+    of parameters. Where a pose was visited more than once, a row must also differ from the median of the other visits:
+    what comes back at every visit is no gross error but structure.
     """
     residual = robust_residual(basis, observations.output_v)
     return unlike_repeats(observations, residual, groups, _scale(residual, fitted), len(residual) - fitted)
@@ -40,13 +43,13 @@ def unlike_repeats(
 ) -> tuple[SetAside, ...]:
     """Rows whose residual is far too large, and differs as much from the repeats of the pose.
 
-    Where all rows of a mounting are far off, the seat is, and they are kept.
+    Where all rows of a mounting are off, each by half as much at least, the seat is, and they are kept.
     """
     limit_v = _sigmas(spare_rows) * scale_v
     suspects = np.abs(residual_v) > limit_v
     mounting = mountings(observations)
     visits = np.bincount(mounting)
-    seat_off = (np.bincount(mounting, suspects) == visits) & (visits > 1)
+    seat_off = (np.bincount(mounting, np.abs(residual_v) > limit_v / 2) == visits) & (visits > 1)
     return tuple(
         SetAside(
             row=int(observations.row[row]),
@@ -72,16 +75,19 @@ def _scale(residual: FloatArray, fitted: int) -> float:
 
 
 def robust_residual(basis: FloatArray, voltage_v: FloatArray) -> FloatArray:
-    """Residual of Huber's M-estimate of the basis coefficients, by reweighting."""
+    """Residual of Huber's M-estimate of the declared model, by reweighting.
+
+    `basis` are its ten functions, shape (rows, 10). alpha0 holds them together here: with ten free coefficients, a
+    function that vanishes at all rows but a gross error would take that for its own.
+    """
     weights = np.ones(len(voltage_v))
     residual = voltage_v
     for _ in range(30):
-        root = np.sqrt(weights)
-        solution = np.linalg.lstsq(basis * root[:, None], voltage_v * root, rcond=1e-10)[0]
-        residual = voltage_v - basis @ solution
+        theta = best_parameters(compress(basis, voltage_v, weights))
+        residual = voltage_v - basis @ coefficients(theta)
         limit = _HUBER * _scale(residual, 0)
         previous, weights = weights, np.minimum(1.0, limit / np.maximum(np.abs(residual), limit))
-        if np.abs(weights - previous).max(initial=0.0) < 1e-4:
+        if np.abs(weights - previous).max(initial=0.0) < 1e-3:
             break
     return np.asarray(residual)
 
@@ -89,4 +95,4 @@ def robust_residual(basis: FloatArray, voltage_v: FloatArray) -> FloatArray:
 def _differs_from_repeats(row: int, residual: FloatArray, groups: NDArray[np.int64], limit_v: float) -> bool:
     others = np.flatnonzero(groups == groups[row])
     others = others[others != row]
-    return len(others) < 2 or bool(abs(residual[row] - np.median(residual[others])) > limit_v)
+    return not len(others) or bool(abs(residual[row] - np.median(residual[others])) > limit_v)

@@ -8,8 +8,8 @@ from calibrations.effects.effect import Effect, Form, Forms, contrasts, harmonic
 from calibrations.effects.scene import Scene
 from calibrations.geometry import MOUNTS, FloatArray
 
-HIGHEST_ORDER = 36
-"""Every 5 degrees a reading: no more than 36 periods a turn can be told."""
+HIGHEST_ORDER = 35
+"""Every 5 degrees a reading: 36 periods a turn are seen as half a wave at most, and more not at all."""
 
 
 def _angle(scene: Scene, error_deg: FloatArray) -> FloatArray:
@@ -30,7 +30,7 @@ def _periods(order: int) -> Forms:
 
 def _graduation(scene: Scene) -> Sequence[Form]:
     settings = len(np.unique(np.round(scene.angle_deg % 360.0, 1)))
-    highest = min(HIGHEST_ORDER, settings // 2)
+    highest = min(HIGHEST_ORDER, (settings - 1) // 2)
     return [Form(columns=_wave(scene, order), scanned={"order": float(order)}) for order in range(3, highest + 1)]
 
 

@@ -6,7 +6,10 @@ import numpy as np
 
 from calibrations.effects.effect import Effect, Form, contrasts, plain, scan, single, spread, with_scanned
 from calibrations.effects.scene import Scene
+from calibrations.geometry import FloatArray
 
+_LEAST_EXCITED = 0.01
+"""Of the largest value that a product of projections can have."""
 _IEEE = "IEEE Std 1293-2018, model equation"
 
 
@@ -17,9 +20,14 @@ def _product(name: str, unit: str, powers: tuple[int, int, int], symbol: str) ->
         belongs_to="unit",
         symbol=symbol,
         source=_IEEE,
-        forms=lambda scene: single(np.prod(scene.gravity_g ** np.array(powers), axis=1)),
+        forms=lambda scene: single(_excited(np.prod(scene.gravity_g ** np.array(powers), axis=1))),
         report=plain(name, unit),
     )
+
+
+def _excited(product: FloatArray) -> FloatArray | None:
+    """A product of projections, or nothing where no row is turned so that it matters."""
+    return product if np.abs(product).max() > _LEAST_EXCITED else None
 
 
 def _play(scene: Scene, reach_g: float) -> Form:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.special import fdtri
 
+from calibrations.conditional import SINGULAR
 from calibrations.effects.effect import Effect, Form
 from calibrations.effects.scene import Scene
 from calibrations.effects.unnamed import Structure
@@ -20,7 +21,7 @@ ANOTHER_SHAPE = 0.02
 UNNAMED = 6.0
 """What a shape without a name must earn beyond a named one: a known cause is the better guess."""
 
-_NARROW, _FEW_ROWS = 2, 4.0
+_NARROW, _FEW_ROWS = 2, 3.0
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -41,10 +42,14 @@ class Candidate:
         return int(self.form.columns.shape[1]) + len(self.form.scanned)
 
 
-def candidates(effects: Sequence[Effect], scene: Scene) -> tuple[Candidate, ...]:
-    """All forms of all effects that the table can show at all."""
-    offered = ((effect, [form for form in effect.forms(scene) if _seen_in_several_rows(form)]) for effect in effects)
-    tried = [(effect, forms) for effect, forms in offered if forms]
+def candidates(effects: Sequence[Effect], scene: Scene, declared: FloatArray) -> tuple[Candidate, ...]:
+    """All forms of all effects that the table can show at all, beside the `declared` functions, shape (rows, n)."""
+    left, values, _ = np.linalg.svd(declared, full_matrices=False)
+    span = left[:, values > SINGULAR * values[0]]
+    shown = (
+        (effect, [form for form in effect.forms(scene) if _seen_in_several_rows(form, span)]) for effect in effects
+    )
+    tried = [(effect, forms) for effect, forms in shown if forms]
     return tuple(_numbered(tried, len(scene.angle_deg)))
 
 
@@ -65,13 +70,16 @@ def _numbered(tried: Sequence[tuple[Effect, Sequence[Form]]], rows: int) -> Iter
             start += width
 
 
-def _seen_in_several_rows(form: Form) -> bool:
-    """Whether each of one or two columns rests on more than a few rows, by the participation ratio of their squares.
+def _seen_in_several_rows(form: Form, span: FloatArray) -> bool:
+    """Whether what is left of each of one or two columns beside orthonormal directions rests on more than a few rows.
 
-    A shape that vanishes at all but a few settings would take the gross errors there for its own.
+    By the participation ratio of the squares. A shape that vanishes at all but a few settings, or is a function of the
+    model at all but a few, would take the gross errors there for its own.
     """
-    squares = form.columns**2
-    return squares.shape[1] > _NARROW or bool(np.all(squares.sum(axis=0) ** 2 >= _FEW_ROWS * (squares**2).sum(axis=0)))
+    if form.columns.shape[1] > _NARROW:
+        return True
+    squares = (form.columns - span @ (span.T @ form.columns)) ** 2
+    return bool(np.all(squares.sum(axis=0) ** 2 >= _FEW_ROWS * (squares**2).sum(axis=0)))
 
 
 def _entry(width: int, chance: float, rows: int) -> float:

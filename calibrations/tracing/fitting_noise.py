@@ -37,6 +37,21 @@ def fitting(ground: Ground, forms: Sequence[Form]) -> tuple[tuple[NoiseModel, fl
     return _best(ground.deviance_by_noise(forms), _FLICKERS), best_walk(ground, forms, NoiseModel())
 
 
+def with_likely_flicker(ground: Ground, forms: Sequence[Form], noise: NoiseModel) -> NoiseModel:
+    """The noise with the flicker that is to be expected beside it: each level weighed by its likelihood.
+
+    Flicker need not earn its price to be there: it is the ordinary noise of a unit, and what it does to the mean of a
+    run no residual shows.
+    """
+    if noise.flicker or noise.walk or not ground.memory.modes.shape[1]:
+        return noise
+    deviance = ground.deviance_by_noise(forms)
+    levels = np.array([0.0, *(tried.flicker for tried in _FLICKERS)])
+    deviances = np.array([deviance(replace(noise, flicker=float(level))) for level in levels])
+    weights = np.exp(-0.5 * (deviances - deviances.min()))
+    return replace(noise, flicker=float(weights @ levels / weights.sum()))
+
+
 def is_slow(ground: Ground, form: Form) -> bool:
     """Whether a shape is nearly all made of waves of which the run holds few."""
     white = ground.memory.whitening(NoiseModel(walk=100.0))

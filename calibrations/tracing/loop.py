@@ -19,11 +19,12 @@ from calibrations.repeats import pose_groups
 from calibrations.result import Calibration
 from calibrations.tracing.augmented import Augmented, augment, level_quantities
 from calibrations.tracing.experiments import Experiment, next_experiments
+from calibrations.tracing.fitting_noise import with_likely_flicker
 from calibrations.tracing.ground import Ground, ground, scene_of, seen_anew
 from calibrations.tracing.held_out import held_out_rms
 from calibrations.tracing.misreading import Misreading, misreadings
 from calibrations.tracing.questions import questioned
-from calibrations.tracing.rivals import Rival, with_best_names
+from calibrations.tracing.rivals import CLOSE, Rival, with_best_names
 from calibrations.tracing.taken_back import without_courses, without_rivals
 from calibrations.tracing.trace import FEWEST_ROWS, WALK, Trace, Tracer, trace_price
 
@@ -123,7 +124,7 @@ def explain(
     stated = without_courses(assess(best.joint, uncertainty, trials=0), best)
     if trace.found or trace.names:
         stated = replace(stated, held_out_rms_v=held_out_rms(explained.tracer, trace))
-    augmented = without_rivals(stated, explained.base, close)
+    augmented = without_rivals(stated, explained.base, explained.near)
     loop = Loop(
         declared=assess(declared, uncertainty, trials=0),
         augmented=augmented,
@@ -149,14 +150,19 @@ class Explained:
 
     tracer: Tracer
     trace: Trace
-    close: Mapping[str, Sequence[Rival]]
-    """Rivals of each effect of the trace."""
+    near: Mapping[str, Sequence[Rival]]
+    """Near rivals of each effect of the trace."""
     best: Augmented
 
     @property
     def base(self) -> Ground:
         """The table."""
         return self.tracer.ground
+
+    @property
+    def close(self) -> dict[str, list[Rival]]:
+        """Rivals of each effect that cannot be told from it."""
+        return {name: [rival for rival in near if rival.behind < CLOSE] for name, near in self.near.items()}
 
 
 def _explained(joint: Joint, effects: Sequence[Effect], reference_temperature_degc: float) -> Explained:
@@ -165,9 +171,9 @@ def _explained(joint: Joint, effects: Sequence[Effect], reference_temperature_de
     looks: list[Explained] = []
     for _ in range(_ROUNDS):
         tracer = Tracer(base)
-        trace, close = with_best_names(tracer, tracer.trace())
-        best = augment(base, trace)
-        looks.append(Explained(tracer=tracer, trace=trace, close=close, best=best))
+        trace, near = with_best_names(tracer, tracer.trace())
+        best = augment(base, replace(trace, noise=with_likely_flicker(base, trace.forms, trace.noise)))
+        looks.append(Explained(tracer=tracer, trace=trace, near=near, best=best))
         alpha0_deg = float(best.joint.fit.theta[ALPHA0])
         moved_deg = abs(alpha0_deg - base.scene.alpha0_deg)
         if not trace.found or moved_deg < _MOVED_DEG or abs(alpha0_deg) > _FAR_DEG:

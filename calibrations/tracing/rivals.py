@@ -18,6 +18,9 @@ from calibrations.tracing.trace import (
 
 CLOSE = 3.84
 """Two explanations whose deviances differ by less cannot be told apart (chi-square, one degree of freedom, 95%)."""
+NEAR = 9.0
+"""Nor must what is said of a parameter hang on which of two explanations that differ by less is true: by mere chance
+the wrong one of two that explain a table much alike is ahead by more than `CLOSE` in one of forty."""
 _SIMPLER = 6.0
 """What a coefficient more must earn for its effect to give the name: the simpler one may be a special case of it."""
 _WALK_NAMED = 9.0
@@ -46,13 +49,13 @@ class Rival:
 def with_best_names(tracer: Tracer, trace: Trace) -> tuple[Trace, dict[str, list[Rival]]]:
     """Exchange effects for rivals that are cheaper, or equal and first in the catalogue, one after the other.
 
-    Returns the trace, and the rivals of each of its effects that are close.
+    Returns the trace, and the rivals of each of its effects that are near.
     """
     while True:
         listed = {name: rivals(tracer, trace, name) for name in trace.names}
         better = [rival for name, others in listed.items() for rival in others if _goes_before(tracer, rival, name)]
         if not better:
-            return trace, {name: [rival for rival in others if rival.behind < CLOSE] for name, others in listed.items()}
+            return trace, {name: [rival for rival in others if rival.behind < NEAR] for name, others in listed.items()}
         trace = min(better, key=lambda rival: rival.dearer).trace
 
 

@@ -40,10 +40,10 @@ def _without(calibration: Calibration, names: Sequence[str], reason: str) -> Cal
     return replace(calibration, parameters={**calibration.parameters, **taken})
 
 
-def without_rivals(calibration: Calibration, base: Ground, close: Mapping[str, Sequence[Rival]]) -> Calibration:
+def without_rivals(calibration: Calibration, base: Ground, near: Mapping[str, Sequence[Rival]]) -> Calibration:
     """Take back the parameters that depend on which of two rivals is true."""
     parameters = dict(calibration.parameters)
-    for name, listed in close.items():
+    for name, listed in near.items():
         for rival in listed:
             theta = augment(base, rival.trace).joint.fit.theta
             for index, parameter in enumerate(PARAMETERS):
@@ -56,7 +56,7 @@ def _judged(parameter: Parameter, other: float, name: str, rival: str) -> Parame
         return parameter
     if abs(other - parameter.value) <= RIVALS_APART * parameter.standard_uncertainty:
         return parameter
-    reason = f"it differs between {name} and {rival}, which this experiment cannot tell apart"
+    reason = f"it differs between {name} and {rival}, which this experiment does not clearly tell apart"
     return _taken_back(parameter, reason)
 
 

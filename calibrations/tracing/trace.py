@@ -86,7 +86,7 @@ class Tracer:
     def __init__(self, ground: Ground) -> None:
         self.ground = ground
         self.effects = ground.effects
-        self.offered = candidates((*ground.effects, *STRUCTURES), ground.scene)
+        self.offered = candidates((*ground.effects, *STRUCTURES), ground.scene, ground.declared)
         self.columns = all_columns(self.offered, ground.rows)
         self._turned = ground.whole.turned(self.columns)
         self._problems: dict[NoiseModel, Problem] = {}

@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import numpy as np
 from tables import FLIPS, sweep, table
 
@@ -49,3 +51,18 @@ def test_good_rows_of_short_tables_stay():
     angles = np.arange(0.0, 360.0, 36.0)
 
     assert [found(table(("sweep", "face-up", angles), realisations=1, seed=seed)) for seed in range(200)] == [()] * 200
+
+
+def test_what_comes_back_at_the_only_other_visit_is_structure_too():
+    def bump(mount, angle_deg):
+        return np.where((mount == "face-up") & (angle_deg == 140.0), 30e-4, 0.0)
+
+    assert found(table(*FLIPS, sweep("face-up"), extra_v=bump, realisations=2)) == ()
+
+
+def test_a_seat_that_is_off_is_no_gross_error_of_the_one_row_that_is_further_off():
+    rows = table(*FLIPS, sweep("face-up"), sweep("face-down"), realisations=1)
+    off_v = np.zeros(len(rows))
+    off_v[4:6] = 9e-4, -5e-4
+
+    assert found(replace(rows, voltage_v=rows.voltage_v + off_v)) == ()
