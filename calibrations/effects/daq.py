@@ -8,9 +8,6 @@ from calibrations.effects.effect import Effect, Form, Quantity, plain, scan, sin
 from calibrations.effects.scene import Scene
 from calibrations.geometry import FloatArray
 
-_LONG_WAVE = 14.0
-"""Doubt in a wave of which the output shows less than one period: it is next to nothing but a parabola and a cubic."""
-
 
 def _sine(scene: Scene, period_v: float) -> Form:
     """A sine of the voltage with any phase."""
@@ -18,14 +15,13 @@ def _sine(scene: Scene, period_v: float) -> Form:
     return Form(
         columns=np.column_stack([np.sin(phase), np.cos(phase)]),
         scanned={"period_V": period_v},
-        doubt=_LONG_WAVE if period_v > float(np.ptp(scene.output_v)) else 0.0,
     )
 
 
 def _periods_v(scene: Scene) -> Sequence[float]:
-    """From four times the span of the output down to an eighth of it."""
+    """From the span of the output (a longer wave is next to a parabola and a cubic) down to an eighth of it."""
     span_v = float(np.ptp(scene.output_v))
-    return tuple((span_v / np.arange(0.25, 8.01, 0.125)).tolist()) if span_v > 0 else ()
+    return tuple((span_v / np.arange(1.0, 8.01, 0.125)).tolist()) if span_v > 0 else ()
 
 
 def _amplitude(_form: Form, coefficients: FloatArray, covariance: FloatArray) -> dict[str, Quantity]:

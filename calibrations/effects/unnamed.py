@@ -62,8 +62,18 @@ def _since(at: Mapping[str, float]) -> str:
     )
 
 
-TAKEN_BY_COURSES = {"?angle course": ("alpha0",), "?acceleration course": ("u0", "kx")}
-"""Parameters that have no meaning beside a shape that could be them as well."""
+def taken_by(name: str, at: Mapping[str, float]) -> tuple[str, ...]:
+    """Parameters that have no meaning beside a shape that could be them as well: a bend has a slope, or a mean."""
+    if name == "?acceleration bend" and "order" in at:
+        return (f"k{'xyz'[int(at['axis'])]}",) if at["order"] % 2 else ("u0",)
+    around_zero = ("u0", "kx")
+    return {
+        "?angle course": ("alpha0",),
+        "?acceleration bend": around_zero,
+        "?acceleration course": around_zero,
+    }.get(name, ())
+
+
 STRUCTURES = (
     _structure(
         "angle",

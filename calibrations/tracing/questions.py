@@ -11,7 +11,7 @@ from calibrations.geometry import MOUNTS, FloatArray
 from calibrations.gross import robust_residual
 from calibrations.model import basis, coefficients
 from calibrations.observations import Observations
-from calibrations.repeats import labels, settings
+from calibrations.repeats import labels, pose_groups, pure_error, settings
 from calibrations.tracing.seats import wrong_seat
 
 _FEWEST_ROWS = 8
@@ -22,6 +22,8 @@ _CLEARER = 20.0
 _MOSTLY = 0.6
 """A block of which more than this part is far off comes from another mount."""
 _RESOLUTION = 1e-12
+_COARSE = 7.0
+"""A rounding step of so many standard deviations of a dwell is twice as large in effect as the noise."""
 _MOST_V = 100.0
 """No accelerometer gives more."""
 _PAUSE_S = 30.0
@@ -44,7 +46,7 @@ def questioned(observations: Observations) -> Questioned:
     """Look for contradictions between a table and its description."""
     if observations.voltage_v is None or len(observations) < _FEWEST_ROWS:
         return Questioned(observations=observations, questions=(), answerable=True)
-    for ask in (_dead, _radians, _mounts, wrong_seat):
+    for ask in (_dead, _radians, _mounts, wrong_seat, _rounded):
         if question := ask(observations):
             return Questioned(observations=_with(observations, (question,)), questions=(question,), answerable=False)
     questions = [question for ask in (_sign, _millivolts) if (question := ask(observations))]
@@ -141,8 +143,10 @@ def _blocks(observations: Observations) -> NDArray[np.int64]:
         breaks |= np.diff(observations.time_s, prepend=observations.time_s[0]) > _PAUSE_S
     if observations.procedure is not None:
         breaks[1:] |= observations.procedure[1:] != observations.procedure[:-1]
-    if observations.time_s is None:  # then a sweep that begins again is the only sign of a new seat
-        breaks[1:] |= np.abs(np.diff(observations.angle_deg)) > 300.0
+    if observations.time_s is None:  # then a sweep that begins again or turns back is the only sign of a new seat
+        moves_deg = np.diff(observations.angle_deg)
+        breaks[1:] |= (np.abs(moves_deg) > 300.0) | (moves_deg == 0.0)
+        breaks[2:] |= np.sign(moves_deg[1:]) * np.sign(moves_deg[:-1]) < 0
     return np.cumsum(breaks)
 
 
@@ -176,6 +180,22 @@ def _sign(observations: Observations) -> str:
     return (
         f"{observations.source}: kx comes out as {kx:.4g} V/g; is the output inverted, or the sign of g? Here a "
         "projection is positive where the axis points down"
+    )
+
+
+def _rounded(observations: Observations) -> str:
+    """Ask about outputs whose rounding is coarser than the noise: what it does to a pose comes back at every repeat."""
+    values = np.unique(observations.output_v)
+    steps_v = np.diff(values)
+    step_v = float(np.median(steps_v)) if len(steps_v) else 0.0
+    if len(values) > len(observations) / 2 or not np.allclose(steps_v / step_v, np.round(steps_v / step_v), atol=1e-3):
+        return ""
+    repeats = pure_error(observations.output_v, pose_groups(observations), np.ones(len(observations)))
+    if not repeats.degrees_of_freedom or repeats.standard_deviation_v > step_v / _COARSE:
+        return ""
+    return (
+        f"{observations.source}: the output is rounded to {step_v:.4g} V, far more than repeats scatter; what is "
+        "smaller cannot be told from the rounding, so measure with a finer resolution"
     )
 
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from calibrations.effects.unnamed import TAKEN_BY_COURSES, Structure
+from calibrations.effects.unnamed import Structure, taken_by
 from calibrations.model import PARAMETERS
 from calibrations.result import Calibration, Parameter
 from calibrations.tracing.augmented import Augmented, augment
@@ -18,9 +18,10 @@ RIVALS_APART = 2.0
 
 
 def without_courses(calibration: Calibration, best: Augmented) -> Calibration:
-    """Take back u0 and alpha0 where structure without a name has a mean of its own: nobody knows where it is absent."""
-    for name in {item.effect.name for item in best.found} & TAKEN_BY_COURSES.keys():
-        calibration = _without(calibration, TAKEN_BY_COURSES[name], "it depends on where an unexplained course is zero")
+    """Take back parameters of which structure without a name has a part of its own: nobody knows where it is absent."""
+    for item in best.found:
+        taken = taken_by(item.effect.name, item.form.scanned)
+        calibration = _without(calibration, taken, "it depends on where an unexplained course is zero")
     u0 = calibration.parameters["u0"]
     if u0.value is None or u0.standard_uncertainty is None:
         return calibration

@@ -110,7 +110,14 @@ class Tracer:
         best = min((self._drawn(trace) for trace in (white, *others)), key=trace_price)
         if best.noise.walk:
             best = min(best, self._without(best, WALK), key=trace_price)
-        return refined(self.ground, best)
+        return self._with_single_forms(refined(self.ground, best))
+
+    def _with_single_forms(self, trace: Trace) -> Trace:
+        """Leave out the second form of an effect that stood only for a scanned value between two of the grid."""
+        names = [item.effect.name for item in trace.found]
+        double = [item for item in trace.found if names.count(item.effect.name) > 1]
+        rests = [replace(trace, found=tuple(kept for kept in trace.found if kept is not item)) for item in double]
+        return min(trace, *(refined(self.ground, rest) for rest in rests), trace, key=trace_price)
 
     def _other_noises(self, white: Trace) -> list[NoiseModel]:
         """Noises worth a search of their own: with what was found, or with the fast part of it.

@@ -122,6 +122,33 @@ def test_a_missing_mount_column_is_asked_about_wherever_the_table_ends(rows_read
     assert "the rows cannot come from one mount" in asked(rows.select(np.arange(rows_read)))
 
 
+def test_a_missing_mount_column_is_asked_about_where_only_the_sweeps_turn_back():
+    there_and_back = [("sweep", mount, [*range(0, 390, 15), *range(390, -15, -15)]) for mount in ("face-up", "edge")]
+    rows = replace(table(*there_and_back, realisations=2), mount=None, realisation=None, procedure=None)
+
+    assert "the rows cannot come from one mount" in asked(rows)
+
+
+def test_an_output_that_is_rounded_more_coarsely_than_it_scatters_is_asked_about():
+    rows = table(*TWO_MOUNTS)
+
+    assert "rounded to 0.01 V" in asked(replace(rows, voltage_v=np.round(rows.voltage_v, 2)))
+    assert questioned(replace(rows, voltage_v=np.round(rows.voltage_v / 3e-4) * 3e-4)).questions == ()
+
+
+def test_a_strong_warm_up_is_one_effect_with_the_time_constant_that_fits():
+    """5 mV and 600 s in a run of 2150 s: two neighbours of the grid would fit it as well together."""
+    rows = table(*TWO_MOUNTS)
+    time_s = 2.5 * np.arange(len(rows))
+    (effect,) = close_loop(
+        replace(rows, time_s=time_s, voltage_v=rows.voltage_v + 5e-3 * np.exp(-time_s / 600.0))
+    ).effects
+
+    tau_s = effect.coefficients["tau_s"]
+    assert effect.name == "warm_up"
+    assert abs(tau_s.value - 600.0) < 3 * tau_s.standard_uncertainty < 30.0
+
+
 def test_a_bias_that_jumps_between_realisations_is_no_other_mount():
     rows = table(*FLIPS[:2], sweep("face-up"))
     jumps = np.array([5e-3, -2e-3, 0.0, 7e-3, -4e-3])[rows.realisation - 1]
