@@ -1,8 +1,8 @@
 """What the bank consists of: lists of (spec, seed), each with seeds of its own.
 
 The seeds are fixed beforehand. Those of `DEVELOPMENT` may be looked at while an analysis is written; those of
-`REPORTED` are run once, for the numbers that are published; five earlier sets, from 5,000,000 to 9,000,000 on, were given
-up when they had brought faults of the analysis to light. No seed is in both, nor in two lists.
+`REPORTED` are run once, for the numbers that are published; five earlier sets, from 5,000,000 to 9,000,000 on, were
+given up when they had brought faults of the analysis to light. No seed is in both, nor in two lists.
 """
 
 from itertools import combinations

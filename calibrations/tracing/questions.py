@@ -46,7 +46,7 @@ def questioned(observations: Observations) -> Questioned:
     """Look for contradictions between a table and its description."""
     if observations.voltage_v is None or len(observations) < _FEWEST_ROWS:
         return Questioned(observations=observations, questions=(), answerable=True)
-    for ask in (_dead, _radians, _mounts, wrong_seat, _rounded):
+    for ask in (_dead, _unturned, _backwards, _radians, _mounts, wrong_seat, _rounded):
         if question := ask(observations):
             return Questioned(observations=_with(observations, (question,)), questions=(question,), answerable=False)
     questions = [question for ask in (_sign, _millivolts) if (question := ask(observations))]
@@ -70,6 +70,26 @@ def _dead(observations: Observations) -> str:
             "turned; is the unit connected?"
         )
     return ""
+
+
+def _unturned(observations: Observations) -> str:
+    """Ask about a head that stands at one angle in one mount although the output changes with something."""
+    if np.ptp(observations.angle_deg) > 0.0 or len(set(observations.mounts.tolist())) > 1:
+        return ""
+    return f"{observations.source}: angle_deg is {observations.angle_deg[0]:g} in every row; is that the angle of the head?"
+
+
+def _backwards(observations: Observations) -> str:
+    """Ask about a time that runs backwards within a run: history is read from the order of the rows."""
+    if observations.time_s is None:
+        return ""
+    back = np.flatnonzero((np.diff(observations.time_s) < 0.0) & (np.diff(observations.runs) == 0))
+    if not len(back):
+        return ""
+    return (
+        f"{observations.source}: time_s runs backwards at row {observations.row[back[0] + 1]}; are the rows in the "
+        "order in which they were taken? Sort them"
+    )
 
 
 def _with(observations: Observations, questions: tuple[str, ...]) -> Observations:

@@ -169,6 +169,20 @@ def test_an_inverted_output_is_asked_about():
     assert "inverted" in asked(replace(rows, voltage_v=5.0 - rows.voltage_v))
 
 
+def test_a_head_that_was_never_turned_is_asked_about():
+    rows = table(*TWO_MOUNTS[:1])
+
+    assert "angle_deg is 0 in every row" in asked(replace(rows, angle_deg=np.zeros(len(rows))))
+
+
+def test_a_time_that_runs_backwards_is_asked_about():
+    rows = table(*TWO_MOUNTS)
+    time_s = 2.5 * np.arange(len(rows))
+    time_s[100] = 10.0
+
+    assert "time_s runs backwards at row 101" in asked(replace(rows, time_s=time_s))
+
+
 def test_millivolts_are_asked_about():
     rows = table(*TWO_MOUNTS)
 
