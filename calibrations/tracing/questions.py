@@ -76,7 +76,7 @@ def _unturned(observations: Observations) -> str:
     """Ask about a head that stands at one angle in one mount although the output changes with something."""
     if np.ptp(observations.angle_deg) > 0.0 or len(set(observations.mounts.tolist())) > 1:
         return ""
-    return f"{observations.source}: angle_deg is {observations.angle_deg[0]:g} in every row; is that the angle of the head?"
+    return f"{observations.source}: angle_deg is {observations.angle_deg[0]:g} in every row; was the head never turned?"
 
 
 def _backwards(observations: Observations) -> str:
