@@ -62,11 +62,16 @@ class Scene:
 
     @cached_property
     def direction(self) -> NDArray[np.int64]:
-        """Sign of the last move of the head; from the angles where the table does not say, 0 where nothing does."""
+        """Sign of the last move of the head; from the angles where the table does not say, 0 where nothing does.
+
+        Seating the unit anew turns no head: it comes from the angle before, and where it stays, so does the sign.
+        """
         if self.observations.direction is not None:
             return self.observations.direction
         step = np.sign(np.diff(self.angle_deg, prepend=self.angle_deg[:1])).astype(np.int64)
-        return np.asarray(np.where(self._remounted, 0, step))
+        begins = np.diff(self.observations.runs, prepend=-1) != 0
+        last = np.maximum.accumulate(np.where((step != 0) | begins, np.arange(len(step)), 0))
+        return np.asarray(np.where(begins, 0, step)[last])
 
     @cached_property
     def realisation(self) -> NDArray[np.int64]:

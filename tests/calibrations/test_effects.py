@@ -128,3 +128,9 @@ def test_levels_are_reported_as_their_standard_deviation():
     coefficients = contrasts(3).T @ levels
 
     assert spread("seating", "deg")(None, coefficients, np.zeros((2, 2)))["seating"].value == pytest.approx(1.0)
+
+
+def test_without_the_column_the_direction_is_that_of_the_angles_over_a_change_of_mount_too():
+    mount = np.repeat(["face-up", "face-down"], 3)
+
+    assert scene([0.0, 10.0, 20.0, 20.0, 10.0, 30.0], mount=mount).direction.tolist() == [0, 1, 1, 1, -1, 1]
