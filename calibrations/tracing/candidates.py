@@ -21,7 +21,9 @@ ANOTHER_SHAPE = 0.02
 UNNAMED = 6.0
 """What a shape without a name must earn beyond a named one: a known cause is the better guess."""
 
-_NARROW, _FEW_ROWS = 2, 3.0
+_NARROW = 2
+_REST = 0.02
+"""Part of a column's square that must not lie in the two rows that show most of it."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -71,15 +73,16 @@ def _numbered(tried: Sequence[tuple[Effect, Sequence[Form]]], rows: int) -> Iter
 
 
 def _seen_in_several_rows(form: Form, span: FloatArray) -> bool:
-    """Whether what is left of each of one or two columns beside orthonormal directions rests on more than a few rows.
+    """Whether what is left of each of one or two columns beside orthonormal directions rests on more than two rows.
 
-    By the participation ratio of the squares. A shape that vanishes at all but a few settings, or is a function of the
-    model at all but a few, would take the gross errors there for its own.
+    A shape that vanishes at all but a few settings, or is a function of the model at all but a few, would take the
+    gross errors there for its own.
     """
     if form.columns.shape[1] > _NARROW:
         return True
     squares = (form.columns - span @ (span.T @ form.columns)) ** 2
-    return bool(np.all(squares.sum(axis=0) ** 2 >= _FEW_ROWS * (squares**2).sum(axis=0)))
+    rest = np.sort(squares, axis=0)[:-2].sum(axis=0)
+    return bool(np.all(rest >= _REST * squares.sum(axis=0)))
 
 
 def _entry(width: int, chance: float, rows: int) -> float:

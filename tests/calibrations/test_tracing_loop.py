@@ -225,3 +225,21 @@ def test_too_few_rows_are_said_not_to_have_been_traced():
     loop = close_loop(table(*FLIPS, realisations=2))
 
     assert "12 rows are too few" in loop.not_traced
+
+
+def test_a_bias_that_follows_the_vibration_is_found_where_one_dwell_was_shaken_most():
+    """The row that is shaken most looks like a gross error until the effect is known."""
+    rows = table(*TWO_MOUNTS)
+    deviation_v = 4e-3 * np.exp(np.abs(np.random.default_rng(3).normal(0.0, 0.5, len(rows))))
+    deviation_v[100] = 0.02
+    loop = close_loop(
+        replace(
+            rows,
+            voltage_sd_v=deviation_v,
+            samples=np.full(len(rows), 100),
+            voltage_v=rows.voltage_v + 8.0 * deviation_v**2,
+        )
+    )
+
+    assert names(loop) == ["vibration_rectification"]
+    assert loop.augmented.observations.set_aside == ()
