@@ -19,6 +19,7 @@ from typing import IO, Any
 
 from app.exits import Exit, JobError
 from app.stand import LoadedStand
+from drivers.links.places import one_name
 
 _BEHIND = 1 << 20
 """Place of the locked byte: Windows lets nobody read what is locked, and the words in front of it shall be read."""
@@ -35,8 +36,8 @@ def holding(loaded: LoadedStand, serial_number: str) -> Iterator[None]:
         Another process has it: which one, on which computer, with which unit, since when.
     """
     with ExitStack() as stack:
-        for address in _addresses(loaded):
-            stack.enter_context(_holding(_lock_path(address), address, serial_number))
+        for name, address in sorted(_addresses(loaded).items()):
+            stack.enter_context(_holding(_lock_path(name), address, serial_number))
         yield
 
 
@@ -47,22 +48,15 @@ def state_folder() -> Path:
     return Path(os.environ.get("XDG_STATE_HOME") or Path.home() / ".local" / "state") / "tumble"
 
 
-def _addresses(loaded: LoadedStand) -> list[str]:
+def _addresses(loaded: LoadedStand) -> dict[str, str]:
+    """What is held, as it is written, by the one name that it has."""
     file = str(loaded.path.resolve()) if loaded.path else ""
-    addresses = (file, loaded.file.head.address, loaded.file.daq.address)
-    return sorted({one_name(address) for address in addresses if address})
+    instruments = {one_name(address): address for address in (loaded.file.head.address, loaded.file.daq.address)}
+    return {name: address for name, address in ({file: file} | instruments).items() if address}
 
 
-def one_name(address: str) -> str:
-    """The one name of a port that has several: through links in a folder, or written in two ways on Windows."""
-    if sys.platform == "win32":
-        port = address.removeprefix("\\\\.\\").upper()
-        return port if port.startswith("COM") else address
-    return os.path.realpath(address) if address.startswith("/") else address
-
-
-def _lock_path(address: str) -> Path:
-    name = sha256(f"{socket.gethostname()} {address}".encode()).hexdigest()[:32] + ".lock"
+def _lock_path(place: str) -> Path:
+    name = sha256(f"{socket.gethostname()} {place}".encode()).hexdigest()[:32] + ".lock"
     try:
         folder = state_folder() / "stands"
         folder.mkdir(parents=True, exist_ok=True)

@@ -28,7 +28,7 @@ class Instrument(BaseModel):
 
     @property
     def address(self) -> str:
-        """Where the instrument is found: what two processes cannot both use; empty where it has no address."""
+        """Where the instrument is found, see `drivers.links.places`; empty where it has no address."""
         return self.url
 
 
