@@ -1,5 +1,6 @@
 """What a person sees on the terminal: a progress bar while something runs, the result when it is there."""
 
+import os
 import sys
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
@@ -24,14 +25,23 @@ _PIPED_WIDTH = 120
 """Width of tables where the output is no terminal."""
 
 
+class _Console(Console):
+    """Whoever reads may leave early: the rest goes nowhere, and the command ends as it would have."""
+
+    def on_broken_pipe(self) -> None:
+        """Say nothing more; rich itself would exit with status 1, which says that a unit is outside its limits."""
+        self.quiet = True
+        os.dup2(os.open(os.devnull, os.O_WRONLY), self.file.fileno())
+
+
 def results() -> Console:
     """Where results go: standard output."""
-    return Console(highlight=False, width=None if sys.stdout.isatty() else _PIPED_WIDTH)
+    return _Console(highlight=False, width=None if sys.stdout.isatty() else _PIPED_WIDTH)
 
 
 def messages() -> Console:
     """Where progress and warnings go: standard error, so that standard output stays clean for results."""
-    return Console(stderr=True, highlight=False)
+    return _Console(stderr=True, highlight=False)
 
 
 def warn(sentences: Iterable[str]) -> None:

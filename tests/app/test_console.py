@@ -1,10 +1,12 @@
 import io
+import os
+import sys
 
 import pytest
 from app_jobs import STAND, tumble
 from rich.console import Console
 
-from app.console import run_display
+from app.console import results, run_display
 from app.running import Job, run
 from app.stand import load_stand
 from app.wiring import connect
@@ -33,6 +35,15 @@ def test_nothing_of_a_run_is_shown_where_there_is_no_terminal(tiny, tmp_path):
     ran = tumble("run", "--programme", tiny, "--serial", "A", "--out", tmp_path / "x.mcap")
 
     assert ran.err == f"recording {tmp_path / 'x.mcap'}\n"
+
+
+def test_a_reader_that_leaves_early_is_no_fault(monkeypatch):
+    reading, writing = os.pipe()
+    os.close(reading)
+    with os.fdopen(writing, "w") as left:
+        monkeypatch.setattr(sys, "stdout", left)
+        results().print("seen by nobody")
+        results().print("nor is this")
 
 
 def test_a_warning_of_the_run_is_one_line(write, tiny, tmp_path):
