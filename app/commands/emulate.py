@@ -33,7 +33,14 @@ from procedures.toml_lines import parse_toml, read_text
 )
 @click.option("--daq-port", type=click.IntRange(0, 65535), help="TCP port of the DAQ; without, that of the stand file.")
 @click.option("--pty", "ptys", is_flag=True, help="Serve on pseudo-terminals too.")
-@click.option("--speed", default=1.0, show_default=True, type=click.FloatRange(min=1e-3), help="Times real time.")
+@click.option(
+    "--speed",
+    default=1.0,
+    show_default=True,
+    type=click.FloatRange(min=1e-3),
+    callback=options.finite,
+    help="Times real time.",
+)
 @click.option("--faults", "script", type=options.EXISTING, help="What goes wrong, and when (TOML).")
 def command(
     stand_path: Path | None,

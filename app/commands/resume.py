@@ -25,6 +25,7 @@ from procedures.errors import InputError
 @click.option(
     "--tolerance-v",
     type=click.FloatRange(min=0.0, min_open=True),
+    callback=options.finite,
     help="By how much the last point may differ when it is taken again; without it, by what noise explains.",
 )
 @click.option("--store", "folder", type=options.EXISTING, help="Store of a calibration whose recording was moved.")

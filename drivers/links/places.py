@@ -12,6 +12,10 @@ from drivers.links.can_address import CanAddress
 
 LOOPBACK: Final = "127.0.0.1"
 _NETWORKED: Final = ("socket", "rfc2217")
+_SCHEMES: Final = (*_NETWORKED, "alt", "cp2110", "hwgrep", "loop", "spy")
+"""What pyserial opens by a URL (its documentation, "URL Handlers")."""
+_PORTS: Final = range(65536)
+"""0 among them, which an emulated stand takes for any that is free."""
 
 
 def one_name(address: str) -> str:
@@ -33,6 +37,34 @@ def one_name(address: str) -> str:
     host, port = bus.options.get("host", ""), bus.options.get("port", "")
     server = f"?host={one_host(str(host))}&port={port}" if host else ""
     return f"{bus.interface}:{_port(bus.channel)}{server}"
+
+
+def check_network(url: str) -> None:
+    """Make sure that a URL of a network port names host and port. Raises `ValueError` with what is wrong with it."""
+    if not url.casefold().startswith(tuple(f"{scheme}://" for scheme in _NETWORKED)):
+        return
+    host = port = None
+    with suppress(ValueError):
+        place = urlsplit(url)
+        host, port = place.hostname, place.port
+    if not host or port not in _PORTS:
+        raise ValueError(f"{url!r} names no host and port; write such as socket://127.0.0.1:7001, with a port to 65535")
+
+
+def check_scheme(url: str) -> None:
+    """Make sure that pyserial knows what to open. Raises `ValueError` with what is wrong with the URL."""
+    scheme, is_url, _ = url.partition("://")
+    if is_url and scheme.casefold() not in _SCHEMES:
+        known = ", ".join(f"{known}://" for known in _SCHEMES)
+        raise ValueError(f"{url!r} begins with {scheme}://, and a serial line with a port name or {known}")
+
+
+def check_server(bus: CanAddress) -> None:
+    """Make sure that a bus behind a socketcand server names it. Raises `ValueError` with what is wrong with it."""
+    if bus.interface == "socketcand" and not (bus.options.get("host") and bus.options.get("port") in _PORTS):
+        raise ValueError(
+            f"{bus.url!r} names no server; write such as socketcand:can0?host=127.0.0.1&port=29536, a port to 65535"
+        )
 
 
 def one_host(host: str) -> str:

@@ -1,4 +1,5 @@
 import pytest
+from app_jobs import tumble
 
 from app.commands.emulate import _port
 from drivers.candaq.declaration import CAN
@@ -24,3 +25,10 @@ def test_the_port_of_a_can_bus_is_that_of_the_stand_file(url, port):
 )
 def test_the_port_of_a_serial_line_is_that_of_the_stand_file(url, port):
     assert _port(SCPI.table(driver="scpi", url=url)) == port
+
+
+@pytest.mark.parametrize("speed", ["nan", "inf"])
+def test_a_speed_that_is_no_number_is_refused(speed):
+    ran = tumble("emulate", "--speed", speed)
+    assert ran.status == 2
+    assert f"Invalid value for '--speed': {speed} is no finite number." in ran.err
