@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING
 from app.exits import FINISHED, Exit, JobError
 from app.identity import program_identity
 from app.stand import LoadedStand
+from app.stand_lock import holding_recording
 from app.wiring import Connected
 from drivers.clock import Clock
 from procedures.acquisition import Acquisition
@@ -103,7 +104,8 @@ def run(
     job.plan()
     header = _header(job, connected.stand.clock, purpose)
     recorder = begin_recording(recording, header, connected.stand.clock)
-    return carry_out(lambda engine: engine.run(job.programme.procedure()), job, connected, recorder, listeners)
+    with recorder, holding_recording(recording, job.serial_number):
+        return carry_out(lambda engine: engine.run(job.programme.procedure()), job, connected, recorder, listeners)
 
 
 def begin_recording(

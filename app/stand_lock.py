@@ -1,8 +1,8 @@
-"""One stand, one process: a second one is refused with the name of the first.
+"""One stand, one process, and one recording: a second one is refused with the name of the first.
 
-For every address of an instrument, and for the stand file, there is a small file in the user's own state folder. It is
-locked by the operating system for as long as the run lasts, so that a process that dies leaves nothing locked; what is
-written in it only says who has it.
+For every address of an instrument, for the stand file and for the recording there is a small file in the user's own
+state folder. It is locked by the operating system for as long as the run lasts, so that a process that dies leaves
+nothing locked; what is written in it only says who has it.
 """
 
 import json
@@ -37,7 +37,14 @@ def holding(loaded: LoadedStand, serial_number: str) -> Iterator[None]:
     """
     with ExitStack() as stack:
         for name, address in sorted(_addresses(loaded).items()):
-            stack.enter_context(_holding(_lock_path(name), address, serial_number))
+            stack.enter_context(_holding(name, f"the stand at {address}", serial_number))
+        yield
+
+
+@contextmanager
+def holding_recording(path: Path, serial_number: str) -> Iterator[None]:
+    """Have a recording for oneself, on whatever stand it is made. Raises `JobError` as `holding`."""
+    with _holding(str(path.resolve()), f"the recording {path}", serial_number):
         yield
 
 
@@ -67,8 +74,9 @@ def _lock_path(place: str) -> Path:
 
 
 @contextmanager
-def _holding(path: Path, address: str, serial_number: str) -> Iterator[None]:
-    with _locked(path, address) as stream:
+def _holding(place: str, what: str, serial_number: str) -> Iterator[None]:
+    path = _lock_path(place)
+    with _locked(path, what) as stream:
         stream.seek(0)
         stream.truncate()
         stream.write(json.dumps(_ourselves(serial_number)).encode())
@@ -81,11 +89,11 @@ def _holding(path: Path, address: str, serial_number: str) -> Iterator[None]:
 
 
 @contextmanager
-def _locked(path: Path, address: str) -> Iterator[IO[bytes]]:
+def _locked(path: Path, what: str) -> Iterator[IO[bytes]]:
     for _ in range(_ATTEMPTS):
         with path.open("a+b") as stream:
             if not _lock(stream):
-                raise JobError(_sentence(stream, address), Exit.DEVICE_FAULT)
+                raise JobError(_sentence(stream, what), Exit.DEVICE_FAULT)
             if _is_still(path, stream):
                 yield stream
                 return
@@ -127,11 +135,11 @@ def _ourselves(serial_number: str) -> dict[str, Any]:
     return {"pid": os.getpid(), "host": socket.gethostname(), "serial_number": serial_number, "since": since}
 
 
-def _sentence(stream: IO[bytes], address: str) -> str:
+def _sentence(stream: IO[bytes], what: str) -> str:
     try:
         stream.seek(0)
         other = json.loads(stream.read(_BEHIND - 1))
         who = "process {pid} on {host}, which measures {serial_number} since {since}".format(**other)
     except (OSError, ValueError, KeyError, TypeError):  # it has only just begun
         who = "another process"
-    return f"the stand at {address} is in use by {who}; wait until it is done, or stop it"
+    return f"{what} is in use by {who}; wait until it is done, or stop it"

@@ -12,7 +12,7 @@ from app.console import messages, run_display, warn
 from app.recall import record_of
 from app.resuming import Unfinished, find, load_same_stand, resume
 from app.running import Job, failure
-from app.stand_lock import holding
+from app.stand_lock import holding, holding_recording
 from app.wiring import connect
 from procedures.errors import InputError
 
@@ -43,7 +43,22 @@ def command(
 
     What is done already is not done again.
     """
-    unfinished = find(recording)
+    found = find(recording)
+    with holding_recording(found.path, found.recording.header.serial_number):
+        unfinished = find(recording)  # as it is now that nobody writes it any more
+        _conclude(unfinished, stand_path, answers, attended, tolerance_v, folder, json_path)
+
+
+def _conclude(
+    unfinished: Unfinished,
+    stand_path: Path | None,
+    answers: Path | None,
+    attended: bool,
+    tolerance_v: float | None,
+    folder: Path | None,
+    json_path: Path | None,
+) -> None:
+    """Do what is left of a run, and what was to follow it."""
     header = unfinished.recording.header
     store = _store(unfinished, folder) if header.job == "calibrate" else None
     points = len(unfinished.recording.points)

@@ -8,8 +8,13 @@ import pytest
 from app_jobs import tumble
 
 from app.exits import JobError
+from app.running import Job, run
 from app.stand import load_stand
 from app.stand_lock import holding, state_folder
+from app.wiring import connect
+from procedures.events import PointCompleted
+from procedures.programme import load_programme
+from procedures.recording.reader import read_recording
 
 OTHER = """\
 import sys
@@ -109,3 +114,21 @@ def test_instruments_at_the_same_place_by_other_names_are_one_stand(write):
     with holding(load_stand(one), "A"):
         refused(other, "the stand at rfc2217://127.0.0.1:7001 is in use by process")
         refused(third, r"the stand at socketcan:can0\?fd=0 is in use by process")
+
+
+def test_a_run_that_is_going_on_is_not_resumed(tiny, tmp_path):
+    recording = tmp_path / "x.mcap"
+    job = Job(stand=load_stand(), programme=load_programme(tiny), serial_number="A")
+    attempts = []
+
+    def resume_now(event):
+        if isinstance(event, PointCompleted) and event.point.index == 2:
+            attempts.append(tumble("resume", recording))
+
+    run(job, connect(job.stand), recording, [resume_now])
+
+    (attempt,) = attempts
+    assert attempt.status == 3
+    assert attempt.complaint.startswith(f"the recording {recording} is in use by process {os.getpid()} on ")
+    assert read_recording(recording).complete
+    assert [path.name for path in tmp_path.glob("*.mcap")] == ["x.mcap"]
