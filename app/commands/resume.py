@@ -94,6 +94,7 @@ def _go_on(
     with holding(loaded, header.serial_number):
         connected = connect(loaded, answers, attended, unfinished.past(job))
         try:
+            warn(connected.warnings)
             done = len(unfinished.recording.points)
             with run_display(plan, connected.stand.clock, messages(), done) as display:
                 outcome = resume(unfinished, job, connected, [display], tolerance_v)
