@@ -1,5 +1,6 @@
 """What a person sees on the terminal: a progress bar while something runs, the result when it is there."""
 
+import os
 import sys
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
@@ -14,7 +15,15 @@ from calibrations.result import Calibration, Parameter
 from calibrations.support import support
 from drivers.clock import Clock
 from procedures.announcer import Listener
-from procedures.events import Event, PointCompleted, WarningRaised
+from procedures.events import (
+    Event,
+    MountAnswered,
+    MountRequested,
+    PointCompleted,
+    ReadingAnswered,
+    ReadingRequested,
+    WarningRaised,
+)
 from procedures.plan import Plan
 from procedures.progress import Progress as RunProgress
 
@@ -24,14 +33,23 @@ _PIPED_WIDTH = 120
 """Width of tables where the output is no terminal."""
 
 
+class _Console(Console):
+    """Whoever reads may leave early: the rest goes nowhere, and the command ends as it would have."""
+
+    def on_broken_pipe(self) -> None:
+        """Say nothing more; rich itself would exit with status 1, which says that a unit is outside its limits."""
+        self.quiet = True
+        os.dup2(os.open(os.devnull, os.O_WRONLY), self.file.fileno())
+
+
 def results() -> Console:
     """Where results go: standard output."""
-    return Console(highlight=False, width=None if sys.stdout.isatty() else _PIPED_WIDTH)
+    return _Console(highlight=False, width=None if sys.stdout.isatty() else _PIPED_WIDTH)
 
 
 def messages() -> Console:
     """Where progress and warnings go: standard error, so that standard output stays clean for results."""
-    return Console(stderr=True, highlight=False)
+    return _Console(stderr=True, highlight=False)
 
 
 def warn(sentences: Iterable[str]) -> None:
@@ -42,7 +60,10 @@ def warn(sentences: Iterable[str]) -> None:
 
 @contextmanager
 def run_display(plan: Plan, clock: Clock, console: Console, points_done: int = 0) -> Iterator[Listener]:
-    """A progress bar with the time left, on a terminal; yields the listener that feeds it."""
+    """A progress bar with the time left, on a terminal; yields the listener that feeds it.
+
+    It is taken away while a question is open, lest it wipe what is being typed.
+    """
     counted = RunProgress(plan, clock, points_done)
     columns = (SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), TextColumn("{task.fields[left]}"))
     with Progress(*columns, console=console, disable=not console.is_terminal) as bar:
@@ -57,10 +78,22 @@ def run_display(plan: Plan, clock: Clock, console: Console, points_done: int = 0
                 )
                 description = f"{event.point.mount} {event.point.angle_deg:7.2f}°"
                 bar.update(task, completed=counted.done, description=description, left=text)
+            elif isinstance(event, MountRequested | ReadingRequested):
+                _take_away(bar)
+            elif isinstance(event, MountAnswered | ReadingAnswered):
+                bar.start()
             elif isinstance(event, WarningRaised):
                 bar.console.print(f"warning: {event.message}", markup=False, soft_wrap=True)
 
         yield listen
+
+
+def _take_away(bar: Progress) -> None:
+    """Leave nothing of a bar on the terminal until it is started again."""
+    if not bar.disable:
+        bar.live.transient = True
+        bar.stop()
+        bar.live.transient = False
 
 
 def _minutes(duration_s: float) -> str:

@@ -118,7 +118,7 @@ def resume(
     listeners: Sequence[Listener] = (),
     tolerance_v: float | None = None,
 ) -> Outcome:
-    """Go on with the run where it was cut off; SIGINT and SIGTERM stop it at a safe standstill.
+    """Go on with the run where it was cut off; `STOPPING_SIGNALS` stop it at a safe standstill.
 
     Parameters
     ----------

@@ -1,11 +1,13 @@
 """Runs a programme on a stand and leaves a recording."""
 
 import math
+import os
 import re
 import signal
+import stat
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from hashlib import sha256
@@ -16,6 +18,7 @@ from typing import TYPE_CHECKING
 from app.exits import FINISHED, Exit, JobError
 from app.identity import program_identity
 from app.stand import LoadedStand
+from app.stand_lock import holding_recording
 from app.wiring import Connected
 from drivers.clock import Clock
 from procedures.acquisition import Acquisition
@@ -37,6 +40,8 @@ if TYPE_CHECKING:
 STOPPING_SIGNALS = [signal.SIGINT, signal.SIGTERM]
 if sys.platform == "win32":
     STOPPING_SIGNALS.append(signal.SIGBREAK)  # sent there where the window of the terminal is closed
+elif signal.getsignal(signal.SIGHUP) is not signal.SIG_IGN:  # nohup wants it ignored
+    STOPPING_SIGNALS.append(signal.SIGHUP)  # sent where the terminal is closed, or the connection to it lost
 _LONGEST_NAME = 60
 _RESERVED = {"CON", "PRN", "AUX", "NUL", *(f"{port}{n}" for port in ("COM", "LPT") for n in range(1, 10))}
 """Names of devices on Windows."""
@@ -74,7 +79,7 @@ class Job:
 def run(
     job: Job, connected: Connected, recording: Path, listeners: Sequence[Listener] = (), purpose: str = "run"
 ) -> Outcome:
-    """Carry out the programme; SIGINT and SIGTERM stop it at a safe standstill.
+    """Carry out the programme; `STOPPING_SIGNALS` stop it at a safe standstill.
 
     Parameters
     ----------
@@ -99,7 +104,8 @@ def run(
     job.plan()
     header = _header(job, connected.stand.clock, purpose)
     recorder = begin_recording(recording, header, connected.stand.clock)
-    return carry_out(lambda engine: engine.run(job.programme.procedure()), job, connected, recorder, listeners)
+    with recorder, holding_recording(recording, job.serial_number):
+        return carry_out(lambda engine: engine.run(job.programme.procedure()), job, connected, recorder, listeners)
 
 
 def begin_recording(
@@ -204,6 +210,7 @@ def _stopping_on_signals(engine: Engine) -> Iterator[None]:
             raise KeyboardInterrupt
         asked = True
         engine.control.stop()
+        _leave_lost_terminal()
 
     try:
         previous = {number: signal.signal(number, stop) for number in STOPPING_SIGNALS}
@@ -214,3 +221,11 @@ def _stopping_on_signals(engine: Engine) -> Iterator[None]:
     finally:
         for number, handler in previous.items():
             signal.signal(number, handler)
+
+
+def _leave_lost_terminal() -> None:
+    """Say nothing more to a terminal that was closed: every word would be an error."""
+    for stream in (sys.stdout, sys.stderr):
+        with suppress(OSError, ValueError):  # redirected to what is no file
+            if stat.S_ISCHR(os.fstat(stream.fileno()).st_mode) and not stream.isatty():
+                os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())

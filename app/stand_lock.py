@@ -1,8 +1,8 @@
-"""One stand, one process: a second one is refused with the name of the first.
+"""One stand, one process, and one recording: a second one is refused with the name of the first.
 
-For every address of an instrument, and for the stand file, there is a small file in the user's own state folder. It is
-locked by the operating system for as long as the run lasts, so that a process that dies leaves nothing locked; what is
-written in it only says who has it.
+For every address of an instrument, for the stand file and for the recording there is a small file in the user's own
+state folder. It is locked by the operating system for as long as the run lasts, so that a process that dies leaves
+nothing locked; what is written in it only says who has it.
 """
 
 import json
@@ -19,6 +19,7 @@ from typing import IO, Any
 
 from app.exits import Exit, JobError
 from app.stand import LoadedStand
+from drivers.links.places import one_name
 
 _BEHIND = 1 << 20
 """Place of the locked byte: Windows lets nobody read what is locked, and the words in front of it shall be read."""
@@ -35,8 +36,15 @@ def holding(loaded: LoadedStand, serial_number: str) -> Iterator[None]:
         Another process has it: which one, on which computer, with which unit, since when.
     """
     with ExitStack() as stack:
-        for address in _addresses(loaded):
-            stack.enter_context(_holding(_lock_path(address), address, serial_number))
+        for name, address in sorted(_addresses(loaded).items()):
+            stack.enter_context(_holding(name, f"the stand at {address}", serial_number))
+        yield
+
+
+@contextmanager
+def holding_recording(path: Path, serial_number: str) -> Iterator[None]:
+    """Have a recording for oneself, on whatever stand it is made. Raises `JobError` as `holding`."""
+    with _holding(str(path.resolve()), f"the recording {path}", serial_number):
         yield
 
 
@@ -47,22 +55,15 @@ def state_folder() -> Path:
     return Path(os.environ.get("XDG_STATE_HOME") or Path.home() / ".local" / "state") / "tumble"
 
 
-def _addresses(loaded: LoadedStand) -> list[str]:
+def _addresses(loaded: LoadedStand) -> dict[str, str]:
+    """What is held, as it is written, by the one name that it has."""
     file = str(loaded.path.resolve()) if loaded.path else ""
-    addresses = (file, loaded.file.head.address, loaded.file.daq.address)
-    return sorted({one_name(address) for address in addresses if address})
+    instruments = {one_name(address): address for address in (loaded.file.head.address, loaded.file.daq.address)}
+    return {name: address for name, address in ({file: file} | instruments).items() if address}
 
 
-def one_name(address: str) -> str:
-    """The one name of a port that has several: through links in a folder, or written in two ways on Windows."""
-    if sys.platform == "win32":
-        port = address.removeprefix("\\\\.\\").upper()
-        return port if port.startswith("COM") else address
-    return os.path.realpath(address) if address.startswith("/") else address
-
-
-def _lock_path(address: str) -> Path:
-    name = sha256(f"{socket.gethostname()} {address}".encode()).hexdigest()[:32] + ".lock"
+def _lock_path(place: str) -> Path:
+    name = sha256(f"{socket.gethostname()} {place}".encode()).hexdigest()[:32] + ".lock"
     try:
         folder = state_folder() / "stands"
         folder.mkdir(parents=True, exist_ok=True)
@@ -73,8 +74,9 @@ def _lock_path(address: str) -> Path:
 
 
 @contextmanager
-def _holding(path: Path, address: str, serial_number: str) -> Iterator[None]:
-    with _locked(path, address) as stream:
+def _holding(place: str, what: str, serial_number: str) -> Iterator[None]:
+    path = _lock_path(place)
+    with _locked(path, what) as stream:
         stream.seek(0)
         stream.truncate()
         stream.write(json.dumps(_ourselves(serial_number)).encode())
@@ -87,11 +89,11 @@ def _holding(path: Path, address: str, serial_number: str) -> Iterator[None]:
 
 
 @contextmanager
-def _locked(path: Path, address: str) -> Iterator[IO[bytes]]:
+def _locked(path: Path, what: str) -> Iterator[IO[bytes]]:
     for _ in range(_ATTEMPTS):
         with path.open("a+b") as stream:
             if not _lock(stream):
-                raise JobError(_sentence(stream, address), Exit.DEVICE_FAULT)
+                raise JobError(_sentence(stream, what), Exit.DEVICE_FAULT)
             if _is_still(path, stream):
                 yield stream
                 return
@@ -133,11 +135,11 @@ def _ourselves(serial_number: str) -> dict[str, Any]:
     return {"pid": os.getpid(), "host": socket.gethostname(), "serial_number": serial_number, "since": since}
 
 
-def _sentence(stream: IO[bytes], address: str) -> str:
+def _sentence(stream: IO[bytes], what: str) -> str:
     try:
         stream.seek(0)
         other = json.loads(stream.read(_BEHIND - 1))
         who = "process {pid} on {host}, which measures {serial_number} since {since}".format(**other)
     except (OSError, ValueError, KeyError, TypeError):  # it has only just begun
         who = "another process"
-    return f"the stand at {address} is in use by {who}; wait until it is done, or stop it"
+    return f"{what} is in use by {who}; wait until it is done, or stop it"

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import cache, partial
 from pathlib import Path
+from typing import Final
 
 import click
 
@@ -21,6 +22,10 @@ from procedures.errors import InputError
 from procedures.eyepiece import OperatorEyepiece
 from procedures.operator import Answers, ConsoleOperator, Operator, ScriptedOperator, SeatingOperator
 
+_UNASKED: Final = (
+    "stand {}: is emulated, and its emulated operator confirms every mount; give --attended or --answers to decide it"
+)
+
 
 @dataclass(frozen=True, kw_only=True)
 class Connected:
@@ -33,6 +38,8 @@ class Connected:
     """The person who reads the head, where it has no motor."""
     lived_s: float | None = None
     """Since the run began that is resumed, by the clock of a stand that was put back there; None for a real one."""
+    warnings: tuple[str, ...] = ()
+    """What whoever started the run should know of it."""
     links: Links = field(default_factory=Links)
     """To be closed when the stand is no longer needed."""
 
@@ -77,7 +84,8 @@ def connect(
         clock=clock,
         serials={"head": loaded.file.head.serial, "daq": loaded.file.daq.serial},
     )
-    connected = Connected(stand=stand, operator=operator(), eyepiece=person.eyepiece, links=links)
+    warnings = (_UNASKED.format(loaded.file.name),) if backstage and answers is None and not attended else ()
+    connected = Connected(stand=stand, operator=operator(), eyepiece=person.eyepiece, warnings=warnings, links=links)
     return _behind_the_scenes(connected, backstage) if backstage else connected
 
 

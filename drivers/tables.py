@@ -6,9 +6,10 @@ A driver that has keys of its own derives its table from one of these; see `driv
 from datetime import date
 from typing import ClassVar, Final, Self
 
-from pydantic import BaseModel, ConfigDict, Field, model_validator
+from pydantic import BaseModel, ConfigDict, Field, field_validator, model_validator
 
 from drivers.links.can_address import CanAddress, Option
+from drivers.links.places import check_network, check_scheme, check_server
 
 MOST_SAMPLES: Final = 10_000_000
 """More in one dwell is a slip of the pen."""
@@ -26,9 +27,15 @@ class Instrument(BaseModel):
     certificate: str = ""
     calibration_due: date | None = None
 
+    @field_validator("url")
+    @classmethod
+    def _possible(cls, url: str) -> str:
+        check_network(url)
+        return url
+
     @property
     def address(self) -> str:
-        """Where the instrument is found: what two processes cannot both use; empty where it has no address."""
+        """Where the instrument is found, see `drivers.links.places`; empty where it has no address."""
         return self.url
 
 
@@ -41,6 +48,7 @@ class OnSerialLine(Instrument):
     def _reachable(self) -> Self:
         if not self.url:
             raise ValueError(f"the driver {self.driver} needs a url: a port name, or such as socket://127.0.0.1:7001")
+        check_scheme(self.url)
         return self
 
 
@@ -58,7 +66,7 @@ class OnCan(Instrument):
             raise ValueError(
                 f"the driver {self.driver} needs interface and channel, or a url such as socketcan:can0, and not both"
             )
-        _ = self.bus  # raises where the url names none
+        check_server(self.bus)  # which raises, too, where the url names none
         return self
 
     @property

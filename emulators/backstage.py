@@ -18,6 +18,7 @@ from typing import Final
 
 from drivers.clock import Clock, SystemClock
 from drivers.errors import DeviceError
+from drivers.links.places import one_name
 from emulators.faults import Faults
 from emulators.serving import serve_tcp
 from emulators.speed import FasterClock
@@ -156,4 +157,4 @@ def find_backstage(addresses: Sequence[str]) -> Backstage | None:
 def _entry(address: str) -> Path:
     """The file that says where the backstage of an instrument is."""
     folder = Path(tempfile.gettempdir()) / f"tumble-emulated-{getpass.getuser()}"
-    return folder / f"{sha256(address.encode()).hexdigest()[:24]}.json"
+    return folder / f"{sha256(one_name(address).encode()).hexdigest()[:24]}.json"

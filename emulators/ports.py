@@ -57,11 +57,14 @@ class TcpChannel:
 
     def __init__(self, connection: socket.socket) -> None:
         self.connection = connection
+        self._lost = False
         connection.settimeout(_WRITE_TIMEOUT_S)
         connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
 
     def read(self) -> bytes | None:
         """What has come; None after the end of the connection."""
+        if self._lost:
+            return None
         try:
             if not select.select([self.connection], [], [], 0.0)[0]:
                 return b""
@@ -70,9 +73,11 @@ class TcpChannel:
             return None
 
     def write(self, data: bytes) -> None:
-        """Send; a client that does not take it within a second has lost it."""
-        with suppress(OSError):
+        """Send; a client that does not take it within a second is gone, since nobody knows how much it has of it."""
+        try:
             self.connection.sendall(data)
+        except OSError:
+            self._lost = True
 
 
 class TcpPort:
@@ -179,8 +184,11 @@ class PtyPort:
             os.write(self._master, data)
 
     def close(self) -> None:
-        """Hang up."""
+        """Hang up; a second call does nothing."""
+        if self._master < 0:
+            return
         self._name.unlink()
         self._name.parent.rmdir()
         for end in (self._master, self._slave):
             os.close(end)
+        self._master = self._slave = -1

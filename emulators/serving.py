@@ -3,6 +3,7 @@
 import math
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from threading import Event, Thread
 from types import TracebackType
 from typing import Final, Self
@@ -19,6 +20,9 @@ POLL_S: Final = 0.003
 BRISK_POLL_S: Final = 0.0003
 BRISK_S: Final = 0.02
 """For so long after a client was heard, it is looked more often: an answer from another thread, as on CAN, is near."""
+
+REOPEN_S: Final = 0.1
+"""Time between two attempts to come back to a port that somebody else has taken."""
 
 LINE_ENDS: Final = b"\r\n"
 
@@ -100,8 +104,12 @@ class Server:
     def _vanish(self, lasts_s: float) -> None:
         self._port.close()
         self._wires.clear()
-        self._closing.wait(lasts_s)
-        self._port.open()
+        pause_s = lasts_s
+        while not self._closing.wait(pause_s):
+            with suppress(OSError):  # somebody else has the port meanwhile
+                self._port.open()
+                return
+            pause_s = REOPEN_S
 
 
 def serve_tcp(

@@ -7,6 +7,7 @@ asked for again, and so is one that differs from the setting, or that the voltag
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from typing import Final
 
 from drivers.clock import Clock
 from drivers.manual.reading import format_dms, parse_reading
@@ -16,6 +17,9 @@ from procedures.events import Event, ReadingAnswered, ReadingRequested
 from procedures.motion import POLL_S
 from procedures.operator import Answer, Operator
 from procedures.steps import Point
+
+_MOST_REFUSED: Final = 10
+"""Answers in a row that are no angles; more is nobody who reads the head."""
 
 
 class OperatorEyepiece:
@@ -38,6 +42,7 @@ class OperatorEyepiece:
         self._announce: Callable[[Event], None] = _unheard
         self._setting_deg = 0.0
         self._doubted_deg = math.nan
+        self._refused = 0
 
     def attach(self, announce: Callable[[Event], None]) -> None:
         """Have everything that is asked and answered passed to `announce`."""
@@ -98,18 +103,24 @@ class OperatorEyepiece:
         """The angle that was typed, the setting for Enter alone; None, and asked again, for what is no angle."""
         if not answer.confirmed:
             self._note(answer, math.nan)
-            said = f"was answered {answer.text!r}" if answer.text else "was not answered"
-            raise UnansweredError(
-                f"the request to set the head to {on_the_circle(self._setting_deg)} {said}; set it and resume the run"
-            )
+            raise self._unanswered(f"was answered {answer.text!r}" if answer.text else "was not answered")
         try:
             reading_deg = self._unwrapped(parse_reading(answer.text)) if answer.text else self._setting_deg
         except ValueError as error:
             self._note(answer, math.nan)
+            self._refused += 1
+            if self._refused >= _MOST_REFUSED:
+                raise self._unanswered(f"was answered {self._refused} times in a row with no angle: {error}") from error
             self._ask(f"{error}.")
             return None
+        self._refused = 0
         self._note(answer, reading_deg)
         return reading_deg
+
+    def _unanswered(self, said: str) -> UnansweredError:
+        return UnansweredError(
+            f"the request to set the head to {on_the_circle(self._setting_deg)} {said}; set it and resume the run"
+        )
 
     def _unwrapped(self, reading_deg: float) -> float:
         """The circle begins anew with every turn; the setting says which turn is meant."""

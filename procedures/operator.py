@@ -13,8 +13,9 @@ from queue import Empty, Queue
 from threading import Thread
 from typing import Final, Literal, Protocol, TextIO
 
-from pydantic import BaseModel, ConfigDict
+from pydantic import BaseModel, ConfigDict, field_validator
 
+from drivers.manual.reading import parse_reading
 from procedures.toml_lines import load_toml
 
 _YES: Final = frozenset({"yes", "done", "seated"})
@@ -80,6 +81,18 @@ class Answers(BaseModel):
 
     mounts: dict[str, Literal["yes", "no"]] = {}
     readings: dict[str, str] = {}
+
+    @field_validator("readings")
+    @classmethod
+    def _default_is_a_reading(cls, readings: dict[str, str]) -> dict[str, str]:
+        """A default that is no reading would be asked for again for ever."""
+        default = readings.get("default", "")
+        if default and understand_reading(default).confirmed:
+            try:
+                parse_reading(default)
+            except ValueError as error:
+                raise ValueError(f"default: {error}") from error
+        return readings
 
     def for_mount(self, mount: str) -> str:
         """`yes`, `no`, or nothing where the file does not say."""

@@ -14,7 +14,9 @@ from app.commands import options
 from app.running import STOPPING_SIGNALS
 from app.simulation import simulation
 from app.stand import load_stand
+from drivers.links.places import LOOPBACK, one_host
 from drivers.simulated import SimulatedStand
+from drivers.tables import Instrument, OnCan
 from emulators.emulation import Wanted, emulate
 from emulators.faults import FaultScript
 from emulators.speed import FasterClock
@@ -22,8 +24,6 @@ from emulators.stand_faults import StandFaults
 from emulators.world import SharedWorld
 from procedures.errors import InputError
 from procedures.toml_lines import parse_toml, read_text
-
-_LOOPBACK = ("127.0.0.1", "localhost", "::1")
 
 
 @click.command("emulate")
@@ -33,7 +33,14 @@ _LOOPBACK = ("127.0.0.1", "localhost", "::1")
 )
 @click.option("--daq-port", type=click.IntRange(0, 65535), help="TCP port of the DAQ; without, that of the stand file.")
 @click.option("--pty", "ptys", is_flag=True, help="Serve on pseudo-terminals too.")
-@click.option("--speed", default=1.0, show_default=True, type=click.FloatRange(min=1e-3), help="Times real time.")
+@click.option(
+    "--speed",
+    default=1.0,
+    show_default=True,
+    type=click.FloatRange(min=1e-3),
+    callback=options.finite,
+    help="Times real time.",
+)
 @click.option("--faults", "script", type=options.EXISTING, help="What goes wrong, and when (TOML).")
 def command(
     stand_path: Path | None,
@@ -53,8 +60,8 @@ def command(
     wanted = Wanted(
         head=head,
         daq=daq,
-        head_port=_port(head.url) if head_port is None else head_port,
-        daq_port=_port(daq.url) if daq_port is None else daq_port,
+        head_port=_port(head) if head_port is None else head_port,
+        daq_port=_port(daq) if daq_port is None else daq_port,
         ptys=ptys,
     )
     simulated = simulation(loaded, clock)
@@ -72,10 +79,15 @@ def command(
         _until_stopped()
 
 
-def _port(url: str) -> int:
-    """The TCP port of an address on this computer; 0, any, where it has none."""
-    place = urlsplit(url)
-    return place.port or 0 if place.scheme == "socket" and place.hostname in _LOOPBACK else 0
+def _port(table: Instrument) -> int:
+    """The TCP port of an instrument's address on this computer; 0, any, where it has none."""
+    if isinstance(table, OnCan):
+        served, options = table.bus.interface == "socketcand", table.bus.options
+        host, port = str(options.get("host", "")), int(options.get("port", 0))
+    else:
+        place = urlsplit(table.url)
+        served, host, port = place.scheme == "socket", place.hostname or "", place.port or 0
+    return port if served and one_host(host) == LOOPBACK else 0
 
 
 def _read(path: Path | None) -> FaultScript | None:

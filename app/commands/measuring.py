@@ -48,6 +48,7 @@ def measures(function: Callable[..., None]) -> Callable[..., None]:
         with holding(loaded, serial_number):
             connected = connect(loaded, answers, attended)
             try:
+                warn(connected.warnings)
                 function(job, connected, **own)
             finally:
                 connected.links.close()

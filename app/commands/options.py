@@ -1,6 +1,7 @@
 """Options that several commands share."""
 
 import json
+import math
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +22,13 @@ answers = click.option("--answers", type=EXISTING, help="Answers to prompts, for
 attended = click.option(
     "--attended", is_flag=True, help="Ask for mounts on the terminal; a simulated stand then runs in real time."
 )
+
+
+def finite(_context: click.Context, _parameter: click.Parameter, value: float | None) -> float | None:
+    """Refuse what is no number and what has no end, which no range of click does."""
+    if value is not None and not math.isfinite(value):
+        raise click.BadParameter(f"{value} is no finite number.")
+    return value
 
 
 def write_json(document: dict[str, Any], path: Path | None) -> None:

@@ -12,7 +12,7 @@ from app.console import messages, run_display, warn
 from app.recall import record_of
 from app.resuming import Unfinished, find, load_same_stand, resume
 from app.running import Job, failure
-from app.stand_lock import holding
+from app.stand_lock import holding, holding_recording
 from app.wiring import connect
 from procedures.errors import InputError
 
@@ -25,6 +25,7 @@ from procedures.errors import InputError
 @click.option(
     "--tolerance-v",
     type=click.FloatRange(min=0.0, min_open=True),
+    callback=options.finite,
     help="By how much the last point may differ when it is taken again; without it, by what noise explains.",
 )
 @click.option("--store", "folder", type=options.EXISTING, help="Store of a calibration whose recording was moved.")
@@ -42,7 +43,22 @@ def command(
 
     What is done already is not done again.
     """
-    unfinished = find(recording)
+    found = find(recording)
+    with holding_recording(found.path, found.recording.header.serial_number):
+        unfinished = find(recording)  # as it is now that nobody writes it any more
+        _conclude(unfinished, stand_path, answers, attended, tolerance_v, folder, json_path)
+
+
+def _conclude(
+    unfinished: Unfinished,
+    stand_path: Path | None,
+    answers: Path | None,
+    attended: bool,
+    tolerance_v: float | None,
+    folder: Path | None,
+    json_path: Path | None,
+) -> None:
+    """Do what is left of a run, and what was to follow it."""
     header = unfinished.recording.header
     store = _store(unfinished, folder) if header.job == "calibrate" else None
     points = len(unfinished.recording.points)
@@ -78,6 +94,7 @@ def _go_on(
     with holding(loaded, header.serial_number):
         connected = connect(loaded, answers, attended, unfinished.past(job))
         try:
+            warn(connected.warnings)
             done = len(unfinished.recording.points)
             with run_display(plan, connected.stand.clock, messages(), done) as display:
                 outcome = resume(unfinished, job, connected, [display], tolerance_v)

@@ -13,6 +13,10 @@ from drivers.errors import LinkLostError, NoReplyError
 WRITE_TIMEOUT_S: Final = 2.0
 MOST_LINE_BYTES: Final = 1 << 20
 """A line longer than this is noise."""
+MOST_STALE_BYTES: Final = 4 * MOST_LINE_BYTES
+"""More than some answers that nobody waited for."""
+DISCARD_S: Final = 1.0
+"""A line that does not fall silent for so long is not one that was asked."""
 
 _CHUNK_BYTES: Final = 1 << 16
 _SLICE_S: Final = 0.05
@@ -62,9 +66,10 @@ class SerialLink:
         Raises
         ------
         NoReplyError
-            None was complete within `timeout_s` real seconds; what came of it stays for the next call.
+            None was complete within `timeout_s` real seconds, and what came of it stays for the next call; or noise
+            came without the end of a line.
         LinkLostError
-            The port is gone, or sends noise without end.
+            The port is gone.
         """
         deadline_s = time.monotonic() + timeout_s
         while terminator not in self._waiting:
@@ -75,17 +80,32 @@ class SerialLink:
                     "check that it is switched on and that address and baud rate are right",
                 )
             self._receive()
+            if len(self._waiting) > MOST_LINE_BYTES and terminator not in self._waiting:
+                self._waiting.clear()
+                raise self._chatters(f"sent {MOST_LINE_BYTES} bytes at {self.url} without the end of a line")
         end = self._waiting.index(terminator) + len(terminator)
         line = bytes(self._waiting[:end])
         del self._waiting[:end]
         return line
 
     def discard_input(self) -> None:
-        """Throw away everything that has come so far. Raises `LinkLostError`."""
-        with self._watched() as port:
-            while port.in_waiting and port.read(port.in_waiting):
-                pass
+        """Throw away everything that has come so far.
+
+        Raises
+        ------
+        NoReplyError
+            It does not end: somebody sends without pause.
+        LinkLostError
+            The port is gone.
+        """
         self._waiting.clear()
+        deadline_s = time.monotonic() + DISCARD_S
+        thrown_away = 0
+        with self._watched() as port:
+            while port.in_waiting and (data := port.read(_CHUNK_BYTES if self._is_socket else port.in_waiting)):
+                thrown_away += len(data)
+                if thrown_away > MOST_STALE_BYTES or time.monotonic() > deadline_s:
+                    raise self._chatters(f"sends without pause at {self.url}")
 
     def reopen(self) -> None:
         """Close and open the port anew, with nothing waiting. Raises `LinkLostError` while it is not there."""
@@ -127,8 +147,6 @@ class SerialLink:
             else:
                 self._waiting += port.read(1)
                 self._waiting += port.read(port.in_waiting)
-            if len(self._waiting) > MOST_LINE_BYTES:
-                raise OSError(f"{len(self._waiting)} bytes came without the end of a line")
 
     @contextmanager
     def _watched(self) -> Iterator[serial.Serial]:
@@ -140,6 +158,11 @@ class SerialLink:
         except (serial.SerialException, OSError) as error:
             self.close()
             raise self._lost(str(error)) from error
+
+    def _chatters(self, how: str) -> NoReplyError:
+        return NoReplyError(
+            self.device, f"{how}, unasked", "check the baud rate, and that nothing else talks on this line"
+        )
 
     def _lost(self, why: str) -> LinkLostError:
         return LinkLostError(

@@ -41,7 +41,7 @@ class Link(Protocol):
         ...
 
     def discard_input(self) -> None:
-        """Throw away what has come."""
+        """Throw away what has come. Raises `NoReplyError` where it does not end."""
         ...
 
 

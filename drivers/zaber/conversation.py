@@ -33,7 +33,7 @@ class Link(Protocol):
         ...
 
     def discard_input(self) -> None:
-        """Throw away what has come. Raises `LinkLostError`."""
+        """Throw away what has come. Raises `LinkLostError`, and `NoReplyError` where it does not end."""
         ...
 
     def reopen(self) -> None:
@@ -115,12 +115,12 @@ class Conversation:
             It heard and refused.
         LinkLostError
             The link is gone, and what came of the command is as unknown.
+        NoReplyError
+            Somebody sends without pause; nothing was sent.
         """
-        message_id, self._next_id = self._next_id, (self._next_id + 1) % MESSAGE_IDS
-        number = self._axis if axis else BROADCAST
-        request = Request(device=self._device, axis=number, message_id=message_id, command=command)
-        deadline_s = time.monotonic() + self._timeout_s
+        request = self._request(command, axis=axis)
         self._link.discard_input()
+        deadline_s = time.monotonic() + self._timeout_s
         self._link.write(encode_request(request))
         reply = self._next(request, Kind.REPLY, deadline_s)
         while reply.continues:
@@ -128,6 +128,16 @@ class Conversation:
         if not reply.accepted:
             raise RejectedError(self.name, command, reply.data)
         return reply
+
+    def say(self, command: str) -> None:
+        """Send a command to the axis and do not wait for what comes of it. Raises `LinkLostError`."""
+        self._link.write(encode_request(self._request(command, axis=True)))
+
+    def _request(self, command: str, *, axis: bool) -> Request:
+        """A command with the next id."""
+        message_id, self._next_id = self._next_id, (self._next_id + 1) % MESSAGE_IDS
+        number = self._axis if axis else BROADCAST
+        return Request(device=self._device, axis=number, message_id=message_id, command=command)
 
     def _continued(self, reply: Message, request: Request, deadline_s: float) -> Message:
         try:
@@ -139,6 +149,8 @@ class Conversation:
         """The next message that belongs to the request."""
         while True:
             try:
+                if time.monotonic() > deadline_s:
+                    raise NoReplyError(self.name, "sends other messages without pause", "see what else talks there")
                 line = self._link.read_line(LINE_END, deadline_s - time.monotonic())
                 message = parse_message(line, checksum=self.checksums)
             except NoReplyError as error:

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import Final
 
 from drivers.clock import Clock
-from drivers.errors import DeviceError, LimitError, ReferenceLostError
+from drivers.errors import DeviceError, LimitError, NoReplyError, ReferenceLostError
 from drivers.limits import check_limits
 from drivers.protocols import HeadStatus, Identity
 from drivers.zaber.codec import Message
@@ -131,8 +131,12 @@ class ZaberHead:
         return status
 
     def stop(self) -> None:
-        """Brake; may be sent as often as one likes."""
-        self._conversation.repeat("stop")
+        """Brake; may be sent as often as one likes. It is sent also where nothing can be heard for noise."""
+        try:
+            self._conversation.repeat("stop")
+        except NoReplyError:
+            self._conversation.say("stop")
+            raise
 
     def _begin(self, command: str, arrived: Callable[[HeadStatus], bool]) -> None:
         """Begin a motion. Where it is unclear whether the device heard, it is asked before it is told again."""

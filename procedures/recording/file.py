@@ -16,7 +16,8 @@ class JournalFile:
     """A new file, as the MCAP writer wants its stream.
 
     A file that is open can be removed, or its folder, on every system but Windows: it then lives on without a name, and
-    is gone when it is closed. `make_durable` notices that and writes it anew under its name.
+    is gone when it is closed. `make_durable` notices that and writes it anew under its name. It can be cut shorter,
+    too; what was cut off is lost, and nothing is written behind the gap: the file is closed with what is left.
 
     Parameters
     ----------
@@ -29,11 +30,15 @@ class JournalFile:
         There is one already.
     OSError
         From everything here: the disk fails.
+    RecordingError
+        From `write` and `make_durable`: another program has cut the file.
     """
 
     def __init__(self, path: Path) -> None:
         self.path = path
         self._stream = path.open("x+b")
+        self._durable = 0
+        """Bytes that were on the disk once."""
 
     @property
     def closed(self) -> bool:
@@ -42,6 +47,7 @@ class JournalFile:
 
     def write(self, data: bytes) -> int:
         """Append."""
+        self._check_size()
         return self._stream.write(data)
 
     def tell(self) -> int:
@@ -59,14 +65,27 @@ class JournalFile:
     def make_durable(self) -> bool:
         """Have everything on the disk under the file's name; true where it had to be put back there.
 
-        Raises `RecordingError` where another file has that name by now; what was written is then kept beside it.
+        Raises `RecordingError` where the file was cut, or where another file has that name by now; what was written is
+        then kept beside it.
         """
         self._stream.flush()
         os.fsync(self._stream.fileno())
+        self._check_size()
+        self._durable = self._stream.tell()
         if self._is_there():
             return False
         self._put_back()
         return True
+
+    def _check_size(self) -> None:
+        size = os.fstat(self._stream.fileno()).st_size
+        if size < self._durable:
+            self._stream.close()
+            raise RecordingError(
+                self.path,
+                f"was cut from {self._durable} to {size} bytes by another program while it was written",
+                "keep other programs from it",
+            )
 
     def _is_there(self) -> bool:
         try:

@@ -47,6 +47,22 @@ BAD = {
         ("[head]\n", "[head]\nsteps_per_deg = 0.0\n"),
         "line 6: head: steps_per_deg is 0: give the counts per degree; correct it",
     ),
+    "a port that cannot be": (
+        ('[daq]\ndriver = "simulated"', '[daq]\ndriver = "scpi"\nurl = "socket://127.0.0.1:99999"'),
+        "line 12: daq: url: 'socket://127.0.0.1:99999' names no host and port; write such as socket://127.0.0.1:7001",
+    ),
+    "no port": (
+        ('[daq]\ndriver = "simulated"', '[daq]\ndriver = "simulated"\nurl = "socket://127.0.0.1"'),
+        "line 12: daq: url: 'socket://127.0.0.1' names no host and port; ",
+    ),
+    "an unknown scheme": (
+        ('[daq]\ndriver = "simulated"', '[daq]\ndriver = "scpi"\nurl = "sockt://127.0.0.1:1"'),
+        "line 10: daq: 'sockt://127.0.0.1:1' begins with sockt://, and a serial line with a port name or socket://, ",
+    ),
+    "a bus without a server": (
+        ('[daq]\ndriver = "simulated"', '[daq]\ndriver = "can"\nurl = "socketcand:can0?host=127.0.0.1&port=99999"'),
+        "line 10: daq: 'socketcand:can0?host=127.0.0.1&port=99999' names no server; write such as socketcand:can0?",
+    ),
 }
 
 

@@ -1,13 +1,17 @@
 import io
+import os
+import sys
 
 import pytest
 from app_jobs import STAND, tumble
 from rich.console import Console
 
-from app.console import run_display
+from app.console import results, run_display
 from app.running import Job, run
 from app.stand import load_stand
 from app.wiring import connect
+from drivers.clock import VirtualClock
+from procedures.events import ReadingAnswered, ReadingRequested
 from procedures.programme import load_programme
 
 
@@ -29,10 +33,34 @@ def test_a_terminal_shows_how_far_a_run_is(shown):
     assert "6/6, 00:00 ± 00:00 left" in shown
 
 
+def test_the_bar_is_taken_away_while_a_question_is_open(tiny):
+    job = Job(stand=load_stand(), programme=load_programme(tiny), serial_number="A")
+    terminal = io.StringIO()
+    with run_display(job.plan(), VirtualClock(), Console(file=terminal, force_terminal=True, width=100)) as display:
+        display(ReadingRequested(setting_deg=0.0, prompt="Set the head."))
+        taken_away = shows_bar(terminal)
+        display(ReadingAnswered(setting_deg=0.0, answer="", reading_deg=0.0))
+        assert (taken_away, shows_bar(terminal)) == (False, True)
+
+
+def shows_bar(terminal):
+    """A bar hides the cursor."""
+    return terminal.getvalue().rfind("\x1b[?25l") > terminal.getvalue().rfind("\x1b[?25h")
+
+
 def test_nothing_of_a_run_is_shown_where_there_is_no_terminal(tiny, tmp_path):
     ran = tumble("run", "--programme", tiny, "--serial", "A", "--out", tmp_path / "x.mcap")
 
     assert ran.err == f"recording {tmp_path / 'x.mcap'}\n"
+
+
+def test_a_reader_that_leaves_early_is_no_fault(monkeypatch):
+    reading, writing = os.pipe()
+    os.close(reading)
+    with os.fdopen(writing, "w") as left:
+        monkeypatch.setattr(sys, "stdout", left)
+        results().print("seen by nobody")
+        results().print("nor is this")
 
 
 def test_a_warning_of_the_run_is_one_line(write, tiny, tmp_path):

@@ -7,10 +7,14 @@ from pathlib import Path
 import pytest
 from app_jobs import tumble
 
-from app import stand_lock
 from app.exits import JobError
+from app.running import Job, run
 from app.stand import load_stand
 from app.stand_lock import holding, state_folder
+from app.wiring import connect
+from procedures.events import PointCompleted
+from procedures.programme import load_programme
+from procedures.recording.reader import read_recording
 
 OTHER = """\
 import sys
@@ -101,19 +105,30 @@ def test_a_lock_whose_words_cannot_be_read_is_still_one(stand):
         refused(stand, "is in use by another process; wait until it is done, or stop it")
 
 
-@pytest.mark.skipif(os.name == "nt", reason="ports have no second names in a folder on Windows")
-def test_a_port_by_another_name_is_the_same_port(write, tmp_path):
-    (tmp_path / "ttyUSB0").touch()
-    (tmp_path / "by-id").symlink_to(tmp_path / "ttyUSB0")
-    text = 'name = "a"\n[head]\ndriver = "manual"\nlimits_deg = [0.0, 1.0]\n[daq]\ndriver = "scpi"\nurl = "{}"\n'
-    one, other = (write(f"{name}.toml", text.format(tmp_path / name)) for name in ("ttyUSB0", "by-id"))
+def test_instruments_at_the_same_place_by_other_names_are_one_stand(write):
+    text = 'name = "a"\n[head]\ndriver = "zaber"\nurl = "{}"\nlimits_deg = [0.0, 1.0]\n'
+    text += '[daq]\ndriver = "can"\nurl = "{}"\n'
+    one = write("one.toml", text.format("socket://localhost:7001", "socketcan:can0"))
+    other = write("other.toml", text.format("rfc2217://127.0.0.1:7001", "socketcan:can1"))
+    third = write("third.toml", text.format("COM7", "socketcan:can0?fd=0"))
     with holding(load_stand(one), "A"):
-        refused(other, "in use by process")
+        refused(other, "the stand at rfc2217://127.0.0.1:7001 is in use by process")
+        refused(third, r"the stand at socketcan:can0\?fd=0 is in use by process")
 
 
-@pytest.mark.parametrize(
-    ("name", "same"), [("com3", "COM3"), (r"\\.\COM12", "COM12"), ("socket://a:1", "socket://a:1")]
-)
-def test_a_port_has_one_name_on_windows(monkeypatch, name, same):
-    monkeypatch.setattr(sys, "platform", "win32")
-    assert stand_lock.one_name(name) == same
+def test_a_run_that_is_going_on_is_not_resumed(tiny, tmp_path):
+    recording = tmp_path / "x.mcap"
+    job = Job(stand=load_stand(), programme=load_programme(tiny), serial_number="A")
+    attempts = []
+
+    def resume_now(event):
+        if isinstance(event, PointCompleted) and event.point.index == 2:
+            attempts.append(tumble("resume", recording))
+
+    run(job, connect(job.stand), recording, [resume_now])
+
+    (attempt,) = attempts
+    assert attempt.status == 3
+    assert attempt.complaint.startswith(f"the recording {recording} is in use by process {os.getpid()} on ")
+    assert read_recording(recording).complete
+    assert [path.name for path in tmp_path.glob("*.mcap")] == ["x.mcap"]

@@ -22,7 +22,7 @@ def run_tiny(tiny, tmp_path):
     return tumble("run", "--programme", tiny, "--serial", "A", "--out", recording), recording
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, getattr(signal, "SIGHUP", signal.SIGTERM)])
 def test_a_signal_stops_the_run_at_a_standstill_and_keeps_the_points(tiny, tmp_path, monkeypatch, number):
     before = signal.getsignal(number)
     at_call(monkeypatch, SimulatedHead, "start_move", 4, lambda: signal.raise_signal(number), last=4)

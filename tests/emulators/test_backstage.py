@@ -31,6 +31,11 @@ def test_nobody_is_found_where_nothing_is_emulated():
     assert find_backstage((ADDRESS,)) is None
 
 
+def test_a_stand_is_found_by_another_name_of_its_address():
+    with found(VirtualClock()):
+        assert find_backstage(("socket://localhost:1?logging=debug",)) is not None
+
+
 def test_a_client_lives_by_the_clock_of_the_emulated_stand():
     clock = FasterClock(50.0)
     with found(clock) as (_, people):

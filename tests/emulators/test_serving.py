@@ -1,13 +1,17 @@
+import socket
 import sys
 import time
 from functools import partial
+from threading import Event
 
 import pytest
 
 from drivers.errors import LinkLostError, NoReplyError
 from drivers.links import SerialLink
+from emulators import ports, serving
 from emulators.faults import Faults, FaultScript
-from emulators.serving import serve_pty, serve_tcp
+from emulators.ports import TcpChannel
+from emulators.serving import Server, serve_pty, serve_tcp
 
 on_posix = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no pseudo-terminals")
 
@@ -153,3 +157,44 @@ def test_a_port_that_another_program_has_is_refused():
             SerialLink(server.url)
         link.close()
         SerialLink(server.url).close()
+
+
+def test_a_client_that_never_reads_is_dropped(monkeypatch):
+    monkeypatch.setattr(ports, "_WRITE_TIMEOUT_S", 0.02)
+    with socket.create_server(("127.0.0.1", 0)) as listening, socket.create_connection(listening.getsockname()):
+        connection = listening.accept()[0]
+        with connection:
+            channel = TcpChannel(connection)
+            assert channel.read() == b""
+            channel.write(bytes(1 << 26))
+            assert channel.read() is None
+
+
+class TakenPort:
+    """A port that somebody else has when it is to be opened for the second and third time."""
+
+    url = "socket://nowhere:1"
+
+    def __init__(self):
+        self.attempts = 0
+        self.back = Event()
+
+    def open(self):
+        self.attempts += 1
+        if self.attempts in (2, 3):
+            raise OSError("address already in use")
+        if self.attempts == 4:
+            self.back.set()
+
+    def wait(self, _timeout_s):
+        return []
+
+    def close(self):
+        pass
+
+
+def test_a_server_comes_back_once_its_port_is_free(monkeypatch):
+    monkeypatch.setattr(serving, "REOPEN_S", 0.001)
+    port = TakenPort()
+    with Server(Counter, port, dropping(at={"time_s": 0.0}, lasts_s=0.001), b"\n"):
+        assert port.back.wait(5.0)

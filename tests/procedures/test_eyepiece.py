@@ -85,6 +85,15 @@ def test_a_slip_of_the_finger_is_corrected_with_enter():
     assert outcome.points[1].angle_deg == 30.0
 
 
+def test_an_answer_that_is_never_an_angle_is_none():
+    outcome, sink = run({"default": "", **{str(question): "abc" for question in range(2, 30)}})
+    assert outcome.reason is FinishReason.UNANSWERED
+    assert outcome.message.startswith(
+        "the request to set the head to 30° 00′ 00″ was answered 10 times in a row with no angle: 'abc' is no angle"
+    )
+    assert len(sink.of(ReadingAnswered)) == 11
+
+
 def test_what_is_no_angle_is_asked_for_again_and_journaled():
     outcome, sink = run({"default": "", "2": "abc", "3": "30,001"})
     assert outcome.points[1].angle_deg == pytest.approx(30.001)

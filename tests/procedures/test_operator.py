@@ -50,6 +50,13 @@ def test_an_answers_file_answers(tmp_path: Path, text, mount, answer):
     assert scripted.poll() == answer
 
 
+def test_a_default_reading_that_is_no_angle_is_refused(tmp_path: Path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    Path("answers.toml").write_text('[readings]\n7 = "abc"\ndefault = "abc"\n', "utf-8")
+    with pytest.raises(InputError, match=r"^answers\.toml, line 1: readings: .*default: 'abc' is no angle"):
+        ScriptedOperator.from_file(Path("answers.toml"))
+
+
 def test_an_answers_file_that_says_something_else_is_refused(tmp_path: Path):
     with pytest.raises(InputError, match=r"^answers\.toml, line 2: mounts: edge: Input should be 'yes' or 'no'"):
         operator(tmp_path, '[mounts]\nedge = "maybe"')

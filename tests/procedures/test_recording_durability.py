@@ -304,6 +304,23 @@ def test_a_recording_that_is_removed_after_its_last_event_is_put_back(tmp_path):
     assert read_recording(path).complete
 
 
+def test_a_recording_that_is_cut_under_way_ends_with_the_points_that_are_left(tmp_path):
+    path = tmp_path / "run.mcap"
+    recorder = start(path)
+    recorder.record(completed(0))
+    left = path.stat().st_size
+    recorder.record(completed(1))
+    written = path.stat().st_size
+    os.truncate(path, left)
+
+    with pytest.raises(RecordingError, match=f"was cut from {written} to {left} bytes by another program"):
+        recorder.record(completed(2))
+    recorder.close()
+
+    assert path.stat().st_size == left
+    assert [point.index for point in read_recording(path).points] == [0]
+
+
 @posix
 def test_a_recording_that_is_replaced_by_another_file_is_kept_beside_it(tmp_path):
     path = tmp_path / "run.mcap"

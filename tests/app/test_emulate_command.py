@@ -1,0 +1,74 @@
+from contextlib import ExitStack
+
+import pytest
+from app_jobs import tumble
+
+from app.commands.emulate import _port
+from app.stand import load_stand
+from app.wiring import connect
+from drivers.candaq.declaration import CAN
+from drivers.scpi.declaration import SCPI
+from drivers.simulated import HeadOptions, Simulated, build
+from drivers.tables import DaqTable, HeadTable
+from emulators import backstage
+from emulators.emulation import Wanted, emulate
+from emulators.speed import FasterClock
+from emulators.world import SharedWorld
+
+
+@pytest.mark.parametrize(
+    ("url", "port"),
+    [
+        ("socketcand:can0?host=127.0.0.1&port=7103", 7103),
+        ("socketcand:can0?port=7103&host=localhost", 7103),
+        ("socketcand:can0?host=192.0.2.1&port=7103", 0),
+        ("socketcan:can0", 0),
+    ],
+)
+def test_the_port_of_a_can_bus_is_that_of_the_stand_file(url, port):
+    assert _port(CAN.table(driver="can", url=url)) == port
+
+
+@pytest.mark.parametrize(
+    ("url", "port"),
+    [("socket://localhost:7002", 7002), ("socket://192.0.2.1:7002", 0), ("COM7", 0), ("rfc2217://127.0.0.1:7002", 0)],
+)
+def test_the_port_of_a_serial_line_is_that_of_the_stand_file(url, port):
+    assert _port(SCPI.table(driver="scpi", url=url)) == port
+
+
+@pytest.mark.parametrize("speed", ["nan", "inf"])
+def test_a_speed_that_is_no_number_is_refused(speed):
+    ran = tumble("emulate", "--speed", speed)
+    assert ran.status == 2
+    assert f"Invalid value for '--speed': {speed} is no finite number." in ran.err
+
+
+@pytest.fixture
+def emulated(write, monkeypatch, tmp_path):
+    """A stand file that names an emulated stand."""
+    monkeypatch.setattr(backstage.tempfile, "gettempdir", lambda: str(tmp_path))
+    limits = {"limits_deg": (-180.0, 760.0)}
+    shared = SharedWorld(build(Simulated(), clock=FasterClock(50.0), head=HeadOptions(**limits)))
+    wanted = Wanted(head=HeadTable(driver="simulated", **limits), daq=DaqTable(driver="simulated"))
+    with ExitStack() as stack:
+        at = emulate(stack, shared, wanted)
+        head = f'[head]\ndriver = "zaber"\nurl = "{at["head"]}"\nlimits_deg = [-180.0, 760.0]\n'
+        yield write("emulated.toml", f'name = "emulated"\n{head}[daq]\ndriver = "scpi"\nurl = "{at["daq"]}"\n')
+
+
+def test_it_is_said_that_nobody_is_asked_for_mounts_at_an_emulated_stand(emulated, write):
+    stand, answers = load_stand(emulated), write("answers.toml", '[mounts]\ndefault = "yes"\n')
+    warnings = []
+    for given in (None, answers):
+        connected = connect(stand, given)
+        connected.links.close()
+        warnings.append(connected.warnings)
+
+    assert warnings == [
+        (
+            "stand emulated: is emulated, and its emulated operator confirms every mount; "
+            "give --attended or --answers to decide it",
+        ),
+        (),
+    ]
