@@ -51,7 +51,8 @@ def regression(joint: Joint) -> Regression:
     The six declared parameters are in every model and never penalised: their tangent columns at the declared fit are
     taken out of target and candidates alike, which leaves every coefficient as it would be with them (Frisch, Waugh).
     """
-    offered = candidates(CATALOGUE, ground(joint, CATALOGUE).scene)
+    base = ground(joint, CATALOGUE)
+    offered = candidates(CATALOGUE, base.scene, base.declared)
     owner = np.repeat(np.arange(len(offered)), [one.form.columns.shape[1] for one in offered])
     root = np.sqrt(joint.weights)
     absorbed = _orthonormal(_tangent(joint) * root[:, None])
