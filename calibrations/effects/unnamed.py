@@ -63,7 +63,10 @@ def _since(at: Mapping[str, float]) -> str:
 
 
 def taken_by(name: str, at: Mapping[str, float]) -> tuple[str, ...]:
-    """Parameters that have no meaning beside a shape that could be them as well: a bend has a slope, or a mean."""
+    """Parameters that have no meaning beside a shape that could be them as well.
+
+    A bend has a slope or a mean of its own, and of two realisations nobody knows which is the odd one.
+    """
     if name == "?acceleration bend" and "order" in at:
         return (f"k{'xyz'[int(at['axis'])]}",) if at["order"] % 2 else ("u0",)
     around_zero = ("u0", "kx")
@@ -71,6 +74,7 @@ def taken_by(name: str, at: Mapping[str, float]) -> tuple[str, ...]:
         "?angle course": ("alpha0",),
         "?acceleration bend": around_zero,
         "?acceleration course": around_zero,
+        "?realisation alone": ("kx",),
     }.get(name, ())
 
 

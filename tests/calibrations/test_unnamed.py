@@ -7,7 +7,7 @@ import pytest
 from test_effects import scene
 
 from calibrations.effects.effect import Form
-from calibrations.effects.unnamed import STRUCTURES
+from calibrations.effects.unnamed import STRUCTURES, taken_by
 
 BY_NAME = {structure.name: structure for structure in STRUCTURES}
 
@@ -61,3 +61,18 @@ def test_every_shape_is_described_in_plain_words(rich, structure):
 )
 def test_a_shape_is_described_with_where_it_is(name, scanned, text):
     assert BY_NAME[name].describe(Form(columns=np.empty((0, 1)), scanned=scanned)) == text
+
+
+@pytest.mark.parametrize(
+    ("name", "at", "taken"),
+    [
+        ("?acceleration bend", {"axis": 2, "order": 3}, ("kz",)),
+        ("?acceleration bend", {"axis": 0, "order": 4}, ("u0",)),
+        ("?acceleration bend", {"axis": 0, "power": 1.5}, ("u0", "kx")),
+        ("?angle course", {"knots": 24.0}, ("alpha0",)),
+        ("?realisation alone", {"realisation": 2}, ("kx",)),
+        ("?time step", {"step_s": 100.0}, ()),
+    ],
+)
+def test_a_shape_takes_the_parameters_of_which_it_has_a_part_of_its_own(name, at, taken):
+    assert taken_by(name, at) == taken
