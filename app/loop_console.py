@@ -7,7 +7,7 @@ from rich.table import Table
 
 from app.console import results
 from calibrations.tracing.loop import Loop
-from calibrations.tracing.words import Comparison, comparisons, findings, headline, untold
+from calibrations.tracing.words import Comparison, comparisons, findings, headline, leaning, untold
 
 
 def show_loop(loop: Loop, console: Console | None = None) -> None:
@@ -20,6 +20,8 @@ def show_loop(loop: Loop, console: Console | None = None) -> None:
         console.print(_comparison_table(lines))
     for name, reason in untold(loop):
         console.print(f"- {name} cannot be told: {reason}", markup=False)
+    if leans := leaning(loop):
+        console.print(f"- {leans}", markup=False)
     for experiment in loop.next_experiment:
         command = f": {experiment.command}" if experiment.command else ""
         console.print(f"next, to tell {' from '.join(experiment.separates[:2])}{command}", markup=False)

@@ -178,3 +178,14 @@ def _moved(before: Parameter, after: Parameter) -> str:
 def untold(loop: Loop) -> list[tuple[str, str]]:
     """Parameters that the augmented model does not tell, each with the reason."""
     return [(name, found.reason) for name, found in loop.augmented.parameters.items() if found.value is None]
+
+
+def leaning(loop: Loop) -> str:
+    """Which parameters rest on another one alone, and what would end that; empty where none do."""
+    found = {name: parameter for name, parameter in loop.augmented.parameters.items() if parameter.rests_on}
+    if not found:
+        return ""
+    first = next(iter(found.values()))
+    names, verb = series(list(found)), "rest" if len(found) > 1 else "rests"
+    settled = f"; a sweep in {series(first.settled_by, 'or')} would settle it" if first.settled_by else ""
+    return f"{names} {verb} on {first.rests_on} alone: {first.remark}{settled}"

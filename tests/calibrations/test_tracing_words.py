@@ -7,7 +7,7 @@ from loop_examples import clean, found, misread, with_k_xx
 
 from calibrations.tracing.loop import Unexplained
 from calibrations.tracing.misreading import Misreading
-from calibrations.tracing.words import comparisons, findings, found_sentences, headline, misread_text, untold
+from calibrations.tracing.words import comparisons, findings, found_sentences, headline, leaning, misread_text, untold
 
 
 def finding(*arguments, **named):
@@ -152,3 +152,17 @@ def test_what_cannot_be_told_any_more_has_its_reason():
     loop = replace(loop, augmented=taken_back)
     assert line_of(loop, "kz").augmented == "cannot be told"
     assert ("kz", "it differs between k_xx and k_yy") in untold(loop)
+
+
+def test_what_rests_on_kxy_alone_is_said_with_what_would_settle_it():
+    leaning_on_kxy = {
+        "rests_on": "kxy",
+        "remark": "told through the curvature kxy alone",
+        "settled_by": ("edge", "end"),
+    }
+    augmented = with_parameters(with_parameters(clean().augmented, "ky", **leaning_on_kxy), "alpha0", **leaning_on_kxy)
+
+    assert leaning(replace(clean(), augmented=augmented)) == (
+        "ky and alpha0 rest on kxy alone: told through the curvature kxy alone; a sweep in edge or end would settle it"
+    )
+    assert leaning(clean()) == ""
