@@ -4,8 +4,8 @@
 - `questions`, `seats`: what to ask before anything is explained.
 - `ground`, `sample`, `footing`: the table, ready for comparison in white noise and in noise that remembers (`noise`).
 - `candidates`, `problem`, `search`, `fitting_noise`, `trace`: how a residual is traced.
-- `rivals`: which other effects would explain it as well; `prediction`, `separation`, `probes`, `experiments`: what would
-  part them.
+- `rivals`: which other effects would explain it as well; `prediction`, `separation`, `probes`, `experiments`: what
+  would part them.
 - `augmented`: the declared model with what was found; `taken_back`: what it cannot tell after all; `misreading`: gross
   errors by a round amount; `held_out`: the error on rows that did not choose it; `words`: all of it in sentences.
 """
