@@ -117,7 +117,7 @@ class Tracer:
         names = [item.effect.name for item in trace.found]
         double = [item for item in trace.found if names.count(item.effect.name) > 1]
         rests = [replace(trace, found=tuple(kept for kept in trace.found if kept is not item)) for item in double]
-        return min(trace, *(refined(self.ground, rest) for rest in rests), trace, key=trace_price)
+        return min((trace, *(refined(self.ground, rest) for rest in rests)), key=trace_price)
 
     def _other_noises(self, white: Trace) -> list[NoiseModel]:
         """Noises worth a search of their own: with what was found, or with the fast part of it.
