@@ -34,7 +34,6 @@ from benchmarks.bank.visibility import sight
 from benchmarks.loop.intervals import wilson
 from benchmarks.loop.results import read_results, streamed
 from calibrations.effects import CATALOGUE
-from calibrations.effects.unnamed import STRUCTURES
 from calibrations.geometry import FloatArray
 from calibrations.joint import fit_jointly
 from calibrations.model import PARAMETERS
@@ -86,7 +85,7 @@ def _beside(span: FloatArray, column: FloatArray) -> FloatArray:
 def chance_of(name: str, observations: Observations) -> float:
     """Chance of a false alarm that the tracer allows each form of an effect in this table."""
     base = ground(fit_jointly(observations), CATALOGUE)
-    offered = candidates((*CATALOGUE, *STRUCTURES), base.scene, base.declared)
+    offered = candidates(base)
     names = [candidate.effect.name for candidate in offered]
     return FALSE_ALARM / len(set(names)) / names.count(name)
 

@@ -1,6 +1,6 @@
 """The regression that all alternatives are given: what the declared model leaves, and the catalogue as columns."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -52,7 +52,7 @@ def regression(joint: Joint) -> Regression:
     taken out of target and candidates alike, which leaves every coefficient as it would be with them (Frisch, Waugh).
     """
     base = ground(joint, CATALOGUE)
-    offered = candidates(CATALOGUE, base.scene, base.declared)
+    offered = candidates(replace(base, structures=()))
     owner = np.repeat(np.arange(len(offered)), [one.form.columns.shape[1] for one in offered])
     root = np.sqrt(joint.weights)
     absorbed = _orthonormal(_tangent(joint) * root[:, None])

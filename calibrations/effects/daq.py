@@ -56,7 +56,7 @@ def _latency(scene: Scene) -> Sequence[Form]:
     return single(-scene.slope_v_per_deg * velocity_deg_s)
 
 
-DAQ_EFFECTS = (
+DAQ_EFFECTS: tuple[Effect[Scene], ...] = (
     Effect(
         name="settling",
         belongs_to="daq",

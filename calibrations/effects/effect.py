@@ -2,14 +2,15 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Final, Literal, TypeAlias
+from typing import Final, Generic, Literal, TypeAlias, TypeVar
 
 import numpy as np
 
-from calibrations.effects.scene import Scene
 from calibrations.geometry import FloatArray
 
 Owner: TypeAlias = Literal["unit", "stand", "daq"]
+Variable: TypeAlias = Literal["angle", "acceleration", "time", "temperature", "direction", "realisation", "order"]
+"""On what structure without a name may depend."""
 OWNER_WORDS: Final[Mapping[str, str]] = {"unit": "unit", "stand": "stand", "daq": "DAQ"}
 """What an effect belongs to, as a reader calls it."""
 
@@ -35,24 +36,26 @@ class Quantity:
     unit: str
 
 
-Forms: TypeAlias = Callable[[Scene], Sequence[Form]]
+Seen = TypeVar("Seen")
+"""The kind of scene in which an effect is seen: what is known of each row of a table of its kind."""
+Forms: TypeAlias = Callable[[Seen], Sequence[Form]]
 Reported: TypeAlias = Callable[[Form, FloatArray, FloatArray], Mapping[str, Quantity]]
 """From form, coefficients and their covariance to what is reported, by contract key."""
 
 
 @dataclass(frozen=True, kw_only=True)
-class Effect:
-    """A physical effect that the declared model lacks."""
+class Effect(Generic[Seen]):
+    """A physical effect that the declared model of its kind of table lacks."""
 
     name: str
     """A word of the contract, or of the user."""
     belongs_to: Owner
     symbol: str
     source: str
-    forms: Forms
+    forms: Forms[Seen]
     """Every shape to try; none where the table lacks what the effect depends on."""
     report: Reported
-    at: Callable[[Scene, float], Form] | None = None
+    at: Callable[[Seen, float], Form] | None = None
     """The form for any value of what is scanned, where that is a continuous quantity."""
     drawn: bool = False
     """Whether the coefficients are levels drawn at random, as many as there are seats or turn-ons."""
@@ -60,12 +63,21 @@ class Effect:
     """Whether coefficients of two forms add up to one reported coefficient; otherwise the larger is reported."""
 
 
+@dataclass(frozen=True, kw_only=True)
+class Structure(Effect[Seen]):
+    """A family of shapes of one variable without a name."""
+
+    depends_on: Variable
+    describe: Callable[[Form], str]
+    """What the structure is and where, in words."""
+
+
 def single(column: FloatArray | None) -> tuple[Form, ...]:
     """One form with one column; none without a column."""
     return () if column is None else (Form(columns=np.asarray(column, dtype=float)[:, None]),)
 
 
-def scan(at: Callable[[Scene, float], Form], values: Callable[[Scene], Sequence[float]]) -> Forms:
+def scan(at: Callable[[Seen, float], Form], values: Callable[[Seen], Sequence[float]]) -> Forms[Seen]:
     """One form for each of the values to try."""
     return lambda scene: tuple(at(scene, value) for value in values(scene))
 

@@ -11,5 +11,6 @@ Effect(
 """
 
 from calibrations.effects.effect import Effect
+from calibrations.effects.scene import Scene
 
-OWN_EFFECTS: tuple[Effect, ...] = ()
+OWN_EFFECTS: tuple[Effect[Scene], ...] = ()

@@ -23,7 +23,7 @@ def _wave(scene: Scene, order: int) -> FloatArray:
     return _angle(scene, np.column_stack([np.sin(phase), np.cos(phase)]))
 
 
-def _periods(order: int) -> Forms:
+def _periods(order: int) -> Forms[Scene]:
     """So many periods a turn."""
     return lambda scene: (Form(columns=_wave(scene, order)),)
 
@@ -53,7 +53,7 @@ def _seating(scene: Scene) -> Sequence[Form]:
     return (Form(columns=_angle(scene, contrasts(levels)[scene.mounting])),)
 
 
-STAND_EFFECTS = (
+STAND_EFFECTS: tuple[Effect[Scene], ...] = (
     Effect(
         name="head_eccentricity",
         belongs_to="stand",

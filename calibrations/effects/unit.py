@@ -13,7 +13,7 @@ _LEAST_EXCITED = 0.01
 _IEEE = "IEEE Std 1293-2018, model equation"
 
 
-def _product(name: str, unit: str, powers: tuple[int, int, int], symbol: str) -> Effect:
+def _product(name: str, unit: str, powers: tuple[int, int, int], symbol: str) -> Effect[Scene]:
     """A product of powers of the projections ax, ay, az."""
     return Effect(
         name=name,
@@ -66,7 +66,7 @@ def _realisation_bias(scene: Scene) -> Sequence[Form]:
     return (Form(columns=contrasts(levels)[scene.realisation]),) if levels > 1 else ()
 
 
-UNIT_EFFECTS = (
+UNIT_EFFECTS: tuple[Effect[Scene], ...] = (
     _product("k_xx", "V/g^2", (2, 0, 0), "k_xx ax²"),
     _product("k_yy", "V/g^2", (0, 2, 0), "k_yy ay²"),
     _product("k_zz", "V/g^2", (0, 0, 2), "k_zz az²"),

@@ -5,23 +5,10 @@ its variable, and the shape stays in the model only to keep the parameters hones
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from typing import Literal, TypeAlias
 
 from calibrations.effects import shapes
-from calibrations.effects.effect import Effect, Form, plain
+from calibrations.effects.effect import Form, Structure, Variable, plain
 from calibrations.effects.scene import Scene
-
-Variable: TypeAlias = Literal["angle", "acceleration", "time", "temperature", "direction", "realisation", "order"]
-
-
-@dataclass(frozen=True, kw_only=True)
-class Structure(Effect):
-    """A family of shapes of one variable."""
-
-    depends_on: Variable
-    describe: Callable[[Form], str]
-    """What the structure is and where, in words."""
 
 
 def _structure(
@@ -29,7 +16,7 @@ def _structure(
     kind: str,
     forms: Callable[[Scene], Iterator[Form]],
     describe: Callable[[Mapping[str, float]], str],
-) -> Structure:
+) -> Structure[Scene]:
     def listed(scene: Scene) -> Sequence[Form]:
         return tuple(forms(scene))
 
@@ -78,7 +65,7 @@ def taken_by(name: str, at: Mapping[str, float]) -> tuple[str, ...]:
     }.get(name, ())
 
 
-STRUCTURES = (
+STRUCTURES: tuple[Structure[Scene], ...] = (
     _structure(
         "angle",
         "bell",

@@ -2,7 +2,8 @@
 
 - `loop.close_loop`: the whole of it for one table; `document.document`: the same as JSON (`tumble.loop/1`).
 - `questions`, `seats`: what to ask before anything is explained.
-- `ground`, `sample`, `footing`: the table, ready for comparison in white noise and in noise that remembers (`noise`).
+- `table`, `sample`, `footing`: any table, ready for comparison in white noise and in noise that remembers (`noise`);
+  `ground`: that of an accelerometer.
 - `candidates`, `problem`, `search`, `fitting_noise`, `trace`: how a residual is traced.
 - `rivals`: which other effects would explain it as well; `prediction`, `separation`, `probes`, `experiments`: what
   would part them.

@@ -92,7 +92,7 @@ def augment(ground: Ground, trace: Trace) -> Augmented:
     )
 
 
-def level_quantities(ground: Ground, trace: Trace, best: Augmented, effect: Effect) -> Mapping[str, Quantity]:
+def level_quantities(ground: Ground, trace: Trace, best: Augmented, effect: Effect[Scene]) -> Mapping[str, Quantity]:
     """Levels of an effect as they happened: their best linear unbiased prediction (Henderson's equations).
 
     The residual of the fit, free of what is known of them, is all that it takes.

@@ -2,16 +2,15 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from scipy.special import fdtri
 
 from calibrations.conditional import SINGULAR
-from calibrations.effects.effect import Effect, Form
-from calibrations.effects.scene import Scene
-from calibrations.effects.unnamed import Structure
+from calibrations.effects.effect import Effect, Form, Structure
 from calibrations.geometry import FloatArray
-from calibrations.model import PARAMETERS
+from calibrations.tracing.table import Table
 
 FALSE_ALARM = 0.001
 """Chance that a clean table is given any effect at all, shared evenly among the effects that it could show."""
@@ -30,7 +29,7 @@ _REST = 0.02
 class Candidate:
     """One form of one effect, and where its columns stand among all columns."""
 
-    effect: Effect
+    effect: Effect[Any]
     form: Form
     columns: slice
     entry: float
@@ -44,18 +43,20 @@ class Candidate:
         return int(self.form.columns.shape[1]) + len(self.form.scanned)
 
 
-def candidates(effects: Sequence[Effect], scene: Scene, declared: FloatArray) -> tuple[Candidate, ...]:
-    """All forms of all effects that the table can show at all, beside the `declared` functions, shape (rows, n)."""
-    left, values, _ = np.linalg.svd(declared, full_matrices=False)
+def candidates(table: Table) -> tuple[Candidate, ...]:
+    """All forms of all effects and structures that a table can show at all, beside its declared model."""
+    left, values, _ = np.linalg.svd(table.declared, full_matrices=False)
     span = left[:, values > SINGULAR * values[0]]
     shown = (
-        (effect, [form for form in effect.forms(scene) if _seen_in_several_rows(form, span)]) for effect in effects
+        (effect, [form for form in effect.forms(table.scene) if _seen_in_several_rows(form, span)])
+        for effect in (*table.effects, *table.structures)
     )
     tried = [(effect, forms) for effect, forms in shown if forms]
-    return tuple(_numbered(tried, len(scene.angle_deg)))
+    return tuple(_numbered(tried, table.rows, table.rows - table.model.parameters))
 
 
-def _numbered(tried: Sequence[tuple[Effect, Sequence[Form]]], rows: int) -> Iterator[Candidate]:
+def _numbered(tried: Sequence[tuple[Effect[Any], Sequence[Form]]], rows: int, spare: int) -> Iterator[Candidate]:
+    """All of them, side by side; of the rows, `spare` more than the declared model needs."""
     start = 0
     for effect, forms in tried:
         chance, second = FALSE_ALARM / len(tried) / len(forms), ANOTHER_SHAPE / len(forms)
@@ -66,8 +67,8 @@ def _numbered(tried: Sequence[tuple[Effect, Sequence[Form]]], rows: int) -> Iter
                 effect=effect,
                 form=form,
                 columns=slice(start, start + width),
-                entry=_entry(width, chance, rows) + handicap + form.doubt,
-                again=_entry(width, second, rows) + handicap + form.doubt,
+                entry=_entry(width, chance, rows, spare) + handicap + form.doubt,
+                again=_entry(width, second, rows, spare) + handicap + form.doubt,
             )
             start += width
 
@@ -85,10 +86,10 @@ def _seen_in_several_rows(form: Form, span: FloatArray) -> bool:
     return bool(np.all(rest >= _REST * squares.sum(axis=0)))
 
 
-def _entry(width: int, chance: float, rows: int) -> float:
+def _entry(width: int, chance: float, rows: int, spare: int) -> float:
     """Fall of the deviance that an F test with so many columns and rows asks for at this chance."""
-    spare = max(rows - len(PARAMETERS) - width, 1)
-    return float(rows * np.log1p(width * fdtri(width, spare, 1.0 - chance) / spare))
+    freedom = max(spare - width, 1)
+    return float(rows * np.log1p(width * fdtri(width, freedom, 1.0 - chance) / freedom))
 
 
 def all_columns(offered: Sequence[Candidate], rows: int) -> FloatArray:

@@ -6,8 +6,8 @@ from dataclasses import replace
 import numpy as np
 
 from calibrations.effects.effect import Form
-from calibrations.tracing.ground import Ground
 from calibrations.tracing.noise import NoiseModel
+from calibrations.tracing.table import Table
 
 FLICKER_FLOOR = 0.25
 """Floor of the Allan deviation up to which flicker is taken as the ordinary noise of a unit, in dwell deviations."""
@@ -32,12 +32,12 @@ def noise_price(noise: NoiseModel) -> float:
     return flicker + walk + LEVEL_PRICE * len(noise.levels)
 
 
-def fitting(ground: Ground, forms: Sequence[Form]) -> tuple[tuple[NoiseModel, float], ...]:
+def fitting(ground: Table, forms: Sequence[Form]) -> tuple[tuple[NoiseModel, float], ...]:
     """The flicker and the walk that fit best with these forms, each with its deviance."""
     return _best(ground.deviance_by_noise(forms), _FLICKERS), best_walk(ground, forms, NoiseModel())
 
 
-def with_likely_flicker(ground: Ground, forms: Sequence[Form], noise: NoiseModel) -> NoiseModel:
+def with_likely_flicker(ground: Table, forms: Sequence[Form], noise: NoiseModel) -> NoiseModel:
     """The noise with the flicker that is to be expected beside it: each level weighed by its likelihood.
 
     Flicker need not earn its price to be there: it is the ordinary noise of a unit, and what it does to the mean of a
@@ -52,10 +52,10 @@ def with_likely_flicker(ground: Ground, forms: Sequence[Form], noise: NoiseModel
     return replace(noise, flicker=float(weights @ levels / weights.sum()))
 
 
-def is_slow(ground: Ground, form: Form) -> bool:
+def is_slow(ground: Table, form: Form) -> bool:
     """Whether a shape is nearly all made of waves of which the run holds few."""
     white = ground.memory.whitening(NoiseModel(walk=100.0))
-    columns = form.columns * np.sqrt(ground.joint.weights)[:, None]
+    columns = form.columns * np.sqrt(ground.weights)[:, None]
     columns = columns - columns.mean(axis=0)
     return bool(np.sum(white(columns) ** 2) < _MOSTLY_SLOW * np.sum(columns**2))
 
@@ -72,7 +72,7 @@ def _best(deviance: Callable[[NoiseModel], float], tried: Sequence[NoiseModel]) 
     return tried[first], deviances[first]
 
 
-def best_walk(ground: Ground, forms: Sequence[Form], noise: NoiseModel) -> tuple[NoiseModel, float]:
+def best_walk(ground: Table, forms: Sequence[Form], noise: NoiseModel) -> tuple[NoiseModel, float]:
     """The noise with the random walk that fits best in place of flicker, and its deviance.
 
     Its rate is found first, then whether it has a corner.
@@ -86,7 +86,7 @@ def best_walk(ground: Ground, forms: Sequence[Form], noise: NoiseModel) -> tuple
     return _best(deviance, (best, *bent))
 
 
-def best_level(ground: Ground, forms: Sequence[Form], noise: NoiseModel, name: str) -> NoiseModel:
+def best_level(ground: Table, forms: Sequence[Form], noise: NoiseModel, name: str) -> NoiseModel:
     """The noise with the levels of an effect drawn with the variance that fits best."""
     deviance = ground.deviance_by_noise(forms)
 

@@ -32,8 +32,8 @@ class Fitted:
     """Parameters of the declared model, then coefficients of the further columns."""
     parameters: int
     """How many of them are of the declared model."""
-    squares_v2: float
-    """Weighted, whitened sum of squared residuals, in square volts."""
+    squares: float
+    """Weighted, whitened sum of squared residuals."""
 
     @property
     def declared(self) -> FloatArray:
@@ -49,7 +49,7 @@ class Footing:
     declared
         The declared model, its functions weighted and turned as in `noise.Memory.turned`.
     output
-        The output likewise, shape (turned rows,), in volts.
+        The output likewise, shape (turned rows,).
     white
         What makes the noise white.
     rows
@@ -93,12 +93,12 @@ class Footing:
         compressed = self.compressed(further)
         theta = self.declared.fitted(compressed)
         misfit = compressed.z - compressed.r @ self.declared.coefficients(theta)
-        squares_v2 = compressed.rest_v2 + float(misfit @ misfit)
-        return Fitted(theta=theta, parameters=self.declared.parameters, squares_v2=squares_v2)
+        squares = compressed.rest_v2 + float(misfit @ misfit)
+        return Fitted(theta=theta, parameters=self.declared.parameters, squares=squares)
 
     def deviance(self, fit: Fitted) -> float:
         """-2 ln L of a fit, up to a constant of the table."""
-        return self.rows * float(np.log(max(fit.squares_v2, 1e-300) / self.rows)) + self._white.log_determinant
+        return self.rows * float(np.log(max(fit.squares, 1e-300) / self.rows)) + self._white.log_determinant
 
     def _beside(self, further: Split) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Orthonormal directions of further columns, the columns along them, and the output along them."""

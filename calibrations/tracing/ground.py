@@ -1,14 +1,13 @@
-"""What every explanation of a table starts from: its rows, the declared model, the scene that effects see."""
+"""A table of an accelerometer, fitted with the declared model, ready to be explained."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
-from calibrations.effects.effect import Effect, Form
+from calibrations.effects.effect import Effect
 from calibrations.effects.scene import Scene
+from calibrations.effects.unnamed import STRUCTURES
 from calibrations.fit import fit_given_alpha0
 from calibrations.geometry import FloatArray
 from calibrations.identifiability import determined_without_kxy
@@ -16,60 +15,18 @@ from calibrations.joint import Joint
 from calibrations.model import ALPHA0, BASIS_SIZE, PARAMETERS, basis, coefficients, coefficients_jacobian
 from calibrations.observations import Observations
 from calibrations.tracing.declared import Accelerometer
-from calibrations.tracing.footing import Fitted
-from calibrations.tracing.noise import Memory, NoiseModel, scaled_levels, slow_modes
-from calibrations.tracing.sample import Sample, sample
+from calibrations.tracing.table import Table, memory_of
 
 
 @dataclass(frozen=True, kw_only=True)
-class Ground:
-    """A table, fitted with the declared model, ready to be explained."""
+class Ground(Table):
+    """The table of an accelerometer."""
 
     joint: Joint
     scene: Scene
-    effects: tuple[Effect, ...]
-    """The catalogue."""
-    memory: Memory
-
-    @property
-    def rows(self) -> int:
-        """Number of rows in use."""
-        return len(self.joint.observations)
-
-    @property
-    def declared(self) -> FloatArray:
-        """The ten functions of the declared model, shape (rows, 10)."""
-        return self.joint.basis[:, :BASIS_SIZE]
-
-    @cached_property
-    def whole(self) -> Sample:
-        """All rows, ready for comparison."""
-        return self.sample_of(np.ones(self.rows, dtype=bool))
-
-    def sample_of(self, kept: NDArray[np.bool_]) -> Sample:
-        """Some of the rows, ready for comparison."""
-        model = Accelerometer(functions=self.declared[kept], alpha0_told=self.joint.fit.alpha0_fitted)
-        memory = self.memory if kept.all() else self.memory.rows(kept)
-        return sample(model, self.joint.observations.output_v[kept], self.joint.weights[kept], memory)
-
-    def deviance(self, forms: Sequence[Form], noise: NoiseModel) -> float:
-        """-2 ln L of the declared model with these forms in this noise, up to a constant of the table."""
-        return self.whole.footing(noise).deviance(self.fit(forms, noise))
-
-    def deviance_by_noise(self, forms: Sequence[Form]) -> Callable[[NoiseModel], float]:
-        """The same as a function of the noise, where many are to be tried."""
-        return self.whole.deviance_by_noise(self._columns(forms))
-
-    def fit(self, forms: Sequence[Form], noise: NoiseModel) -> Fitted:
-        """The declared model with these forms in this noise."""
-        footing = self.whole.footing(noise)
-        return footing.fit(footing.split(self.whole.turned(self._columns(forms))))
-
-    def _columns(self, forms: Sequence[Form]) -> FloatArray:
-        return np.column_stack([np.empty((self.rows, 0)), *(form.columns for form in forms)])
 
 
-def ground(joint: Joint, effects: Sequence[Effect], reference_temperature_degc: float = 23.0) -> Ground:
+def ground(joint: Joint, effects: Sequence[Effect[Scene]], reference_temperature_degc: float = 23.0) -> Ground:
     """Prepare a table fitted with the declared model.
 
     Where alpha0 rests on kxy alone, an effect that is not yet known may have moved it by many degrees: then effects are
@@ -87,14 +44,17 @@ def seen_anew(base: Ground, theta: FloatArray) -> Ground:
     return _ground(base.joint, base.effects, scene)
 
 
-def _ground(joint: Joint, effects: Sequence[Effect], scene: Scene) -> Ground:
-    drawn = {effect.name: forms[0].columns for effect in effects if effect.drawn and (forms := effect.forms(scene))}
-    levels = {name: scaled_levels(columns, joint.weights) for name, columns in drawn.items()}
+def _ground(joint: Joint, effects: Sequence[Effect[Scene]], scene: Scene) -> Ground:
+    functions = joint.basis[:, :BASIS_SIZE]
     return Ground(
-        joint=joint,
+        model=Accelerometer(functions=functions, alpha0_told=joint.fit.alpha0_fitted),
+        output=joint.observations.output_v,
+        weights=joint.weights,
         scene=scene,
         effects=tuple(effects),
-        memory=Memory(modes=slow_modes(scene.hours, joint.weights), levels=levels),
+        structures=STRUCTURES,
+        memory=memory_of(effects, scene, joint.weights),
+        joint=joint,
     )
 
 

@@ -6,11 +6,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.special import chdtrc
 
+from calibrations.adequacy import held_out_parts
 from calibrations.analysis import assess
 from calibrations.budget import StandUncertainty
 from calibrations.effects import CATALOGUE
-from calibrations.effects.effect import Effect, Quantity
-from calibrations.effects.unnamed import Structure
+from calibrations.effects.effect import Effect, Quantity, Structure
+from calibrations.effects.scene import Scene
 from calibrations.gross import GROSS_SIGMA, unlike_repeats
 from calibrations.joint import Joint, fit_jointly, fit_without
 from calibrations.model import ALPHA0
@@ -26,7 +27,7 @@ from calibrations.tracing.misreading import Misreading, misreadings
 from calibrations.tracing.questions import questioned
 from calibrations.tracing.rivals import CLOSE, Rival, with_best_names
 from calibrations.tracing.taken_back import without_courses, without_rivals
-from calibrations.tracing.trace import FEWEST_ROWS, WALK, Trace, Tracer, trace_price
+from calibrations.tracing.trace import WALK, Trace, Tracer, trace_price
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -68,7 +69,7 @@ def close_loop(
     observations: Observations,
     stand: StandUncertainty | None = None,
     reference_temperature_degc: float = 23.0,
-    effects: Sequence[Effect] = CATALOGUE,
+    effects: Sequence[Effect[Scene]] = CATALOGUE,
 ) -> Loop:
     """Fit the declared model, trace what it leaves, add what was found, say what that changes and what to measure next.
 
@@ -89,7 +90,7 @@ def explain(
     observations: Observations,
     stand: StandUncertainty | None = None,
     reference_temperature_degc: float = 23.0,
-    effects: Sequence[Effect] = CATALOGUE,
+    effects: Sequence[Effect[Scene]] = CATALOGUE,
 ) -> tuple[Loop, "Explained | None"]:
     """`close_loop` before it is asked what to measure next; with it what that rests on, None where nothing was traced.
 
@@ -123,7 +124,10 @@ def explain(
     misread = misreadings(observations, best.joint)
     stated = without_courses(assess(best.joint, uncertainty, trials=0), best)
     if trace.found or trace.names:
-        stated = replace(stated, held_out_rms_v=held_out_rms(explained.tracer, trace))
+        stated = replace(
+            stated,
+            held_out_rms_v=held_out_rms(explained.tracer, trace, held_out_parts(explained.base.joint.observations)),
+        )
     augmented = without_rivals(stated, explained.base, explained.near)
     loop = Loop(
         declared=assess(declared, uncertainty, trials=0),
@@ -131,7 +135,7 @@ def explain(
         effects=_effects(explained.base, trace, best, close, misread),
         unexplained=_unexplained(trace),
         misread=misread,
-        not_traced=_too_few(explained.base.rows),
+        not_traced=_too_few(explained.base),
     )
     return loop, explained
 
@@ -148,7 +152,7 @@ _FAR_DEG = 10.0
 class Explained:
     """A table without gross errors, what it was traced to, and what could stand in its place."""
 
-    tracer: Tracer
+    tracer: Tracer[Ground]
     trace: Trace
     near: Mapping[str, Sequence[Rival]]
     """Near rivals of each effect of the trace."""
@@ -165,7 +169,7 @@ class Explained:
         return {name: [rival for rival in near if rival.behind < CLOSE] for name, near in self.near.items()}
 
 
-def _explained(joint: Joint, effects: Sequence[Effect], reference_temperature_degc: float) -> Explained:
+def _explained(joint: Joint, effects: Sequence[Effect[Scene]], reference_temperature_degc: float) -> Explained:
     """Trace a table; again, where what was found shows that it was looked at from a wrong alpha0."""
     base = ground(joint, effects, reference_temperature_degc)
     looks: list[Explained] = []
@@ -182,8 +186,9 @@ def _explained(joint: Joint, effects: Sequence[Effect], reference_temperature_de
     return min(looks, key=lambda look: trace_price(look.trace))
 
 
-def _too_few(rows: int) -> str:
-    return f"{rows} rows are too few; at least {FEWEST_ROWS} are needed" if rows < FEWEST_ROWS else ""
+def _too_few(base: Ground) -> str:
+    few = base.rows < base.fewest_rows
+    return f"{base.rows} rows are too few; at least {base.fewest_rows} are needed" if few else ""
 
 
 def _rejected_rows(joint: Joint) -> set[int]:

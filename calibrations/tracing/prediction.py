@@ -7,8 +7,8 @@ from functools import reduce
 import numpy as np
 
 from calibrations.compression import compress
+from calibrations.effects.effect import Structure
 from calibrations.effects.scene import Scene
-from calibrations.effects.unnamed import Structure
 from calibrations.fit import fit_given_alpha0
 from calibrations.geometry import FloatArray
 from calibrations.model import BASIS_SIZE, PARAMETERS, basis, coefficients, coefficients_jacobian
@@ -49,7 +49,7 @@ class Prediction:
         self.theta: FloatArray = fit.theta[: len(PARAMETERS)]
         """Declared parameters."""
         best = base.fit(trace.forms, trace.noise)
-        self.dwell_v = float(np.sqrt(best.squares_v2 / max(base.rows - len(best.theta), 1)))
+        self.dwell_v = float(np.sqrt(best.squares / max(base.rows - len(best.theta), 1)))
         """Noise of a dwell, in volts, by the best alpha0: another one leaves more."""
         self._residual_v = output_v - functions @ coefficients(fit.theta)
         ends = np.cumsum([form.columns.shape[1] for form in trace.forms], dtype=int)

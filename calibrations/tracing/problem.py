@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from calibrations.conditional import SINGULAR
-from calibrations.effects.unnamed import Structure
+from calibrations.effects.effect import Structure
 from calibrations.geometry import FloatArray
 from calibrations.tracing.candidates import Candidate
 from calibrations.tracing.footing import Fitted, Footing

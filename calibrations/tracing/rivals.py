@@ -2,8 +2,9 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from typing import Any
 
-from calibrations.effects.unnamed import Structure
+from calibrations.effects.effect import Structure
 from calibrations.tracing.fitting_noise import best_level, best_walk
 from calibrations.tracing.problem import Problem
 from calibrations.tracing.trace import (
@@ -46,7 +47,7 @@ class Rival:
     """Naming price beyond that of the trace: what decides which of the two gives its name."""
 
 
-def with_best_names(tracer: Tracer, trace: Trace) -> tuple[Trace, dict[str, list[Rival]]]:
+def with_best_names(tracer: Tracer[Any], trace: Trace) -> tuple[Trace, dict[str, list[Rival]]]:
     """Exchange effects for rivals that are cheaper, or equal and first in the catalogue, one after the other.
 
     Returns the trace, and the rivals of each of its effects that are near.
@@ -59,7 +60,7 @@ def with_best_names(tracer: Tracer, trace: Trace) -> tuple[Trace, dict[str, list
         trace = min(better, key=lambda rival: rival.dearer).trace
 
 
-def _goes_before(tracer: Tracer, rival: Rival, name: str) -> bool:
+def _goes_before(tracer: Tracer[Any], rival: Rival, name: str) -> bool:
     """Whether a rival is cheaper, or costs the same and stands first in the catalogue."""
     if abs(rival.dearer) > _EQUAL:
         return rival.dearer < 0
@@ -76,7 +77,7 @@ def _naming_price(trace: Trace) -> float:
     return price + (_SIMPLER + _WALK_NAMED) * bool(trace.noise.walk)
 
 
-def rivals(tracer: Tracer, trace: Trace, name: str) -> list[Rival]:
+def rivals(tracer: Tracer[Any], trace: Trace, name: str) -> list[Rival]:
     """Every effect that could stand in the place of the one called `name`, the closest first."""
     rest = trace.without(name)
     replaced = [item for item in trace.found if item.effect.name == name]
@@ -95,7 +96,7 @@ def rivals(tracer: Tracer, trace: Trace, name: str) -> list[Rival]:
     return sorted(listed, key=lambda rival: (round(rival.behind / _EQUAL), order.get(rival.name, len(order))))
 
 
-def _in_place(tracer: Tracer, rest: Trace, taken: tuple[str, ...]) -> Iterator[tuple[Found | None, Trace]]:
+def _in_place(tracer: Tracer[Any], rest: Trace, taken: tuple[str, ...]) -> Iterator[tuple[Found | None, Trace]]:
     """The rest of an explanation with each effect that promises anything, refined."""
     ground = tracer.ground
     for rough in _best_forms(tracer.problem(rest.noise), tuple(item.number for item in rest.found)):

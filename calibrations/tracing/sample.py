@@ -18,7 +18,7 @@ class Sample:
     declared: Declared
     """Its functions weighted and turned."""
     output: FloatArray
-    """Weighted and turned, shape (turned rows,), in volts."""
+    """Weighted and turned, shape (turned rows,)."""
     memory: Memory
     root_weights: FloatArray
     """Shape (rows,)."""

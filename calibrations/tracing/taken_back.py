@@ -5,7 +5,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from calibrations.effects.unnamed import Structure, taken_by
+from calibrations.effects.effect import Structure
+from calibrations.effects.unnamed import taken_by
 from calibrations.model import PARAMETERS
 from calibrations.result import Calibration, Parameter
 from calibrations.tracing.augmented import Augmented, augment

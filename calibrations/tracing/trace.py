@@ -2,20 +2,18 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Any, Generic, TypeVar
 
-from calibrations.effects.effect import Effect, Form
-from calibrations.effects.unnamed import STRUCTURES, Structure
+from calibrations.effects.effect import Effect, Form, Structure
 from calibrations.tracing.candidates import Candidate, all_columns, candidates
 from calibrations.tracing.fitting_noise import best_level, best_walk, fitting, golden_section, is_slow, noise_price
-from calibrations.tracing.ground import Ground
 from calibrations.tracing.noise import NoiseModel
 from calibrations.tracing.problem import Explanation, Problem
 from calibrations.tracing.search import entries, search, settled
+from calibrations.tracing.table import Table
 
 _NOTICED = 3.84
 WALK = "bias_random_walk"
-FEWEST_ROWS = 18
-"""With fewer rows, three for each declared parameter, nothing is traced."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -28,7 +26,7 @@ class Found:
     """Of the candidate."""
 
     @property
-    def effect(self) -> Effect:
+    def effect(self) -> Effect[Any]:
         """The effect of which this is a form."""
         return self.candidate.effect
 
@@ -74,19 +72,22 @@ class Trace:
         return tuple(found for found in self.found if isinstance(found.effect, Structure))
 
 
-class Tracer:
+_T = TypeVar("_T", bound=Table)
+
+
+class Tracer(Generic[_T]):
     """A table with everything that it may be traced to.
 
     Parameters
     ----------
     ground
-        The table, fitted with the declared model.
+        The table, ready to be fitted with the declared model.
     """
 
-    def __init__(self, ground: Ground) -> None:
+    def __init__(self, ground: _T) -> None:
         self.ground = ground
         self.effects = ground.effects
-        self.offered = candidates((*ground.effects, *STRUCTURES), ground.scene, ground.declared)
+        self.offered = candidates(ground)
         self.columns = all_columns(self.offered, ground.rows)
         self._turned = ground.whole.turned(self.columns)
         self._problems: dict[NoiseModel, Problem] = {}
@@ -103,7 +104,7 @@ class Tracer:
         The search is made in white noise first. Where what it finds, or what it leaves, could as well be noise that
         remembers, it is made again in such noise, and the cheaper explanation is taken.
         """
-        if self.ground.rows < FEWEST_ROWS:
+        if self.ground.rows < self.ground.fewest_rows:
             return Trace(found=(), noise=NoiseModel(), deviance=self.ground.deviance((), NoiseModel()))
         white = self._searched(NoiseModel())
         others = [self._adapted(self._settled(noise, white)) for noise in self._other_noises(white)]
@@ -196,7 +197,7 @@ def trace_price(trace: Trace) -> float:
     return trace.deviance + noise_price(trace.noise) + entries([found.candidate for found in trace.found])
 
 
-def refined(ground: Ground, trace: Trace, rounds: int = 2) -> Trace:
+def refined(ground: Table, trace: Trace, rounds: int = 2) -> Trace:
     """Move what was scanned on a grid to where it fits best."""
     found = list(trace.found)
     for _ in range(rounds if any(item.effect.at for item in found) else 0):
@@ -211,7 +212,7 @@ _RATIO = 1.35
 """Grids of scanned values are finer than this ratio between neighbours."""
 
 
-def refined_one(ground: Ground, item: Found, others: Sequence[Form], noise: NoiseModel) -> Found:
+def refined_one(ground: Table, item: Found, others: Sequence[Form], noise: NoiseModel) -> Found:
     """The form of one effect with its scanned value by golden-section search about its grid value."""
     at = item.effect.at
     if at is None:

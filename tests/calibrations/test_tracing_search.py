@@ -8,7 +8,8 @@ from tables import FLIPS, UNIT, gravity_on, sweep, table
 
 from calibrations.compression import compress
 from calibrations.effects import CATALOGUE
-from calibrations.effects.unnamed import STRUCTURES, Structure
+from calibrations.effects.effect import Structure
+from calibrations.effects.unnamed import STRUCTURES
 from calibrations.fit import joint_fit
 from calibrations.joint import fit_jointly
 from calibrations.tracing.ground import ground
@@ -41,7 +42,7 @@ def test_a_set_of_effects_is_fitted_as_by_the_joint_fit(tracer):
     plain = joint_fit(compress(columns, joint.observations.output_v, joint.weights))
 
     assert problem.parameters(explained) == pytest.approx(plain.theta, rel=1e-6, abs=1e-9)
-    assert explained.fit.squares_v2 == pytest.approx(plain.squares_v2, rel=1e-9)
+    assert explained.fit.squares == pytest.approx(plain.squares_v2, rel=1e-9)
 
 
 @pytest.mark.parametrize("name", ["k_xx", "backlash", "graduation", "daq_nonlinearity", "realisation_bias"])

@@ -1,0 +1,93 @@
+"""Any table that may be traced: outputs, a declared model of them, and what may be seen besides."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from calibrations.effects.effect import Effect, Form, Structure
+from calibrations.geometry import FloatArray
+from calibrations.tracing.declared import Declared
+from calibrations.tracing.footing import Fitted
+from calibrations.tracing.noise import Memory, NoiseModel, scaled_levels, slow_modes
+from calibrations.tracing.sample import Sample, sample
+
+
+class View(Protocol):
+    """What every kind of scene has; its effects know the rest of it."""
+
+    @property
+    def hours(self) -> FloatArray | None:
+        """Time since the first row, in hours; None where the table has none."""
+        ...
+
+
+@dataclass(frozen=True, kw_only=True)
+class Table:
+    """Rows with a declared model, ready to be traced. What the output is, and in which unit, is its own affair."""
+
+    model: Declared
+    """The declared model of the rows as they stand."""
+    output: FloatArray
+    """Shape (rows,), in the unit of the output."""
+    weights: FloatArray
+    """Relative weight of each row, shape (rows,)."""
+    scene: View
+    """The rows as the effects see them."""
+    effects: tuple[Effect[Any], ...]
+    """The catalogue."""
+    structures: tuple[Structure[Any], ...]
+    """Shapes without a name that compete with it."""
+    memory: Memory
+
+    @property
+    def rows(self) -> int:
+        """Number of rows in use."""
+        return len(self.output)
+
+    @property
+    def declared(self) -> FloatArray:
+        """Functions of the declared model, shape (rows, functions)."""
+        return self.model.functions
+
+    @property
+    def fewest_rows(self) -> int:
+        """With fewer rows, three for each declared parameter and never less than ten, nothing is traced."""
+        return max(3 * self.model.parameters, 10)
+
+    @cached_property
+    def whole(self) -> Sample:
+        """All rows, ready for comparison."""
+        return self.sample_of(np.ones(self.rows, dtype=bool))
+
+    def sample_of(self, kept: NDArray[np.bool_]) -> Sample:
+        """Some of the rows, ready for comparison."""
+        model = self.model.with_functions(self.declared[kept])
+        memory = self.memory if kept.all() else self.memory.rows(kept)
+        return sample(model, self.output[kept], self.weights[kept], memory)
+
+    def deviance(self, forms: Sequence[Form], noise: NoiseModel) -> float:
+        """-2 ln L of the declared model with these forms in this noise, up to a constant of the table."""
+        return self.whole.footing(noise).deviance(self.fit(forms, noise))
+
+    def deviance_by_noise(self, forms: Sequence[Form]) -> Callable[[NoiseModel], float]:
+        """The same as a function of the noise, where many are to be tried."""
+        return self.whole.deviance_by_noise(self._columns(forms))
+
+    def fit(self, forms: Sequence[Form], noise: NoiseModel) -> Fitted:
+        """The declared model with these forms in this noise."""
+        footing = self.whole.footing(noise)
+        return footing.fit(footing.split(self.whole.turned(self._columns(forms))))
+
+    def _columns(self, forms: Sequence[Form]) -> FloatArray:
+        return np.column_stack([np.empty((self.rows, 0)), *(form.columns for form in forms)])
+
+
+def memory_of(effects: Sequence[Effect[Any]], scene: View, weights: FloatArray) -> Memory:
+    """Along what noise can remember in a table: its time, and the levels of the effects that draw some."""
+    drawn = {effect.name: forms[0].columns for effect in effects if effect.drawn and (forms := effect.forms(scene))}
+    levels = {name: scaled_levels(columns, weights) for name, columns in drawn.items()}
+    return Memory(modes=slow_modes(scene.hours, weights), levels=levels)
