@@ -30,6 +30,11 @@ class Scene:
     """Change of the output with ax, ay and az, by the fit, shape (3,)."""
     reference_temperature_degc: float = 23.0
 
+    @property
+    def rows(self) -> int:
+        """How many there are."""
+        return len(self.observations)
+
     @cached_property
     def gravity_g(self) -> FloatArray:
         """Projections ax, ay, az, shape (rows, 3)."""

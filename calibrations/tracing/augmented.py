@@ -1,36 +1,25 @@
 """The declared model with what was found: parameters, coefficients and their uncertainty."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from calibrations.effects.effect import Effect, Form, Quantity
 from calibrations.effects.scene import Scene
 from calibrations.fit import covariance
 from calibrations.geometry import FloatArray
 from calibrations.joint import Joint, fit_rows
 from calibrations.model import BASIS_SIZE, PARAMETERS, basis, coefficients
 from calibrations.tracing.ground import Ground
-from calibrations.tracing.trace import Found, Trace
-
-_STEP = 1e-3
-"""Relative step for the derivative of a form with respect to what was scanned."""
+from calibrations.tracing.quantified import Quantified, form_in, slices, tangent
+from calibrations.tracing.trace import Trace
 
 
 @dataclass(frozen=True, kw_only=True)
-class Augmented:
-    """A joint fit with further columns, and to which effect each of them belongs."""
+class Augmented(Quantified):
+    """A joint fit with further columns."""
 
     joint: Joint
-    found: tuple[Found, ...]
-    columns: tuple[slice, ...]
-    """Of each effect found, among the further columns."""
-    scanned: tuple[int | None, ...]
-    """Column that stands for a change of the scanned value of each effect; None where there is none."""
-    coefficients: FloatArray
-    covariance: FloatArray
-    """Of the coefficients of all further columns."""
 
     def residual_v(self, scene: Scene) -> FloatArray:
         """Measured minus fitted for any rows of the same table, shape (rows,), in volts."""
@@ -38,32 +27,6 @@ class Augmented:
         columns = np.column_stack([basis(scene.observations), *forms])
         used = columns.shape[1] + len(PARAMETERS) - BASIS_SIZE
         return np.asarray(scene.observations.output_v - columns @ coefficients(self.joint.fit.theta[:used]))
-
-    def quantities(self, name: str) -> Mapping[str, Quantity]:
-        """Coefficients of an effect by contract key."""
-        places = [place for place, found in enumerate(self.found) if found.effect.name == name]
-        effect = self.found[places[0]].effect
-        largest = max(places, key=lambda place: float(np.abs(self.coefficients[self.columns[place]]).max()))
-        form = self.found[largest].form
-        chosen = [self.columns[place] for place in places] if effect.additive else [self.columns[largest]]
-        weights = np.zeros((chosen[0].stop - chosen[0].start, len(self.coefficients)))
-        for columns in chosen:
-            weights[:, columns] += np.eye(len(weights))
-        reported = effect.report(form, weights @ self.coefficients, weights @ self.covariance @ weights.T)
-        return self._with_scanned_uncertainty(reported, form, self.scanned[largest])
-
-    def _with_scanned_uncertainty(
-        self, reported: Mapping[str, Quantity], form: Form, column: int | None
-    ) -> Mapping[str, Quantity]:
-        if column is None:
-            return reported
-        uncertainty = float(np.sqrt(self.covariance[column, column]))
-        return {
-            key: Quantity(value=quantity.value, standard_uncertainty=uncertainty, unit=quantity.unit)
-            if key in form.scanned
-            else quantity
-            for key, quantity in reported.items()
-        }
 
 
 def augment(ground: Ground, trace: Trace) -> Augmented:
@@ -73,79 +36,27 @@ def augment(ground: Ground, trace: Trace) -> Augmented:
     """
     chosen = trace.found
     first = _fit(ground, trace, [item.form.columns for item in chosen])
-    slices = _slices([item.form.columns.shape[1] for item in chosen])
+    places = slices([item.form.columns.shape[1] for item in chosen])
     start = len(PARAMETERS)
     tangents = [
         tangent(ground.scene, item, first.fit.theta[start + where.start : start + where.stop])
-        for item, where in zip(chosen, slices, strict=True)
+        for item, where in zip(chosen, places, strict=True)
     ]
     joint = _fit(ground, trace, [*(item.form.columns for item in chosen), *(t for t in tangents if t is not None)])
     everything = covariance(joint.compressed, joint.fit, joint.profile, joint.noise.used_v**2)
-    numbers = iter(range(slices[-1].stop if slices else 0, len(joint.fit.theta)))
+    numbers = iter(range(places[-1].stop if places else 0, len(joint.fit.theta)))
     return Augmented(
         joint=joint,
         found=chosen,
-        columns=tuple(slices),
+        columns=tuple(places),
         scanned=tuple(None if t is None else next(numbers) for t in tangents),
         coefficients=joint.fit.theta[start:],
         covariance=everything[start:, start:],
+        residual=joint.residual_v,
+        dwell=joint.noise.used_v,
     )
-
-
-def level_quantities(ground: Ground, trace: Trace, best: Augmented, effect: Effect[Scene]) -> Mapping[str, Quantity]:
-    """Levels of an effect as they happened: their best linear unbiased prediction (Henderson's equations).
-
-    The residual of the fit, free of what is known of them, is all that it takes.
-    """
-    (form,) = effect.forms(ground.scene)
-    root = np.sqrt(ground.joint.weights)
-    columns, scaled = form.columns * root[:, None], ground.memory.levels[effect.name]
-    unit = np.linalg.norm(scaled[:, 0]) / np.linalg.norm(columns[:, 0])
-    variance = dict(trace.noise.levels)[effect.name] * unit**2
-    seen = ground.memory.whitening(trace.noise)(columns)
-    predicted = variance * columns.T @ (best.joint.residual_v * root)
-    left = variance * np.eye(columns.shape[1]) - variance**2 * seen.T @ seen
-    return effect.report(form, predicted, best.joint.noise.used_v**2 * left)
 
 
 def _fit(ground: Ground, trace: Trace, columns: Sequence[FloatArray]) -> Joint:
     functions = np.column_stack([ground.declared, *columns])
     return fit_rows(ground.joint.observations, functions, ground.joint.weights, ground.memory.whitening(trace.noise))
-
-
-def form_in(scene: Scene, item: Found) -> Form:
-    """The form of an effect found, for the rows of another scene of the same table.
-
-    A grid of what is scanned may hang on the rows: then the nearest value counts. Where a shape needs other rows, there
-    is nothing.
-    """
-    if item.effect.at is not None:
-        (value,) = item.form.scanned.values()
-        return item.effect.at(scene, value)
-    width = item.form.columns.shape[1]
-    alike = [form for form in item.effect.forms(scene) if form.scanned.keys() == item.form.scanned.keys()]
-    alike = [form for form in alike if form.columns.shape[1] == width]
-    nothing = Form(columns=np.zeros((len(scene.observations), width)), scanned=item.form.scanned)
-    return min(alike, key=lambda form: _apart(form, item.form), default=nothing)
-
-
-def _apart(form: Form, other: Form) -> float:
-    """How far what is scanned for lies apart."""
-    return sum(abs(value - other.scanned[key]) for key, value in form.scanned.items())
-
-
-def _slices(widths: Sequence[int]) -> list[slice]:
-    ends = np.cumsum(widths, dtype=int).tolist()
-    return [slice(end - width, end) for end, width in zip(ends, widths, strict=True)]
-
-
-def tangent(scene: Scene, item: Found, coefficients: FloatArray) -> FloatArray | None:
-    """Change of the effect with its scanned value, shape (rows, 1); None where that is no smooth change."""
-    if item.effect.at is None:
-        return None
-    (value,) = item.form.scanned.values()
-    step = _STEP * value
-    above, below = (item.effect.at(scene, value + side * step).columns for side in (1.0, -1.0))
-    change = (above - below) @ coefficients / (2 * step)
-    smooth = np.count_nonzero(change) > len(change) // 10
-    return np.asarray(change[:, None]) if smooth else None

@@ -7,7 +7,8 @@ from typing import Any
 from calibrations.effects.effect import Quantity
 from calibrations.result import Calibration, rows_json
 from calibrations.tracing.experiments import Experiment
-from calibrations.tracing.loop import EffectFound, Loop, Unexplained
+from calibrations.tracing.findings import EffectFound, Unexplained
+from calibrations.tracing.loop import Loop
 from calibrations.tracing.misreading import Misreading
 
 SCHEMA = "tumble.loop/1"

@@ -49,6 +49,7 @@ def _ground(joint: Joint, effects: Sequence[Effect[Scene]], scene: Scene) -> Gro
     return Ground(
         model=Accelerometer(functions=functions, alpha0_told=joint.fit.alpha0_fitted),
         output=joint.observations.output_v,
+        unit="V",
         weights=joint.weights,
         scene=scene,
         effects=tuple(effects),

@@ -10,7 +10,7 @@ from calibrations.adequacy import held_out_parts
 from calibrations.analysis import assess
 from calibrations.budget import StandUncertainty
 from calibrations.effects import CATALOGUE
-from calibrations.effects.effect import Effect, Quantity, Structure
+from calibrations.effects.effect import Effect
 from calibrations.effects.scene import Scene
 from calibrations.gross import GROSS_SIGMA, unlike_repeats
 from calibrations.joint import Joint, fit_jointly, fit_without
@@ -18,8 +18,9 @@ from calibrations.model import ALPHA0
 from calibrations.observations import Observations, SetAside
 from calibrations.repeats import pose_groups
 from calibrations.result import Calibration
-from calibrations.tracing.augmented import Augmented, augment, level_quantities
+from calibrations.tracing.augmented import Augmented, augment
 from calibrations.tracing.experiments import Experiment, next_experiments
+from calibrations.tracing.findings import EffectFound, Unexplained, effects_found, unexplained
 from calibrations.tracing.fitting_noise import with_likely_flicker
 from calibrations.tracing.ground import Ground, ground, scene_of, seen_anew
 from calibrations.tracing.held_out import held_out_rms
@@ -27,26 +28,7 @@ from calibrations.tracing.misreading import Misreading, misreadings
 from calibrations.tracing.questions import questioned
 from calibrations.tracing.rivals import CLOSE, Rival, with_best_names
 from calibrations.tracing.taken_back import without_courses, without_rivals
-from calibrations.tracing.trace import WALK, Trace, Tracer, trace_price
-
-
-@dataclass(frozen=True, kw_only=True)
-class EffectFound:
-    """An effect of the catalogue that the data shows."""
-
-    name: str
-    also_possible: tuple[str, ...]
-    belongs_to: str
-    coefficients: Mapping[str, Quantity]
-    p_value: float
-
-
-@dataclass(frozen=True, kw_only=True)
-class Unexplained:
-    """Structure that is there and that no effect of the catalogue explains."""
-
-    depends_on: str
-    description: str
+from calibrations.tracing.trace import Trace, Tracer, trace_price
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -133,7 +115,7 @@ def explain(
         declared=assess(declared, uncertainty, trials=0),
         augmented=augmented,
         effects=_effects(explained.base, trace, best, close, misread),
-        unexplained=_unexplained(trace),
+        unexplained=unexplained(trace),
         misread=misread,
         not_traced=_too_few(explained.base),
     )
@@ -215,47 +197,10 @@ def _effects(
     close: Mapping[str, Sequence[Rival]],
     misread: Sequence[Misreading],
 ) -> tuple[EffectFound, ...]:
-    found = [_effect(base, trace, best, name, close[name]) for name in trace.names]
+    found = effects_found(base, trace, best, close)
     if misread:
         found.append(_misreading())
     return tuple(sorted(found, key=lambda effect: effect.p_value))
-
-
-def _effect(base: Ground, trace: Trace, best: Augmented, name: str, close: Sequence[Rival]) -> EffectFound:
-    rest = trace.without(name)
-    gain = base.deviance(rest.forms, rest.noise) - trace.deviance
-    width = sum(item.form.columns.shape[1] for item in trace.found if item.effect.name == name) or 1
-    return EffectFound(
-        name=name,
-        also_possible=tuple(rival.name for rival in close),
-        belongs_to=_owner(base, name),
-        coefficients=_coefficients(base, trace, best, name),
-        p_value=float(chdtrc(width, max(gain, 0.0))),
-    )
-
-
-def _owner(base: Ground, name: str) -> str:
-    return "unit" if name == WALK else next(effect.belongs_to for effect in base.effects if effect.name == name)
-
-
-def _coefficients(base: Ground, trace: Trace, best: Augmented, name: str) -> Mapping[str, Quantity]:
-    if name == WALK:
-        return _walk(base, trace, best.joint)
-    if any(item.effect.name == name for item in trace.found):
-        return best.quantities(name)
-    effect = next(effect for effect in base.effects if effect.name == name)
-    return level_quantities(base, trace, best, effect)
-
-
-def _walk(base: Ground, trace: Trace, joint: Joint) -> Mapping[str, Quantity]:
-    """Random walk: the variance of the first mode is q T / π² (Karhunen-Loève expansion of the centred walk).
-
-    The variance is taken from a grid, so that no uncertainty is stated.
-    """
-    hours = base.scene.hours
-    span_h = float(np.ptp(hours)) if hours is not None else 1.0
-    rate = float(joint.noise.used_v * np.pi * np.sqrt(trace.noise.walk / span_h))
-    return {WALK: Quantity(value=rate, standard_uncertainty=None, unit="V/√h")}
 
 
 def _misreading() -> EffectFound:
@@ -267,12 +212,3 @@ def _misreading() -> EffectFound:
         coefficients={},
         p_value=float(chdtrc(1, GROSS_SIGMA**2)),
     )
-
-
-def _unexplained(trace: Trace) -> Unexplained | None:
-    if not trace.unnamed:
-        return None
-    structures = [item for item in trace.unnamed if isinstance(item.effect, Structure)]
-    first = structures[0]
-    assert isinstance(first.effect, Structure)
-    return Unexplained(depends_on=first.effect.depends_on, description=first.effect.describe(first.form))

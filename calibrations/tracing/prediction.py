@@ -12,9 +12,9 @@ from calibrations.effects.scene import Scene
 from calibrations.fit import fit_given_alpha0
 from calibrations.geometry import FloatArray
 from calibrations.model import BASIS_SIZE, PARAMETERS, basis, coefficients, coefficients_jacobian
-from calibrations.tracing.augmented import form_in, tangent
 from calibrations.tracing.ground import Ground
 from calibrations.tracing.noise import Memory, Whitening, scaled_levels, slow_modes
+from calibrations.tracing.quantified import form_in, tangent
 from calibrations.tracing.trace import Found, Trace
 
 _RANK = 1e-9

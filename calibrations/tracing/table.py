@@ -20,6 +20,11 @@ class View(Protocol):
     """What every kind of scene has; its effects know the rest of it."""
 
     @property
+    def rows(self) -> int:
+        """How many there are."""
+        ...
+
+    @property
     def hours(self) -> FloatArray | None:
         """Time since the first row, in hours; None where the table has none."""
         ...
@@ -32,7 +37,9 @@ class Table:
     model: Declared
     """The declared model of the rows as they stand."""
     output: FloatArray
-    """Shape (rows,), in the unit of the output."""
+    """Shape (rows,)."""
+    unit: str
+    """Of the output."""
     weights: FloatArray
     """Relative weight of each row, shape (rows,)."""
     scene: View

@@ -8,7 +8,8 @@ from calibrations.joint import LACK_OF_FIT_P
 from calibrations.quantities import format_concise, format_number, format_probability
 from calibrations.result import Calibration, Parameter
 from calibrations.support import equals, series
-from calibrations.tracing.loop import EffectFound, Loop, Unexplained
+from calibrations.tracing.findings import EffectFound, Unexplained
+from calibrations.tracing.loop import Loop
 from calibrations.tracing.misreading import Misreading
 
 MISREADING = "misreading"

@@ -7,7 +7,7 @@ from benchmarks.alternatives.grading import aliases_of, exact_by_name, exact_up_
 from benchmarks.alternatives.stepwise import stepwise
 from benchmarks.bank import DEVELOPMENT, Spec, make_table
 from calibrations.joint import fit_jointly
-from calibrations.tracing.loop import EffectFound, Unexplained
+from calibrations.tracing.findings import EffectFound, Unexplained
 
 
 @pytest.fixture(scope="module")

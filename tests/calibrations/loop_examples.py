@@ -7,7 +7,8 @@ import numpy as np
 from tables import FLIPS, gravity_on, output, table
 
 from calibrations.effects.effect import Quantity
-from calibrations.tracing.loop import EffectFound, Loop, close_loop
+from calibrations.tracing.findings import EffectFound
+from calibrations.tracing.loop import Loop, close_loop
 
 K_XX = 2e-3
 MISREAD_ROW = 21

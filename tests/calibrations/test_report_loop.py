@@ -18,8 +18,8 @@ from calibrations.report.results import notices
 from calibrations.report.subject import Subject
 from calibrations.report.traces import MOST_FIGURES, abscissae, trace_figure
 from calibrations.tracing.experiments import Experiment
+from calibrations.tracing.findings import Unexplained
 from calibrations.tracing.ground import scene_of
-from calibrations.tracing.loop import Unexplained
 from calibrations.tracing.separation import Difference, Outlook
 
 UNEXPLAINED = Unexplained(depends_on="angle", description="a bump of 18 arcsec near 141 deg on the head")

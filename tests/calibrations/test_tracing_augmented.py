@@ -7,9 +7,9 @@ from tables import FLIPS, sweep, table
 from calibrations.effects import CATALOGUE
 from calibrations.effects.unnamed import STRUCTURES
 from calibrations.joint import fit_jointly
-from calibrations.tracing.augmented import form_in
 from calibrations.tracing.ground import ground, scene_of
 from calibrations.tracing.noise import NoiseModel
+from calibrations.tracing.quantified import form_in
 from calibrations.tracing.trace import Tracer, found
 
 MOUNTS = (*FLIPS, sweep("face-up"), sweep("face-down"))

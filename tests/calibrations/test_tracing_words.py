@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 from loop_examples import clean, found, misread, with_k_xx
 
-from calibrations.tracing.loop import Unexplained
+from calibrations.tracing.findings import Unexplained
 from calibrations.tracing.misreading import Misreading
 from calibrations.tracing.words import comparisons, findings, found_sentences, headline, leaning, misread_text, untold
 
