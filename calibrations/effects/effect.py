@@ -8,10 +8,10 @@ import numpy as np
 
 from calibrations.geometry import FloatArray
 
-Owner: TypeAlias = Literal["unit", "stand", "daq"]
+Owner: TypeAlias = Literal["unit", "stand", "daq", "reference"]
 Variable: TypeAlias = Literal["angle", "acceleration", "time", "temperature", "direction", "realisation", "order"]
 """On what structure without a name may depend."""
-OWNER_WORDS: Final[Mapping[str, str]] = {"unit": "unit", "stand": "stand", "daq": "DAQ"}
+OWNER_WORDS: Final[Mapping[str, str]] = {"unit": "unit", "stand": "stand", "daq": "DAQ", "reference": "reference"}
 """What an effect belongs to, as a reader calls it."""
 
 
@@ -48,7 +48,9 @@ class Effect(Generic[Seen]):
     """A physical effect that the declared model of its kind of table lacks."""
 
     name: str
-    """A word of the contract, or of the user."""
+    """A word of the contract, or of the user; of several that share one, the word with something added."""
+    family: str = ""
+    """The word that several share; empty where `name` is it."""
     belongs_to: Owner
     symbol: str
     source: str
@@ -61,6 +63,11 @@ class Effect(Generic[Seen]):
     """Whether the coefficients are levels drawn at random, as many as there are seats or turn-ons."""
     additive: bool = False
     """Whether coefficients of two forms add up to one reported coefficient; otherwise the larger is reported."""
+
+    @property
+    def word(self) -> str:
+        """How it is called in a result."""
+        return self.family or self.name
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -24,7 +24,9 @@ def held_out_rms(tracer: Tracer[Any], trace: Trace, parts: Iterable[NDArray[np.b
         if np.count_nonzero(~out) < ground.declared.shape[1]:
             return None
         sample = ground.sample_of(~out)
-        problem = Problem(sample.footing(trace.noise), sample.turned(tracer.columns[~out]), offered)
+        problem = Problem(
+            sample.footing(trace.noise), sample.turned(tracer.columns[~out]), offered, ground.most_effects
+        )
         explanation = search(problem, beam=1)
         columns = np.column_stack([ground.declared, tracer.columns[:, problem.columns_of(explanation.chosen)]])
         error[out] = ground.output[out] - columns[out] @ ground.model.coefficients(problem.parameters(explanation))

@@ -38,9 +38,12 @@ class Problem:
         Columns of all candidates side by side, weighted and turned, shape (turned rows, n).
     offered
         The candidates.
+    most
+        How many of them are looked for at most.
     """
 
-    def __init__(self, footing: Footing, columns: FloatArray, offered: Sequence[Candidate]) -> None:
+    def __init__(self, footing: Footing, columns: FloatArray, offered: Sequence[Candidate], most: int) -> None:
+        self.most = most
         length = np.linalg.norm(columns, axis=0)
         self._scale = np.where(length > 0, length, 1.0)
         self._footing = footing

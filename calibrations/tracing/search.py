@@ -12,8 +12,6 @@ BEAM = 6
 """How many sets are followed."""
 BRANCHES = 5
 """How many ways each is continued."""
-MOST = 5
-"""How many effects are looked for at most."""
 _HOPELESS = 8.0
 """Where one effect more costs so much beyond what it explains, no further ones are looked for."""
 
@@ -25,7 +23,7 @@ def search(problem: Problem, beam: int = BEAM) -> Explanation:
     """
     nothing = problem.explain(())
     best, followed = nothing, [nothing]
-    for _ in range(MOST):
+    for _ in range(problem.most):
         followed = _continued(problem, followed, beam)
         if not followed:
             break
@@ -99,7 +97,7 @@ def _promising(problem: Problem, explanation: Explanation, count: int) -> list[t
 
 def _added(problem: Problem, explanation: Explanation) -> list[Explanation]:
     """Every set with one of the few that promise most added."""
-    if len(explanation.chosen) >= MOST:
+    if len(explanation.chosen) >= problem.most:
         return []
     promising = [number for worth, number in _promising(problem, explanation, BRANCHES) if worth > -_HOPELESS]
     return [problem.explain((*explanation.chosen, number)) for number in promising]

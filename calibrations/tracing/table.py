@@ -49,6 +49,8 @@ class Table:
     structures: tuple[Structure[Any], ...]
     """Shapes without a name that compete with it."""
     memory: Memory
+    most_effects: int = 5
+    """How many are looked for at most."""
 
     @property
     def rows(self) -> int:

@@ -95,7 +95,9 @@ class Tracer(Generic[_T]):
     def problem(self, noise: NoiseModel) -> Problem:
         """The table in a kind of noise."""
         if noise not in self._problems:
-            self._problems[noise] = Problem(self.ground.whole.footing(noise), self._turned, self.offered)
+            self._problems[noise] = Problem(
+                self.ground.whole.footing(noise), self._turned, self.offered, self.ground.most_effects
+            )
         return self._problems[noise]
 
     def trace(self) -> Trace:

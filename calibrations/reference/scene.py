@@ -1,0 +1,97 @@
+"""What an effect of a head that is measured against a reference may depend on."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from calibrations.geometry import FloatArray
+from calibrations.reference.rows import Dwells
+from calibrations.repeats import labels
+
+_STILL_DEG = 1e-4
+"""A head that reports less of a move is at rest."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class HeadScene:
+    """Dwells as an effect sees them; what the table does not say is None."""
+
+    dwells: Dwells
+    late_s: float = 0.0
+    """What is known so far of how late the reference is read: it saw the head where it was before."""
+    short_deg: float = 0.0
+    """What is known so far of the backlash: after moves in - direction the head stands elsewhere."""
+
+    @property
+    def rows(self) -> int:
+        """How many there are."""
+        return len(self.dwells.observations)
+
+    @property
+    def angle_deg(self) -> FloatArray:
+        """Head angle as reported, any revolution."""
+        return self.dwells.observations.angle_deg
+
+    @cached_property
+    def seen_deg(self) -> FloatArray:
+        """Where the reference saw the head, by what is known so far, shape (rows,)."""
+        return np.asarray(self.angle_deg + self.late_deg + self.short_deg * (self.direction < 0))
+
+    @cached_property
+    def late_deg(self) -> FloatArray:
+        """How far from where it is the head was when the reference saw it, by what is known so far, shape (rows,)."""
+        if not self.late_s or self.velocity_deg_s is None:
+            return np.zeros(self.rows)
+        return self.dwells.angle_before_deg(self.late_s, self.velocity_deg_s) - self.angle_deg
+
+    @cached_property
+    def late_deg_per_s(self) -> FloatArray | None:
+        """The same for each second of being late; None where the table does not say how fast the head was."""
+        velocity_deg_s = self.velocity_deg_s
+        if velocity_deg_s is None:
+            return None
+        return np.asarray(self.late_deg / self.late_s if self.late_s else -velocity_deg_s)
+
+    @cached_property
+    def turns(self) -> FloatArray:
+        """Head angle from the first row, in turns."""
+        return np.asarray((self.angle_deg - self.angle_deg[0]) / 360.0)
+
+    @cached_property
+    def hours(self) -> FloatArray | None:
+        """Time since the first row, in hours."""
+        time_s = self.dwells.observations.time_s
+        return None if time_s is None else (time_s - time_s[0]) / 3600.0
+
+    @cached_property
+    def velocity_deg_s(self) -> FloatArray | None:
+        """Speed of the head; from angles and times of a stream where the table does not say, else None."""
+        return self.dwells.velocity_deg_s
+
+    @cached_property
+    def direction(self) -> NDArray[np.int64]:
+        """Sign of the last move of the head; 0 before the first."""
+        stated, velocity = self.dwells.observations.direction, self.velocity_deg_s
+        if stated is not None:
+            return stated
+        moved = np.diff(self.angle_deg, prepend=self.angle_deg[0])
+        speed = moved if velocity is None else np.where(np.abs(moved) > _STILL_DEG, moved, velocity)
+        sign = np.where(np.abs(speed) > _STILL_DEG, np.sign(speed), 0).astype(np.int64)
+        last = np.maximum.accumulate(np.where(sign != 0, np.arange(self.rows), 0))
+        return np.asarray(sign[last])
+
+    @cached_property
+    def realisation(self) -> NDArray[np.int64]:
+        """Number of the realisation of each row, from 0."""
+        return labels(self.dwells.observations.realisations)
+
+    @cached_property
+    def temperature_k(self) -> FloatArray | None:
+        """Temperature above its mean, in kelvin; missing values are the mean."""
+        measured = self.dwells.observations.temperature_degc
+        if measured is None or not np.isfinite(measured).any():
+            return None
+        middle = float(np.nanmean(measured))
+        return np.asarray(np.where(np.isfinite(measured), measured, middle) - middle)

@@ -1,0 +1,96 @@
+"""Structure without a name in a head that is measured against a reference."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from calibrations.effects.effect import Form, Structure, plain
+from calibrations.geometry import FloatArray
+from calibrations.reference.scene import HeadScene
+
+_WIDTHS_DEG = (5.0, 12.0, 25.0)
+
+
+def _column(values: FloatArray, **where: float) -> Form:
+    return Form(columns=values[:, None], scanned=where)
+
+
+def _centres_deg(step_deg: float) -> list[float]:
+    return [float(centre) for centre in np.arange(0.0, 360.0, step_deg)]
+
+
+def _bells(scene: HeadScene) -> Sequence[Form]:
+    """An error near one angle of the head."""
+    away = {deg: (scene.seen_deg - deg + 180.0) % 360.0 - 180.0 for deg in _centres_deg(5.0)}
+    return [
+        _column(np.exp(-0.5 * (away_deg / width) ** 2), centre_deg=centre, width_deg=width)
+        for width in _WIDTHS_DEG
+        for centre, away_deg in away.items()
+    ]
+
+
+def _edges(scene: HeadScene) -> Sequence[Form]:
+    """An error that steps at one angle, the same in both directions."""
+    inside = [deg for deg in _centres_deg(2.5) if scene.seen_deg.min() + 5 < deg < scene.seen_deg.max() - 5]
+    return [_column(0.5 * np.tanh((scene.seen_deg - deg) / 2.0), edge_deg=deg) for deg in inside]
+
+
+def _time_steps(scene: HeadScene) -> Sequence[Form]:
+    if scene.hours is None or not np.ptp(scene.hours):
+        return ()
+    places_h = np.linspace(0.02, 0.98, 49) * scene.hours[-1]
+    return [_column((scene.hours > at_h).astype(float), step_s=float(at_h) * 3600.0) for at_h in places_h]
+
+
+def _time_bends(scene: HeadScene) -> Sequence[Form]:
+    if scene.hours is None or not np.ptp(scene.hours):
+        return ()
+    part = scene.hours / scene.hours[-1]
+    return [_column(part**power, power=float(power)) for power in (2, 3)]
+
+
+HEAD_STRUCTURES: tuple[Structure[HeadScene], ...] = (
+    Structure(
+        name="?angle bell",
+        belongs_to="stand",
+        symbol="",
+        source="",
+        forms=_bells,
+        report=plain("amplitude", "deg"),
+        depends_on="angle",
+        describe=lambda form: (
+            f"a bump of the head's error near {form.scanned['centre_deg']:g}°, "
+            f"some {2 * form.scanned['width_deg']:g}° wide"
+        ),
+    ),
+    Structure(
+        name="?angle edge",
+        belongs_to="stand",
+        symbol="",
+        source="",
+        forms=_edges,
+        report=plain("step", "deg"),
+        depends_on="angle",
+        describe=lambda form: f"a step of the head's error near {form.scanned['edge_deg']:g}°, from either side",
+    ),
+    Structure(
+        name="?time step",
+        belongs_to="stand",
+        symbol="",
+        source="",
+        forms=_time_steps,
+        report=plain("step", "deg"),
+        depends_on="time",
+        describe=lambda form: f"a step some {form.scanned['step_s']:.1f} s after the first row",
+    ),
+    Structure(
+        name="?time bend",
+        belongs_to="stand",
+        symbol="",
+        source="",
+        forms=_time_bends,
+        report=plain("amplitude", "deg"),
+        depends_on="time",
+        describe=lambda form: f"a drift that bends, like the power {form.scanned['power']:g} of the time",
+    ),
+)

@@ -1,0 +1,71 @@
+"""A linear declared model with what was found, fitted by generalised least squares."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from calibrations.conditional import smallest_solution
+from calibrations.effects.effect import Quantity
+from calibrations.geometry import FloatArray
+from calibrations.tracing.quantified import Quantified, slices, tangent
+from calibrations.tracing.table import Table
+from calibrations.tracing.trace import Trace
+
+_UNSEEN = 1e-9
+"""Directions weaker than this, relative to the strongest, have no variance to be stated."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class LinearFit(Quantified):
+    """Parameters of a linear model beside the coefficients of what was found."""
+
+    parameters: Mapping[str, Quantity]
+    together: FloatArray
+    """Covariance of parameters and coefficients together, in that order."""
+
+
+def fit_linear(table: Table, trace: Trace, units: Mapping[str, str]) -> LinearFit:
+    """Fit a linear declared model with what was found; `units` names its parameters, each with its unit.
+
+    What was scanned for counts as fitted: the change of each form with its scanned value is a column of its own.
+    """
+    found, size = trace.found, table.model.parameters
+    places = slices([item.form.columns.shape[1] for item in found])
+    forms = [item.form.columns for item in found]
+    first = _solve(table, trace, forms)[0][size:]
+    changes = [tangent(table.scene, item, first[place]) for item, place in zip(found, places, strict=True)]
+    theta, scatter, residual, dwell = _solve(table, trace, [*forms, *(c for c in changes if c is not None)])
+    numbers = iter(range(places[-1].stop if places else 0, len(theta) - size))
+    root = np.sqrt(np.diag(scatter))
+    return LinearFit(
+        found=found,
+        columns=tuple(places),
+        scanned=tuple(None if change is None else next(numbers) for change in changes),
+        coefficients=theta[size:],
+        covariance=scatter[size:, size:],
+        residual=residual,
+        dwell=dwell,
+        parameters={
+            name: Quantity(value=float(theta[place]), standard_uncertainty=float(root[place]), unit=unit)
+            for place, (name, unit) in enumerate(units.items())
+        },
+        together=scatter,
+    )
+
+
+def _solve(
+    table: Table, trace: Trace, further: Sequence[FloatArray]
+) -> tuple[FloatArray, FloatArray, FloatArray, float]:
+    """Coefficients of all columns, their covariance, the residual of the rows, standard deviation of a row."""
+    whiten, root = table.memory.whitening(trace.noise), np.sqrt(table.weights)
+    columns = np.column_stack([table.declared, *further])
+    white, output = whiten(columns * root[:, None]), whiten(table.output * root)
+    q, r = np.linalg.qr(white)
+    theta = smallest_solution(r, q.T @ output)
+    squares = float(np.sum((output - white @ theta) ** 2))
+    variance = squares / max(table.rows - columns.shape[1], 1)
+    misfit = (table.output - columns @ theta) * root
+    residual = np.asarray(whiten(whiten(misfit)) / root)  # best linear unbiased prediction (Henderson 1975)
+    inverse = np.linalg.pinv(r, rcond=_UNSEEN)
+    return theta, np.asarray(variance * inverse @ inverse.T), residual, float(np.sqrt(variance))
