@@ -1,0 +1,82 @@
+"""What a parameter may do with temperature, beyond being constant: bend as a polynomial, break, step; or drift."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from calibrations.effects.effect import Effect, Form, Forms, plain, scan, single, with_scanned
+from calibrations.temperature.scene import RunScene
+
+
+def _power(order: int) -> Forms[RunScene]:
+    """Chebyshev's polynomial over the range, where there are runs enough for it."""
+
+    def forms(scene: RunScene) -> Sequence[Form]:
+        if len(np.unique(scene.temperature_degc)) < order + 3:
+            return ()
+        return single(np.cos(order * np.arccos(np.clip(scene.relative, -1.0, 1.0))))
+
+    return forms
+
+
+def _break(scene: RunScene, at_degc: float) -> Form:
+    """Another slope above a temperature."""
+    column = np.clip(scene.temperature_degc - at_degc, 0.0, None)
+    return Form(columns=column[:, None], scanned={"at_degC": at_degc})
+
+
+def _steps(scene: RunScene) -> Sequence[Form]:
+    """Another level above a temperature, half way between two runs."""
+    known = np.unique(scene.temperature_degc)
+    places = ((known[1:] + known[:-1]) / 2)[1:-1]
+    return [
+        Form(columns=(scene.temperature_degc > at_degc).astype(float)[:, None], scanned={"at_degC": float(at_degc)})
+        for at_degc in places
+    ]
+
+
+def _order(scene: RunScene) -> Sequence[Form]:
+    return single(scene.order - scene.order[0])
+
+
+def run_effects(unit: str) -> tuple[Effect[RunScene], ...]:
+    """All of them, for a parameter in this unit. Coefficients of polynomials are shares at the end of the range."""
+    polynomials = [
+        Effect(
+            name=f"temperature_{word}",
+            belongs_to="unit",
+            symbol=f"c T_{order}",
+            source="polynomial of Chebyshev over the range of the runs",
+            forms=_power(order),
+            report=plain(f"temperature_{word}", unit),
+        )
+        for order, word in ((1, "linear"), (2, "quadratic"), (3, "cubic"), (4, "quartic"))
+    ]
+    return (
+        *polynomials,
+        Effect(
+            name="temperature_break",
+            belongs_to="unit",
+            symbol="c max(0, T - T_b)",
+            source="a part that comes to its stop, a glass transition, an adhesive that softens",
+            forms=scan(_break, lambda scene: scene.between_degc.tolist()),
+            report=with_scanned(plain("slope", f"{unit}/K"), at_degC="degC"),
+            at=_break,
+        ),
+        Effect(
+            name="temperature_step",
+            belongs_to="unit",
+            symbol="c above T_s",
+            source="a contact or a part that slips",
+            forms=_steps,
+            report=with_scanned(plain("step", unit), at_degC="degC"),
+        ),
+        Effect(
+            name="run_drift",
+            belongs_to="unit",
+            symbol="c run",
+            source="ageing from run to run",
+            forms=_order,
+            report=plain("run_drift", f"{unit}/run"),
+        ),
+    )

@@ -1,0 +1,119 @@
+"""Closing the loop on a table whose declared model is linear: what is left, and what that does to the parameters."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Generic, TypeVar
+
+import numpy as np
+
+from calibrations.effects.effect import Quantity, Structure
+from calibrations.tracing.findings import EffectFound, Unexplained, effects_found
+from calibrations.tracing.linear import LinearFit, fit_linear
+from calibrations.tracing.noise import NoiseModel
+from calibrations.tracing.rivals import CLOSE, Rival, with_best_names
+from calibrations.tracing.table import Table
+from calibrations.tracing.taken_back import RIVALS_APART
+from calibrations.tracing.trace import Trace, Tracer
+
+_T = TypeVar("_T", bound=Table)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Stated:
+    """A parameter as it is stated: a quantity, or why it has no value."""
+
+    unit: str
+    value: float | None = None
+    standard_uncertainty: float | None = None
+    reason: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Model:
+    """One of the two models of a table: declared, or with what was found."""
+
+    parameters: Mapping[str, Stated]
+    residual_rms: float
+    held_out_rms: float | None
+    """On rows that neither chose an effect nor fitted its coefficients; None where too few remain."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Explained(Generic[_T]):
+    """A table, what it was traced to, and what could stand in its place."""
+
+    tracer: Tracer[_T]
+    trace: Trace
+    near: Mapping[str, Sequence[Rival]]
+    """Near rivals of each effect of the trace."""
+    before: LinearFit
+    """The declared model alone."""
+    best: LinearFit
+    """With what was found."""
+
+    @property
+    def table(self) -> _T:
+        """The table."""
+        return self.tracer.ground
+
+    @property
+    def close(self) -> dict[str, list[Rival]]:
+        """Rivals of each effect that cannot be told from it."""
+        return {name: [rival for rival in near if rival.behind < CLOSE] for name, near in self.near.items()}
+
+    @property
+    def effects(self) -> tuple[EffectFound, ...]:
+        """What was found, in the order of the evidence."""
+        found = effects_found(self.table, self.trace, self.best, self.close)
+        return tuple(sorted(found, key=lambda effect: effect.p_value))
+
+    @property
+    def unexplained(self) -> tuple[Unexplained, ...]:
+        """Structure that is there and that no effect of the catalogue explains, the largest first."""
+        shown = [
+            (float(np.std(item.form.columns @ self.best.coefficients[columns])), item)
+            for item, columns in zip(self.best.found, self.best.columns, strict=True)
+        ]
+        return tuple(
+            Unexplained(depends_on=item.effect.depends_on, description=item.effect.describe(item.form))
+            for _, item in sorted(shown, key=lambda entry: -entry[0])
+            if isinstance(item.effect, Structure)
+        )
+
+
+def explain_linear(table: _T, units: Mapping[str, str]) -> Explained[_T]:
+    """Trace what a linear declared model leaves; `units` names its parameters, each with its unit."""
+    tracer: Tracer[_T] = Tracer(table)
+    trace, near = with_best_names(tracer, tracer.trace())
+    nothing = Trace(found=(), noise=NoiseModel(), deviance=table.deviance((), NoiseModel()))
+    before, best = fit_linear(table, nothing, units), fit_linear(table, trace, units)
+    return Explained(tracer=tracer, trace=trace, near=near, before=before, best=best)
+
+
+def stated(explained: Explained[Any], fit: LinearFit, units: Mapping[str, str]) -> dict[str, Stated]:
+    """Parameters with what was found, but those that depend on which of two near rivals is true."""
+    parameters = {name: _stated(quantity) for name, quantity in fit.parameters.items()}
+    for name, rivals in explained.near.items():
+        for rival in rivals:
+            other = fit_linear(explained.table, rival.trace, units)
+            for key, quantity in other.parameters.items():
+                parameters[key] = _judged(parameters[key], quantity.value, name, rival.name)
+    return parameters
+
+
+def as_stated(fit: LinearFit) -> dict[str, Stated]:
+    """Parameters as they were fitted."""
+    return {name: _stated(quantity) for name, quantity in fit.parameters.items()}
+
+
+def _stated(quantity: Quantity) -> Stated:
+    return Stated(unit=quantity.unit, value=quantity.value, standard_uncertainty=quantity.standard_uncertainty)
+
+
+def _judged(parameter: Stated, other: float, name: str, rival: str) -> Stated:
+    if parameter.value is None or parameter.standard_uncertainty is None:
+        return parameter
+    if abs(other - parameter.value) <= RIVALS_APART * parameter.standard_uncertainty:
+        return parameter
+    reason = f"it differs between {name} and {rival}, which this table does not clearly tell apart"
+    return replace(parameter, value=None, standard_uncertainty=None, reason=reason)
