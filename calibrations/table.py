@@ -49,15 +49,8 @@ def read_table(path: Path) -> Observations:
         Missing, unreadable or malformed file: one sentence with file, line, column and remedy.
     """
     text, warnings = _read_text(path)
-    lines = _records(text, path)
-    try:
-        _, header = next(lines)
-    except StopIteration:
-        raise TableError(f"{path}: the file is empty; expected a header line and one row per dwell") from None
+    header, rows = _split(text, path)
     _check_header(header, path)
-    rows = list(lines)
-    if not rows:
-        raise TableError(f"{path}: there is a header but no row; expected one row per dwell")
     columns = {name: _column(name, index, rows, path) for index, name in enumerate(header)}
     known: dict[str, Any] = {FIELDS[name]: values for name, values in columns.items() if name in FIELDS}
     return set_aside_bad_rows(
@@ -69,6 +62,25 @@ def read_table(path: Path) -> Observations:
             **known,
         )
     )
+
+
+def read_lines(path: Path) -> tuple[list[str], list[tuple[int, list[str]]]]:
+    """Header of any table of this format, and number and cells of each of its rows. Raises `TableError`."""
+    header, rows = _split(_read_text(path)[0], path)
+    _check_names(header, path)
+    return header, rows
+
+
+def _split(text: str, path: Path) -> tuple[list[str], list[tuple[int, list[str]]]]:
+    lines = _records(text, path)
+    try:
+        _, header = next(lines)
+    except StopIteration:
+        raise TableError(f"{path}: the file is empty; expected a header line and one row per dwell") from None
+    rows = list(lines)
+    if not rows:
+        raise TableError(f"{path}: there is a header but no row; expected one row per dwell")
+    return header, rows
 
 
 def write_table(observations: Observations, path: Path) -> None:
@@ -117,13 +129,17 @@ def _records(text: str, path: Path) -> Iterator[tuple[int, list[str]]]:
         yield number, cells
 
 
-def _check_header(header: list[str], path: Path) -> None:
+def _check_names(header: list[str], path: Path) -> None:
     if len(header) == 1 and (other := next((mark for mark in (";", "\t") if mark in header[0]), "")):
         name = {";": "semicolons", "\t": "tabs"}[other]
         raise TableError(f"{path}, line 1: values between {name}; write commas between them and decimal points in them")
     if len(set(header)) != len(header):
         double = next(name for name in header if header.count(name) > 1)
         raise TableError(f"{path}, line 1, column {double}: named twice; rename or remove one")
+
+
+def _check_header(header: list[str], path: Path) -> None:
+    _check_names(header, path)
     if "angle_deg" not in header:
         raise TableError(f"{path}, line 1: column angle_deg is missing{_hint('angle_deg', header)}")
     if "voltage_V" not in header and "reference_deg" not in header:

@@ -1,11 +1,17 @@
 """What a parameter may do with temperature, beyond being constant: bend as a polynomial, break, step; or drift."""
 
 from collections.abc import Sequence
+from typing import Final
 
 import numpy as np
 
 from calibrations.effects.effect import Effect, Form, Forms, plain, scan, single, with_scanned
 from calibrations.temperature.scene import RunScene
+
+BREAK: Final = "temperature_break"
+DRIFT: Final = "run_drift"
+_DOUBT = 6.0
+"""Doubt in a drift from run to run where each run has a temperature of its own: that is the better guess."""
 
 
 def _power(order: int) -> Forms[RunScene]:
@@ -14,7 +20,7 @@ def _power(order: int) -> Forms[RunScene]:
     def forms(scene: RunScene) -> Sequence[Form]:
         if len(np.unique(scene.temperature_degc)) < order + 3:
             return ()
-        return single(np.cos(order * np.arccos(np.clip(scene.relative, -1.0, 1.0))))
+        return single(np.polynomial.Chebyshev.basis(order)(scene.relative))
 
     return forms
 
@@ -36,7 +42,7 @@ def _steps(scene: RunScene) -> Sequence[Form]:
 
 
 def _order(scene: RunScene) -> Sequence[Form]:
-    return single(scene.order - scene.order[0])
+    return (Form(columns=(scene.order - 1.0)[:, None], doubt=_DOUBT),)
 
 
 def run_effects(unit: str) -> tuple[Effect[RunScene], ...]:
@@ -55,7 +61,7 @@ def run_effects(unit: str) -> tuple[Effect[RunScene], ...]:
     return (
         *polynomials,
         Effect(
-            name="temperature_break",
+            name=BREAK,
             belongs_to="unit",
             symbol="c max(0, T - T_b)",
             source="a part that comes to its stop, a glass transition, an adhesive that softens",
@@ -72,11 +78,11 @@ def run_effects(unit: str) -> tuple[Effect[RunScene], ...]:
             report=with_scanned(plain("step", unit), at_degC="degC"),
         ),
         Effect(
-            name="run_drift",
+            name=DRIFT,
             belongs_to="unit",
             symbol="c run",
             source="ageing from run to run",
             forms=_order,
-            report=plain("run_drift", f"{unit}/run"),
+            report=plain(DRIFT, f"{unit}/run"),
         ),
     )

@@ -1,9 +1,10 @@
 """What a parameter may depend on from run to run."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from calibrations.geometry import FloatArray
 
@@ -17,6 +18,18 @@ class RunScene:
     """Which run was made when, shape (runs,)."""
     hours: FloatArray | None = None
     """Time since the first run; None where the table does not say."""
+    range_degc: tuple[float, float] | None = None
+    """Over which polynomials are taken; None: that of the runs."""
+
+    def only(self, kept: NDArray[np.bool_]) -> "RunScene":
+        """Some of the runs."""
+        hours = None if self.hours is None else self.hours[kept]
+        return replace(self, temperature_degc=self.temperature_degc[kept], order=self.order[kept], hours=hours)
+
+    def over(self, other: "RunScene") -> "RunScene":
+        """The same runs, seen over the range of others."""
+        low, high = float(other.temperature_degc.min()), float(other.temperature_degc.max())
+        return replace(self, range_degc=(low, high))
 
     @property
     def rows(self) -> int:
@@ -26,7 +39,7 @@ class RunScene:
     @cached_property
     def relative(self) -> FloatArray:
         """Temperature over its range, from -1 to 1."""
-        low, high = float(self.temperature_degc.min()), float(self.temperature_degc.max())
+        low, high = self.range_degc or (float(self.temperature_degc.min()), float(self.temperature_degc.max()))
         return np.asarray((2.0 * self.temperature_degc - low - high) / (high - low))
 
     @cached_property
