@@ -5,11 +5,14 @@ from typing import Final
 
 import numpy as np
 
-from calibrations.effects.effect import Effect, Form, Forms, plain, scan, single, with_scanned
+from calibrations.effects.effect import Effect, Form, Forms, plain, scan, with_scanned
 from calibrations.temperature.scene import RunScene
 
 BREAK: Final = "temperature_break"
 DRIFT: Final = "run_drift"
+_EXPECTED = 8.0
+"""What a polynomial need not earn: that a parameter follows temperature smoothly is what anyone expects. With thirteen
+runs it is then believed at a chance of one in a hundred, as a term that is added to a fit usually is."""
 _DOUBT = 6.0
 """Doubt in a drift from run to run where each run has a temperature of its own: that is the better guess."""
 
@@ -20,7 +23,8 @@ def _power(order: int) -> Forms[RunScene]:
     def forms(scene: RunScene) -> Sequence[Form]:
         if len(np.unique(scene.temperature_degc)) < order + 3:
             return ()
-        return single(np.polynomial.Chebyshev.basis(order)(scene.relative))
+        column = np.polynomial.Chebyshev.basis(order)(scene.relative)
+        return (Form(columns=column[:, None], doubt=-_EXPECTED),)
 
     return forms
 

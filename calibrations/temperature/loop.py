@@ -1,12 +1,13 @@
 """Closing the loop on parameters against temperature: each by itself, then what several of them share."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from calibrations.geometry import FloatArray
+from calibrations.support import series
 from calibrations.temperature.effects import run_effects
 from calibrations.temperature.scene import RunScene
 from calibrations.temperature.shared import SharedCause, shared_causes
@@ -69,9 +70,23 @@ def close_temperature_loop(runs: Runs) -> TemperatureLoop:
     parameters = tuple(_parameter(runs, name, values) for name, values in runs.parameters.items())
     explained = {parameter.name: parameter.explained for parameter in parameters}
     shared = shared_causes(explained)
-    return TemperatureLoop(
-        runs=runs, parameters=parameters, shared=shared, unknowable=cannot_be_known(runs, explained, shared)
-    )
+    unknowable = (*cannot_be_known(runs, explained, shared), *_only_described(parameters))
+    return TemperatureLoop(runs=runs, parameters=parameters, shared=shared, unknowable=unknowable)
+
+
+def _only_described(parameters: Sequence[ParameterLoop]) -> Iterator[str]:
+    """Where what was found says less of a run that is left out than a polynomial does."""
+    worse = [
+        parameter.name
+        for parameter in parameters
+        if parameter.augmented.held_out_rms is not None
+        and parameter.augmented.held_out_rms > parameter.best_polynomial.held_out_rms
+    ]
+    if worse:
+        yield (
+            f"What was found in {series(worse)} describes these runs, but predicts a run that is left out no better "
+            "than a polynomial does: it rests on single runs. Until there are more, correct with the polynomial."
+        )
 
 
 def _parameter(runs: Runs, name: str, values: FloatArray) -> ParameterLoop:

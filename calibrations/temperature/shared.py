@@ -53,13 +53,12 @@ class _Break:
         at = self.found.effect.at
         assert at is not None, "a break has a place"
         others: list[Form] = [item.form for item in self.explained.trace.found if item is not self.found]
-        return self.explained.table.deviance(
-            [*others, at(self.explained.table.scene, at_degc)], self.explained.trace.noise
-        )
+        table, noise = self.explained.table, self.explained.trace.noise
+        return table.deviance([*others, at(table.scene, at_degc)], noise)
 
 
 def shared_causes(explained: Mapping[str, Explained[Table]]) -> tuple[SharedCause, ...]:
-    """Breaks that several parameters may share: in one gap between runs, or at temperatures on which their fits agree."""
+    """Breaks that several parameters may share: in one gap between runs, or at one temperature by their fits."""
     breaks = [
         _Break(name=name, explained=one, found=item)
         for name, one in explained.items()
