@@ -1,12 +1,14 @@
 """The closed loop on the terminal."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from rich.console import Console
 from rich.table import Table
 
 from app.console import results
+from calibrations.tracing.findings import EffectFound
 from calibrations.tracing.loop import Loop
+from calibrations.tracing.misreading import Misreading
 from calibrations.tracing.words import Comparison, comparisons, findings, headline, leaning, untold
 
 
@@ -15,7 +17,7 @@ def show_loop(loop: Loop, console: Console | None = None) -> None:
     console = console or results()
     console.print(headline(loop), markup=False)
     if loop.effects:
-        console.print(_findings_table(loop))
+        console.print(findings_table(loop.effects, loop.misread))
     if lines := comparisons(loop):
         console.print(_comparison_table(lines))
     for name, reason in untold(loop):
@@ -28,9 +30,10 @@ def show_loop(loop: Loop, console: Console | None = None) -> None:
         console.print(f"  {experiment.why}", markup=False)
 
 
-def _findings_table(loop: Loop) -> Table:
+def findings_table(effects: Sequence[EffectFound], misread: Sequence[Misreading] = ()) -> Table:
+    """Effects found, with their rivals and coefficients."""
     table = _table("What was found", "effect", "or", "belongs to", "coefficients (standard uncertainty)", "p")
-    for found in findings(loop):
+    for found in findings(effects, misread):
         table.add_row(found.name, found.also_possible, found.belongs_to, found.coefficients, found.p_value)
     return table
 

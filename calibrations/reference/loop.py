@@ -2,16 +2,19 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from calibrations.geometry import FloatArray
 from calibrations.observations import Observations, SetAside
+from calibrations.reference.experiments import next_reference_experiments
 from calibrations.reference.passes import Passes, passes
 from calibrations.reference.questions import question
 from calibrations.reference.scene import HeadScene
 from calibrations.reference.table import UNITS, HeadTable, first_look, head_table
+from calibrations.tracing.experiments import Experiment
 from calibrations.tracing.findings import EffectFound, Unexplained
 from calibrations.tracing.fitting_noise import best_walk
 from calibrations.tracing.held_out import held_out_rms
@@ -48,10 +51,20 @@ class ReferenceLoop:
     passes: Passes | None
     """How forward and backward passes differ; None where the head was turned in one direction only."""
     warnings: tuple[str, ...]
-    explained: Explained[HeadTable] | None
-    """What it rests on; None where nothing was traced."""
+    explained: Explained[HeadTable]
+    """What it rests on."""
     fit: LinearFit
     """The best fit with uncertainties that know that neighbouring dwells err alike."""
+
+    @property
+    def degrees_of_freedom(self) -> int:
+        """Of the noise of a dwell."""
+        return len(self.observations) - len(self.fit.coefficients) - len(UNITS)
+
+    @cached_property
+    def next_experiment(self) -> tuple[Experiment, ...]:
+        """What would part the rivals that are left."""
+        return next_reference_experiments(self.explained)
 
 
 def close_reference_loop(observations: Observations) -> ReferenceLoop:
@@ -87,7 +100,7 @@ def close_reference_loop(observations: Observations) -> ReferenceLoop:
             residual_rms=_rms(explained.best.residual),
             held_out_rms=held_out_rms(explained.tracer, trace, parts),
         ),
-        effects=explained.effects,
+        effects=explained.effects(fit),
         unexplained=explained.unexplained,
         dwell_deg=explained.best.dwell,
         passes=passes(table, explained.before.residual, explained.best.residual),

@@ -1,7 +1,6 @@
 """The rows of a head that is measured against a reference, as dwells; how far the reference stands from the head."""
 
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -46,16 +45,6 @@ class Dwells:
         """Whether the table was a stream of samples."""
         return len(self.samples) > len(self.observations)
 
-    @cached_property
-    def velocity_deg_s(self) -> FloatArray | None:
-        """Speed of the head, shape (dwells,); None where neither the table nor a stream says."""
-        if self.observations.velocity_deg_s is not None:
-            return self.observations.velocity_deg_s
-        time_s = self.samples.time_s
-        if not self.streamed or time_s is None:
-            return None
-        return self._means(np.asarray(np.gradient(self.samples.angle_deg, time_s)))
-
     def angle_before_deg(self, late_s: float, velocity_deg_s: FloatArray) -> FloatArray:
         """Angle of the head so long before each dwell, shape (dwells,); of a stream as it moved, else by its speed."""
         time_s = self.samples.time_s
@@ -69,15 +58,23 @@ class Dwells:
         return np.asarray(np.bincount(self.number, weights=values) / np.bincount(self.number))
 
 
+def as_they_are(observations: Observations) -> Dwells:
+    """Rows that are dwells already, their reference free of wraps."""
+    return Dwells(observations=observations, samples=observations, number=np.arange(len(observations)))
+
+
 def as_dwells(observations: Observations) -> Dwells:
     """Take samples that follow each other within less than `DWELL_S` together; other tables are dwells already.
 
-    A dwell holds samples of one realisation and one direction only. Raises `ValueError` without a reference.
+    A dwell holds samples of one realisation and one direction only; the speed of a stream follows from its angles and
+    times where the table does not say. Raises `ValueError` without a reference.
     """
     unwrapped = replace(observations, reference_deg=observations.angle_deg + error_deg(observations))
     time_s = observations.time_s
     if time_s is None or len(time_s) < 2 or np.median(np.diff(time_s)) > DWELL_S / 2:
-        return Dwells(observations=unwrapped, samples=unwrapped, number=np.arange(len(unwrapped)))
+        return as_they_are(unwrapped)
+    if unwrapped.velocity_deg_s is None:
+        unwrapped = replace(unwrapped, velocity_deg_s=np.gradient(observations.angle_deg, time_s))
     number = _numbers(observations, time_s)
     return Dwells(observations=_averaged(unwrapped, number), samples=unwrapped, number=number)
 

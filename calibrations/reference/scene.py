@@ -10,8 +10,8 @@ from calibrations.geometry import FloatArray
 from calibrations.reference.rows import Dwells
 from calibrations.repeats import labels
 
-_STILL_DEG = 1e-4
-"""A head that reports less of a move is at rest."""
+_STILL_DEG, _STILL_DEG_S = 1e-4, 1e-3
+"""A head that reports less of a move, or less of a speed, is at rest."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -65,10 +65,10 @@ class HeadScene:
         time_s = self.dwells.observations.time_s
         return None if time_s is None else (time_s - time_s[0]) / 3600.0
 
-    @cached_property
+    @property
     def velocity_deg_s(self) -> FloatArray | None:
-        """Speed of the head; from angles and times of a stream where the table does not say, else None."""
-        return self.dwells.velocity_deg_s
+        """Speed of the head; None where neither the table nor a stream says."""
+        return self.dwells.observations.velocity_deg_s
 
     @cached_property
     def direction(self) -> NDArray[np.int64]:
@@ -77,7 +77,7 @@ class HeadScene:
         if stated is not None:
             return stated
         moved = np.diff(self.angle_deg, prepend=self.angle_deg[0])
-        speed = moved if velocity is None else np.where(np.abs(moved) > _STILL_DEG, moved, velocity)
+        speed = moved if velocity is None else np.where(np.abs(velocity) > _STILL_DEG_S, velocity, moved)
         sign = np.where(np.abs(speed) > _STILL_DEG, np.sign(speed), 0).astype(np.int64)
         last = np.maximum.accumulate(np.where(sign != 0, np.arange(self.rows), 0))
         return np.asarray(sign[last])

@@ -8,12 +8,12 @@ import numpy as np
 from calibrations.geometry import FloatArray
 from calibrations.observations import Observations
 from calibrations.reference.effects import HEAD_EFFECTS
-from calibrations.reference.rows import Dwells, as_dwells
+from calibrations.reference.rows import as_dwells, as_they_are
 from calibrations.reference.scene import HeadScene
 from calibrations.reference.shapes import HEAD_STRUCTURES
 from calibrations.tracing.declared import Linear
 from calibrations.tracing.noise import Memory
-from calibrations.tracing.table import Table, memory_of
+from calibrations.tracing.table import Extensible, View, memory_of
 
 MOST_EFFECTS: Final = 14
 """A circle has harmonics without end; with so many, what a head leaves is small."""
@@ -22,7 +22,7 @@ UNITS: Final = {"offset": "deg"}
 
 
 @dataclass(frozen=True, kw_only=True)
-class HeadTable(Table):
+class HeadTable(Extensible):
     """The table of a head that is measured against a reference. The output is reference minus head, in degrees."""
 
     scene: HeadScene
@@ -32,6 +32,14 @@ class HeadTable(Table):
     def observations(self) -> Observations:
         """The dwells."""
         return self.scene.dwells.observations
+
+    def view(self, rows: Observations, theta: FloatArray) -> HeadScene:  # noqa: ARG002
+        """Rows as effects see them by what is known so far."""
+        return replace(self.scene, dwells=as_they_are(rows))
+
+    def functions(self, view: View) -> FloatArray:
+        """One: a constant, shape (rows, 1)."""
+        return np.ones((view.rows, 1))
 
     @property
     def wandering(self) -> "HeadTable":
@@ -48,7 +56,7 @@ def head_table(scene: HeadScene) -> HeadTable:
         model=Linear(functions=np.ones((rows, 1))),
         output=np.asarray(observations.reference_deg - observations.angle_deg),
         unit="deg",
-        weights=_weights(scene.dwells),
+        weights=np.ones(rows),
         scene=scene,
         effects=HEAD_EFFECTS,
         structures=HEAD_STRUCTURES,
@@ -60,8 +68,3 @@ def head_table(scene: HeadScene) -> HeadTable:
 def first_look(observations: Observations) -> HeadTable:
     """A table of which nothing is known yet. Raises `ValueError` without a reference."""
     return head_table(HeadScene(dwells=as_dwells(observations)))
-
-
-def _weights(dwells: Dwells) -> FloatArray:
-    """All dwells alike: what one leaves is hardly noise of its samples, but an error that they share."""
-    return np.ones(len(dwells.observations))

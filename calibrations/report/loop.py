@@ -20,7 +20,7 @@ def closed_loop(subject: Subject) -> dict[str, Any]:
     found = bool(loop.effects or loop.unexplained)
     if not found:
         return {"headline": headline(loop)} | dict.fromkeys(_PARTS, ())
-    parts = (findings(loop), _figures(loop), comparisons(loop), untold(loop), _experiments(loop))
+    parts = (findings(loop.effects, loop.misread), _figures(loop), comparisons(loop), untold(loop), _experiments(loop))
     return {"headline": headline(loop)} | dict(zip(_PARTS, parts, strict=True))
 
 

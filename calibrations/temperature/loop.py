@@ -108,7 +108,7 @@ def _parameter(runs: Runs, name: str, values: FloatArray) -> ParameterLoop:
             residual_rms=_rms(explained.best.residual),
             held_out_rms=_held_out(table, units),
         ),
-        effects=explained.effects,
+        effects=explained.effects(explained.best),
         explained=explained,
     )
 

@@ -30,6 +30,10 @@ class Declared(Protocol):
         """Best parameters, then the coefficients of further columns."""
         ...
 
+    def near(self, compressed: Compressed) -> FloatArray:
+        """The same with what is nonlinear where effects are seen from."""
+        ...
+
     def coefficients(self, theta: FloatArray) -> FloatArray:
         """Coefficients of the functions and of the further columns."""
         ...
@@ -50,6 +54,8 @@ class Accelerometer:
     functions: FloatArray
     alpha0_told: bool
     """Whether alpha0 is fitted; it is held at 0 otherwise."""
+    seen_from_deg: float = 0.0
+    """The alpha0 from which effects are seen: where it rests on a curvature alone, not its best value."""
 
     @property
     def parameters(self) -> int:
@@ -59,6 +65,10 @@ class Accelerometer:
     def fitted(self, compressed: Compressed) -> FloatArray:
         """With the best alpha0, or with none where it cannot be told."""
         return best_parameters(compressed) if self.alpha0_told else fit_given_alpha0(compressed, 0.0).theta
+
+    def near(self, compressed: Compressed) -> FloatArray:
+        """With the alpha0 from which effects are seen."""
+        return fit_given_alpha0(compressed, self.seen_from_deg).theta
 
     def coefficients(self, theta: FloatArray) -> FloatArray:
         """As in `calibrations.model`."""
@@ -87,6 +97,10 @@ class Linear:
     def fitted(self, compressed: Compressed) -> FloatArray:
         """By linear least squares."""
         return smallest_solution(compressed.r, compressed.z)
+
+    def near(self, compressed: Compressed) -> FloatArray:
+        """As fitted: nothing is nonlinear."""
+        return self.fitted(compressed)
 
     def coefficients(self, theta: FloatArray) -> FloatArray:
         """The parameters themselves."""

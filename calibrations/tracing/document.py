@@ -22,15 +22,16 @@ def document(loop: Loop) -> dict[str, Any]:
         "rows": rows_json(loop.augmented.observations),
         "noise": {"pure_error_V": noise.pure_error_v, "degrees_of_freedom": noise.degrees_of_freedom},
         "declared": model_json(loop.declared),
-        "effects": [_effect_json(effect, loop.misread) for effect in loop.effects],
-        "unexplained": _unexplained_json(loop.unexplained),
+        "effects": [effect_json(effect, loop.misread) for effect in loop.effects],
+        "unexplained": unexplained_json(loop.unexplained),
         "augmented": model_json(loop.augmented),
-        "next_experiment": [_experiment_json(experiment) for experiment in loop.next_experiment],
+        "next_experiment": [experiment_json(experiment) for experiment in loop.next_experiment],
         "warnings": list(loop.augmented.warnings),
     }
 
 
-def _experiment_json(experiment: Experiment) -> dict[str, Any]:
+def experiment_json(experiment: Experiment) -> dict[str, Any]:
+    """What to measure next."""
     return {"separates": list(experiment.separates), "why": experiment.why, "command": experiment.command}
 
 
@@ -49,7 +50,8 @@ def model_json(calibration: Calibration) -> dict[str, Any]:
     }
 
 
-def _effect_json(effect: EffectFound, misread: Sequence[Misreading]) -> dict[str, Any]:
+def effect_json(effect: EffectFound, misread: Sequence[Misreading] = ()) -> dict[str, Any]:
+    """An effect that was found; `misread` are the rows of that name."""
     return {
         "name": effect.name,
         "also_possible": list(effect.also_possible),
@@ -77,7 +79,8 @@ def _quantity_json(quantity: Quantity) -> dict[str, Any]:
     }
 
 
-def _unexplained_json(unexplained: Unexplained | None) -> dict[str, Any] | None:
+def unexplained_json(unexplained: Unexplained | None) -> dict[str, Any] | None:
+    """Structure without a name."""
     if unexplained is None:
         return None
     return {"depends_on": unexplained.depends_on, "description": unexplained.description}

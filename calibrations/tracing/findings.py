@@ -43,13 +43,20 @@ def _effect(table: Table, trace: Trace, best: Quantified, name: str, close: Sequ
     rest = trace.without(name)
     gain = table.deviance(rest.forms, rest.noise) - trace.deviance
     width = sum(item.form.columns.shape[1] for item in trace.found if item.effect.name == name) or 1
+    word = _word(table, name)
+    others = dict.fromkeys(_word(table, rival.name) for rival in close)
     return EffectFound(
-        name=name,
-        also_possible=tuple(rival.name for rival in close),
+        name=word,
+        also_possible=tuple(other for other in others if other != word),
         belongs_to=_owner(table, name),
         coefficients=_coefficients(table, trace, best, name),
         p_value=float(chdtrc(width, max(gain, 0.0))),
     )
+
+
+def _word(table: Table, name: str) -> str:
+    """How an effect is called in a result."""
+    return next((effect.word for effect in table.effects if effect.name == name), name)
 
 
 def _owner(table: Table, name: str) -> str:

@@ -15,15 +15,29 @@ from calibrations.joint import Joint
 from calibrations.model import ALPHA0, BASIS_SIZE, PARAMETERS, basis, coefficients, coefficients_jacobian
 from calibrations.observations import Observations
 from calibrations.tracing.declared import Accelerometer
-from calibrations.tracing.table import Table, memory_of
+from calibrations.tracing.table import Extensible, View, memory_of
 
 
 @dataclass(frozen=True, kw_only=True)
-class Ground(Table):
+class Ground(Extensible):
     """The table of an accelerometer."""
 
     joint: Joint
     scene: Scene
+
+    @property
+    def observations(self) -> Observations:
+        """The rows in use."""
+        return self.joint.observations
+
+    def view(self, rows: Observations, theta: FloatArray) -> Scene:
+        """Rows as effects see them with these parameters."""
+        return scene_of(rows, theta, self.scene.reference_temperature_degc)
+
+    def functions(self, view: View) -> FloatArray:
+        """The ten functions of the pose, shape (rows, 10)."""
+        assert isinstance(view, Scene), "it is a view of this table"
+        return basis(view.observations)
 
 
 def ground(joint: Joint, effects: Sequence[Effect[Scene]], reference_temperature_degc: float = 23.0) -> Ground:
@@ -47,7 +61,7 @@ def seen_anew(base: Ground, theta: FloatArray) -> Ground:
 def _ground(joint: Joint, effects: Sequence[Effect[Scene]], scene: Scene) -> Ground:
     functions = joint.basis[:, :BASIS_SIZE]
     return Ground(
-        model=Accelerometer(functions=functions, alpha0_told=joint.fit.alpha0_fitted),
+        model=Accelerometer(functions=functions, alpha0_told=joint.fit.alpha0_fitted, seen_from_deg=scene.alpha0_deg),
         output=joint.observations.output_v,
         unit="V",
         weights=joint.weights,

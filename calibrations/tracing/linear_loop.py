@@ -61,10 +61,9 @@ class Explained(Generic[_T]):
         """Rivals of each effect that cannot be told from it."""
         return {name: [rival for rival in near if rival.behind < CLOSE] for name, near in self.near.items()}
 
-    @property
-    def effects(self) -> tuple[EffectFound, ...]:
-        """What was found, in the order of the evidence."""
-        found = effects_found(self.table, self.trace, self.best, self.close)
+    def effects(self, fit: LinearFit) -> tuple[EffectFound, ...]:
+        """What was found, in the order of the evidence, with the coefficients of a fit."""
+        found = effects_found(self.table, self.trace, fit, self.close)
         return tuple(sorted(found, key=lambda effect: effect.p_value))
 
     @property
@@ -117,3 +116,18 @@ def _judged(parameter: Stated, other: float, name: str, rival: str) -> Stated:
         return parameter
     reason = f"it differs between {name} and {rival}, which this table does not clearly tell apart"
     return replace(parameter, value=None, standard_uncertainty=None, reason=reason)
+
+
+def model_json(model: Model, unit: str) -> dict[str, Any]:
+    """Parameters and error of one of the two models; keys end in the unit where it is given."""
+    ending = f"_{unit}" if unit else ""
+    return {
+        "parameters": {name: _stated_json(parameter) for name, parameter in model.parameters.items()},
+        f"residual_rms{ending}": model.residual_rms,
+        f"held_out_rms{ending}": model.held_out_rms,
+    }
+
+
+def _stated_json(parameter: Stated) -> dict[str, Any]:
+    content = {"value": parameter.value, "standard_uncertainty": parameter.standard_uncertainty, "unit": parameter.unit}
+    return content | ({"reason": parameter.reason} if parameter.value is None else {})

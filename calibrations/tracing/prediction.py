@@ -8,13 +8,10 @@ import numpy as np
 
 from calibrations.compression import compress
 from calibrations.effects.effect import Structure
-from calibrations.effects.scene import Scene
-from calibrations.fit import fit_given_alpha0
 from calibrations.geometry import FloatArray
-from calibrations.model import BASIS_SIZE, PARAMETERS, basis, coefficients, coefficients_jacobian
-from calibrations.tracing.ground import Ground
 from calibrations.tracing.noise import Memory, Whitening, scaled_levels, slow_modes
 from calibrations.tracing.quantified import form_in, tangent
+from calibrations.tracing.table import Extensible, View
 from calibrations.tracing.trace import Found, Trace
 
 _RANK = 1e-9
@@ -41,32 +38,32 @@ class Prediction:
         The effect, one of the trace, in whose place other explanations have another.
     """
 
-    def __init__(self, base: Ground, trace: Trace, name: str) -> None:
+    def __init__(self, base: Extensible, trace: Trace, name: str) -> None:
         self._base, self._noise = base, trace.noise
         functions = np.column_stack([base.declared, *(form.columns for form in trace.forms)])
-        output_v, whiten = base.joint.observations.output_v, base.memory.whitening(trace.noise)
-        fit = fit_given_alpha0(compress(functions, output_v, base.joint.weights, whiten), base.scene.alpha0_deg)
-        self.theta: FloatArray = fit.theta[: len(PARAMETERS)]
+        whiten, size = base.memory.whitening(trace.noise), base.model.parameters
+        theta = base.model.near(compress(functions, base.output, base.weights, whiten))
+        self.theta: FloatArray = theta[:size]
         """Declared parameters."""
         best = base.fit(trace.forms, trace.noise)
         self.dwell_v = float(np.sqrt(best.squares / max(base.rows - len(best.theta), 1)))
         """Noise of a dwell, in volts, by the best alpha0: another one leaves more."""
-        self._residual_v = output_v - functions @ coefficients(fit.theta)
+        self._residual_v = base.output - functions @ base.model.coefficients(theta)
         ends = np.cumsum([form.columns.shape[1] for form in trace.forms], dtype=int)
-        found = list(zip(trace.found, np.split(fit.theta[len(PARAMETERS) :], ends[:-1]), strict=False))
+        found = list(zip(trace.found, np.split(theta[size:], ends[:-1]), strict=False))
         self._own = [(item, values) for item, values in found if item.effect.name == name]
         self._beside = [(item, values) for item, values in found if item.effect.name != name]
         self._name = name
         self._grid = self._scanned(base.scene)
         self._allowed = self._not_refuted()
 
-    def output_v(self, scene: Scene) -> FloatArray:
+    def output_v(self, scene: View) -> FloatArray:
         """What the effect adds to the output, shape (rows,)."""
         if not self._own:
             return self._drawn_v(scene)
         return np.asarray(sum(_columns(scene, item)[:, : len(values)] @ values for item, values in self._own))
 
-    def left(self, scene: Scene, weights: FloatArray, outputs: FloatArray) -> FloatArray:
+    def left(self, scene: View, weights: FloatArray, outputs: FloatArray) -> FloatArray:
         """What this explanation cannot follow of each output, shape (rows, outputs), weighted and whitened.
 
         It may take any form of the effect that the table allows, or that only more rows bring up.
@@ -76,12 +73,12 @@ class Prediction:
         return reduce(_shorter, self._rests(scene, weights, outputs, forms))
 
     def _rests(
-        self, scene: Scene, weights: FloatArray, outputs: FloatArray, forms: Iterable[FloatArray]
+        self, scene: View, weights: FloatArray, outputs: FloatArray, forms: Iterable[FloatArray]
     ) -> Iterator[FloatArray]:
         """The same for each form of the effect by itself."""
         root = np.sqrt(weights)[:, None]
         whiten = self._whitening(scene, weights)
-        declared = basis(scene.observations) @ coefficients_jacobian(self.theta)[:BASIS_SIZE]
+        declared = self._base.functions(scene) @ self._base.model.slopes(self.theta)
         beside = whiten(np.column_stack([declared, self._followed(scene, self._beside)]) * root)
         span = _directions(beside, np.linalg.norm(beside, axis=0))
         free = _off(span, whiten(outputs * root))
@@ -90,7 +87,7 @@ class Prediction:
             added = _directions(_off(span, columns), np.linalg.norm(columns, axis=0))
             yield _off(added, free)
 
-    def _scanned(self, scene: Scene) -> list[float]:
+    def _scanned(self, scene: View) -> list[float]:
         """Values to try of what is scanned for, where that is a continuous quantity."""
         if len(self._own) != 1 or self._own[0][0].effect.at is None:
             return []
@@ -103,10 +100,10 @@ class Prediction:
         if not forms:
             return []
         output = self.output_v(scene)[:, None] / self.dwell_v
-        rests = self._rests(scene, self._base.joint.weights, output, forms)
+        rests = self._rests(scene, self._base.weights, output, forms)
         return [value for value, rest in zip(self._grid, rests, strict=True) if np.sum(rest**2) < _ALLOWED]
 
-    def _form(self, scene: Scene, value: float) -> FloatArray:
+    def _form(self, scene: View, value: float) -> FloatArray:
         """The effect at another scanned value, and its change with that, shape (rows, n)."""
         at = self._own[0][0].effect.at
         assert at is not None
@@ -114,20 +111,20 @@ class Prediction:
         return np.column_stack([(above + below) / 2, above - below])
 
     @staticmethod
-    def _followed(scene: Scene, items: Iterable[tuple[Found, FloatArray]]) -> FloatArray:
+    def _followed(scene: View, items: Iterable[tuple[Found, FloatArray]]) -> FloatArray:
         """Columns of effects and of the change of what was scanned, shape (rows, n)."""
-        columns = [np.empty((len(scene.observations), 0))]
+        columns = [np.empty((scene.rows, 0))]
         for item, values in items:
             change = tangent(scene, item, values)
             columns += [_columns(scene, item), *([] if change is None else [change])]
         return np.column_stack(columns)
 
-    def _drawn_v(self, scene: Scene) -> FloatArray:
+    def _drawn_v(self, scene: View) -> FloatArray:
         """An effect that is drawn at random, as it was in the table.
 
         A level that is still to be drawn is taken as the mean of the others, a walk to stay where it is.
         """
-        root = np.sqrt(self._base.joint.weights)
+        root = np.sqrt(self._base.weights)
         residual = self._residual_v * root
         for effect in self._base.effects:
             if effect.name == self._name:
@@ -136,9 +133,9 @@ class Prediction:
                 return np.asarray(further[:, : len(levels)] @ levels)
         whiten = self._base.memory.whitening(self._noise)
         walk_v = (residual - whiten(whiten(residual))) / root
-        return np.pad(walk_v, (0, len(scene.observations) - len(walk_v)), mode="edge")
+        return np.pad(walk_v, (0, scene.rows - len(walk_v)), mode="edge")
 
-    def _whitening(self, scene: Scene, weights: FloatArray) -> Whitening:
+    def _whitening(self, scene: View, weights: FloatArray) -> Whitening:
         """What makes the noise of this explanation white; a walk goes the further the longer it takes."""
         noise = self._noise
         if noise.walk and scene.hours is not None and self._base.scene.hours is not None:
@@ -151,10 +148,10 @@ class Prediction:
         return Memory(modes=slow_modes(slow, weights), levels=levels).whitening(noise)
 
 
-def _columns(scene: Scene, item: Found) -> FloatArray:
+def _columns(scene: View, item: Found) -> FloatArray:
     """Columns of an effect found in another scene. What has no name is not expected to come back."""
     if isinstance(item.effect, Structure):
-        return np.pad(item.form.columns, ((0, len(scene.observations) - len(item.form.columns)), (0, 0)))
+        return np.pad(item.form.columns, ((0, scene.rows - len(item.form.columns)), (0, 0)))
     return form_in(scene, item).columns
 
 

@@ -13,10 +13,10 @@ from numpy.typing import NDArray
 
 from calibrations.geometry import FloatArray
 from calibrations.observations import Observations
-from calibrations.tracing.ground import Ground, scene_of
 from calibrations.tracing.prediction import Prediction
 from calibrations.tracing.probes import Probe, followed_by
 from calibrations.tracing.rivals import Rival
+from calibrations.tracing.table import Extensible
 from calibrations.tracing.trace import Trace
 
 
@@ -77,11 +77,9 @@ class Question:
         Its rivals.
     """
 
-    def __init__(self, base: Ground, trace: Trace, name: str, close: Sequence[Rival]) -> None:
+    def __init__(self, base: Extensible, trace: Trace, name: str, close: Sequence[Rival]) -> None:
         self.name, self.rivals = name, tuple(rival.name for rival in close)
-        self.table = Rows(
-            observations=base.joint.observations, weights=base.joint.weights, programmes=np.full(base.rows, "")
-        )
+        self.table = Rows(observations=base.observations, weights=base.weights, programmes=np.full(base.rows, ""))
         self._base = base
         self._found = Prediction(base, trace, name)
         self._rivals = [Prediction(base, rival.trace, rival.name) for rival in close]
@@ -101,7 +99,7 @@ class Question:
         First what each rival cannot follow if the effect is true, then what the effect cannot if the rival is; in rows
         that are weighted and whitened.
         """
-        scene = scene_of(rows.observations, self._found.theta, self._base.scene.reference_temperature_degc)
+        scene = self._base.view(rows.observations, self._found.theta)
         output = self._found.output_v(scene)[:, None] / self.dwell_v
         others = np.column_stack([rival.output_v(scene) for rival in self._rivals]) / self.dwell_v
         if_found = np.column_stack([rival.left(scene, rows.weights, output) for rival in self._rivals])

@@ -1,5 +1,6 @@
 """Any table that may be traced: outputs, a declared model of them, and what may be seen besides."""
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -10,6 +11,7 @@ from numpy.typing import NDArray
 
 from calibrations.effects.effect import Effect, Form, Structure
 from calibrations.geometry import FloatArray
+from calibrations.observations import Observations
 from calibrations.tracing.declared import Declared
 from calibrations.tracing.footing import Fitted
 from calibrations.tracing.noise import Memory, NoiseModel, scaled_levels, slow_modes
@@ -93,6 +95,24 @@ class Table:
 
     def _columns(self, forms: Sequence[Form]) -> FloatArray:
         return np.column_stack([np.empty((self.rows, 0)), *(form.columns for form in forms)])
+
+
+@dataclass(frozen=True, kw_only=True)
+class Extensible(Table, ABC):
+    """A table to which an experiment may add rows."""
+
+    @property
+    @abstractmethod
+    def observations(self) -> Observations:
+        """The rows in use."""
+
+    @abstractmethod
+    def view(self, rows: Observations, theta: FloatArray) -> View:
+        """Rows as effects see them with these declared parameters."""
+
+    @abstractmethod
+    def functions(self, view: View) -> FloatArray:
+        """Functions of the declared model in a view of this table, shape (rows, functions)."""
 
 
 def memory_of(effects: Sequence[Effect[Any]], scene: View, weights: FloatArray) -> Memory:

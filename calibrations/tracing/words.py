@@ -93,17 +93,17 @@ def misread_text(misread: Sequence[Misreading]) -> str:
     return f"{listed} and {more} more" if more > 0 else listed
 
 
-def findings(loop: Loop) -> list[Finding]:
+def findings(effects: Sequence[EffectFound], misread: Sequence[Misreading] = ()) -> list[Finding]:
     """The effects found, in the order of the evidence."""
     return [
         Finding(
             name=effect.name,
             also_possible=series(effect.also_possible, "or") if effect.also_possible else "",
             belongs_to=OWNER_WORDS[effect.belongs_to],
-            coefficients=misread_text(loop.misread) if effect.name == MISREADING else _coefficients(effect),
+            coefficients=misread_text(misread) if effect.name == MISREADING else _coefficients(effect),
             p_value=format_probability(effect.p_value),
         )
-        for effect in loop.effects
+        for effect in effects
     ]
 
 

@@ -12,7 +12,7 @@ from calibrations.tracing.words import comparisons, findings, found_sentences, h
 
 def finding(*arguments, **named):
     """The only line of a loop that found this effect."""
-    (line,) = findings(replace(clean(), effects=(found(*arguments, **named),)))
+    (line,) = findings((found(*arguments, **named),))
     return line
 
 
@@ -33,7 +33,7 @@ def with_p(loop, p_value):
 def test_nothing_found_is_said_to_be_nothing():
     assert headline(clean()).startswith("Nothing is left that the scatter of the data does not explain")
     assert found_sentences(clean()) == []
-    assert (findings(clean()), comparisons(clean())) == ([], [])
+    assert (findings(clean().effects), comparisons(clean())) == ([], [])
 
 
 def test_nothing_found_where_the_poses_disagree_is_no_good_news():
@@ -68,7 +68,7 @@ def test_structure_without_a_name_is_located():
 
 def test_a_misread_row_is_named_with_its_error_and_changes_no_model():
     assert found_sentences(misread()) == ["Read or set wrong by a round amount: row 21 by 10°."]
-    (line,) = findings(misread())
+    (line,) = findings(misread().effects, misread().misread)
     assert (line.name, line.coefficients, line.belongs_to) == ("misreading", "row 21 by 10°", "stand")
     assert comparisons(misread()) == []
 

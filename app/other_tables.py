@@ -1,0 +1,74 @@
+"""Tables that are not of an accelerometer: a head against a reference, parameters against temperature."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from app.files import is_recording
+from app.other_console import show_changes, show_head, show_temperature
+from calibrations.reference.changes import changes, changes_json
+from calibrations.reference.document import document as head_document
+from calibrations.reference.loop import close_reference_loop
+from calibrations.table import TableError, read_table
+from calibrations.temperature.document import document as temperature_document
+from calibrations.temperature.loop import close_temperature_loop
+from calibrations.temperature.table import holds_runs, read_runs
+from procedures.errors import InputError
+
+_MOST_COMPARED = 2
+
+
+def close_other_loop(paths: Sequence[Path], show: bool) -> dict[str, Any] | None:
+    """Close the loop on tables of another kind, and say what was found; None where they are of an accelerometer.
+
+    Two tables of one head are traced each by itself, and compared.
+
+    Raises
+    ------
+    InputError
+        Unreadable or malformed, or of different kinds.
+    """
+    try:
+        kinds = {_kind(path) for path in paths}
+        if kinds == {""}:
+            return None
+        if len(kinds) > 1:
+            raise InputError(f"{paths[0]} and {paths[-1]} are tables of different kinds; give them one by one")
+        return _temperature(paths, show) if kinds == {"temperature"} else _head(paths, show)
+    except (TableError, ValueError) as error:
+        raise InputError(str(error)) from error
+
+
+def _kind(path: Path) -> str:
+    """What a file is a table of; empty for that of an accelerometer, or a recording."""
+    if is_recording(path):
+        return ""
+    if holds_runs(path):
+        return "temperature"
+    table = read_table(path)
+    return "head" if table.reference_deg is not None and table.voltage_v is None else ""
+
+
+def _temperature(paths: Sequence[Path], show: bool) -> dict[str, Any]:
+    if len(paths) > 1:
+        raise InputError(f"{paths[1]}: give one table of parameters against temperature at a time")
+    loop = close_temperature_loop(read_runs(paths[0]))
+    if show:
+        show_temperature(loop)
+    return temperature_document(loop)
+
+
+def _head(paths: Sequence[Path], show: bool) -> dict[str, Any]:
+    if len(paths) > _MOST_COMPARED:
+        raise InputError(f"{paths[2]}: give one table of a head, or two to be compared")
+    loops = [close_reference_loop(read_table(path)) for path in paths]
+    documents = [head_document(loop) for loop in loops]
+    if show:
+        for path, loop in zip(paths, loops, strict=True):
+            show_head(path.name, loop)
+    if len(loops) == 1:
+        return documents[0]
+    changed = changes(*loops)
+    if show:
+        show_changes(changed)
+    return {"schema": documents[0]["schema"], "tables": documents, "changed": changes_json(changed)}

@@ -1,0 +1,50 @@
+"""The loop closed on parameters against temperature as JSON (`tumble.loop/1`)."""
+
+from typing import Any
+
+from calibrations.temperature.loop import ParameterLoop, Polynomial, TemperatureLoop
+from calibrations.temperature.shared import SharedCause
+from calibrations.tracing.document import SCHEMA, effect_json
+from calibrations.tracing.linear_loop import model_json
+
+
+def document(loop: TemperatureLoop) -> dict[str, Any]:
+    """The result; every parameter in the unit of its column."""
+    return {
+        "schema": SCHEMA,
+        "kind": "parameters against temperature",
+        "rows": {"read": len(loop.runs), "used": len(loop.runs), "set_aside": []},
+        "temperature": loop.runs.temperature_name,
+        "parameters": {parameter.name: _parameter_json(parameter) for parameter in loop.parameters},
+        "shared": [_shared_json(cause) for cause in loop.shared],
+        "cannot_be_known": list(loop.unknowable),
+    }
+
+
+def _parameter_json(parameter: ParameterLoop) -> dict[str, Any]:
+    return {
+        "unit": parameter.unit,
+        "declared": model_json(parameter.declared, ""),
+        "polynomials": [_polynomial_json(polynomial) for polynomial in parameter.polynomials],
+        "effects": [effect_json(effect) for effect in parameter.effects],
+        "augmented": model_json(parameter.augmented, ""),
+    }
+
+
+def _polynomial_json(polynomial: Polynomial) -> dict[str, Any]:
+    return {
+        "power": polynomial.power,
+        "standard_deviation": polynomial.standard_deviation,
+        "held_out_rms": polynomial.held_out_rms,
+    }
+
+
+def _shared_json(cause: SharedCause) -> dict[str, Any]:
+    return {
+        "name": "temperature_break",
+        "at_degC": cause.at_degc,
+        "between_degC": list(cause.between_degc),
+        "parameters": list(cause.parameters),
+        "p_value": cause.p_value,
+        "one_temperature": cause.one,
+    }
