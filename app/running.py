@@ -26,7 +26,7 @@ from procedures.announcer import Listener
 from procedures.engine import Engine
 from procedures.events import State
 from procedures.outcome import Outcome
-from procedures.plan import Plan, check_cable, check_limits, plan
+from procedures.plan import Plan, check_cable, check_limits, check_mounts, plan
 from procedures.programme import Programme
 from procedures.recording.errors import RecordingError
 from procedures.recording.header import Header
@@ -63,9 +63,12 @@ class Job:
         return self.programme.acquisition(samples=daq.samples, rate_hz=daq.rate_hz)
 
     def plan(self) -> Plan:
-        """Every step with its time; refuses what the head's limits or its cable forbid. Raises `ProgrammeError`."""
+        """Every step with its time; refuses what head, cable or seat forbid. Raises `ProgrammeError`."""
         head = self.stand.file.head
-        planned = plan(self.programme, self.acquisition, speed_deg_s=head.speed_deg_s)
+        planned = plan(
+            self.programme, self.acquisition, speed_deg_s=head.speed_deg_s, mounting_s=head.mounting_s
+        )
+        check_mounts(planned, head.mounts)
         check_limits(planned, head.limits_deg)
         check_cable(planned, head.turns)
         return planned

@@ -1,6 +1,7 @@
 """Probes: short programmes that visit a unit in a way in which a table may not have seen it.
 
-Each corresponds to a programme `probe-….toml` that comes along, one sweep of 80 steps of 5°.
+Each corresponds to a programme `probe-….toml` that comes along, one sweep of 80 steps of 5°; a stand that does not allow
+that has it shortened.
 """
 
 from dataclasses import dataclass, replace
@@ -12,11 +13,9 @@ from calibrations.geometry import FloatArray
 from calibrations.joining import appended
 from calibrations.observations import ARRAY_COLUMNS, Observations
 
-MOUNTING_S = 60.0
-"""Time in which an operator seats the unit; every run begins with it."""
-_SPEED_DEG_S = 20.0
-_DWELL_S = 1.5
-"""Time to settle and to acquire."""
+STEP_DEG = 5.0
+_FEWEST_DWELLS = 18
+"""A quarter of a turn: less shows hardly anything."""
 _RECENT = 20
 """So many of the last rows say what the temperature is now."""
 
@@ -35,7 +34,22 @@ class Probe:
     warmer_k: float = 0.0
     """By how much the unit shall be warmer than at the end of the table, in kelvin."""
     wait_s: float = 0.0
-    """Time until it is."""
+    """Time until it is, or that is to pass."""
+    start_deg: float = 0.0
+    points: int = 80
+    mounting_s: float = 60.0
+    """Time in which an operator seats the unit; every run begins with it."""
+    speed_deg_s: float = 20.0
+    dwell_s: float = 1.5
+    """Time to settle and to acquire."""
+
+    def between(self, lowest_deg: float, highest_deg: float) -> "Probe | None":
+        """The same where the head goes no further than so: as much of it as there is room for, None for too little."""
+        if lowest_deg <= self.start_deg and self.start_deg + STEP_DEG * (self.points - 1) <= highest_deg:
+            return self
+        start_deg = float(np.ceil(lowest_deg / STEP_DEG)) * STEP_DEG
+        points = min(self.points, int((highest_deg - start_deg) // STEP_DEG) + 1)
+        return replace(self, start_deg=start_deg, points=points) if points >= _FEWEST_DWELLS else None
 
     @property
     def angles_deg(self) -> FloatArray:
@@ -43,7 +57,7 @@ class Probe:
         return np.array([self._angles_deg(number) for number in range(1, self.realisations + 1)])
 
     def _angles_deg(self, realisation: int) -> FloatArray:
-        up = np.arange(0.0, 400.0, 5.0)
+        up = self.start_deg + STEP_DEG * np.arange(self.points)
         match self.order:
             case "up":
                 return up
@@ -55,8 +69,8 @@ class Probe:
     def step_s(self, start_deg: float = 0.0) -> FloatArray:
         """Time from each dwell to the next, shape (rows,); the first waits, and seats the unit."""
         moves_deg = np.diff(self.angles_deg.ravel(), prepend=start_deg)
-        steps_s = np.abs(moves_deg) / _SPEED_DEG_S + _DWELL_S
-        steps_s[0] += self.wait_s + MOUNTING_S
+        steps_s = np.abs(moves_deg) / self.speed_deg_s + self.dwell_s
+        steps_s[0] += self.wait_s + self.mounting_s
         return np.asarray(steps_s, dtype=np.float64)
 
     @property
