@@ -8,7 +8,7 @@ import stat
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from hashlib import sha256
 from pathlib import Path
@@ -65,9 +65,7 @@ class Job:
     def plan(self) -> Plan:
         """Every step with its time; refuses what head, cable or seat forbid. Raises `ProgrammeError`."""
         head = self.stand.file.head
-        planned = plan(
-            self.programme, self.acquisition, speed_deg_s=head.speed_deg_s, mounting_s=head.mounting_s
-        )
+        planned = plan(self.programme, self.acquisition, speed_deg_s=head.speed_deg_s, mounting_s=head.mounting_s)
         check_mounts(planned, head.mounts)
         check_limits(planned, head.limits_deg)
         check_cable(planned, head.turns)
@@ -105,8 +103,9 @@ def run(
         The recording cannot be created, and nothing has moved; or it cannot be closed after the run.
     """
     job.plan()
-    header = _header(job, connected.stand.clock, purpose)
+    header = replace(_header(job, connected.stand.clock, purpose), follows=[str(path) for path in connected.ran])
     recorder = begin_recording(recording, header, connected.stand.clock)
+    connected.ran.append(recording.resolve())
     with recorder, holding_recording(recording, job.serial_number):
         return carry_out(lambda engine: engine.run(job.programme.procedure()), job, connected, recorder, listeners)
 

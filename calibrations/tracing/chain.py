@@ -31,7 +31,7 @@ class Stage:
 
     loop: Loop
     behind: Mapping[str, float]
-    """How far each explanation lies behind the best in -2 ln L, 0 for what was found; those far behind are not there."""
+    """How far each explanation lies behind the best in -2 ln L, 0 for what was found; those far behind are left out."""
 
     @property
     def disputed(self) -> tuple[tuple[str, ...], ...]:
@@ -76,23 +76,26 @@ class Link:
 
     @property
     def realised(self) -> float | None:
-        """By how much the nearest of the explanations that it parted now lies behind in -2 ln L; None for far behind.
-
-        The part of the experiment that follows chance is in it, what it cost to fit more coefficients is not.
-        """
-        parted = [name for name in self.experiment.separates if name not in self.rivals_after]
+        """How far the nearest of the explanations that it refuted lies behind in -2 ln L; None for far behind."""
+        parted = [name for name in self.rivals_before if name not in self.rivals_after]
         return min((self.after.behind[name] for name in parted if name in self.after.behind), default=None)
 
     @property
     def decision(self) -> str:
-        """What follows from it, in a sentence."""
+        """What follows from it, in words that go after `decides`."""
         left = self.rivals_after
         if not left:
-            return f"none of {series(self.rivals_before)} explains it: another cause was found instead"
+            return f"against {series(self.rivals_before, 'and')}: something else was found instead"
         if not self.separated:
             return f"nothing: it could still be {series(left, 'or')}"
-        gone = series([name for name in self.rivals_before if name not in left])
-        return f"it is {left[0]}, not {gone}" if len(left) == 1 else f"it is not {gone}; {series(left, 'or')} remain"
+        gone = series([name for name in self.rivals_before if name not in left], "and")
+        return f"against {gone}: {series(left, 'or')} {'remains' if len(left) == 1 else 'remain'}"
+
+    @property
+    def comparison(self) -> str:
+        """What was expected of it, and what came."""
+        realised = "far more than that" if self.realised is None else f"{self.realised:.0f}"
+        return f"expected difference in -2 ln L {self.experiment.separation:.0f}, now {realised}"
 
     @property
     def _name(self) -> str:

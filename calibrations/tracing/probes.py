@@ -1,7 +1,7 @@
 """Probes: short programmes that visit a unit in a way in which a table may not have seen it.
 
-Each corresponds to a programme `probe-….toml` that comes along, one sweep of 80 steps of 5°; a stand that does not allow
-that has it shortened.
+Each corresponds to a programme `probe-….toml` that comes along, one sweep of 80 steps of 5°, fewer where the head does
+not go so far.
 """
 
 from dataclasses import dataclass, replace
@@ -57,7 +57,7 @@ class Probe:
         return np.array([self._angles_deg(number) for number in range(1, self.realisations + 1)])
 
     def _angles_deg(self, realisation: int) -> FloatArray:
-        up = self.start_deg + STEP_DEG * np.arange(self.points)
+        up: FloatArray = self.start_deg + STEP_DEG * np.arange(self.points, dtype=np.float64)
         match self.order:
             case "up":
                 return up
