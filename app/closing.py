@@ -70,7 +70,7 @@ def follow(closing: Closing, experiment: Experiment, recording: Path, stand_time
         recording=str(recording),
         stand_time_s=stand_time_s,
         before=closing.chain.last,
-        after=stage_of(traced.loop, explained),
+        after=stage_of(traced.loop, explained, closing.chain.last.behind),
     )
     chain = replace(closing.chain, links=(*closing.chain.links, link))
     grown = replace(closing, files=files, traced=traced, explained=explained, chain=chain)

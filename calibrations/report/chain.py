@@ -34,7 +34,7 @@ def _step(link: Link) -> dict[str, str]:
         "programme": link.experiment.programme,
         "minutes": f"{link.stand_time_s / 60:.0f}",
         "expected": f"{link.experiment.separation:.0f}",
-        "realised": "far more" if link.realised is None else f"{link.realised:.0f}",
+        "realised": "none" if link.realised is None else f"{link.realised:.0f}",
         "decision": link.decision,
         "error": _error(link.after),
     }

@@ -1,6 +1,6 @@
 """The chain from a residual to a name: rivals, experiment, decision, and the error before and after."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
@@ -31,7 +31,7 @@ class Stage:
 
     loop: Loop
     behind: Mapping[str, float]
-    """How far each explanation lies behind the best in -2 ln L, 0 for what was found; those far behind are left out."""
+    """How far each explanation lies behind the best in -2 ln L, 0 for what was found."""
 
     @property
     def disputed(self) -> tuple[tuple[str, ...], ...]:
@@ -76,7 +76,7 @@ class Link:
 
     @property
     def realised(self) -> float | None:
-        """How far the nearest of the explanations that it refuted lies behind in -2 ln L; None for far behind."""
+        """How far the nearest explanation that it refuted lies behind in -2 ln L; None where it refuted none."""
         parted = [name for name in self.rivals_before if name not in self.rivals_after]
         return min((self.after.behind[name] for name in parted if name in self.after.behind), default=None)
 
@@ -94,8 +94,8 @@ class Link:
     @property
     def comparison(self) -> str:
         """What was expected of it, and what came."""
-        realised = "far more than that" if self.realised is None else f"{self.realised:.0f}"
-        return f"expected difference in -2 ln L {self.experiment.separation:.0f}, now {realised}"
+        realised = "none" if self.realised is None else f"{self.realised:.0f}"
+        return f"expected difference in -2 ln L {self.experiment.separation:.0f}, realised {realised}"
 
     @property
     def _name(self) -> str:
@@ -161,12 +161,12 @@ def _link_json(link: Link) -> dict[str, Any]:
     }
 
 
-def stage_of(loop: Loop, explained: Explained | None) -> Stage:
-    """What a table says, with every explanation that lies behind."""
+def stage_of(loop: Loop, explained: Explained | None, asked: Collection[str] = ()) -> Stage:
+    """What a table says, with every explanation that is near, and those that are `asked` for."""
     behind: dict[str, float] = {}
     if explained is not None:
         for name in explained.trace.names:
-            for rival in rivals(explained.tracer, explained.trace, name):
+            for rival in rivals(explained.tracer, explained.trace, name, asked):
                 further = rival.trace.deviance - explained.trace.deviance
                 behind[rival.name] = min(further, behind.get(rival.name, further))
         behind |= dict.fromkeys(explained.trace.names, 0.0)
