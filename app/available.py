@@ -76,11 +76,10 @@ def programme_of(probe: Probe) -> Programme:
 def _asked(stand: LoadedStand, probe: Probe) -> tuple[Probe, str]:
     """An experiment as this stand would run it, and why it will not; an empty reason where it will."""
     head = stand.file.head
-    lowest_deg, highest_deg = head.limits_deg
-    turns_deg = 360.0 * head.turns
-    short = probe.between(max(lowest_deg, -turns_deg), min(highest_deg, turns_deg))
+    lowest_deg, highest_deg = max(head.limits_deg[0], -360.0 * head.turns), min(head.limits_deg[1], 360.0 * head.turns)
+    short = probe.between(lowest_deg, highest_deg)
     if short is None:
-        return probe, f"the head's limits of {lowest_deg:g} to {highest_deg:g} deg leave no room for it"
+        return probe, f"the head may turn from {lowest_deg:g} to {highest_deg:g} deg, which leaves no room for it"
     job = Job(stand=stand, programme=programme_of(short), serial_number="")
     acquisition = job.acquisition
     timed = replace(

@@ -12,7 +12,7 @@ from app.acting import AtStand, DeclinedError, run_experiment
 from app.available import Available, available, programme_of
 from app.calibrating import Traced, fit
 from app.joining import read_together
-from app.measurements import Measurement
+from app.measurements import Measurement, read_measurement
 from app.running import Job
 from calibrations.tracing.chain import FUTILE, Chain, Ended, Link, cannot, cheapest, experiments_for, stage_of
 from calibrations.tracing.experiments import Experiment
@@ -33,20 +33,42 @@ class Closing:
     available: Available
     planned: tuple[Experiment, ...]
     """What would tell apart the rivals that are left, of what is available."""
+    declined: str = ""
+    """What the operator would not do, where that is why it was planned anew."""
 
     @property
     def next(self) -> Experiment | None:
         """What is worth most for its time; None where nothing is left to be told, or nothing available tells it."""
         return cheapest(self.planned)
 
-    def without(self, left: Available) -> "Closing":
-        """The same where less is available."""
+    def planned_with(self, left: Available, declined: str = "") -> "Closing":
+        """The same with what is available by now."""
         planned = experiments_for(self.explained, left.probes)
-        return replace(self, available=left, planned=planned, traced=_with_plan(self.traced, planned))
+        traced = _with_plan(self.traced, planned)
+        return replace(self, available=left, planned=planned, traced=traced, declined=declined)
 
 
 def begin(files: Sequence[Path], at: AtStand) -> Closing:
-    """What the first measurement says; several files are taken together. Raises `InputError`."""
+    """What was measured so far says: a first measurement, and experiments in the order in which they were run.
+
+    What is no experiment that the files before it asked for is part of the first measurement. Raises `InputError`.
+    """
+    closing = _begun(files[:1], at)
+    for path in files[1:]:
+        measurement = read_measurement(path)
+        name = measurement.programme.name if measurement.programme else ""
+        asked_for = next((each for each in closing.planned if each.programme == name), None)
+        if asked_for is None:
+            closing = _begun((*closing.files, path), at)
+        else:
+            times_s = measurement.observations.time_s
+            took_s = float(times_s[-1]) if times_s is not None else asked_for.stand_time_s
+            closing = follow(closing, asked_for, path, took_s, at)
+    return closing
+
+
+def _begun(files: Sequence[Path], at: AtStand) -> Closing:
+    """What a first measurement says; several files are taken together."""
     measurement = read_together(files, at.stand.recorded)
     found = available(at.stand, measurement.observations, at.connected.attended)
     traced, explained = _explained(measurement, at.serial_number)
@@ -74,7 +96,7 @@ def follow(closing: Closing, experiment: Experiment, recording: Path, stand_time
     )
     chain = replace(closing.chain, links=(*closing.chain.links, link))
     grown = replace(closing, files=files, traced=traced, explained=explained, chain=chain)
-    return grown.without(closing.available)
+    return grown.planned_with(closing.available)
 
 
 def act(
@@ -122,7 +144,8 @@ def _once(closing: Closing, at: AtStand, watching: Callable[[Job], AbstractConte
             recording = run_experiment(at, probe, [listener])
     except DeclinedError as refusal:
         left, reason = closing.available, str(refusal)
-        return closing.without(left.without(refusal.mount, reason) if refusal.mount else left.not_warmed(reason))
+        left = left.without(refusal.mount, reason) if refusal.mount else left.not_warmed(reason)
+        return closing.planned_with(left, declined=reason)
     return follow(closing, experiment, recording, clock.monotonic_s() - began_s, at)
 
 

@@ -33,7 +33,9 @@ def show_loop(loop: Loop, console: Console | None = None) -> None:
 def tell_closing(closing: Closing) -> None:
     """Say what the last experiment decided, and what is to be run next or why nothing is."""
     console, chain = messages(), closing.chain
-    if chain.links:
+    if closing.declined:
+        console.print(f"{closing.declined}; it is planned without that", markup=False)
+    elif chain.links:
         link = chain.links[-1]
         console.print(f"{link.experiment.programme} decides {link.decision}", markup=False, soft_wrap=True)
         if link.separated:

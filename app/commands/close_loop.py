@@ -18,12 +18,14 @@ from app.exits import Exit
 from app.files import is_recording
 from app.joining import read_together
 from app.loop_console import show_loop, tell_closing
+from app.measurements import read_measurement
 from app.running import Job
 from app.stand import load_stand
 from calibrations.montecarlo import TRIALS
 from calibrations.tracing.chain import Chain
 from calibrations.tracing.document import document
 from procedures.announcer import Listener
+from procedures.errors import InputError
 from procedures.programme import load_programme
 
 
@@ -100,13 +102,21 @@ def _saying_how_to_go_on(wanted: Wanted, files: Sequence[Path], ran: Sequence[Pa
     try:
         yield
     except BaseException:
-        kept = [path for path in dict.fromkeys([*(file.resolve() for file in files), *ran]) if path.exists()]
+        kept = [path for path in dict.fromkeys([*(file.resolve() for file in files), *ran]) if _has_rows(path)]
         if kept:
             stand = ["--stand", str(wanted.stand_path)] if wanted.stand_path else []
             words = [*map(str, kept), *stand, "--serial", wanted.serial_number, "--experiments", str(MOST_EXPERIMENTS)]
             goes_on = f"the loop goes on from what was measured with: tumble close-loop {shlex.join(words)}"
             messages().print(goes_on, markup=False, soft_wrap=True)
         raise
+
+
+def _has_rows(path: Path) -> bool:
+    """Whether there is anything in a file to go on from."""
+    try:
+        return bool(len(read_measurement(path).observations))
+    except InputError:
+        return False
 
 
 def _tell(traced: Traced, chain: Chain | None, json_path: Path | None, page: Path | None) -> None:
