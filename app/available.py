@@ -1,6 +1,6 @@
 """Which experiments a stand can run: asked of the stand, not assumed."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 
 from app.running import Job
@@ -23,22 +23,15 @@ class Available:
     refused: Mapping[str, tuple[Probe, str]] = field(default_factory=dict)
     """Each with the reason, by the name of its programme."""
 
-    def without(self, mount: str, reason: str) -> "Available":
-        """What is left once a mount was refused."""
-        gone = {probe.programme: (probe, reason) for probe in self.probes if probe.mount == mount}
-        return replace(self, probes=self._but(gone), refused={**self.refused, **gone})
-
-    def not_warmed(self, reason: str) -> "Available":
-        """What is left once it was refused to warm the unit."""
-        gone = {probe.programme: (probe, reason) for probe in self.probes if probe.warmer_k}
-        return replace(self, probes=self._but(gone), refused={**self.refused, **gone})
+    def without(self, gone: Callable[[Probe], bool], reason: str) -> "Available":
+        """What is left once some of it cannot be run any more."""
+        refused = {probe.programme: (probe, reason) for probe in self.probes if gone(probe)}
+        left = tuple(probe for probe in self.probes if not gone(probe))
+        return Available(probes=left, refused={**self.refused, **refused})
 
     def probe(self, programme: str) -> Probe:
         """The experiment of a programme."""
         return next(probe for probe in self.probes if probe.programme == programme)
-
-    def _but(self, gone: Mapping[str, object]) -> tuple[Probe, ...]:
-        return tuple(probe for probe in self.probes if probe.programme not in gone)
 
 
 def available(stand: LoadedStand, observations: Observations, attended: bool) -> Available:
@@ -57,8 +50,13 @@ def available(stand: LoadedStand, observations: Observations, attended: bool) ->
     refused = {probe.programme: (probe, reason) for probe, reason in asked if reason}
     found = Available(probes=tuple(probe for probe, reason in asked if not reason), refused=refused)
     if observations.temperature_degc is None:
-        return found.not_warmed(NO_THERMOMETER)
-    return found if attended else found.not_warmed(NOBODY_WARMS)
+        return found.without(warms, NO_THERMOMETER)
+    return found if attended else found.without(warms, NOBODY_WARMS)
+
+
+def warms(probe: Probe) -> bool:
+    """Whether an experiment needs the unit at another temperature."""
+    return probe.warmer_k != 0.0
 
 
 def programme_of(probe: Probe) -> Programme:

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from app.acting import AtStand, DeclinedError, run_experiment
-from app.available import Available, available, programme_of
+from app.available import Available, available, programme_of, warms
 from app.calibrating import Traced, fit
 from app.joining import read_together
 from app.measurements import Measurement, read_measurement
@@ -96,7 +96,10 @@ def follow(closing: Closing, experiment: Experiment, recording: Path, stand_time
     )
     chain = replace(closing.chain, links=(*closing.chain.links, link))
     grown = replace(closing, files=files, traced=traced, explained=explained, chain=chain)
-    return grown.planned_with(closing.available)
+    left = closing.available
+    if link.futile:
+        left = left.without(lambda probe: probe.programme == experiment.programme, "it told nothing when it was run")
+    return grown.planned_with(left)
 
 
 def act(
@@ -143,8 +146,8 @@ def _once(closing: Closing, at: AtStand, watching: Callable[[Job], AbstractConte
         with watching(at.job(programme_of(probe))) as listener:
             recording = run_experiment(at, probe, [listener])
     except DeclinedError as refusal:
-        left, reason = closing.available, str(refusal)
-        left = left.without(refusal.mount, reason) if refusal.mount else left.not_warmed(reason)
+        mount, reason = refusal.mount, str(refusal)
+        left = closing.available.without((lambda each: each.mount == mount) if mount else warms, reason)
         return closing.planned_with(left, declined=reason)
     return follow(closing, experiment, recording, clock.monotonic_s() - began_s, at)
 
@@ -164,7 +167,7 @@ def _verdict(closing: Closing, most: int) -> tuple[Ended | None, str]:
     if closing.next is None:
         return Ended.NOTHING_AVAILABLE, cannot(closing.planned, _elsewhere(closing))
     if chain.futile >= FUTILE:
-        return Ended.NOT_AS_PROMISED, f"{chain.futile} experiments in a row told nothing apart, though they were to."
+        return Ended.NOT_AS_PROMISED, f"{chain.futile} experiments in a row told nothing apart, though each was to."
     if len(chain.links) >= most:
         return Ended.ENOUGH, f"{most} experiments were to be run at most; the next would be {closing.next.programme}."
     return None, ""

@@ -12,14 +12,13 @@ Record = dict[str, Any]
 
 
 def told_by_everything(record: Record) -> bool:
-    """Whether all experiments together leave nothing but the right name."""
-    return record["everything_found"] == [[record["effect"]]]
+    """Whether all experiments together leave the right name without a rival."""
+    return [record["effect"]] in record["everything_found"]
 
 
 def left_by_everything(record: Record) -> bool:
     """Whether the right name still has rivals after all experiments."""
-    found = record["everything_found"]
-    return len(found) == 1 and record["effect"] in found[0] and len(found[0]) > 1
+    return any(record["effect"] in names and len(names) > 1 for names in record["everything_found"])
 
 
 def told(record: Record) -> bool:

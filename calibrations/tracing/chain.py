@@ -64,6 +64,11 @@ class Link:
         return (*remaining, *gone) if remaining and gone else ()
 
     @property
+    def futile(self) -> bool:
+        """Whether it told nothing apart, though it was to do so by itself."""
+        return not (self.separated or self.experiment.together or self.experiment.runs > 1)
+
+    @property
     def rivals_before(self) -> tuple[str, ...]:
         """Everything that could have been the cause."""
         return next(names for names in self.before.disputed if self._name in names)
@@ -132,7 +137,7 @@ class Chain:
         """How many experiments in a row have told nothing apart, though each was to do so by itself."""
         count = 0
         for link in reversed(self.links):
-            if link.separated or link.experiment.together or link.experiment.runs > 1:
+            if not link.futile:
                 break
             count += 1
         return count

@@ -146,8 +146,9 @@ PROBES = (
 def followed_by(observations: Observations, probe: Probe) -> Observations:
     """Return a table with the rows that a probe would add, in a run and realisations of their own.
 
-    Times, directions and temperatures follow from the probe, and the head rests in every dwell; any other column, the
-    output too, goes on with its last value. A column that the table lacks stays away, but for mount and realisation.
+    Times and directions follow from the probe, and the head rests in every dwell. The temperature goes on as it went:
+    that it will stay where it is is no promise. Any other column, the output too, goes on with its last value. A column
+    that the table lacks stays away, but for mount and realisation.
     """
     return appended(observations, _rows_of(probe, observations))
 
@@ -172,7 +173,7 @@ def _rows_of(probe: Probe, before: Observations) -> Observations:
     if before.direction is not None:
         columns["direction"] = _directions(angle_deg, start_deg)
     if before.temperature_degc is not None:
-        columns["temperature_degc"] = np.full(rows, _recent(before.temperature_degc) + probe.warmer_k)
+        columns["temperature_degc"] = _going_on(before, columns["time_s"], rows) + probe.warmer_k
     if before.velocity_deg_s is not None:
         columns["velocity_deg_s"] = np.zeros(rows)
     extra: dict[str, Any] = {name: np.repeat(column[-1:], rows) for name, column in before.extra.items()}
@@ -186,6 +187,14 @@ def _directions(angle_deg: FloatArray, start_deg: float) -> FloatArray:
     return np.asarray(sign[last])
 
 
-def _recent(temperature_degc: FloatArray) -> float:
-    known = temperature_degc[np.isfinite(temperature_degc)]
-    return float(np.mean(known[-_RECENT:])) if len(known) else float("nan")
+def _going_on(before: Observations, time_s: FloatArray | None, rows: int) -> FloatArray:
+    """Temperature of further rows: that of the last ones, and the trend of the table from there."""
+    assert before.temperature_degc is not None
+    known = np.isfinite(before.temperature_degc)
+    measured_degc = before.temperature_degc[known]
+    last_degc = np.full(rows, np.mean(measured_degc[-_RECENT:]) if len(measured_degc) else np.nan)
+    if before.time_s is None or time_s is None or len(measured_degc) < 2 * _RECENT:
+        return last_degc
+    then_s = before.time_s[known]
+    slope = np.polynomial.Polynomial.fit(then_s, measured_degc, 1).deriv()(0.0)
+    return np.asarray(last_degc + slope * (time_s - np.mean(then_s[-_RECENT:])))
