@@ -57,20 +57,34 @@ def measure(at: AtStand, programme: Programme, listeners: Sequence[Listener] = (
     return recording
 
 
-def run_experiment(
-    at: AtStand, probe: Probe, listeners: Sequence[Listener] = (), stopped: Callable[[], bool] = lambda: False
-) -> Path:
-    """Run an experiment: what it needs of the operator, its wait, its programme.
+def prepare(at: AtStand, probe: Probe, stopped: Callable[[], bool] = lambda: False) -> None:
+    """See to what must be before an experiment: a warmer unit, which takes an operator, or time that has passed.
 
     Parameters
     ----------
     stopped
-        Asked while it waits; the run itself is stopped as any other.
+        Asked all the time.
 
     Raises
     ------
     DeclinedError
         The operator said no.
+    JobError
+        Somebody stopped it; nothing has moved.
+    """
+    if probe.warmer_k:
+        _have_warmed(at, probe.warmer_k, stopped)
+    else:
+        _wait(at, probe.wait_s, stopped)
+
+
+def run_experiment(at: AtStand, probe: Probe, listeners: Sequence[Listener] = ()) -> Path:
+    """Run an experiment that is prepared, and return its recording.
+
+    Raises
+    ------
+    DeclinedError
+        The operator said no to its mount.
     InputError, JobError
         What went wrong; the recording is kept whenever there is one.
     """
@@ -80,10 +94,6 @@ def run_experiment(
         if isinstance(event, MountAnswered) and event.answer and not event.confirmed:
             refusals.append(event.mount)
 
-    if probe.warmer_k:
-        _have_warmed(at, probe.warmer_k, stopped)
-    elif probe.wait_s:
-        _wait(at, probe.wait_s, stopped)
     try:
         return measure(at, programme_of(probe), (*listeners, listen))
     except JobError as error:

@@ -8,7 +8,7 @@ from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from app.acting import AtStand, DeclinedError, run_experiment
+from app.acting import AtStand, DeclinedError, prepare, run_experiment
 from app.available import Available, available, programme_of, warms
 from app.calibrating import Traced, fit
 from app.joining import read_together
@@ -143,6 +143,7 @@ def _once(closing: Closing, at: AtStand, watching: Callable[[Job], AbstractConte
     probe, clock = closing.available.probe(experiment.programme), at.connected.stand.clock
     began_s = clock.monotonic_s()
     try:
+        prepare(at, probe)
         with watching(at.job(programme_of(probe))) as listener:
             recording = run_experiment(at, probe, [listener])
     except DeclinedError as refusal:

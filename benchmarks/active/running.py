@@ -5,7 +5,7 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-from app.acting import AtStand, measure, run_experiment
+from app.acting import AtStand, measure, prepare, run_experiment
 from app.closing import MOST_EXPERIMENTS, act, begin
 from app.joining import read_together
 from app.stand import load_stand
@@ -92,7 +92,10 @@ def _everything_told(case: Case, folder: Path) -> Loop:
     """What is known once every experiment that the stand can run was run."""
     at, first = _at_stand(case, folder)
     probes = begin([first], at).available.probes
-    files = [first, *(run_experiment(at, probe) for probe in probes)]
+    files = [first]
+    for probe in probes:
+        prepare(at, probe)
+        files.append(run_experiment(at, probe))
     loop, _ = explain(read_together(files).observations)
     return loop
 

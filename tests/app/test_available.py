@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from app_jobs import STAND
 
-from app.acting import AtStand, DeclinedError, run_experiment
+from app.acting import AtStand, DeclinedError, prepare
 from app.available import NO_THERMOMETER, NOBODY_WARMS, available, programme_of
 from app.exits import JobError
 from app.stand import load_stand
@@ -105,24 +105,20 @@ def at_stand(stand, folder, operator):
 def test_who_is_asked_to_warm_the_unit_may_decline(stand, tmp_path):
     person = Person(confirmed=False)
     with pytest.raises(DeclinedError, match="does not warm the unit") as raised:
-        run_experiment(at_stand(stand, tmp_path, person), WARM)
+        prepare(at_stand(stand, tmp_path, person), WARM)
     assert raised.value.mount == ""
     assert person.asked[0].startswith("Bring the unit to a temperature about 10 K higher")
-    assert not (tmp_path / "recordings").exists()
 
 
 def test_what_shall_be_measured_later_waits_for_that_long(stand, tmp_path):
     at = at_stand(stand, tmp_path, Person(confirmed=True))
     began_s = at.connected.stand.clock.monotonic_s()
-    later = Probe(programme="probe-shuffled", does="", order="shuffled", wait_s=7200.0)
-    run_experiment(at, later)
-    assert at.connected.stand.clock.monotonic_s() - began_s > 7200.0 + 80
+    prepare(at, Probe(programme="later", does="", wait_s=7200.0))
+    assert at.connected.stand.clock.monotonic_s() - began_s == pytest.approx(7200.0)
 
 
 def test_a_wait_can_be_stopped_before_anything_moves(stand, tmp_path):
     at = at_stand(stand, tmp_path, Person(confirmed=True))
-    later = Probe(programme="probe-shuffled", does="", order="shuffled", wait_s=7200.0)
     with pytest.raises(JobError, match="stopped while waiting; nothing moved") as raised:
-        run_experiment(at, later, stopped=lambda: True)
+        prepare(at, Probe(programme="later", does="", wait_s=7200.0), stopped=lambda: True)
     assert raised.value.status == 4
-    assert not (tmp_path / "recordings").exists()

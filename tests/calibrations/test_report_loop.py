@@ -156,7 +156,7 @@ def test_every_experiment_stands_with_its_rivals_its_decision_and_the_error_befo
     text = text_of(page)
     assert re.search(r"k_xx or k_yy probe-edge 8 20 25 against k_yy: k_xx remains \d+ µV → [\d.]+ µV", text)
     assert "Everything that was found is told apart." in text
-    _, plot = re.findall(r"<svg.*?</svg>", page, flags=re.DOTALL)
+    *_, plot = re.findall(r"<svg.*?</svg>", page, flags=re.DOTALL)
     assert ET.fromstring(plot).get("aria-label") == "Explanations after each experiment: k_xx, k_yy"
     assert parsed(page).open == []
 
