@@ -17,6 +17,7 @@ from calibrations.records.errors import StoreError
 from calibrations.records.record import Record
 from calibrations.records.store import Store
 from calibrations.result import Calibration
+from calibrations.tracing.chain import Chain
 from calibrations.tracing.document import result_document
 from calibrations.tracing.loop import Loop, close_loop
 from calibrations.tracing.questions import questioned
@@ -134,8 +135,10 @@ def report_path(folder: Path, record: Record) -> Path:
     return folder / "reports" / f"{record.id}.html"
 
 
-def write_report(traced: Traced, path: Path, record_id: str = "", revision: int = 1) -> None:
-    """Write the HTML report. Raises `JobError`."""
+def write_report(
+    traced: Traced, path: Path, record_id: str = "", revision: int = 1, chain: Chain | None = None
+) -> None:
+    """Write the HTML report, with the experiments that closed the loop where there were any. Raises `JobError`."""
     from calibrations.report import render_report  # matplotlib takes half a second
 
     page = render_report(
@@ -145,6 +148,7 @@ def write_report(traced: Traced, path: Path, record_id: str = "", revision: int 
         record_id=record_id,
         revision=revision,
         loop=traced.loop,
+        chain=chain,
     )
     write_text(path, page)
 

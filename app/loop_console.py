@@ -5,7 +5,9 @@ from collections.abc import Iterable, Sequence
 from rich.console import Console
 from rich.table import Table
 
-from app.console import results
+from app.closing import Closing
+from app.console import messages, results
+from calibrations.support import series
 from calibrations.tracing.findings import EffectFound
 from calibrations.tracing.loop import Loop
 from calibrations.tracing.misreading import Misreading
@@ -28,6 +30,25 @@ def show_loop(loop: Loop, console: Console | None = None) -> None:
         command = f": {experiment.command}" if experiment.command else ""
         console.print(f"next, to tell {' from '.join(experiment.separates[:2])}{command}", markup=False)
         console.print(f"  {experiment.why}", markup=False)
+
+
+def tell_closing(closing: Closing) -> None:
+    """Say what the last experiment decided, and what is to be run next or why nothing is."""
+    console, chain = messages(), closing.chain
+    if closing.declined:
+        console.print(f"{closing.declined}; it is planned without that", markup=False)
+    elif chain.links:
+        link = chain.links[-1]
+        console.print(f"{link.experiment.programme} decides {link.decision}", markup=False, soft_wrap=True)
+        if link.separated:
+            console.print(f"  {link.comparison}", markup=False, soft_wrap=True)
+    for first, *others in chain.last.disputed:
+        console.print(f"{first} is found, which could as well be {series(others, 'or')}", markup=False, soft_wrap=True)
+    if chain.ended:
+        console.print(chain.why, markup=False, soft_wrap=True)
+    elif closing.next:
+        minutes = closing.next.stand_time_s / 60
+        console.print(f"next: {closing.next.why}; {minutes:.0f} min at the stand", markup=False, soft_wrap=True)
 
 
 def findings_table(effects: Sequence[EffectFound], misread: Sequence[Misreading] = ()) -> Table:

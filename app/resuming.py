@@ -66,14 +66,6 @@ class Unfinished:
             if isinstance(event, Identified)
         }
 
-    def past(self, job: Job) -> Past:
-        """What a simulated stand lives through again."""
-        return Past(
-            programme=job.programme,
-            acquisition=job.acquisition,
-            points=len(self.recording.points),
-        )
-
 
 def find(path: Path) -> Unfinished:
     """Look for what there is of a run, by the name of its recording or of one that was set aside.
@@ -109,6 +101,38 @@ def load_same_stand(recording: Recording, path: Path | None = None) -> LoadedSta
             "SHA-256 differs); give the unchanged one with --stand, or begin a new run"
         )
     return loaded
+
+
+def lived_through(paths: Sequence[Path], stand: LoadedStand, now: Recording | None = None) -> list[Past]:
+    """The runs of recordings that were made at a stand, and the one that goes on `now`.
+
+    Where the stand is simulated it has to live through them again; a real one needs nothing of the kind.
+
+    Raises
+    ------
+    InputError
+        A recording cannot be read.
+    """
+    if not stand.file.simulates:
+        return []
+    try:
+        recordings = [*map(read_recording, paths), *([now] if now else [])]
+    except RecordingError as error:
+        raise InputError(f"{error}; the simulated stand has to live through that run again") from error
+    here = [each for each in recordings if each.header.stand_sha256 == stand.sha256]
+    return [_past(each, stand, here[0]) for each in here]
+
+
+def _past(recording: Recording, stand: LoadedStand, first: Recording) -> Past:
+    header = recording.header
+    programme = programme_from_text(header.programme_text, str(recording.path))
+    job = Job(stand=stand, programme=programme, serial_number=header.serial_number)
+    return Past(
+        programme=programme,
+        acquisition=job.acquisition,
+        points=len(recording.points),
+        began_s=(header.started_wall_ns - first.header.started_wall_ns) / 1e9,
+    )
 
 
 def resume(

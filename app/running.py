@@ -8,7 +8,7 @@ import stat
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from hashlib import sha256
 from pathlib import Path
@@ -26,7 +26,7 @@ from procedures.announcer import Listener
 from procedures.engine import Engine
 from procedures.events import State
 from procedures.outcome import Outcome
-from procedures.plan import Plan, check_cable, check_limits, plan
+from procedures.plan import Plan, check_cable, check_limits, check_mounts, plan
 from procedures.programme import Programme
 from procedures.recording.errors import RecordingError
 from procedures.recording.header import Header
@@ -63,9 +63,10 @@ class Job:
         return self.programme.acquisition(samples=daq.samples, rate_hz=daq.rate_hz)
 
     def plan(self) -> Plan:
-        """Every step with its time; refuses what the head's limits or its cable forbid. Raises `ProgrammeError`."""
+        """Every step with its time; refuses what head, cable or seat forbid. Raises `ProgrammeError`."""
         head = self.stand.file.head
-        planned = plan(self.programme, self.acquisition, speed_deg_s=head.speed_deg_s)
+        planned = plan(self.programme, self.acquisition, speed_deg_s=head.speed_deg_s, mounting_s=head.mounting_s)
+        check_mounts(planned, head.mounts)
         check_limits(planned, head.limits_deg)
         check_cable(planned, head.turns)
         return planned
@@ -102,8 +103,9 @@ def run(
         The recording cannot be created, and nothing has moved; or it cannot be closed after the run.
     """
     job.plan()
-    header = _header(job, connected.stand.clock, purpose)
+    header = replace(_header(job, connected.stand.clock, purpose), follows=[str(path) for path in connected.ran])
     recorder = begin_recording(recording, header, connected.stand.clock)
+    connected.ran.append(recording.resolve())
     with recorder, holding_recording(recording, job.serial_number):
         return carry_out(lambda engine: engine.run(job.programme.procedure()), job, connected, recorder, listeners)
 

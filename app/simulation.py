@@ -1,7 +1,8 @@
 """The stand that exists in this process only: its operator, its past, and a head of it that a person turns."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import reduce
 from typing import Protocol
 
 from app.stand import LoadedStand
@@ -23,11 +24,13 @@ from procedures.steps import Dwell, Point, Procedure
 
 @dataclass(frozen=True, kw_only=True)
 class Past:
-    """What a stand has lived through before a run is resumed."""
+    """A run that a stand has lived through."""
 
     programme: Programme
     acquisition: Acquisition
     points: int
+    began_s: float = 0.0
+    """Since the first run began; not before the one before it was over."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -38,7 +41,7 @@ class Simulation:
     world: SimulatedWorld
     listeners: tuple[Listener, ...]
     lived_s: float = 0.0
-    """Since the run began that is resumed there."""
+    """Since the last run began that it has lived through."""
 
     def turn(self, angle_deg: float) -> None:
         """Begin to turn the head by hand."""
@@ -52,25 +55,31 @@ class Simulation:
         """Whether the head still turns."""
         return self.world.head.status().moving
 
-    def after(self, past: Past) -> "Simulation":
-        """Have the world live through a run again up to its last point, and go on from there.
+    def after(self, pasts: Sequence[Past]) -> "Simulation":
+        """Have the world live through runs again up to their last points, and go on from there.
 
-        What it takes to go on is no part of the run: when that is done, the random draws are counted, and the drifts
-        stand, as they were.
+        What it takes to go on with the last of them is no part of it: when that is done, the random draws are counted,
+        and the drifts stand, as they were.
         """
+        return reduce(lambda _, past: self._after(past), pasts, self)
+
+    def _after(self, past: Past) -> "Simulation":
+        clock = self.stand.clock
+        clock.sleep(past.began_s - clock.monotonic_s())
+        began_s = clock.monotonic_s()
         operator = SeatingOperator(ScriptedOperator(Answers(mounts={"default": "yes"})), self.world.seat)
         engine = Engine(self.stand, operator, _Nowhere(), past.acquisition, self.listeners)
         moments_s: list[float] = []
 
         def stop() -> None:
-            moments_s.append(self.stand.clock.monotonic_s())
+            moments_s.append(clock.monotonic_s())
             engine.control.stop()
 
         outcome = engine.run(_beginning(past.programme.procedure(), past.points, stop))
         if not moments_s and outcome.error:  # somebody interrupted the program
             raise outcome.error
-        putting_back = _putting_back(self.world, self.stand.clock, replace(self.world.counts), moments_s[0])
-        return replace(self, lived_s=moments_s[0], listeners=(*self.listeners, putting_back))
+        putting_back = _putting_back(self.world, clock, replace(self.world.counts), moments_s[0])
+        return replace(self, lived_s=moments_s[0] - began_s, listeners=(*self.listeners, putting_back))
 
 
 def simulation(loaded: LoadedStand, clock: Clock) -> Simulation:

@@ -1,7 +1,7 @@
 """The one place where drivers, operators and procedures are put together."""
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache, partial
 from pathlib import Path
@@ -36,19 +36,23 @@ class Connected:
     listeners: tuple[Listener, ...] = ()
     eyepiece: OperatorEyepiece | None = None
     """The person who reads the head, where it has no motor."""
+    attended: bool = False
+    """Whether a person is at the stand, who can do what no instrument can."""
     lived_s: float | None = None
     """Since the run began that is resumed, by the clock of a stand that was put back there; None for a real one."""
     warnings: tuple[str, ...] = ()
     """What whoever started the run should know of it."""
     links: Links = field(default_factory=Links)
     """To be closed when the stand is no longer needed."""
+    ran: list[Path] = field(default_factory=list)
+    """Recordings of the runs so far, in their order: what a simulated stand lives through before it goes on."""
 
 
 def connect(
     loaded: LoadedStand,
     answers: Path | None = None,
     attended: bool = False,
-    past: Past | None = None,
+    past: Sequence[Past] = (),
     clock: Clock | None = None,
 ) -> Connected:
     """Connect to the instruments of a stand file.
@@ -56,7 +60,7 @@ def connect(
     The operator of a simulated or emulated stand is simulated too, and seats the unit whenever asked, unless an answers
     file says otherwise. An attended stand asks the person at the terminal, and lives in real time, as a real one always
     does; an emulated stand lives by the clock of its emulation, or by `clock`, which goes as fast.
-    Where a run is resumed, a simulated stand lives through its `past` again first.
+    Where a run is resumed, or others came before, a simulated stand lives through its `past` again first.
 
     Raises
     ------
@@ -85,7 +89,14 @@ def connect(
         serials={"head": loaded.file.head.serial, "daq": loaded.file.daq.serial},
     )
     warnings = (_UNASKED.format(loaded.file.name),) if backstage and answers is None and not attended else ()
-    connected = Connected(stand=stand, operator=operator(), eyepiece=person.eyepiece, warnings=warnings, links=links)
+    connected = Connected(
+        stand=stand,
+        operator=operator(),
+        eyepiece=person.eyepiece,
+        attended=backstage is None and answers is None,
+        warnings=warnings,
+        links=links,
+    )
     return _behind_the_scenes(connected, backstage) if backstage else connected
 
 
@@ -95,11 +106,9 @@ def _behind_the_scenes(connected: Connected, backstage: Backstage) -> Connected:
     return replace(connected, operator=operator, listeners=(switching_on(backstage.switch_on),))
 
 
-def _simulated(loaded: LoadedStand, answers: Path | None, attended: bool, past: Past | None) -> Connected:
+def _simulated(loaded: LoadedStand, answers: Path | None, attended: bool, past: Sequence[Past]) -> Connected:
     clock = ReleasedClock()
-    simulated = simulation(loaded, clock)
-    if past is not None:
-        simulated = simulated.after(past)
+    simulated = simulation(loaded, clock).after(past)
     if attended:
         clock.release()
     operator = SeatingOperator(_operator(answers, attended), simulated.world.seat)

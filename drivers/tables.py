@@ -4,7 +4,7 @@ A driver that has keys of its own derives its table from one of these; see `driv
 """
 
 from datetime import date
-from typing import ClassVar, Final, Self
+from typing import ClassVar, Final, Literal, Self, TypeAlias
 
 from pydantic import BaseModel, ConfigDict, Field, field_validator, model_validator
 
@@ -13,6 +13,8 @@ from drivers.links.places import check_network, check_scheme, check_server
 
 MOST_SAMPLES: Final = 10_000_000
 """More in one dwell is a slip of the pen."""
+
+Mount: TypeAlias = Literal["face-up", "face-up-90", "face-down", "edge", "edge-back", "end"]
 
 
 class Instrument(BaseModel):
@@ -99,6 +101,10 @@ class HeadTable(Instrument):
     """Standard uncertainty of the reading."""
     seating_arcsec: float = Field(default=0.0, ge=0.0)
     """Repeatability of the unit in its seat, per mounting."""
+    mounts: tuple[Mount, ...] | None = Field(default=None, min_length=1)
+    """Mounts that the seat allows; without it, all."""
+    mounting_s: float = Field(default=60.0, ge=0.0, le=86_400.0)
+    """Time in which an operator seats the unit."""
 
     @model_validator(mode="after")
     def _in_order(self) -> Self:

@@ -1,6 +1,6 @@
 """What a programme will do and how long it will take, worked out without moving anything."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -128,6 +128,25 @@ def check_cable(plan: Plan, turns: float) -> None:
             raise ProgrammeError(
                 f"{_origin(plan.programme, step)}: the {step.procedure} goes to {step.angle_deg:g} deg, and the cable "
                 f"allows {turns:g} turns to either side of zero; change the angles, or cable_turns of the stand"
+            )
+
+
+def check_mounts(plan: Plan, mounts: Collection[str] | None) -> None:
+    """Make sure that the seat allows every mount; None allows all.
+
+    Raises
+    ------
+    ProgrammeError
+        Names file, line, mount and those that there are.
+    """
+    if mounts is None:
+        return
+    for planned in plan.steps:
+        step = planned.step
+        if isinstance(step, Dwell) and step.mount not in mounts:
+            raise ProgrammeError(
+                f"{_origin(plan.programme, step)}: the {step.procedure} needs the mount {step.mount}, and the seat "
+                f"allows {', '.join(mounts)} only; change the mount, or mounts of the stand"
             )
 
 

@@ -1,41 +1,132 @@
-"""`tumble close-loop`: trace what the declared model leaves to its causes."""
+"""`tumble close-loop`: trace what the declared model leaves to its causes, and run what tells them apart."""
 
+import shlex
+from collections.abc import Iterator, Sequence
+from contextlib import AbstractContextManager, contextmanager
+from dataclasses import replace
 from pathlib import Path
 
 import click
 
-from app.calibrating import fit, trace, write_report
+from app.acting import AtStand, measure
+from app.calibrating import Traced, fit, trace, write_report
+from app.closing import MOST_EXPERIMENTS, Closing, act, begin
 from app.commands import options
-from app.console import messages, warn
+from app.commands.measuring import Wanted, may_measure
+from app.console import messages, run_display, warn
 from app.exits import Exit
+from app.files import is_recording
 from app.joining import read_together
-from app.loop_console import show_loop
+from app.loop_console import show_loop, tell_closing
+from app.measurements import read_measurement
+from app.running import Job
 from app.stand import load_stand
 from calibrations.montecarlo import TRIALS
+from calibrations.tracing.chain import Chain
 from calibrations.tracing.document import document
+from procedures.announcer import Listener
+from procedures.errors import InputError
+from procedures.programme import load_programme
 
 
 @click.command("close-loop")
-@click.argument("files", metavar="FILE...", nargs=-1, required=True, type=options.EXISTING)
+@click.argument("files", metavar="[FILE]...", nargs=-1, type=options.EXISTING)
+@may_measure
+@click.option(
+    "--experiments",
+    "most",
+    type=click.IntRange(min=0),
+    help=f"How many further experiments to run at most: without FILE {MOST_EXPERIMENTS}, after files 0 unless given.",
+)
+@options.store
 @options.json_out
-@click.option("--stand", "stand_path", type=options.EXISTING, help="Stand file for the budget of a table.")
-@click.option("--serial", "serial_number", default="", help="Serial number of the unit, where the file does not say.")
 @click.option("--report", "page", type=options.EXISTING, help="Write the report (HTML) here.")
 def command(
-    files: tuple[Path, ...], json_path: Path | None, stand_path: Path | None, serial_number: str, page: Path | None
+    wanted: Wanted,
+    files: tuple[Path, ...],
+    most: int | None,
+    folder: Path,
+    json_path: Path | None,
+    page: Path | None,
 ) -> None:
-    """Trace what the declared model leaves of a recording (.mcap) or a table (CSV) to effects.
+    """Trace what the declared model leaves of recordings (.mcap) or tables (CSV) to effects.
 
     Several files of one unit are taken together, in the order in which they were measured.
+
+    Without a file the unit --serial is measured at the stand first, with --programme. While effects cannot be told
+    apart, the experiment that tells most for its time is run there, and everything is fitted together again. After
+    files, --experiments N does the same: they are the first measurement, and a loop that was cut off goes on from them.
     """
-    measurement = read_together(files, load_stand(stand_path).recorded if stand_path else None)
-    traced = trace(fit(measurement, serial_number, trials=TRIALS if page else 0))
+    if files and not most:
+        _tell(_traced(files, wanted, page), None, json_path, page)
+        return
+    closing = _closed(wanted, files, MOST_EXPERIMENTS if most is None else most, folder)
+    traced = closing.traced
+    if page:
+        calibration = fit(traced.measurement, wanted.serial_number, TRIALS).calibration
+        traced = replace(traced, calibration=calibration)
+    _tell(traced, closing.chain, json_path, page)
+
+
+def _traced(files: tuple[Path, ...], wanted: Wanted, page: Path | None) -> Traced:
+    """What files say, without a stand to ask."""
+    stand = load_stand(wanted.stand_path).recorded if wanted.stand_path else None
+    return trace(fit(read_together(files, stand), wanted.serial_number, trials=TRIALS if page else 0))
+
+
+def _closed(wanted: Wanted, files: tuple[Path, ...], most: int, folder: Path) -> Closing:
+    """What files, or else a first measurement, say together with the experiments that it takes."""
+    loaded, programme = wanted.stand(), load_programme(wanted.programme)
+    with wanted.connected(loaded, [path for path in files if is_recording(path)]) as connected:
+        at = AtStand(
+            stand=loaded,
+            connected=connected,
+            serial_number=wanted.serial_number,
+            folder=folder,
+            operator=wanted.operator,
+        )
+
+        def watching(job: Job) -> AbstractContextManager[Listener]:
+            return run_display(job.plan(), connected.stand.clock, messages())
+
+        with _saying_how_to_go_on(wanted, files, connected.ran):
+            if not files:
+                with watching(at.job(programme)) as display:
+                    files = (measure(at, programme, [display]),)
+            return act(begin(files, at), at, most, watching, tell_closing)
+
+
+@contextmanager
+def _saying_how_to_go_on(wanted: Wanted, files: Sequence[Path], ran: Sequence[Path]) -> Iterator[None]:
+    """Where the loop is cut off: how it goes on from what was measured."""
+    try:
+        yield
+    except BaseException:
+        kept = [path for path in dict.fromkeys([*(file.resolve() for file in files), *ran]) if _has_rows(path)]
+        if kept:
+            stand = ["--stand", str(wanted.stand_path)] if wanted.stand_path else []
+            words = [*map(str, kept), *stand, "--serial", wanted.serial_number, "--experiments", str(MOST_EXPERIMENTS)]
+            goes_on = f"the loop goes on from what was measured with: tumble close-loop {shlex.join(words)}"
+            messages().print(goes_on, markup=False, soft_wrap=True)
+        raise
+
+
+def _has_rows(path: Path) -> bool:
+    """Whether there is anything in a file to go on from."""
+    try:
+        return bool(len(read_measurement(path).observations))
+    except InputError:
+        return False
+
+
+def _tell(traced: Traced, chain: Chain | None, json_path: Path | None, page: Path | None) -> None:
+    """Show the result where it is wanted. Raises `SystemExit` where a parameter lies outside its limits."""
     warn(traced.loop.augmented.warnings)
     if str(json_path) != "-":
         show_loop(traced.loop)
-    options.write_json(document(traced.loop), json_path)
+    options.write_json(document(traced.loop) | (chain.as_json() if chain else {}), json_path)
     if page is not None:
-        write_report(traced, page)
+        write_report(traced, page, chain=chain)
         messages().print(f"report {page}", soft_wrap=True)
     if not traced.inside:
         raise SystemExit(int(Exit.OUTSIDE_LIMITS))

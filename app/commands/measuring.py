@@ -1,58 +1,96 @@
 """What the commands that measure have in common: a job, and a stand that is ready for it."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
 from datetime import UTC, datetime
 from functools import wraps
 from pathlib import Path
+from typing import Any
 
 import click
 
 from app.commands import options
 from app.console import warn
+from app.resuming import lived_through
 from app.running import Job
-from app.stand import load_stand
+from app.stand import LoadedStand, load_stand
 from app.stand_lock import holding
-from app.wiring import connect
+from app.wiring import Connected, connect
 from procedures.errors import InputError
 from procedures.programme import load_programme
 
 _LONGEST_SERIAL = 100
-_OPTIONS = (
-    options.stand,
-    click.option("--programme", default="seed", show_default=True, help="Name of a shipped programme, or a file."),
-    click.option("--serial", "serial_number", required=True, help="Serial number of the unit."),
-    click.option("--operator", default="", help="Who is at the stand; recorded."),
-    options.answers,
-    options.attended,
-)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Wanted:
+    """What a command line says of stand, unit and whoever is there."""
+
+    stand_path: Path | None
+    programme: str
+    serial_number: str
+    operator: str
+    answers: Path | None
+    attended: bool
+
+    def stand(self) -> LoadedStand:
+        """The stand file, once the serial number is seen to be one. Warns of what is overdue. Raises `InputError`."""
+        if not self.serial_number.strip() or len(self.serial_number) > _LONGEST_SERIAL:
+            raise InputError(f"--serial: give the unit's serial number, 1 to {_LONGEST_SERIAL} characters")
+        loaded = load_stand(self.stand_path)
+        warn(loaded.file.expired(datetime.now(tz=UTC).date()))
+        return loaded
+
+    @contextmanager
+    def connected(self, loaded: LoadedStand, after: Sequence[Path] = ()) -> Iterator[Connected]:
+        """The stand for oneself, ready to run; `after` are recordings that were made there before."""
+        with holding(loaded, self.serial_number):
+            connected = connect(loaded, self.answers, self.attended, lived_through(after, loaded))
+            connected.ran.extend(path.resolve() for path in after)
+            try:
+                warn(connected.warnings)
+                yield connected
+            finally:
+                connected.links.close()
 
 
 def measures(function: Callable[..., None]) -> Callable[..., None]:
     """Give a command the options of a job; it is called with the `Job`, the `Connected` stand and its own options."""
 
     @wraps(function)
-    def command(  # one for every option
-        stand_path: Path | None,
-        programme: str,
-        serial_number: str,
-        operator: str,
-        answers: Path | None,
-        attended: bool,
-        **own: object,
-    ) -> None:
-        if not serial_number.strip() or len(serial_number) > _LONGEST_SERIAL:
-            raise InputError(f"--serial: give the unit's serial number, 1 to {_LONGEST_SERIAL} characters")
-        loaded = load_stand(stand_path)
-        warn(loaded.file.expired(datetime.now(tz=UTC).date()))
-        job = Job(stand=loaded, programme=load_programme(programme), serial_number=serial_number, operator=operator)
-        with holding(loaded, serial_number):
-            connected = connect(loaded, answers, attended)
-            try:
-                warn(connected.warnings)
-                function(job, connected, **own)
-            finally:
-                connected.links.close()
+    def command(wanted: Wanted, **own: object) -> None:
+        loaded = wanted.stand()
+        job = Job(
+            stand=loaded,
+            programme=load_programme(wanted.programme),
+            serial_number=wanted.serial_number,
+            operator=wanted.operator,
+        )
+        with wanted.connected(loaded) as connected:
+            function(job, connected, **own)
 
-    for option in reversed(_OPTIONS):
+    return _asking(command, serial_needed=True)
+
+
+def may_measure(function: Callable[..., None]) -> Callable[..., None]:
+    """Give a command the same options, none of them needed; it is called with them as `Wanted` and its own options."""
+    return _asking(function, serial_needed=False)
+
+
+def _asking(function: Callable[..., None], *, serial_needed: bool) -> Callable[..., None]:
+    @wraps(function)
+    def command(**given: Any) -> None:  # noqa: ANN401  # one for every option
+        wanted = {name: given.pop(name) for name in Wanted.__dataclass_fields__}
+        function(Wanted(**wanted), **given)
+
+    for option in (
+        options.attended,
+        options.answers,
+        options.operator,
+        options.serial(needed=serial_needed),
+        click.option("--programme", default="seed", show_default=True, help="Name of a shipped programme, or a file."),
+        options.stand,
+    ):
         command = option(command)
     return command

@@ -10,7 +10,7 @@ from app.commands import options
 from app.commands.telling import tell_calibrated, tell_recorded, tell_run
 from app.console import messages, run_display, warn
 from app.recall import record_of
-from app.resuming import Unfinished, find, load_same_stand, resume
+from app.resuming import Unfinished, find, lived_through, load_same_stand, resume
 from app.running import Job, failure
 from app.stand_lock import holding, holding_recording
 from app.wiring import connect
@@ -92,7 +92,8 @@ def _go_on(
     if store is not None:
         make_ready(store)
     with holding(loaded, header.serial_number):
-        connected = connect(loaded, answers, attended, unfinished.past(job))
+        past = lived_through([Path(path) for path in header.follows], loaded, unfinished.recording)
+        connected = connect(loaded, answers, attended, past)
         try:
             warn(connected.warnings)
             done = len(unfinished.recording.points)

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from calibrations.report.abscissa import Abscissa
+from calibrations.report.chain import chain_part
 from calibrations.report.outlooks import outlook_figure
 from calibrations.report.subject import Subject
 from calibrations.report.traces import abscissae, trace_figure
@@ -14,14 +15,14 @@ from calibrations.tracing.words import comparisons, findings, headline, untold
 
 def closed_loop(subject: Subject) -> dict[str, Any]:
     """The effects found, the models before and after, and the residual against what explains it."""
-    loop = subject.loop
+    loop, chain = subject.loop, {"chain": chain_part(subject.chain)}
     if loop is None:
-        return {"headline": "What the residual comes from was not asked."} | dict.fromkeys(_PARTS, ())
+        return {"headline": "What the residual comes from was not asked."} | dict.fromkeys(_PARTS, ()) | chain
     found = bool(loop.effects or loop.unexplained)
     if not found:
-        return {"headline": headline(loop)} | dict.fromkeys(_PARTS, ())
+        return {"headline": headline(loop)} | dict.fromkeys(_PARTS, ()) | chain
     parts = (findings(loop.effects, loop.misread), _figures(loop), comparisons(loop), untold(loop), _experiments(loop))
-    return {"headline": headline(loop)} | dict(zip(_PARTS, parts, strict=True))
+    return {"headline": headline(loop)} | dict(zip(_PARTS, parts, strict=True)) | chain
 
 
 _PARTS = ("findings", "figures", "comparisons", "untold", "experiments")

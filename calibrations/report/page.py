@@ -14,6 +14,7 @@ from calibrations.report.origin import origin
 from calibrations.report.results import header, results
 from calibrations.report.subject import Subject
 from calibrations.result import Calibration
+from calibrations.tracing.chain import Chain
 from calibrations.tracing.loop import Loop
 
 _TEMPLATES = Environment(
@@ -62,6 +63,7 @@ def render_report(
     record_id: str = "",
     revision: int = 1,
     loop: Loop | None = None,
+    chain: Chain | None = None,
 ) -> str:
     """One HTML page that needs nothing else: style and plots are inside, there is no script.
 
@@ -81,6 +83,8 @@ def render_report(
         Revision of the record, from 1.
     loop
         The loop closed on the same table; None where it was not.
+    chain
+        The experiments that were run for that; None where it was closed on what was there.
     """
     subject = Subject(
         calibration=calibration,
@@ -89,6 +93,7 @@ def render_report(
         record_id=record_id,
         revision=revision,
         loop=loop,
+        chain=chain,
     )
     bodies = [(section, section.render(subject)) for section in SECTIONS]
     return _TEMPLATES.get_template("page.html.j2").render(subject=subject, sections=bodies, **header(subject))

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from calibrations.provenance import LimitCheck, Provenance
 from calibrations.result import Calibration, Parameter
+from calibrations.tracing.chain import Chain
 from calibrations.tracing.loop import Loop
 
 
@@ -19,6 +20,8 @@ class Subject:
     revision: int = 1
     loop: Loop | None = None
     """None where the loop was not closed."""
+    chain: Chain | None = None
+    """None where nothing was run to close it."""
 
     @property
     def told(self) -> tuple[Parameter, ...]:

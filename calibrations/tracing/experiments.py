@@ -35,18 +35,24 @@ class Experiment:
     separation: float
     """Expected difference in -2 ln L, that of the closest of the rivals."""
     stand_time_s: float
+    runs: int = 1
+    """How often it is to be run; the stand time is that of all of them."""
+    together: tuple[str, ...] = ()
+    """Programmes without which it tells nothing apart."""
     outlook: Outlook | None = None
     """What it would show; None where no programme would help."""
 
 
-def next_experiments(base: Ground, trace: Trace, close: Mapping[str, Sequence[Rival]]) -> tuple[Experiment, ...]:
+def next_experiments(
+    base: Ground, trace: Trace, close: Mapping[str, Sequence[Rival]], probes: Sequence[Probe] = PROBES
+) -> tuple[Experiment, ...]:
     """For every effect that has rivals: the experiments that tell it from them, in the least time.
 
-    `close` holds the rivals of each effect of the trace by name. Where no programme helps, the experiment says so and
-    has no command.
+    `close` holds the rivals of each effect of the trace by name, `probes` what can be run. Where none of them helps,
+    the experiment says so and has no command.
     """
     questions = [Question(base, trace, name, rivals) for name, rivals in close.items() if rivals]
-    return tuple(experiment for question in questions for experiment in _answers(question))
+    return tuple(experiment for question in questions for experiment in _answers(question, probes))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -75,14 +81,14 @@ class _Offer:
     def worth(self, among: list[int], sure: bool) -> tuple[float, float]:
         """Rivals told apart per second; of equal ones the clearer, in whole multiples of what is needed."""
         clearness = float(np.minimum(self.separations(sure)[among] // APART, 4).sum())
-        return len(self.apart(among, sure)) / self.stand_time_s, clearness
+        return len(self.apart(among, sure)) / max(self.stand_time_s, 1.0), clearness
 
 
-def _answers(question: Question) -> Iterator[Experiment]:
+def _answers(question: Question, probes: Sequence[Probe]) -> Iterator[Experiment]:
     """Experiments until every rival is told apart or nothing tells any of the rest."""
     rows, left = question.table, list(range(len(question.rivals)))
     while left:
-        offers = _offers(question, rows, left)
+        offers = _offers(question, rows, left, probes)
         chosen, apart = _best(offers, left, sure=True)
         if not apart:
             chosen, apart = _best(offers, left, sure=False)
@@ -99,15 +105,18 @@ def _best(offers: Sequence[_Offer], left: list[int], sure: bool) -> tuple[_Offer
     return best, best.apart(left, sure)
 
 
-def _offers(question: Question, rows: Rows, left: list[int]) -> list[_Offer]:
-    """Single probes, then more of them: several times, or two mounts, where no single one is sure to tell anything."""
-    offers = [_offer(question, rows, (probe,)) for probe in PROBES]
+def _offers(question: Question, rows: Rows, left: list[int], probes: Sequence[Probe]) -> list[_Offer]:
+    """Single probes, then more of them: several times, or two mounts, where no single one is sure to tell anything.
+
+    Without any probe there is one offer, of nothing.
+    """
+    offers = [_offer(question, rows, (probe,)) for probe in probes]
     if not any(offer.apart(left, sure=True) for offer in offers):
-        mounts = [probe for probe in PROBES if probe.mount != "face-up"]
+        mounts = [probe for probe in probes if probe.mount != "face-up"]
         promising = [offer for offer in offers if offer.separations(sure=True)[left].max() * _RUNS >= APART]
         offers += [_offer(question, rows, offer.probes, _RUNS) for offer in promising]
         offers += [_offer(question, rows, pair) for pair in combinations(mounts, 2)]
-    return offers
+    return offers or [_offer(question, rows, ())]
 
 
 def _offer(question: Question, rows: Rows, probes: tuple[Probe, ...], runs: int = 1) -> _Offer:
@@ -137,6 +146,8 @@ def _experiment(question: Question, offer: _Offer, probe: Probe, apart: list[int
         command=f"tumble run --programme {probe.programme} --serial SERIAL",
         separation=separation,
         stand_time_s=offer.runs * probe.stand_time_s,
+        runs=offer.runs,
+        together=tuple(others),
         outlook=_outlook(question, offer, probe, apart, sure),
     )
 

@@ -1,6 +1,7 @@
 """Probes: short programmes that visit a unit in a way in which a table may not have seen it.
 
-Each corresponds to a programme `probe-….toml` that comes along, one sweep of 80 steps of 5°.
+Each corresponds to a programme `probe-….toml` that comes along, one sweep of 80 steps of 5°, fewer where the head does
+not go so far.
 """
 
 from dataclasses import dataclass, replace
@@ -12,11 +13,9 @@ from calibrations.geometry import FloatArray
 from calibrations.joining import appended
 from calibrations.observations import ARRAY_COLUMNS, Observations
 
-MOUNTING_S = 60.0
-"""Time in which an operator seats the unit; every run begins with it."""
-_SPEED_DEG_S = 20.0
-_DWELL_S = 1.5
-"""Time to settle and to acquire."""
+STEP_DEG = 5.0
+_FEWEST_DWELLS = 18
+"""A quarter of a turn: less shows hardly anything."""
 _RECENT = 20
 """So many of the last rows say what the temperature is now."""
 
@@ -35,7 +34,22 @@ class Probe:
     warmer_k: float = 0.0
     """By how much the unit shall be warmer than at the end of the table, in kelvin."""
     wait_s: float = 0.0
-    """Time until it is."""
+    """Time until it is, or that is to pass."""
+    start_deg: float = 0.0
+    points: int = 80
+    mounting_s: float = 60.0
+    """Time in which an operator seats the unit; every run begins with it."""
+    speed_deg_s: float = 20.0
+    dwell_s: float = 1.5
+    """Time to settle and to acquire."""
+
+    def between(self, lowest_deg: float, highest_deg: float) -> "Probe | None":
+        """The same where the head goes no further than so: as much of it as there is room for, None for too little."""
+        if lowest_deg <= self.start_deg and self.start_deg + STEP_DEG * (self.points - 1) <= highest_deg:
+            return self
+        start_deg = float(np.ceil(lowest_deg / STEP_DEG)) * STEP_DEG
+        points = min(self.points, int((highest_deg - start_deg) // STEP_DEG) + 1)
+        return replace(self, start_deg=start_deg, points=points) if points >= _FEWEST_DWELLS else None
 
     @property
     def angles_deg(self) -> FloatArray:
@@ -43,7 +57,7 @@ class Probe:
         return np.array([self._angles_deg(number) for number in range(1, self.realisations + 1)])
 
     def _angles_deg(self, realisation: int) -> FloatArray:
-        up = np.arange(0.0, 400.0, 5.0)
+        up: FloatArray = self.start_deg + STEP_DEG * np.arange(self.points, dtype=np.float64)
         match self.order:
             case "up":
                 return up
@@ -55,8 +69,8 @@ class Probe:
     def step_s(self, start_deg: float = 0.0) -> FloatArray:
         """Time from each dwell to the next, shape (rows,); the first waits, and seats the unit."""
         moves_deg = np.diff(self.angles_deg.ravel(), prepend=start_deg)
-        steps_s = np.abs(moves_deg) / _SPEED_DEG_S + _DWELL_S
-        steps_s[0] += self.wait_s + MOUNTING_S
+        steps_s = np.abs(moves_deg) / self.speed_deg_s + self.dwell_s
+        steps_s[0] += self.wait_s + self.mounting_s
         return np.asarray(steps_s, dtype=np.float64)
 
     @property
@@ -132,8 +146,9 @@ PROBES = (
 def followed_by(observations: Observations, probe: Probe) -> Observations:
     """Return a table with the rows that a probe would add, in a run and realisations of their own.
 
-    Times, directions and temperatures follow from the probe, and the head rests in every dwell; any other column, the
-    output too, goes on with its last value. A column that the table lacks stays away, but for mount and realisation.
+    Times and directions follow from the probe, and the head rests in every dwell. The temperature goes on as it went:
+    that it will stay where it is is no promise. Any other column, the output too, goes on with its last value. A column
+    that the table lacks stays away, but for mount and realisation.
     """
     return appended(observations, _rows_of(probe, observations))
 
@@ -158,7 +173,7 @@ def _rows_of(probe: Probe, before: Observations) -> Observations:
     if before.direction is not None:
         columns["direction"] = _directions(angle_deg, start_deg)
     if before.temperature_degc is not None:
-        columns["temperature_degc"] = np.full(rows, _recent(before.temperature_degc) + probe.warmer_k)
+        columns["temperature_degc"] = _going_on(before, columns["time_s"], rows) + probe.warmer_k
     if before.velocity_deg_s is not None:
         columns["velocity_deg_s"] = np.zeros(rows)
     extra: dict[str, Any] = {name: np.repeat(column[-1:], rows) for name, column in before.extra.items()}
@@ -172,6 +187,14 @@ def _directions(angle_deg: FloatArray, start_deg: float) -> FloatArray:
     return np.asarray(sign[last])
 
 
-def _recent(temperature_degc: FloatArray) -> float:
-    known = temperature_degc[np.isfinite(temperature_degc)]
-    return float(np.mean(known[-_RECENT:])) if len(known) else float("nan")
+def _going_on(before: Observations, time_s: FloatArray | None, rows: int) -> FloatArray:
+    """Temperature of further rows: that of the last ones, and the trend of the table from there."""
+    assert before.temperature_degc is not None
+    known = np.isfinite(before.temperature_degc)
+    measured_degc = before.temperature_degc[known]
+    last_degc = np.full(rows, np.mean(measured_degc[-_RECENT:]) if len(measured_degc) else np.nan)
+    if before.time_s is None or time_s is None or len(measured_degc) < 2 * _RECENT:
+        return last_degc
+    then_s = before.time_s[known]
+    slope = np.polynomial.Polynomial.fit(then_s, measured_degc, 1).deriv()(0.0)
+    return np.asarray(last_degc + slope * (time_s - np.mean(then_s[-_RECENT:])))

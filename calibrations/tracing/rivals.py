@@ -1,6 +1,6 @@
 """Which other effects would explain a table as well: found by putting each in the place of what was found."""
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -77,8 +77,11 @@ def _naming_price(trace: Trace) -> float:
     return price + (_SIMPLER + _WALK_NAMED) * bool(trace.noise.walk)
 
 
-def rivals(tracer: Tracer[Any], trace: Trace, name: str) -> list[Rival]:
-    """Every effect that could stand in the place of the one called `name`, the closest first."""
+def rivals(tracer: Tracer[Any], trace: Trace, name: str, asked: Collection[str] = ()) -> list[Rival]:
+    """Every effect that could stand in the place of the one called `name`, the closest first.
+
+    Those that promise nothing near are left out, but for the ones that are `asked` for.
+    """
     rest = trace.without(name)
     replaced = [item for item in trace.found if item.effect.name == name]
     coefficients = sum(item.coefficients for item in replaced) or 1
@@ -90,16 +93,18 @@ def rivals(tracer: Tracer[Any], trace: Trace, name: str) -> list[Rival]:
             behind=trial.deviance - trace.deviance + 2.0 * ((item.coefficients if item else 1) - coefficients),
             dearer=_naming_price(trial) - _naming_price(trace),
         )
-        for item, trial in _in_place(tracer, rest, trace.names)
+        for item, trial in _in_place(tracer, rest, trace.names, asked)
     ]
     order = {effect.name: place for place, effect in enumerate(tracer.effects)}
     return sorted(listed, key=lambda rival: (round(rival.behind / _EQUAL), order.get(rival.name, len(order))))
 
 
-def _in_place(tracer: Tracer[Any], rest: Trace, taken: tuple[str, ...]) -> Iterator[tuple[Found | None, Trace]]:
+def _in_place(
+    tracer: Tracer[Any], rest: Trace, taken: tuple[str, ...], asked: Collection[str]
+) -> Iterator[tuple[Found | None, Trace]]:
     """The rest of an explanation with each effect that promises anything, refined."""
     ground = tracer.ground
-    for rough in _best_forms(tracer.problem(rest.noise), tuple(item.number for item in rest.found)):
+    for rough in _best_forms(tracer.problem(rest.noise), tuple(item.number for item in rest.found), asked):
         effect = rough.effect
         if effect.name in taken:
             continue
@@ -115,14 +120,15 @@ def _in_place(tracer: Tracer[Any], rest: Trace, taken: tuple[str, ...]) -> Itera
         yield None, replace(rest, noise=noise, deviance=deviance)
 
 
-def _best_forms(problem: Problem, others: tuple[int, ...]) -> list[Found]:
-    """The form of each effect that promises most beside the others, leaving out effects that promise nothing near."""
+def _best_forms(problem: Problem, others: tuple[int, ...], asked: Collection[str]) -> list[Found]:
+    """The form of each effect that promises most beside the others, if it promises something near or is asked for."""
     gains = problem.gains(problem.explain(others))
     named = [number for number, candidate in enumerate(problem.offered) if not isinstance(candidate.effect, Structure)]
     most = float(gains[named].max(initial=0.0))
     best: dict[str, int] = {}
     for number in named:
         name = problem.offered[number].effect.name
-        if gains[number] > most - _WORTH_A_LOOK and gains[number] > gains[best.get(name, number)] - 1e-12:
+        near = gains[number] > most - _WORTH_A_LOOK or name in asked
+        if near and gains[number] > gains[best.get(name, number)] - 1e-12:
             best[name] = number
     return [found(problem, number) for number in best.values()]

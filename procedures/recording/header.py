@@ -1,7 +1,7 @@
 """What a recording says of itself before the first point."""
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import MISSING, dataclass, fields
 from typing import Any
 
@@ -43,6 +43,8 @@ class Header:
     """The stand's monotonic clock at the same moment."""
     job: str = "run"
     """What was asked for: `run`, or `calibrate` where a fit, a record and a report shall follow."""
+    follows: Sequence[str] = ()
+    """Recordings that were made before on the same connection, in their order."""
     format_version: int = FORMAT_VERSION
 
     def __post_init__(self) -> None:

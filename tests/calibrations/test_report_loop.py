@@ -17,6 +17,7 @@ from calibrations.report.page import SECTIONS
 from calibrations.report.results import notices
 from calibrations.report.subject import Subject
 from calibrations.report.traces import MOST_FIGURES, abscissae, trace_figure
+from calibrations.tracing.chain import Chain, Link, Stage
 from calibrations.tracing.experiments import Experiment
 from calibrations.tracing.findings import Unexplained
 from calibrations.tracing.ground import scene_of
@@ -139,6 +140,25 @@ def test_only_the_rows_of_the_probe_are_drawn_beside_two_standard_deviations(mon
     low, high = panel.patches[0].get_extents().transformed(panel.transData.inverted()).intervaly
     assert (high - low) / abs(drawn) == pytest.approx(4e-4 / abs(left_v))
     assert panel.get_ylabel().endswith(label)
+
+
+def with_chain(chain):
+    (content,) = [section for section in SECTIONS if section.anchor == "loop"]
+    return content.render(replace(subject(with_k_xx()), chain=chain))
+
+
+def test_every_experiment_stands_with_its_rivals_its_decision_and_the_error_before_and_after():
+    rivals = replace(with_k_xx().effects[0], also_possible=("k_yy",))
+    first = Stage(loop=replace(with_k_xx(), effects=(rivals,)), behind={"k_xx": 0.0, "k_yy": 1.0})
+    after = Stage(loop=with_k_xx(), behind={"k_xx": 0.0, "k_yy": 25.0})
+    done = Link(experiment=experiment(), recording="x.mcap", stand_time_s=480.0, before=first, after=after)
+    page = with_chain(Chain(first=first, links=(done,), why="Everything that was found is told apart."))
+    text = text_of(page)
+    assert re.search(r"k_xx or k_yy probe-edge 8 20 25 against k_yy: k_xx remains \d+ µV → [\d.]+ µV", text)
+    assert "Everything that was found is told apart." in text
+    *_, plot = re.findall(r"<svg.*?</svg>", page, flags=re.DOTALL)
+    assert ET.fromstring(plot).get("aria-label") == "Explanations after each experiment: k_xx, k_yy"
+    assert parsed(page).open == []
 
 
 def test_the_head_of_the_page_says_what_was_found():

@@ -2,7 +2,7 @@ import pytest
 
 from procedures.acquisition import Acquisition
 from procedures.errors import ProgrammeError
-from procedures.plan import check_limits, plan
+from procedures.plan import check_limits, check_mounts, plan
 from procedures.programme import load_programme, programme_from_text
 from procedures.steps import Dwell, Mounting
 
@@ -106,3 +106,11 @@ def test_a_programme_without_a_file_of_its_own_is_still_named():
     inline = 'name = "a"\nprocedure = [\n  { kind = "flip", axes = ["x"] },\n]\n'
     with pytest.raises(ProgrammeError, match=r"^small\.toml, line 2: the flip goes to -90 deg"):
         check_limits(planned(inline), (0.0, 180.0))
+
+
+def test_a_mount_that_the_seat_does_not_allow_is_refused():
+    check_mounts(planned(), None)
+    with pytest.raises(
+        ProgrammeError, match=r"line 9: the sweep needs the mount edge, and the seat allows face-up only"
+    ):
+        check_mounts(planned(), ["face-up"])

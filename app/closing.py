@@ -1,0 +1,193 @@
+"""The loop acts: it runs the experiment that tells most for its time, fits everything together, and asks again.
+
+`begin` and `follow` say what is known by now, and what to run next; `app.acting` runs it. `act` is the whole loop.
+"""
+
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager, nullcontext
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from app.acting import AtStand, DeclinedError, prepare, run_experiment
+from app.available import Available, available, programme_of, warms
+from app.calibrating import Traced, fit
+from app.joining import read_together
+from app.measurements import Measurement, read_measurement
+from app.running import Job
+from calibrations.tracing.chain import FUTILE, Chain, Ended, Link, cannot, cheapest, experiments_for, stage_of
+from calibrations.tracing.experiments import Experiment
+from calibrations.tracing.loop import Explained, explain
+from procedures.announcer import Listener
+
+MOST_EXPERIMENTS = 6
+
+
+@dataclass(frozen=True, kw_only=True)
+class Closing:
+    """A loop that is being closed on one unit: what was measured, what that says, what could be run next."""
+
+    files: tuple[Path, ...]
+    traced: Traced
+    explained: Explained | None
+    chain: Chain
+    available: Available
+    planned: tuple[Experiment, ...]
+    """What would tell apart the rivals that are left, of what is available."""
+    declined: str = ""
+    """What the operator would not do, where that is why it was planned anew."""
+
+    @property
+    def next(self) -> Experiment | None:
+        """What is worth most for its time; None where nothing is left to be told, or nothing available tells it."""
+        return cheapest(self.planned)
+
+    def planned_with(self, left: Available, declined: str = "") -> "Closing":
+        """The same with what is available by now."""
+        planned = experiments_for(self.explained, left.probes)
+        traced = _with_plan(self.traced, planned)
+        return replace(self, available=left, planned=planned, traced=traced, declined=declined)
+
+
+def begin(files: Sequence[Path], at: AtStand) -> Closing:
+    """What was measured so far says: a first measurement, and experiments in the order in which they were run.
+
+    What is no experiment that the files before it asked for is part of the first measurement. Raises `InputError`.
+    """
+    closing = _begun(files[:1], at)
+    for path in files[1:]:
+        measurement = read_measurement(path)
+        name = measurement.programme.name if measurement.programme else ""
+        asked_for = next((each for each in closing.planned if each.programme == name), None)
+        if asked_for is None:
+            closing = _begun((*closing.files, path), at)
+        else:
+            times_s = measurement.observations.time_s
+            took_s = float(times_s[-1]) if times_s is not None else asked_for.stand_time_s
+            closing = follow(closing, asked_for, path, took_s, at)
+    return closing
+
+
+def _begun(files: Sequence[Path], at: AtStand) -> Closing:
+    """What a first measurement says; several files are taken together."""
+    measurement = read_together(files, at.stand.recorded)
+    found = available(at.stand, measurement.observations, at.connected.attended)
+    traced, explained = _explained(measurement, at.serial_number)
+    planned = experiments_for(explained, found.probes)
+    return Closing(
+        files=tuple(files),
+        traced=_with_plan(traced, planned),
+        explained=explained,
+        chain=Chain(first=stage_of(traced.loop, explained)),
+        available=found,
+        planned=planned,
+    )
+
+
+def follow(closing: Closing, experiment: Experiment, recording: Path, stand_time_s: float, at: AtStand) -> Closing:
+    """What everything says together once an experiment was run. Raises `InputError`."""
+    files = (*closing.files, recording)
+    traced, explained = _explained(read_together(files, at.stand.recorded), at.serial_number)
+    link = Link(
+        experiment=experiment,
+        recording=str(recording),
+        stand_time_s=stand_time_s,
+        before=closing.chain.last,
+        after=stage_of(traced.loop, explained, closing.chain.last.behind),
+    )
+    chain = replace(closing.chain, links=(*closing.chain.links, link))
+    grown = replace(closing, files=files, traced=traced, explained=explained, chain=chain)
+    left = closing.available
+    if link.futile:
+        left = left.without(lambda probe: probe.programme == experiment.programme, "it told nothing when it was run")
+    return grown.planned_with(left)
+
+
+def act(
+    closing: Closing,
+    at: AtStand,
+    most: int = MOST_EXPERIMENTS,
+    watching: Callable[[Job], AbstractContextManager[Listener]] = lambda _: nullcontext(lambda _: None),
+    tell: Callable[[Closing], None] = lambda _: None,
+) -> Closing:
+    """Run experiments until the rivals are told apart, or until it is clear that they will not be, and why.
+
+    Parameters
+    ----------
+    closing
+        The first measurement, with what it says.
+    at
+        Where it goes on.
+    most
+        Experiments that are run at most.
+    watching
+        Gives for every run a listener.
+    tell
+        Called before every experiment, and at the end.
+
+    Raises
+    ------
+    InputError, JobError
+        What went wrong; every recording is kept, and `begin` with them goes on.
+    """
+    while not (closing := _ended(closing, most)).chain.ended:
+        tell(closing)
+        closing = _once(closing, at, watching)
+    tell(closing)
+    return closing
+
+
+def _once(closing: Closing, at: AtStand, watching: Callable[[Job], AbstractContextManager[Listener]]) -> Closing:
+    """Run the next experiment, or plan without what the operator declines."""
+    experiment = closing.next
+    assert experiment is not None, "_ended sees to that"
+    probe, clock = closing.available.probe(experiment.programme), at.connected.stand.clock
+    began_s = clock.monotonic_s()
+    try:
+        prepare(at, probe)
+        with watching(at.job(programme_of(probe))) as listener:
+            recording = run_experiment(at, probe, [listener])
+    except DeclinedError as refusal:
+        mount, reason = refusal.mount, str(refusal)
+        left = closing.available.without((lambda each: each.mount == mount) if mount else warms, reason)
+        return closing.planned_with(left, declined=reason)
+    return follow(closing, experiment, recording, clock.monotonic_s() - began_s, at)
+
+
+def _ended(closing: Closing, most: int) -> Closing:
+    """The loop with the reason why it ends here, where it does."""
+    ended, why = _verdict(closing, most)
+    return replace(closing, chain=replace(closing.chain, ended=ended, why=why)) if ended else closing
+
+
+def _verdict(closing: Closing, most: int) -> tuple[Ended | None, str]:
+    chain = closing.chain
+    if not chain.last.disputed:
+        if chain.first.disputed:
+            return Ended.TOLD_APART, "Everything that was found is told apart."
+        return Ended.NOTHING_TO_TELL, "Nothing has to be told apart."
+    if closing.next is None:
+        return Ended.NOTHING_AVAILABLE, cannot(closing.planned, _elsewhere(closing))
+    if chain.futile >= FUTILE:
+        return Ended.NOT_AS_PROMISED, f"{chain.futile} experiments in a row told nothing apart, though each was to."
+    if len(chain.links) >= most:
+        return Ended.ENOUGH, f"{most} experiments were to be run at most; the next would be {closing.next.programme}."
+    return None, ""
+
+
+def _elsewhere(closing: Closing) -> dict[str, tuple[Experiment, str]]:
+    """What would help if it could be run, and why it cannot."""
+    refused = closing.available.refused
+    wanted = experiments_for(closing.explained, [probe for probe, _ in refused.values()])
+    return {each.programme: (each, refused[each.programme][1]) for each in wanted if each.command}
+
+
+def _explained(measurement: Measurement, serial_number: str) -> tuple[Traced, Explained | None]:
+    analysed = fit(measurement, serial_number, trials=0)
+    measurement = analysed.measurement
+    uncertainty, reference_degc = measurement.uncertainty, measurement.reference_temperature_degc
+    loop, explained = explain(measurement.observations, uncertainty, reference_degc)
+    return Traced(**vars(analysed), loop=loop), explained
+
+
+def _with_plan(traced: Traced, planned: tuple[Experiment, ...]) -> Traced:
+    return replace(traced, loop=replace(traced.loop, next_experiment=planned))

@@ -1,0 +1,83 @@
+"""What is made of the cases: how many the loop tells apart, in how many experiments, in how much time at the stand."""
+
+from collections import Counter
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from calibrations.tracing.chain import Ended
+
+Record = dict[str, Any]
+
+
+def told_by_everything(record: Record) -> bool:
+    """Whether all experiments together leave the right name without a rival."""
+    return [record["effect"]] in record["everything_found"]
+
+
+def left_by_everything(record: Record) -> bool:
+    """Whether the right name still has rivals after all experiments."""
+    return any(record["effect"] in names and len(names) > 1 for names in record["everything_found"])
+
+
+def told(record: Record) -> bool:
+    """Whether the loop leaves nothing but the right name."""
+    return record["found"] == [[record["effect"]]]
+
+
+def said_so(record: Record) -> bool:
+    """Whether the loop says that nothing available tells the right name from its rivals."""
+    found = record["found"]
+    left = len(found) == 1 and record["effect"] in found[0] and len(found[0]) > 1
+    return left and record["ended"] == Ended.NOTHING_AVAILABLE
+
+
+def report(records: Sequence[Record]) -> str:
+    """The figures."""
+    ambiguous = [record for record in records if record["ambiguous"]]
+    partable = [record for record in ambiguous if told_by_everything(record)]
+    never = [record for record in ambiguous if left_by_everything(record)]
+    failed = [record for record in records if record["failure"]]
+    lines = [
+        f"{len(records)} cases, {len(failed)} failed, {len(ambiguous)} ambiguous after the first programme",
+        _share("some available experiment parts the rivals, told apart", partable, told),
+        _share("  of these with a physics file", [each for each in partable if each["outside"]], told),
+        _share("nothing available parts the rivals, said so", never, said_so),
+        _share("  of these with a physics file", [each for each in never if each["outside"]], said_so),
+        f"neither: all experiments together name something else in {len(ambiguous) - len(partable) - len(never)}",
+    ]
+    if done := [record for record in partable if told(record)]:
+        counts = [len(record["experiments"]) for record in done]
+        part = [record["stand_time_s"] / record["everything_s"] for record in done]
+        minutes = [[record[key] / 60 for record in done] for key in ("stand_time_s", "everything_s")]
+        lines += [
+            f"further experiments: {np.median(counts):.0f} in the median, {dict(sorted(Counter(counts).items()))}",
+            f"stand time of these: {np.median(minutes[0]):.0f} min in the median, against {np.median(minutes[1]):.0f} "
+            f"min for every experiment; {100 * np.median(part):.1f}% in the median",
+            f"a case took {np.median([record['seconds'] for record in records]):.1f} s in the median",
+        ]
+    return "\n".join(lines)
+
+
+def _share(words: str, records: Sequence[Record], good: Any) -> str:  # one of the above
+    count = sum(map(good, records))
+    return f"{words}: {count} of {len(records)}" + (f" ({100 * count / len(records):.1f}%)" if records else "")
+
+
+def failures(records: Sequence[Record]) -> list[str]:
+    """A line for each case that went wrong, or that nobody can judge."""
+    lines = []
+    for record in records:
+        words = f"seed {record['seed']}: {record['effect']} ({record['first']}, {record['seat']})"
+        if record["failure"]:
+            lines.append(f"{words}: {record['failure']}")
+        elif record["ambiguous"]:
+            good = told(record) if told_by_everything(record) else said_so(record) and left_by_everything(record)
+            if not good:
+                lines.append(
+                    f"{words}: before {record['before']}, ran {record['experiments']} {record['differences']}, found "
+                    f"{record['found']} ({record['ended']}: {record['why']}); everything finds "
+                    f"{record['everything_found']}"
+                )
+    return lines

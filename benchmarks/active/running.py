@@ -1,0 +1,104 @@
+"""Closes the loop on a case, and runs every experiment on a second copy of its stand."""
+
+import tempfile
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+from app.acting import AtStand, measure, prepare, run_experiment
+from app.closing import MOST_EXPERIMENTS, act, begin
+from app.joining import read_together
+from app.stand import load_stand
+from app.wiring import connect
+from benchmarks.active.cases import Case, make
+from calibrations.tracing.loop import Loop, explain
+from procedures.programme import load_programme
+
+Record = dict[str, object]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Job:
+    """One case to be graded."""
+
+    seed: int
+
+    @property
+    def key(self) -> str:
+        """Its name among results on file."""
+        return f"active {self.seed}"
+
+
+def graded(job: Job) -> Record:
+    """Carry out a case and grade it; one that is not ambiguous has no grade."""
+    case = make(job.seed)
+    record: Record = {
+        "key": job.key,
+        "seed": case.seed,
+        "effect": case.effect,
+        "outside": case.outside,
+        "first": case.first,
+        "seat": case.seat,
+        "ambiguous": False,
+        "failure": None,
+    }
+    began_s = time.perf_counter()
+    try:
+        with tempfile.TemporaryDirectory() as folder:
+            record |= _carried_out(case, Path(folder))
+    except Exception as error:  # whatever it is, the case counts as failed and the others are still graded
+        record |= {"failure": repr(error)}
+    return record | {"seconds": time.perf_counter() - began_s}
+
+
+def _carried_out(case: Case, folder: Path) -> Record:
+    at, first = _at_stand(case, folder / "loop")
+    closing = begin([first], at)
+    if not closing.chain.first.disputed:
+        return {"found": _names(closing.traced.loop)}
+    before = closing.chain.first.disputed
+    closing = act(closing, at, MOST_EXPERIMENTS)
+    told = _everything_told(case, folder / "everything")
+    time_s = {probe.programme: probe.stand_time_s for probe in closing.available.probes}
+    run = [link.experiment.programme for link in closing.chain.links]
+    return {
+        "ambiguous": True,
+        "before": before,
+        "experiments": run,
+        "separated": [link.separated for link in closing.chain.links],
+        "differences": [(link.experiment.separation, link.realised) for link in closing.chain.links],
+        "stand_time_s": sum(time_s[name] for name in run),
+        "everything_s": sum(time_s.values()),
+        "found": _names(closing.traced.loop),
+        "ended": closing.chain.ended,
+        "why": closing.chain.why,
+        "everything_found": _names(told),
+    }
+
+
+def _at_stand(case: Case, folder: Path) -> tuple[AtStand, Path]:
+    """The stand of a case with the first measurement made."""
+    folder.mkdir()
+    (folder / "stand.toml").write_text(case.stand_text, "utf-8")
+    (folder / "first.toml").write_text(case.programme_text, "utf-8")
+    if case.physics_text:
+        (folder / "physics.py").write_text(case.physics_text, "utf-8")
+    stand = load_stand(folder / "stand.toml")
+    at = AtStand(stand=stand, connected=connect(stand), serial_number=f"U{case.seed}", folder=folder)
+    return at, measure(at, load_programme(folder / "first.toml"))
+
+
+def _everything_told(case: Case, folder: Path) -> Loop:
+    """What is known once every experiment that the stand can run was run."""
+    at, first = _at_stand(case, folder)
+    probes = begin([first], at).available.probes
+    files = [first]
+    for probe in probes:
+        prepare(at, probe)
+        files.append(run_experiment(at, probe))
+    loop, _ = explain(read_together(files).observations)
+    return loop
+
+
+def _names(loop: Loop) -> list[list[str]]:
+    return [[effect.name, *effect.also_possible] for effect in loop.effects]

@@ -1,0 +1,223 @@
+"""The chain from a residual to a name: rivals, experiment, decision, and the error before and after."""
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import Any
+
+from calibrations.support import series
+from calibrations.tracing.experiments import APART, Experiment, next_experiments
+from calibrations.tracing.loop import Explained, Loop
+from calibrations.tracing.probes import Probe
+from calibrations.tracing.rivals import rivals
+
+FUTILE = 2
+"""After so many experiments in a row that told nothing apart, none is run any more."""
+
+
+class Ended(StrEnum):
+    """Why no further experiment is run."""
+
+    NOTHING_TO_TELL = "nothing to tell apart"
+    TOLD_APART = "told apart"
+    NOTHING_AVAILABLE = "no available experiment"
+    NOT_AS_PROMISED = "not as promised"
+    ENOUGH = "as many as were asked for"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Stage:
+    """The loop closed on everything that was measured so far."""
+
+    loop: Loop
+    behind: Mapping[str, float]
+    """How far each explanation lies behind the best in -2 ln L, 0 for what was found."""
+
+    @property
+    def disputed(self) -> tuple[tuple[str, ...], ...]:
+        """For each effect that has rivals, its name and theirs."""
+        return tuple((effect.name, *effect.also_possible) for effect in self.loop.effects if effect.also_possible)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Link:
+    """One experiment, and what it decided."""
+
+    experiment: Experiment
+    recording: str
+    stand_time_s: float
+    """By the clock of the stand, any wait included."""
+    before: Stage
+    after: Stage
+
+    @property
+    def did(self) -> str:
+        """What was run, and why."""
+        return f"ran {self.experiment.programme} to tell {self._name} from {series(self._others, 'and')}"
+
+    @property
+    def separated(self) -> tuple[str, ...]:
+        """The names that it told apart, the ones that are left first; none where it failed to."""
+        left = {name for effect in self.after.loop.effects for name in (effect.name, *effect.also_possible)}
+        remaining = tuple(name for name in self.rivals_before if name in left)
+        gone = tuple(name for name in self.rivals_before if name not in left)
+        return (*remaining, *gone) if remaining and gone else ()
+
+    @property
+    def futile(self) -> bool:
+        """Whether it told nothing apart, though it was to do so by itself."""
+        return not (self.separated or self.experiment.together or self.experiment.runs > 1)
+
+    @property
+    def rivals_before(self) -> tuple[str, ...]:
+        """Everything that could have been the cause."""
+        return next(names for names in self.before.disputed if self._name in names)
+
+    @property
+    def rivals_after(self) -> tuple[str, ...]:
+        """Of these, what still could be."""
+        found = [(effect.name, *effect.also_possible) for effect in self.after.loop.effects]
+        return tuple(dict.fromkeys(name for names in found for name in names if name in self.rivals_before))
+
+    @property
+    def realised(self) -> float | None:
+        """How far the nearest explanation that it refuted lies behind in -2 ln L; None where it refuted none."""
+        parted = [name for name in self.rivals_before if name not in self.rivals_after]
+        return min((self.after.behind[name] for name in parted if name in self.after.behind), default=None)
+
+    @property
+    def decision(self) -> str:
+        """What follows from it, in words that go after `decides`."""
+        left = self.rivals_after
+        if not left:
+            return f"against {series(self.rivals_before, 'and')}: something else was found instead"
+        if not self.separated:
+            return f"nothing: it could still be {series(left, 'or')}"
+        gone = series([name for name in self.rivals_before if name not in left], "and")
+        return f"against {gone}: {series(left, 'or')} {'remains' if len(left) == 1 else 'remain'}"
+
+    @property
+    def comparison(self) -> str:
+        """What was expected of it, and what came."""
+        realised = "none" if self.realised is None else f"{self.realised:.0f}"
+        return f"expected difference in -2 ln L {self.experiment.separation:.0f}, realised {realised}"
+
+    @property
+    def _name(self) -> str:
+        return self.experiment.separates[0]
+
+    @property
+    def _others(self) -> tuple[str, ...]:
+        return self.experiment.separates[1:]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Chain:
+    """All of it: where it began, every experiment, why it ended."""
+
+    first: Stage
+    links: tuple[Link, ...] = ()
+    ended: Ended | None = None
+    """None while it goes on."""
+    why: str = ""
+    """A sentence or several."""
+
+    @property
+    def last(self) -> Stage:
+        """What is known now."""
+        return self.links[-1].after if self.links else self.first
+
+    @property
+    def stages(self) -> tuple[Stage, ...]:
+        """What was known after each measurement."""
+        return (self.first, *(link.after for link in self.links))
+
+    @property
+    def futile(self) -> int:
+        """How many experiments in a row have told nothing apart, though each was to do so by itself."""
+        count = 0
+        for link in reversed(self.links):
+            if not link.futile:
+                break
+            count += 1
+        return count
+
+    def as_json(self) -> dict[str, Any]:
+        """What it adds to the document of the loop."""
+        return {
+            "experiments": [_link_json(link) for link in self.links],
+            "ended": {"how": self.ended, "why": self.why},
+        }
+
+
+def _link_json(link: Link) -> dict[str, Any]:
+    return {
+        "did": link.did,
+        "separated": list(link.separated),
+        "decision": link.decision,
+        "programme": link.experiment.programme,
+        "recording": link.recording,
+        "stand_time_s": link.stand_time_s,
+        "expected_difference": link.experiment.separation,
+        "realised_difference": link.realised,
+        "rivals_before": list(link.rivals_before),
+        "rivals_after": list(link.rivals_after),
+        "held_out_rms_V": [stage.loop.augmented.held_out_rms_v for stage in (link.before, link.after)],
+    }
+
+
+def stage_of(loop: Loop, explained: Explained | None, asked: Collection[str] = ()) -> Stage:
+    """What a table says, with every explanation that is near, and those that are `asked` for."""
+    behind: dict[str, float] = {}
+    if explained is not None:
+        for name in explained.trace.names:
+            for rival in rivals(explained.tracer, explained.trace, name, asked):
+                further = rival.trace.deviance - explained.trace.deviance
+                behind[rival.name] = min(further, behind.get(rival.name, further))
+        behind |= dict.fromkeys(explained.trace.names, 0.0)
+    return Stage(loop=loop, behind=behind)
+
+
+def experiments_for(explained: Explained | None, probes: Sequence[Probe]) -> tuple[Experiment, ...]:
+    """What would tell apart the rivals of a table, of what can be run.
+
+    Explanations a little too far behind to be rivals are told apart too: by mere chance the true one may be there.
+    """
+    if explained is None:
+        return ()
+    near = {name: explained.near[name] for name, close in explained.close.items() if close}
+    return next_experiments(explained.base, explained.trace, near, probes)
+
+
+def cheapest(experiments: Sequence[Experiment]) -> Experiment | None:
+    """The experiment that tells most explanations apart for its time at the stand; None where none tells anything."""
+    time_s = {each.programme: each.stand_time_s for each in experiments}
+
+    def worth(experiment: Experiment) -> float:
+        whole_s = experiment.stand_time_s + sum(time_s.get(name, 0.0) for name in experiment.together)
+        return (len(experiment.separates) - 1) / whole_s
+
+    return max((each for each in experiments if each.command), key=worth, default=None)
+
+
+def cannot(experiments: Sequence[Experiment], elsewhere: Mapping[str, tuple[Experiment, str]]) -> str:
+    """Why nothing more is told apart.
+
+    Parameters
+    ----------
+    experiments
+        Those without a programme: what nothing tells apart.
+    elsewhere
+        By programme, an experiment that would help, and why it cannot be run.
+    """
+    sentences = [
+        f"No experiment that can be run here tells {each.separates[0]} from {series(each.separates[1:], 'or')}: they "
+        f"would differ by {each.separation:.1f} in -2 ln L at most, and {APART:.0f} are needed."
+        for each in experiments
+        if not each.command
+    ]
+    sentences += [
+        f"{name} would tell {each.separates[0]} from {series(each.separates[1:])}, but it cannot be run here: {reason}."
+        for name, (each, reason) in elsewhere.items()
+    ]
+    return " ".join(sentences)

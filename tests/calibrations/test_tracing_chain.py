@@ -1,0 +1,101 @@
+from dataclasses import replace
+
+import pytest
+from loop_examples import clean, found
+
+from calibrations.tracing.chain import Chain, Link, Stage, cannot, cheapest
+from calibrations.tracing.experiments import Experiment
+
+
+def experiment(programme="probe-end", separates=("k_xx", "k_yy"), stand_time_s=100.0, **fields):
+    fields = {"why": "", "separation": 40.0, "command": f"tumble run --programme {programme}"} | fields
+    return Experiment(programme=programme, separates=separates, stand_time_s=stand_time_s, **fields)
+
+
+def stage(*effects, **behind):
+    """What is known: each effect with its rivals."""
+    listed = tuple(replace(found(name), also_possible=tuple(rivals)) for name, *rivals in effects)
+    return Stage(loop=replace(clean(), effects=listed), behind=behind)
+
+
+def link(before, after, **fields):
+    return Link(experiment=experiment(**fields), recording="x.mcap", stand_time_s=90.0, before=before, after=after)
+
+
+THREE = stage(("k_xx", "k_yy", "k_zz"))
+
+
+def test_an_experiment_tells_apart_what_is_no_rival_any_more():
+    done = link(THREE, stage(("k_yy", "k_xx"), k_zz=50.0))
+    assert done.separated == ("k_xx", "k_yy", "k_zz")
+    assert done.rivals_after == ("k_yy", "k_xx")
+    assert done.decision == "against k_zz: k_yy or k_xx remain"
+    assert done.realised == 50.0
+
+
+def test_the_true_one_may_be_one_that_was_only_possible():
+    done = link(THREE, stage(("k_zz",), k_xx=30.0, k_yy=70.0))
+    assert (done.separated, done.realised) == (("k_zz", "k_xx", "k_yy"), 30.0)
+    assert done.decision == "against k_xx and k_yy: k_zz remains"
+
+
+def test_an_experiment_that_leaves_all_rivals_has_told_nothing_apart():
+    done = link(THREE, THREE)
+    assert (done.separated, done.realised) == ((), None)
+    assert done.decision == "nothing: it could still be k_xx, k_yy or k_zz"
+
+
+def test_where_something_else_is_found_none_of_the_names_is_told_from_another():
+    done = link(THREE, stage(("backlash",)))
+    assert done.separated == ()
+    assert done.decision == "against k_xx, k_yy and k_zz: something else was found instead"
+
+
+def test_what_is_said_of_an_experiment_is_all_in_the_document():
+    chain = Chain(first=THREE, links=(link(THREE, stage(("k_xx",), k_yy=20.0, k_zz=30.0)),), ended=None)
+    (entry,) = chain.as_json()["experiments"]
+    assert entry["did"] == "ran probe-end to tell k_xx from k_yy"
+    assert entry["separated"] == ["k_xx", "k_yy", "k_zz"]
+    assert (entry["expected_difference"], entry["realised_difference"]) == (40.0, 20.0)
+
+
+@pytest.mark.parametrize(
+    ("links", "futile"),
+    [
+        ([], 0),
+        ([link(THREE, THREE)], 1),
+        ([link(THREE, THREE), link(THREE, THREE)], 2),
+        ([link(THREE, THREE), link(THREE, stage(("k_xx",), k_yy=20.0))], 0),
+        ([link(THREE, THREE, runs=3)], 0),
+        ([link(THREE, THREE, together=("probe-edge",))], 0),
+    ],
+    ids=["none", "one", "two", "then one that tells", "one of several runs", "one of two"],
+)
+def test_only_what_should_have_told_something_by_itself_counts_as_futile(links, futile):
+    assert Chain(first=THREE, links=tuple(links)).futile == futile
+
+
+def test_the_cheapest_experiment_tells_most_for_its_time():
+    slow = experiment("probe-later", ("k_xx", "k_yy"), 9000.0)
+    both = experiment("probe-end", ("k_xx", "k_yy", "k_zz"), 150.0)
+    quick = experiment("probe-back", ("k_xx", "k_yy"), 100.0)
+    assert cheapest([slow, both, quick]) is both
+
+
+def test_an_experiment_that_needs_another_costs_both():
+    pair = [experiment(name, stand_time_s=100.0, together=(other,)) for name, other in (("a", "b"), ("b", "a"))]
+    single = experiment("c", ("k_zz", "k_yy"), 150.0)
+    assert cheapest([*pair, single]) is single
+
+
+def test_where_no_programme_helps_there_is_no_cheapest():
+    assert cheapest([experiment("", command="")]) is None
+
+
+def test_why_nothing_more_is_told_apart_names_what_would_help_elsewhere():
+    nothing = experiment("", ("k_xx", "k_yy"), command="", separation=0.3)
+    elsewhere = {"probe-end": (experiment("probe-end"), "the seat allows face-up only")}
+    assert cannot([nothing], elsewhere) == (
+        "No experiment that can be run here tells k_xx from k_yy: they would differ by 0.3 in -2 ln L at most, and 16 "
+        "are needed. probe-end would tell k_xx from k_yy, but it cannot be run here: the seat allows face-up only."
+    )
