@@ -19,6 +19,7 @@ from app.files import is_recording
 from app.joining import read_together
 from app.loop_console import show_loop, tell_closing
 from app.measurements import read_measurement
+from app.other_tables import close_other_loop
 from app.running import Job
 from app.stand import load_stand
 from calibrations.montecarlo import TRIALS
@@ -51,12 +52,17 @@ def command(
 ) -> None:
     """Trace what the declared model leaves of recordings (.mcap) or tables (CSV) to effects.
 
-    Several files of one unit are taken together, in the order in which they were measured.
+    Several files of one unit are taken together, in the order in which they were measured. A table of a head against a
+    reference (reference_deg) or of parameters against temperature (…_degC, no angle_deg) is traced likewise; of two
+    tables of one head it is said what changed.
 
     Without a file the unit --serial is measured at the stand first, with --programme. While effects cannot be told
     apart, the experiment that tells most for its time is run there, and everything is fitted together again. After
     files, --experiments N does the same: they are the first measurement, and a loop that was cut off goes on from them.
     """
+    if files and (other := close_other_loop(files, show=str(json_path) != "-")) is not None:
+        options.write_json(other, json_path)
+        return
     if files and not most:
         _tell(_traced(files, wanted, page), None, json_path, page)
         return
