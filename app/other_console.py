@@ -57,10 +57,10 @@ def show_temperature(loop: TemperatureLoop) -> None:
     console = results()
     table = _table(
         f"Parameters against {loop.runs.temperature_name}: error of runs predicted from the others, r.m.s.",
-        *("parameter", "constant", "cubic", "with what was found", "traced to"),
+        *("parameter", "constant", "cubic", "with what was found", "traced to", "cubic leaves (s)"),
     )
     for parameter in loop.parameters:
-        table.add_row(parameter.name, *_errors(parameter), ", ".join(_effects(parameter)))
+        table.add_row(parameter.name, *_errors(parameter), ", ".join(_effects(parameter)), _left(parameter))
     console.print(table)
     for cause in loop.shared:
         low, high = cause.between_degc
@@ -77,6 +77,11 @@ def show_temperature(loop: TemperatureLoop) -> None:
 def _errors(parameter: ParameterLoop) -> list[str]:
     errors = (parameter.declared, parameter.polynomials[-1], parameter.augmented)
     return [_number(error.held_out_rms, parameter.unit) for error in errors]
+
+
+def _left(parameter: ParameterLoop) -> str:
+    """Standard deviation of what the cubic leaves: what is usually printed."""
+    return _number(parameter.polynomials[-1].standard_deviation, parameter.unit)
 
 
 def _effects(parameter: ParameterLoop) -> list[str]:

@@ -14,7 +14,12 @@ def document(loop: ReferenceLoop) -> dict[str, Any]:
     return {
         "schema": SCHEMA,
         "kind": "head against reference",
-        "rows": {**rows_json(loop.observations), "read": loop.rows_read, "dwells": len(loop.observations)},
+        "rows": {
+            **rows_json(loop.observations),
+            "read": loop.rows_read,
+            "used": loop.rows_read - len(loop.observations.set_aside),
+            "dwells": len(loop.observations),
+        },
         "noise": {"dwell_deg": loop.dwell_deg, "degrees_of_freedom": loop.degrees_of_freedom},
         "declared": model_json(loop.declared, "deg"),
         "effects": [effect_json(effect) for effect in loop.effects],

@@ -78,10 +78,12 @@ def close_reference_loop(observations: Observations) -> ReferenceLoop:
     if not len(observations):
         raise ValueError(f"{observations.source}: no usable row")
     asked = question(observations)
+    table = first_look(observations)
+    observations = _without(observations, table, _gross_errors(table.output))
     explained = _explained(first_look(observations))
-    rejected = _gross_errors(explained)
+    rejected = _gross_errors(explained.best.residual)
     if rejected.any():
-        observations = _without(observations, explained, rejected)
+        observations = _without(observations, explained.table, rejected)
         explained = _explained(first_look(observations))
     table, trace = explained.table, explained.trace
     known = _known_noise(explained)
@@ -140,18 +142,16 @@ def _known_noise(explained: Explained[HeadTable]) -> NoiseModel:
     return walk if deviance < table.deviance(forms, NoiseModel()) else NoiseModel()
 
 
-def _gross_errors(explained: Explained[HeadTable]) -> NDArray[np.bool_]:
-    """Dwells that lie far from their neighbours, beside what was found."""
-    residual = explained.best.residual
+def _gross_errors(residual: FloatArray) -> NDArray[np.bool_]:
+    """Dwells that lie far from their neighbours, shape (rows,), by what is left of the output."""
     around = np.array([np.median(residual[max(0, row - 3) : row + 4]) for row in range(len(residual))])
     away = np.abs(residual - around)
     return np.asarray(away > _GROSS * max(float(np.quantile(away, 0.95)), _ROUNDING_DEG))
 
 
-def _without(observations: Observations, explained: Explained[HeadTable], rejected: NDArray[np.bool_]) -> Observations:
-    """The table without the rows of these dwells."""
-    dwells = explained.table.scene.dwells
-    rows = observations.row[rejected[dwells.number]]
+def _without(observations: Observations, table: HeadTable, rejected: NDArray[np.bool_]) -> Observations:
+    """The observations without the rows of these dwells of the table."""
+    rows = observations.row[rejected[table.scene.dwells.number]]
     return observations.without(tuple(SetAside(row=int(row), reason="gross error", gross=True) for row in rows))
 
 

@@ -1,0 +1,108 @@
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from app_jobs import tumble
+from head_tables import rests, stream
+
+from calibrations.table import read_table, write_table
+
+SHARED = Path(__file__).parents[2].parent / "shared" / "data"
+measured = pytest.mark.skipif(not SHARED.exists(), reason="the measured tables are not here")
+
+
+def closed(tmp_path, *paths):
+    ran = tumble("close-loop", *paths, "--json", tmp_path / "loop.json")
+    assert ran.status == 0, ran.err
+    return ran, json.loads((tmp_path / "loop.json").read_text("utf-8"))
+
+
+def named(document):
+    return [effect["name"] for effect in document["effects"]]
+
+
+@pytest.fixture
+def eccentric(tmp_path):
+    write_table(rests(lambda a, d, t: 0.02 * np.sin(np.deg2rad(a))), tmp_path / "head.csv")
+    return tmp_path / "head.csv"
+
+
+def test_a_head_against_a_reference_is_traced_with_the_same_command(tmp_path, eccentric):
+    ran, document = closed(tmp_path, eccentric)
+    assert "traced to head_eccentricity" in ran.out
+    assert document["schema"] == "tumble.loop/1"
+    assert named(document) == ["head_eccentricity"]
+    assert document["declared"]["residual_rms_deg"] > 10 * document["augmented"]["residual_rms_deg"]
+    assert document["unexplained"] is None
+
+
+def test_two_tables_of_one_head_are_compared(tmp_path, eccentric):
+    write_table(rests(lambda a, d, t: 0 * a), tmp_path / "mended.csv")
+    ran, document = closed(tmp_path, eccentric, tmp_path / "mended.csv")
+    (change,) = document["changed"]
+    assert (change["name"], change["after"]) == ("head_eccentricity", 0.0)
+    assert change["before"] == pytest.approx(0.02, abs=5e-4)
+    assert "What changed" in ran.out
+
+
+def test_parameters_against_temperature_are_traced_with_the_same_command(tmp_path):
+    lines = [f"{run},{20 + 5 * run},{0.1 * run + 1e-3 * (-1) ** run}" for run in range(1, 13)]
+    (tmp_path / "runs.csv").write_text("\n".join(["run,sensor_degC,bias_mV", *lines]), "utf-8")
+    ran, document = closed(tmp_path, tmp_path / "runs.csv")
+    assert named(document["parameters"]["bias_mV"]) == ["temperature_linear"]
+    assert document["cannot_be_known"][0].startswith("Every run was warmer")
+    assert "bias_mV" in ran.out
+
+
+def test_tables_of_different_kinds_are_refused(tmp_path, eccentric):
+    (tmp_path / "runs.csv").write_text("run,sensor_degC,bias_mV\n1,20,3\n", "utf-8")
+    ran = tumble("close-loop", eccentric, tmp_path / "runs.csv")
+    assert ran.status == 2
+    assert "different kinds" in ran.err
+
+
+def test_a_malformed_table_of_runs_ends_with_one_sentence(tmp_path):
+    (tmp_path / "runs.csv").write_text("run,sensor_degC,bias_mV\n1,20,x\n", "utf-8")
+    ran = tumble("close-loop", tmp_path / "runs.csv")
+    assert (ran.status, ran.err.count("\n")) == (2, 1)
+    assert "line 2, column bias_mV: 'x' is not a number" in ran.err
+
+
+@measured
+@pytest.mark.parametrize("name", ["fault", "rewired"])
+def test_the_passes_of_the_measured_axis_differ_because_the_reference_is_read_late(tmp_path, name):
+    _, document = closed(tmp_path, SHARED / f"head_reference_{name}.csv")
+    latency = next(effect for effect in document["effects"] if effect["name"] == "latency")
+    assert latency["also_possible"] == []
+    assert latency["coefficients"]["latency"]["value"] == pytest.approx(0.0345, abs=0.002)
+    assert document["passes"]["difference_before_deg"] > 2.4
+    assert document["passes"]["difference_after_deg"] < 0.1
+    assert document["augmented"]["held_out_rms_deg"] < 0.1 * document["declared"]["held_out_rms_deg"]
+
+
+@measured
+@pytest.mark.parametrize("name", ["fault", "rewired"])
+def test_of_constant_speed_alone_nobody_can_tell_lateness_from_backlash(tmp_path, name):
+    table = read_table(SHARED / f"head_reference_{name}.csv")
+    write_table(table.select(np.abs(np.abs(table.velocity_deg_s) - 36.0) < 0.01), tmp_path / "cut.csv")
+    _, document = closed(tmp_path, tmp_path / "cut.csv")
+    disputed = [{each["name"], *each["also_possible"]} for each in document["effects"] if each["also_possible"]]
+    assert {"latency", "backlash"} in disputed
+    asked = [set(each["separates"]) for each in document["next_experiment"] if "third of the speed" in each["why"]]
+    assert {"latency", "backlash"} in asked
+
+
+@measured
+def test_the_rewiring_took_four_waves_a_turn_away(tmp_path):
+    paths = [SHARED / f"head_reference_{name}.csv" for name in ("fault", "rewired")]
+    _, document = closed(tmp_path, *paths)
+    first = document["changed"][0]
+    assert (first["name"], first["order"], first["after"]) == ("graduation", 4, 0.0)
+    assert first["before"] == pytest.approx(7.9, abs=0.2)
+
+
+def test_a_stream_of_samples_is_taken_as_dwells(tmp_path):
+    write_table(stream(lambda a, d, t: 0 * a, late_s=0.033), tmp_path / "stream.csv")
+    _, document = closed(tmp_path, tmp_path / "stream.csv")
+    assert document["rows"]["dwells"] == pytest.approx(document["rows"]["used"] / 10, rel=0.1)
