@@ -1,5 +1,6 @@
 """Which experiments a stand can run: asked of the stand, not assumed."""
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 
@@ -74,7 +75,8 @@ def programme_of(probe: Probe) -> Programme:
 def _asked(stand: LoadedStand, probe: Probe) -> tuple[Probe, str]:
     """An experiment as this stand would run it, and why it will not; an empty reason where it will."""
     head = stand.file.head
-    lowest_deg, highest_deg = max(head.limits_deg[0], -360.0 * head.turns), min(head.limits_deg[1], 360.0 * head.turns)
+    turns_deg = math.inf if head.cable_turns is None else 360.0 * head.cable_turns
+    lowest_deg, highest_deg = max(head.limits_deg[0], -turns_deg), min(head.limits_deg[1], turns_deg)
     short = probe.between(lowest_deg, highest_deg)
     if short is None:
         return probe, f"the head may turn from {lowest_deg:g} to {highest_deg:g} deg, which leaves no room for it"

@@ -18,6 +18,7 @@ from calibrations.tracing.chain import FUTILE, Chain, Ended, Link, cannot, cheap
 from calibrations.tracing.experiments import Experiment
 from calibrations.tracing.loop import Explained, explain
 from procedures.announcer import Listener
+from procedures.errors import InputError
 
 MOST_EXPERIMENTS = 6
 
@@ -70,6 +71,11 @@ def begin(files: Sequence[Path], at: AtStand) -> Closing:
 def _begun(files: Sequence[Path], at: AtStand) -> Closing:
     """What a first measurement says; several files are taken together."""
     measurement = read_together(files, at.stand.recorded)
+    if measurement.header and measurement.header.serial_number != at.serial_number:
+        raise InputError(
+            f"{measurement.path}: holds unit {measurement.header.serial_number}, and {at.serial_number} is to be "
+            "measured; give files of that unit, or its --serial"
+        )
     found = available(at.stand, measurement.observations, at.connected.attended)
     traced, explained = _explained(measurement, at.serial_number)
     planned = experiments_for(explained, found.probes)

@@ -124,7 +124,7 @@ def check_cable(plan: Plan, turns: float) -> None:
     """
     for planned in plan.steps:
         step = planned.step
-        if isinstance(step, Dwell) and max(map(abs, planned.waypoints_deg)) > 360.0 * turns:
+        if isinstance(step, Dwell) and max(map(abs, planned.waypoints_deg)) / 360.0 > turns:
             raise ProgrammeError(
                 f"{_origin(plan.programme, step)}: the {step.procedure} goes to {step.angle_deg:g} deg, and the cable "
                 f"allows {turns:g} turns to either side of zero; change the angles, or cable_turns of the stand"

@@ -70,15 +70,15 @@ def measures(function: Callable[..., None]) -> Callable[..., None]:
         with wanted.connected(loaded) as connected:
             function(job, connected, **own)
 
-    return _asking(command, serial_needed=True)
+    return _asking(command, options.serial_needed)
 
 
 def may_measure(function: Callable[..., None]) -> Callable[..., None]:
     """Give a command the same options, none of them needed; it is called with them as `Wanted` and its own options."""
-    return _asking(function, serial_needed=False)
+    return _asking(function, options.serial)
 
 
-def _asking(function: Callable[..., None], *, serial_needed: bool) -> Callable[..., None]:
+def _asking(function: Callable[..., None], serial: Callable[..., Any]) -> Callable[..., None]:
     @wraps(function)
     def command(**given: Any) -> None:  # noqa: ANN401  # one for every option
         wanted = {name: given.pop(name) for name in Wanted.__dataclass_fields__}
@@ -88,7 +88,7 @@ def _asking(function: Callable[..., None], *, serial_needed: bool) -> Callable[.
         options.attended,
         options.answers,
         options.operator,
-        options.serial(needed=serial_needed),
+        serial,
         click.option("--programme", default="seed", show_default=True, help="Name of a shipped programme, or a file."),
         options.stand,
     ):

@@ -2,7 +2,6 @@
 
 import json
 import math
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -19,18 +18,13 @@ store = click.option(
 )
 json_out = click.option("--json", "json_path", type=EXISTING, help="Write the result as JSON; - for standard output.")
 
+serial = click.option("--serial", "serial_number", default="", help="Serial number of the unit.")
+serial_needed = click.option("--serial", "serial_number", required=True, help="Serial number of the unit.")
 operator = click.option("--operator", default="", help="Who is at the stand; recorded.")
 answers = click.option("--answers", type=EXISTING, help="Answers to prompts, for a run that nobody attends (TOML).")
 attended = click.option(
     "--attended", is_flag=True, help="Ask for mounts on the terminal; a simulated stand then runs in real time."
 )
-
-
-def serial(*, needed: bool) -> Callable[..., Any]:
-    """Serial number of the unit."""
-    default = None if needed else ""
-    help_text = "Serial number of the unit."
-    return click.option("--serial", "serial_number", required=needed, default=default, help=help_text)
 
 
 def finite(_context: click.Context, _parameter: click.Parameter, value: float | None) -> float | None:

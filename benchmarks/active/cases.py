@@ -47,7 +47,7 @@ class Case:
 def make(seed: int) -> Case:
     """The case of a seed."""
     rng = np.random.default_rng(seed)
-    first, seat = str(rng.choice(list(_PROGRAMMES))), str(rng.choice(list(_STANDS), p=[0.5, 0.1, 0.3, 0.1]))
+    first, seat = str(rng.choice(list(_PROGRAMMES))), str(rng.choice(list(_STANDS), p=[0.4, 0.1, 0.35, 0.15]))
     outside = bool(rng.random() < 1 / 3)
     effect = str(rng.choice(list(_OUTSIDE if outside else _INSIDE)))
     unit = {

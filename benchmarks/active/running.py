@@ -56,10 +56,10 @@ def _carried_out(case: Case, folder: Path) -> Record:
     closing = begin([first], at)
     if not closing.chain.first.disputed:
         return {"found": _names(closing.traced.loop)}
-    before = closing.chain.first.disputed
+    before, every = closing.chain.first.disputed, closing.available.probes
     closing = act(closing, at, MOST_EXPERIMENTS)
     told = _everything_told(case, folder / "everything")
-    time_s = {probe.programme: probe.stand_time_s for probe in closing.available.probes}
+    time_s = {probe.programme: probe.stand_time_s for probe in every}
     run = [link.experiment.programme for link in closing.chain.links]
     return {
         "ambiguous": True,

@@ -182,3 +182,10 @@ def test_a_first_measurement_that_nobody_answers_is_bad_input(tmp_path):
     ran = bench.close_loop()
     assert ran.status == 2
     assert "the loop goes on" not in ran.err
+
+
+def test_files_of_another_unit_are_refused_before_anything_moves(tiny_recording, tmp_path):
+    ran = tumble("close-loop", tiny_recording, "--serial", "SN-8", "--experiments", 1, "--store", tmp_path / "s")
+    assert ran.status == 2
+    assert f"{tiny_recording}: holds unit SN-7, and SN-8 is to be measured" in ran.err
+    assert not (tmp_path / "s").exists()

@@ -148,16 +148,16 @@ def with_chain(chain):
 
 
 def test_every_experiment_stands_with_its_rivals_its_decision_and_the_error_before_and_after():
-    rivals = replace(with_k_xx().effects[0], also_possible=("k_yy",))
+    rivals, alone = (replace(with_k_xx().effects[0], also_possible=names) for names in (("k_yy",), ()))
     first = Stage(loop=replace(with_k_xx(), effects=(rivals,)), behind={"k_xx": 0.0, "k_yy": 1.0})
-    after = Stage(loop=with_k_xx(), behind={"k_xx": 0.0, "k_yy": 25.0})
+    after = Stage(loop=replace(with_k_xx(), effects=(alone,)), behind={"k_xx": 0.0, "k_yy": 25.0})
     done = Link(experiment=experiment(), recording="x.mcap", stand_time_s=480.0, before=first, after=after)
     page = with_chain(Chain(first=first, links=(done,), why="Everything that was found is told apart."))
     text = text_of(page)
     assert re.search(r"k_xx or k_yy probe-edge 8 20 25 against k_yy: k_xx remains \d+ µV → [\d.]+ µV", text)
     assert "Everything that was found is told apart." in text
-    *_, plot = re.findall(r"<svg.*?</svg>", page, flags=re.DOTALL)
-    assert ET.fromstring(plot).get("aria-label") == "Explanations after each experiment: k_xx, k_yy"
+    labels = [ET.fromstring(plot).get("aria-label") for plot in re.findall(r"<svg.*?</svg>", page, flags=re.DOTALL)]
+    assert "Explanations after each experiment: k_xx, k_yy" in labels
     assert parsed(page).open == []
 
 

@@ -74,6 +74,10 @@ def test_the_way_round_is_in_the_plan_and_within_the_limits():
         check_limits(whole, (0.0, 24.0))
 
 
+def test_a_cable_allows_what_the_limits_do_to_the_last_degree():
+    check_cable(planned('name = "a"\n[[procedure]]\nkind = "sweep"\nstep_deg = 185\npoints = 2\n'), 185.0 / 360.0)
+
+
 def test_a_plan_that_winds_the_cable_too_far_is_refused():
     wound = planned('name = "a"\n[[procedure]]\nkind = "sweep"\nstep_deg = 90\npoints = 9\n')
     check_cable(wound, 2.0)
