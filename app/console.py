@@ -9,7 +9,7 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn
 from rich.table import Table
 
-from app.calibrating import Analysed
+from app.analysing import Analysed
 from calibrations.quantities import format_concise, format_freedom, format_interval, format_number, format_probability
 from calibrations.result import Calibration, Parameter
 from calibrations.support import support

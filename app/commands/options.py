@@ -16,6 +16,7 @@ stand = click.option("--stand", "stand_path", type=EXISTING, help="Stand file; t
 store = click.option(
     "--store", "folder", type=EXISTING, default=STORE, show_default=True, help="Folder of the records."
 )
+stand_store = click.option("--store", "folder", type=EXISTING, help="Folder that holds the stand record to be applied.")
 json_out = click.option("--json", "json_path", type=EXISTING, help="Write the result as JSON; - for standard output.")
 
 answers = click.option("--answers", type=EXISTING, help="Answers to prompts, for a run that nobody attends (TOML).")

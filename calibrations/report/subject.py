@@ -19,6 +19,8 @@ class Subject:
     revision: int = 1
     loop: Loop | None = None
     """None where the loop was not closed."""
+    contradictions: tuple[str, ...] = ()
+    """Where the loop contradicts the stand record that was applied."""
 
     @property
     def told(self) -> tuple[Parameter, ...]:

@@ -1,0 +1,246 @@
+"""What one run says of its stand, held against what the store knows of it."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from app.analysing import Traced, fit, trace
+from app.identity import program_identity
+from app.joining import read_together
+from app.measurements import Measurement
+from app.stand_records import identity_of
+from calibrations.provenance import Provenance
+from calibrations.quantities import format_probability
+from calibrations.records.raw import file_sha256, resolved_path, stored_path
+from calibrations.stand_records.agreement import AGREE_P, Agreement, agreement, updated
+from calibrations.stand_records.applying import contradictions
+from calibrations.stand_records.corrections import Corrections
+from calibrations.stand_records.evidence import Run, doubts
+from calibrations.stand_records.record import Contribution, StandIdentity, StandRecord, Status, validity_of
+from calibrations.stand_records.store import StandRecords
+from calibrations.support import series
+
+_MOST_TRIED = 5
+"""Of the units that said something provisional, so many are asked again, the last ones first."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Learned:
+    """What a run changed in what is known of its stand."""
+
+    sentences: tuple[str, ...]
+    """What was found, in words."""
+    record: StandRecord | None = None
+    """A new version; None where there is nothing new."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Source:
+    """A run with where it comes from."""
+
+    run: Run
+    contribution: Contribution
+    """Without coefficients."""
+
+    def saying(self, estimate: Corrections) -> Contribution:
+        """The contribution with what the run says alone."""
+        return replace(
+            self.contribution,
+            coefficients=tuple(estimate.values.tolist()),
+            standard_uncertainties=tuple(np.sqrt(np.diag(estimate.covariance)).tolist()),
+        )
+
+
+def learn(traced: Traced, folder: Path) -> Learned:
+    """Hold what a run says of its stand against the stand records of a store, and add a version where it changes them.
+
+    A run that was corrected by a stand record teaches nothing new: it confirms that record, or contradicts it.
+
+    Raises
+    ------
+    StoreError
+        The store cannot be read or written.
+    """
+    identity = identity_of(traced.measurement)
+    if identity is None or traced.explained is None:
+        return Learned(sentences=())
+    if traced.measurement.stand_record is not None:
+        return Learned(sentences=contradictions_of(traced))
+    source = _source(traced, folder)
+    said = tuple(doubts(source.run))
+    if source.run.objections and source.run.terms:
+        reason = f"nothing is learned of stand {identity.stand} from this run: {series(source.run.objections)}"
+        return Learned(sentences=(*said, reason))
+    learned = _Stand(StandRecords(folder), identity).hear(source)
+    return replace(learned, sentences=(*said, *learned.sentences))
+
+
+def contradictions_of(traced: Traced) -> tuple[str, ...]:
+    """Where a run contradicts the stand record that was applied to it, in words."""
+    measurement = traced.measurement
+    if measurement.stand_record is None or traced.explained is None:
+        return ()
+    run = Run(loop=traced.loop, explained=traced.explained, uncertainty=measurement.uncertainty)
+    return tuple(contradictions(run, measurement.stand_record))
+
+
+class _Stand:
+    """One stand, and what is known of it."""
+
+    def __init__(self, records: StandRecords, identity: StandIdentity) -> None:
+        self._records = records
+        self._identity = identity
+        self._known = records.find(identity)
+        self._name = f"stand {identity.stand}"
+
+    def hear(self, source: _Source) -> Learned:
+        """What a good run changes."""
+        heard = {sha for record in self._known for each in record.contributions for sha in each.raw_sha256}
+        if heard & set(source.contribution.raw_sha256):
+            return Learned(sentences=())
+        in_force = self._records.in_force(self._identity)
+        if in_force is None:
+            return self._compare(source, ())
+        more = source.run.estimate(in_force.corrections.terms)
+        corrections, p_value = updated(in_force.corrections, more)
+        if p_value < AGREE_P:
+            return self._compare(source, tuple(self._against(in_force, more, p_value)))
+        if source.contribution.serial_number in in_force.units:
+            return Learned(sentences=(f"{self._name}: this run agrees with stand record {in_force.version}",))
+        contributions = (*in_force.contributions, source.saying(more))
+        return self._in_force(corrections, p_value, contributions, source, in_force)
+
+    def _compare(self, source: _Source, said: tuple[str, ...]) -> Learned:
+        """Hold a run against those that said something provisional, each of another unit."""
+        if not source.run.terms:
+            return Learned(sentences=said)
+        for record in self._provisional(source.contribution.serial_number):
+            other = _again(record.contributions[0], self._records.folder)
+            if other is None:
+                said += (f"stand record {record.version} is not used: a raw file of it is missing or changed",)
+                continue
+            found = agreement(other.run, source.run)
+            if found.holds:
+                contributions = (other.saying(found.each[0]), source.saying(found.each[1]))
+                learned = self._in_force(found.corrections, found.p_value, contributions, source, record)
+                return replace(learned, sentences=(*said, *learned.sentences))
+            said += (self._disagreement(record, source, found),)
+        estimate = source.run.estimate(source.run.terms)
+        record = self._add(Status.PROVISIONAL, estimate, None, (source.saying(estimate),), source, None)
+        sentence = (
+            f"{self._name}: {_terms(estimate)}: provisional (stand record {record.version}) until another unit agrees"
+        )
+        return Learned(sentences=(*said, sentence), record=record)
+
+    def _provisional(self, serial_number: str) -> Iterator[StandRecord]:
+        """The last provisional record of every other unit since the last one in force, the newest first."""
+        since = max((record.version for record in self._known if record.status is Status.IN_FORCE), default=0)
+        open_ones = [record for record in self._known if record.version > since and serial_number not in record.units]
+        last = {record.units[0]: record for record in open_ones}
+        yield from sorted(last.values(), key=lambda record: -record.version)[:_MOST_TRIED]
+
+    def _in_force(
+        self,
+        corrections: Corrections,
+        p_value: float,
+        contributions: Sequence[Contribution],
+        source: _Source,
+        before: StandRecord,
+    ) -> Learned:
+        record = self._add(Status.IN_FORCE, corrections, p_value, contributions, source, before)
+        sentence = (
+            f"{self._name}: units {series(record.units)} agree (p = {format_probability(p_value)}) on "
+            f"{_terms(corrections)}: stand record {record.version} is in force"
+        )
+        return Learned(sentences=(sentence,), record=record)
+
+    def _add(
+        self,
+        status: Status,
+        corrections: Corrections,
+        p_value: float | None,
+        contributions: Sequence[Contribution],
+        source: _Source,
+        before: StandRecord | None,
+    ) -> StandRecord:
+        rows = source.run.loop.augmented.observations
+        validity = validity_of(rows, source.contribution.measured_at)
+        return self._records.add(
+            identity=self._identity,
+            status=status,
+            corrections=corrections,
+            contributions=contributions,
+            agreement_p=p_value,
+            validity=validity.together(before.validity) if before else validity,
+            program_version=program_identity().version,
+        )
+
+    def _against(self, record: StandRecord, more: Corrections, p_value: float) -> Iterator[str]:
+        yield (
+            f"{self._name}: this run contradicts stand record {record.version} (p = {format_probability(p_value)}), "
+            "which stays in force; measure another unit, and where the two agree a new record takes its place"
+        )
+        for term in more.terms:
+            yield f"stand record {record.version} says {record.corrections.text(term)}, this run says {more.text(term)}"
+
+    def _disagreement(self, record: StandRecord, source: _Source, found: Agreement) -> str:
+        units = series([record.units[0], source.contribution.serial_number])
+        if not found.corrections.terms:
+            return f"{self._name}: units {units} confirm nothing of each other: nothing is in force on their word"
+        words = "; ".join(
+            f"{found.each[0].text(term)} and {found.each[1].text(term)}" for term in found.corrections.terms
+        )
+        return (
+            f"{self._name}: units {units} disagree (p = {format_probability(found.p_value)}): {words}; nothing is in "
+            "force on their word"
+        )
+
+
+def _terms(corrections: Corrections) -> str:
+    return series([corrections.text(term) for term in corrections.terms])
+
+
+def _source(traced: Traced, folder: Path) -> _Source:
+    assert traced.explained is not None, "the caller sees to that"
+    measurement, origin = traced.measurement, traced.provenance
+    return _Source(
+        run=Run(loop=traced.loop, explained=traced.explained, uncertainty=measurement.uncertainty),
+        contribution=_contribution(measurement, origin, folder),
+    )
+
+
+def _contribution(measurement: Measurement, origin: Provenance, folder: Path) -> Contribution:
+    files = (measurement, *measurement.others)
+    return Contribution(
+        serial_number=origin.serial_number,
+        raw_paths=tuple(stored_path(folder, file.path) for file in files),
+        raw_sha256=tuple(file.sha256 for file in files),
+        measured_at=origin.measured_at,
+        stand=measurement.stand,
+        coefficients=(),
+        standard_uncertainties=(),
+    )
+
+
+def _again(contribution: Contribution, folder: Path) -> _Source | None:
+    """A unit's run, traced again from its raw files; None where one of them is missing or changed."""
+    paths = [resolved_path(folder, path) for path in contribution.raw_paths]
+    for path, sha256 in zip(paths, contribution.raw_sha256, strict=True):
+        if not path.is_file() or file_sha256(path) != sha256:
+            return None
+    measurement = read_together(paths, contribution.stand)
+    return _source(trace(fit(measurement, contribution.serial_number, trials=0)), folder)
+
+
+def rederived(record: StandRecord, folder: Path) -> Corrections | None:
+    """The corrections of a record derived again from its raw files; None where one of them is missing or changed."""
+    sources = [_again(contribution, folder) for contribution in record.contributions]
+    runs = [source.run for source in sources if source]
+    if len(runs) < len(sources):
+        return None
+    corrections = runs[0].estimate(record.corrections.terms)
+    for run in runs[1:]:
+        corrections, _ = updated(corrections, run.estimate(record.corrections.terms))
+    return corrections

@@ -1,0 +1,75 @@
+"""Whether two runs say the same of their stand, and what they say together."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from calibrations.geometry import FloatArray
+from calibrations.stand_records.corrections import Corrections, chi_square_p
+from calibrations.stand_records.evidence import Run
+from calibrations.stand_records.terms import Term, union
+
+AGREE_P = 0.01
+"""Two runs contradict each other where chance makes differences as large as theirs in fewer of a hundred cases."""
+CONFIRMED_P = 0.01
+"""A second unit confirms a term that it sees beyond this chance, whether or not it would have found it by itself."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Agreement:
+    """What two runs say together."""
+
+    corrections: Corrections
+    """Weighted mean; without terms where neither confirms the other."""
+    each: tuple[Corrections, Corrections]
+    """The same terms by each run."""
+    p_value: float
+    """Of differences as large by chance (chi-square on all coefficients)."""
+
+    @property
+    def holds(self) -> bool:
+        """Whether both confirm something, and do not contradict each other."""
+        return bool(self.corrections.terms) and self.p_value >= AGREE_P
+
+
+def agreement(first: Run, second: Run) -> Agreement:
+    """Hold two runs against each other on all terms that one of them tells apart and the other confirms."""
+    return _on_terms(first, second, union(first.terms, second.terms))
+
+
+def _on_terms(first: Run, second: Run, terms: Sequence[Term]) -> Agreement:
+    each = (first.estimate(terms), second.estimate(terms))
+    kept = [term for term in terms if all(_confirms(one, term) for one in each)]
+    if len(kept) < len(terms):
+        return _on_terms(first, second, kept)
+    corrections, p_value = updated(*each)
+    return Agreement(corrections=corrections, each=each, p_value=p_value)
+
+
+def _confirms(estimate: Corrections, term: Term) -> bool:
+    return term in estimate.terms and estimate.p_value(term) < CONFIRMED_P
+
+
+def updated(known: Corrections, more: Corrections) -> tuple[Corrections, float]:
+    """What is known with a further estimate of some of its terms: weighted least squares (the Kalman update).
+
+    With it the probability that two honest estimates differ so much.
+    """
+    if not more.terms:
+        return known, 1.0
+    chosen = np.concatenate([np.arange(len(known.values))[known.place(term)] for term in more.terms])
+    seen: FloatArray = np.eye(len(known.values))[chosen]
+    difference = more.values - known.values[chosen]
+    spread = seen @ known.covariance @ seen.T + more.covariance
+    gain = np.linalg.solve(spread, seen @ known.covariance).T
+    combined = Corrections(
+        terms=known.terms,
+        values=known.values + gain @ difference,
+        covariance=_symmetric(known.covariance - gain @ seen @ known.covariance),
+    )
+    return combined, chi_square_p(difference, spread)
+
+
+def _symmetric(matrix: FloatArray) -> FloatArray:
+    return np.asarray((matrix + matrix.T) / 2.0)
