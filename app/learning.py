@@ -12,15 +12,15 @@ from app.joining import read_together
 from app.measurements import Measurement
 from app.stand_records import identity_of
 from calibrations.provenance import Provenance
-from calibrations.quantities import format_probability
 from calibrations.records.raw import file_sha256, resolved_path, stored_path
 from calibrations.stand_records.agreement import AGREE_P, Agreement, agreement, updated
 from calibrations.stand_records.applying import contradictions
-from calibrations.stand_records.corrections import Corrections
+from calibrations.stand_records.corrections import Corrections, chi_square_p
 from calibrations.stand_records.evidence import Run, doubts
 from calibrations.stand_records.record import Contribution, StandIdentity, StandRecord, Status, validity_of
 from calibrations.stand_records.store import StandRecords
-from calibrations.support import series
+from calibrations.stand_records.terms import Term
+from calibrations.support import equals, series
 
 _MOST_TRIED = 5
 """Of the units that said something provisional, so many are asked again, the last ones first."""
@@ -151,7 +151,7 @@ class _Stand:
     ) -> Learned:
         record = self._add(Status.IN_FORCE, corrections, p_value, contributions, source, before)
         sentence = (
-            f"{self._name}: units {series(record.units)} agree (p = {format_probability(p_value)}) on "
+            f"{self._name}: units {series(record.units)} agree (p {equals(p_value)}) on "
             f"{_terms(corrections)}: stand record {record.version} is in force"
         )
         return Learned(sentences=(sentence,), record=record)
@@ -179,10 +179,10 @@ class _Stand:
 
     def _against(self, record: StandRecord, more: Corrections, p_value: float) -> Iterator[str]:
         yield (
-            f"{self._name}: this run contradicts stand record {record.version} (p = {format_probability(p_value)}), "
+            f"{self._name}: this run contradicts stand record {record.version} (p {equals(p_value)}), "
             "which stays in force; measure another unit, and where the two agree a new record takes its place"
         )
-        for term in more.terms:
+        for term in _differing(record.corrections, more):
             yield f"stand record {record.version} says {record.corrections.text(term)}, this run says {more.text(term)}"
 
     def _disagreement(self, record: StandRecord, source: _Source, found: Agreement) -> str:
@@ -193,9 +193,18 @@ class _Stand:
             f"{found.each[0].text(term)} and {found.each[1].text(term)}" for term in found.corrections.terms
         )
         return (
-            f"{self._name}: units {units} disagree (p = {format_probability(found.p_value)}): {words}; nothing is in "
+            f"{self._name}: units {units} disagree (p {equals(found.p_value)}): {words}; nothing is in "
             "force on their word"
         )
+
+
+def _differing(known: Corrections, more: Corrections) -> Iterator[Term]:
+    """Terms that two estimates put where they cannot both be."""
+    for term in more.terms:
+        here, there = more.place(term), known.place(term)
+        spread = more.covariance[here, here] + known.covariance[there, there]
+        if chi_square_p(more.values[here] - known.values[there], spread) < AGREE_P:
+            yield term
 
 
 def _terms(corrections: Corrections) -> str:

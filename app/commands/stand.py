@@ -14,12 +14,12 @@ from app.learning import learn, rederived
 from app.measurements import read_measurement
 from app.stand import load_stand
 from app.stand_records import list_stand_records
-from calibrations.quantities import format_number, format_probability
+from calibrations.quantities import format_number
 from calibrations.records.verify import TOLERANCE
 from calibrations.stand_records.corrections import Corrections
 from calibrations.stand_records.head_map import HeadMap
 from calibrations.stand_records.record import StandRecord, document
-from calibrations.support import series
+from calibrations.support import equals, series
 from procedures.errors import InputError
 
 _ARCSEC = 3600.0
@@ -69,9 +69,7 @@ def show(name: str, version: int | None, folder: Path, json_path: Path | None) -
 
 
 def _lines(record: StandRecord) -> list[str]:
-    agreement = (
-        "" if record.agreement_p is None else f", the units agree with p = {format_probability(record.agreement_p)}"
-    )
+    agreement = "" if record.agreement_p is None else f", the units agree (p {equals(record.agreement_p)})"
     lines = [
         f"record     {record.id}, version {record.version}, {record.status}{agreement}",
         f"stand      {record.identity.stand}, head {record.identity.head}, DAQ {record.identity.daq}",

@@ -5,12 +5,11 @@ from typing import Any
 import numpy as np
 from markupsafe import Markup
 
-from calibrations.quantities import format_probability
 from calibrations.report.drawing import BAND, COLOURS, WIDE_IN, sheet, styled, to_svg
 from calibrations.report.subject import Subject
 from calibrations.stand_records.head_map import HeadMap
 from calibrations.stand_records.record import StandRecord
-from calibrations.support import series
+from calibrations.support import equals, series
 
 _ARCSEC = 3600.0
 
@@ -24,7 +23,7 @@ def corrections_of_the_stand(subject: Subject) -> dict[str, Any]:
     return {
         "record": record,
         "units": series(record.units),
-        "agreement": "" if record.agreement_p is None else format_probability(record.agreement_p),
+        "agreement": "" if record.agreement_p is None else equals(record.agreement_p),
         "terms": [record.corrections.text(term) for term in record.corrections.terms],
         "contradictions": subject.contradictions,
         "validity": _validity(record),

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,14 +15,16 @@ from calibrations.fit import covariance
 from calibrations.geometry import FloatArray
 from calibrations.joint import LACK_OF_FIT_P, Joint, fit_rows
 from calibrations.model import PARAMETERS
-from calibrations.quantities import format_probability
 from calibrations.stand_records.corrections import Corrections
 from calibrations.stand_records.terms import LASTING, Term, harmonic_term, head_course, union
-from calibrations.support import series
+from calibrations.support import equals, series
 from calibrations.tracing.loop import EffectFound, Explained, Loop
 from calibrations.tracing.trace import Found, Trace
 
-_ANGLE = "angle"
+_ANGLE: Final = "angle"
+_HARMONICS: Final = {"head_eccentricity": 1, "head_second_harmonic": 2, "graduation": None}
+"""Effects that are one harmonic of the angle, with its order; None where the order is found."""
+_SCANNED: Final = {"daq_nonlinearity": ("period_V",), "range_step": ("threshold_V",)}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -59,7 +61,7 @@ class Run:
         }
         p_value = after.lack_of_fit_p
         if p_value is not None and p_value < LACK_OF_FIT_P:
-            reasons[f"the poses disagree with what was found (p = {format_probability(p_value)})"] = True
+            reasons[f"the poses disagree with what was found (p {equals(p_value)})"] = True
         return tuple(reason for reason, holds in reasons.items() if holds)
 
     def estimate(self, terms: Sequence[Term]) -> Corrections:
@@ -91,12 +93,13 @@ class Run:
         return self.explained.base.scene
 
     def _terms(self) -> Iterator[Term]:
-        told = {effect.name for effect in self._lasting() if not effect.also_possible}
+        told = {effect.name: effect for effect in self._lasting() if not effect.also_possible}
         for item in self.explained.trace.found:
             if isinstance(item.effect, Structure) and item.effect.depends_on == _ANGLE:
                 yield head_course(_highest_order(self.explained))
-            elif item.effect.name in told:
-                yield _term(item)
+            elif item.effect.name in told and _is_harmonic(item):
+                yield harmonic_term(_order(item))
+        yield from (_term(effect) for effect in told.values() if effect.name not in _HARMONICS)
 
     def _lasting(self) -> list[EffectFound]:
         return [effect for effect in self.loop.effects if effect.name in LASTING]
@@ -124,22 +127,25 @@ def _fit(explained: Explained, trace: Trace, columns: Sequence[FloatArray]) -> J
     return fit_rows(base.joint.observations, functions, base.joint.weights, base.memory.whitening(trace.noise))
 
 
-def _term(item: Found) -> Term:
-    if item.effect.name in ("head_eccentricity", "head_second_harmonic", "graduation"):
-        return harmonic_term(_order(item))
-    return Term(effect=item.effect.name, scanned=dict(item.form.scanned))
+def _term(effect: EffectFound) -> Term:
+    """An effect with what was scanned for, as it is reported."""
+    scanned = {key: effect.coefficients[key].value for key in _SCANNED.get(effect.name, ())}
+    return Term(effect=effect.name, scanned=scanned)
+
+
+def _is_harmonic(item: Found) -> bool:
+    return item.effect.name in _HARMONICS
 
 
 def _order(item: Found) -> int:
-    named = {"head_eccentricity": 1, "head_second_harmonic": 2}
-    return named.get(item.effect.name) or int(item.form.scanned["order"])
+    return _HARMONICS[item.effect.name] or int(item.form.scanned["order"])
 
 
 def _stands_for(terms: Sequence[Term], item: Found) -> bool:
     """Whether one of the terms is the same as what was found, or holds it."""
     if isinstance(item.effect, Structure):
-        return item.effect.depends_on == _ANGLE and any(len(term.orders) > 1 for term in terms)
-    if item.effect.name in ("head_eccentricity", "head_second_harmonic", "graduation"):
+        return item.effect.depends_on == _ANGLE and any(term.orders for term in terms)
+    if _is_harmonic(item):
         return any(_order(item) in term.orders for term in terms)
     return any(term.effect == item.effect.name for term in terms)
 
