@@ -4,25 +4,20 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-import numpy as np
-
-from app.analysing import Traced, fit, trace
+from app.analysing import Traced
 from app.identity import program_identity
-from app.joining import read_together
-from app.measurements import Measurement
+from app.rederiving import Source, run_of, source_again, source_of
 from app.stand_records import identity_of
-from calibrations.provenance import Provenance
-from calibrations.records.raw import file_sha256, resolved_path, stored_path
 from calibrations.stand_records.agreement import AGREE_P, Agreement, agreement, updated
 from calibrations.stand_records.applying import contradictions
 from calibrations.stand_records.corrections import Corrections, chi_square_p
-from calibrations.stand_records.evidence import Run, doubts
+from calibrations.stand_records.evidence import doubts
 from calibrations.stand_records.record import Contribution, StandIdentity, StandRecord, Status, validity_of
 from calibrations.stand_records.store import StandRecords
 from calibrations.stand_records.terms import Term
 from calibrations.support import equals, series
 
-_MOST_TRIED = 5
+_MOST_TRIED = 3
 """Of the units that said something provisional, so many are asked again, the last ones first."""
 
 
@@ -36,23 +31,6 @@ class Learned:
     """A new version; None where there is nothing new."""
 
 
-@dataclass(frozen=True, kw_only=True)
-class _Source:
-    """A run with where it comes from."""
-
-    run: Run
-    contribution: Contribution
-    """Without coefficients."""
-
-    def saying(self, estimate: Corrections) -> Contribution:
-        """The contribution with what the run says alone."""
-        return replace(
-            self.contribution,
-            coefficients=tuple(estimate.values.tolist()),
-            standard_uncertainties=tuple(np.sqrt(np.diag(estimate.covariance)).tolist()),
-        )
-
-
 def learn(traced: Traced, folder: Path) -> Learned:
     """Hold what a run says of its stand against the stand records of a store, and add a version where it changes them.
 
@@ -64,26 +42,23 @@ def learn(traced: Traced, folder: Path) -> Learned:
         The store cannot be read or written.
     """
     identity = identity_of(traced.measurement)
-    if identity is None or traced.explained is None:
+    source = source_of(traced, folder)
+    if identity is None or source is None:
         return Learned(sentences=())
     if traced.measurement.stand_record is not None:
         return Learned(sentences=contradictions_of(traced))
-    source = _source(traced, folder)
     said = tuple(doubts(source.run))
-    if source.run.objections and source.run.terms:
+    if source.run.objections:
         reason = f"nothing is learned of stand {identity.stand} from this run: {series(source.run.objections)}"
-        return Learned(sentences=(*said, reason))
+        return Learned(sentences=(*said, reason) if source.run.terms else said)
     learned = _Stand(StandRecords(folder), identity).hear(source)
     return replace(learned, sentences=(*said, *learned.sentences))
 
 
 def contradictions_of(traced: Traced) -> tuple[str, ...]:
     """Where a run contradicts the stand record that was applied to it, in words."""
-    measurement = traced.measurement
-    if measurement.stand_record is None or traced.explained is None:
-        return ()
-    run = Run(loop=traced.loop, explained=traced.explained, uncertainty=measurement.uncertainty)
-    return tuple(contradictions(run, measurement.stand_record))
+    run, applied = run_of(traced), traced.measurement.stand_record
+    return () if run is None or applied is None else tuple(contradictions(run, applied))
 
 
 class _Stand:
@@ -95,7 +70,7 @@ class _Stand:
         self._known = records.find(identity)
         self._name = f"stand {identity.stand}"
 
-    def hear(self, source: _Source) -> Learned:
+    def hear(self, source: Source) -> Learned:
         """What a good run changes."""
         heard = {sha for record in self._known for each in record.contributions for sha in each.raw_sha256}
         if heard & set(source.contribution.raw_sha256):
@@ -112,12 +87,10 @@ class _Stand:
         contributions = (*in_force.contributions, source.saying(more))
         return self._in_force(corrections, p_value, contributions, source, in_force)
 
-    def _compare(self, source: _Source, said: tuple[str, ...]) -> Learned:
+    def _compare(self, source: Source, said: tuple[str, ...]) -> Learned:
         """Hold a run against those that said something provisional, each of another unit."""
-        if not source.run.terms:
-            return Learned(sentences=said)
         for record in self._provisional(source.contribution.serial_number):
-            other = _again(record.contributions[0], self._records.folder)
+            other = source_again(record.contributions[0], self._records.folder)
             if other is None:
                 said += (f"stand record {record.version} is not used: a raw file of it is missing or changed",)
                 continue
@@ -127,6 +100,8 @@ class _Stand:
                 learned = self._in_force(found.corrections, found.p_value, contributions, source, record)
                 return replace(learned, sentences=(*said, *learned.sentences))
             said += (self._disagreement(record, source, found),)
+        if not source.run.terms:
+            return Learned(sentences=said)
         estimate = source.run.estimate(source.run.terms)
         record = self._add(Status.PROVISIONAL, estimate, None, (source.saying(estimate),), source, None)
         sentence = (
@@ -146,7 +121,7 @@ class _Stand:
         corrections: Corrections,
         p_value: float,
         contributions: Sequence[Contribution],
-        source: _Source,
+        source: Source,
         before: StandRecord,
     ) -> Learned:
         record = self._add(Status.IN_FORCE, corrections, p_value, contributions, source, before)
@@ -162,7 +137,7 @@ class _Stand:
         corrections: Corrections,
         p_value: float | None,
         contributions: Sequence[Contribution],
-        source: _Source,
+        source: Source,
         before: StandRecord | None,
     ) -> StandRecord:
         rows = source.run.loop.augmented.observations
@@ -185,7 +160,7 @@ class _Stand:
         for term in _differing(record.corrections, more):
             yield f"stand record {record.version} says {record.corrections.text(term)}, this run says {more.text(term)}"
 
-    def _disagreement(self, record: StandRecord, source: _Source, found: Agreement) -> str:
+    def _disagreement(self, record: StandRecord, source: Source, found: Agreement) -> str:
         units = series([record.units[0], source.contribution.serial_number])
         if not found.corrections.terms:
             return f"{self._name}: units {units} confirm nothing of each other: nothing is in force on their word"
@@ -209,47 +184,3 @@ def _differing(known: Corrections, more: Corrections) -> Iterator[Term]:
 
 def _terms(corrections: Corrections) -> str:
     return series([corrections.text(term) for term in corrections.terms])
-
-
-def _source(traced: Traced, folder: Path) -> _Source:
-    assert traced.explained is not None, "the caller sees to that"
-    measurement, origin = traced.measurement, traced.provenance
-    return _Source(
-        run=Run(loop=traced.loop, explained=traced.explained, uncertainty=measurement.uncertainty),
-        contribution=_contribution(measurement, origin, folder),
-    )
-
-
-def _contribution(measurement: Measurement, origin: Provenance, folder: Path) -> Contribution:
-    files = (measurement, *measurement.others)
-    return Contribution(
-        serial_number=origin.serial_number,
-        raw_paths=tuple(stored_path(folder, file.path) for file in files),
-        raw_sha256=tuple(file.sha256 for file in files),
-        measured_at=origin.measured_at,
-        stand=measurement.stand,
-        coefficients=(),
-        standard_uncertainties=(),
-    )
-
-
-def _again(contribution: Contribution, folder: Path) -> _Source | None:
-    """A unit's run, traced again from its raw files; None where one of them is missing or changed."""
-    paths = [resolved_path(folder, path) for path in contribution.raw_paths]
-    for path, sha256 in zip(paths, contribution.raw_sha256, strict=True):
-        if not path.is_file() or file_sha256(path) != sha256:
-            return None
-    measurement = read_together(paths, contribution.stand)
-    return _source(trace(fit(measurement, contribution.serial_number, trials=0)), folder)
-
-
-def rederived(record: StandRecord, folder: Path) -> Corrections | None:
-    """The corrections of a record derived again from its raw files; None where one of them is missing or changed."""
-    sources = [_again(contribution, folder) for contribution in record.contributions]
-    runs = [source.run for source in sources if source]
-    if len(runs) < len(sources):
-        return None
-    corrections = runs[0].estimate(record.corrections.terms)
-    for run in runs[1:]:
-        corrections, _ = updated(corrections, run.estimate(record.corrections.terms))
-    return corrections

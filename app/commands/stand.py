@@ -10,8 +10,9 @@ from app.analysing import fit, trace
 from app.commands import options
 from app.console import results
 from app.exits import Exit
-from app.learning import learn, rederived
+from app.learning import learn
 from app.measurements import read_measurement
+from app.rederiving import Rederivation
 from app.stand import load_stand
 from app.stand_records import list_stand_records
 from calibrations.quantities import format_number
@@ -122,9 +123,9 @@ def learn_command(files: tuple[Path, ...], stand_path: Path | None, serial_numbe
 def verify(names: tuple[str, ...], folder: Path) -> None:
     """Verify stand records, of these stands or of all: hash record and raw files, derive them again, compare."""
     records = [record for record in list_stand_records(folder) if not names or record.identity.stand in names]
-    failed = 0
+    again, failed = Rederivation(folder), 0
     for record in records:
-        problem = _problem(record, folder)
+        problem = _problem(record, again)
         failed += bool(problem)
         words = f"NOT VERIFIED: {problem}" if problem else "verified"
         click.echo(f"{record.identity.stand} {record.version} ({record.id}): {words}")
@@ -133,11 +134,11 @@ def verify(names: tuple[str, ...], folder: Path) -> None:
         raise SystemExit(int(Exit.BAD_INPUT))
 
 
-def _problem(record: StandRecord, folder: Path) -> str:
+def _problem(record: StandRecord, rederivation: Rederivation) -> str:
     """What keeps a record from being believed; empty where nothing does."""
     if not record.intact:
         return "it was altered in the store"
-    again = rederived(record, folder)
+    again = rederivation.corrections(record)
     if again is None:
         return "a raw file is missing or changed"
     return "" if _alike(record.corrections, again) else "derived again, it does not come back"
