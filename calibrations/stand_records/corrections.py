@@ -60,16 +60,16 @@ class Corrections:
         return HeadMap(orders=orders, coefficients_deg=coefficients, covariance_deg2=covariance)
 
     def text(self, term: Term) -> str:
-        """A term with its size and standard uncertainty: `axis_tilt 0.0498(5)°`, of a wave the amplitude."""
-        values, covariance = self.values[self.place(term)], self.covariance[self.place(term), self.place(term)]
-        size = float(values[0]) if term.size == 1 else float(np.linalg.norm(values))
-        along = values / np.linalg.norm(values)
-        uncertainty = float(np.sqrt(along @ covariance @ along))
-        kind = "" if term.size == 1 else "amplitude "
-        if term.size == 2:
-            phase_deg = np.degrees(np.arctan2(values[1], values[0])) % 360.0
-            return f"{term.label} {kind}{format_concise(size, uncertainty, term.unit)}, phase {phase_deg:.0f}°"
-        return f"{term.label} {kind}{format_concise(size, uncertainty, term.unit)}"
+        """A term with its standard uncertainty: `axis_tilt 0.0498(5)°`; of a wave, amplitude and phase."""
+        here = self.place(term)
+        values, covariance = self.values[here], self.covariance[here, here]
+        if term.size == 1:
+            return f"{term.label} {format_concise(float(values[0]), float(np.sqrt(covariance[0, 0])), term.unit)}"
+        amplitude = float(np.linalg.norm(values))
+        along = values / amplitude
+        text = format_concise(amplitude, float(np.sqrt(along @ covariance @ along)), term.unit)
+        phase = f", phase {np.degrees(np.arctan2(values[1], values[0])) % 360.0:.0f}°" if term.size == 2 else ""
+        return f"{term.label} amplitude {text}{phase}"
 
     def as_json(self) -> dict[str, Any]:
         """Plain data; the inverse of `corrections_from_json`."""

@@ -160,6 +160,22 @@ def test_an_update_of_one_term_moves_what_hangs_together_with_it():
     assert mean.values == pytest.approx([0.25, 0.5])
 
 
+@pytest.mark.parametrize(
+    ("corrections", "text"),
+    [
+        (one(Term(effect="axis_tilt"), 0.0, variance=1e-6), "axis_tilt 0.0000(10)°"),
+        (one(ECCENTRICITY, 0.0, 0.05, variance=1e-6), "head_eccentricity amplitude 0.0500(10)°, phase 90°"),
+        (one(harmonic_term(7), -0.01, 0.0, variance=1e-6), "graduation (7 per turn) amplitude 0.0100(10)°, phase 180°"),
+        (one(head_course(2), 0.03, 0.0, 0.04, 0.0, variance=1e-6),
+         "an error of the head of any shape (1 to 2 per turn) amplitude 0.0500(10)°"),
+        (one(Term(effect="range_step", scanned={"threshold_V": 2.7}), 5e-4, variance=1e-12),
+         "range_step (threshold 2.7 V) 500.0(10) µV"),
+    ],
+)  # fmt: skip
+def test_a_term_is_told_with_its_size(corrections, text):
+    assert corrections.text(corrections.terms[0]) == text
+
+
 def test_corrections_come_back_from_json():
     estimate = eccentric_run().estimate([ECCENTRICITY])
 
