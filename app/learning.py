@@ -82,6 +82,11 @@ class _Stand:
         corrections, p_value = updated(in_force.corrections, more)
         if p_value < AGREE_P:
             return self._compare(source, tuple(self._against(in_force, more, p_value)))
+        if beyond := in_force.corrections.without_a_place_for(source.run.terms):
+            seen = series([term.label for term in beyond])
+            return self._compare(
+                source, (f"{self._name}: this run sees {seen}, which stand record {in_force.version} does not have",)
+            )
         if source.contribution.serial_number in in_force.units:
             return Learned(sentences=(f"{self._name}: this run agrees with stand record {in_force.version}",))
         contributions = (*in_force.contributions, source.saying(more))

@@ -1,6 +1,6 @@
 """What a stand adds to a measurement, with one covariance."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -28,6 +28,16 @@ class Corrections:
         """Where the coefficients of a term are."""
         start = sum(each.size for each in self.terms[: self.terms.index(term)])
         return slice(start, start + term.size)
+
+    def without_a_place_for(self, terms: Sequence[Term]) -> list[Term]:
+        """Those of the terms that these corrections do not have; a course of the head may be all their harmonics."""
+        orders = {order for term in self.terms for order in term.orders}
+        effects = {term.effect for term in self.terms if not term.orders}
+        return [
+            term
+            for term in terms
+            if (term.orders and not orders & set(term.orders)) or (not term.orders and term.effect not in effects)
+        ]
 
     def p_value(self, term: Term) -> float:
         """Probability of coefficients so far from zero by chance (chi-square)."""

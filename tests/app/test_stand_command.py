@@ -233,6 +233,22 @@ def test_a_unit_that_disagrees_puts_nothing_in_force(copy):
     ]
 
 
+def test_what_a_record_does_not_have_is_provisional_beside_it(copy):
+    path = stand(copy, "C")
+    path.write_text(path.read_text("utf-8").replace("effects = {", "effects = { backlash = 0.05,"), "utf-8")
+    recording, sweeps = copy / "c.mcap", copy / "sweeps.toml"
+    tumble("run", "--stand", path, "--programme", sweeps, "--serial", "C", "--out", recording)
+
+    ran = tumble("stand", "learn", recording, "--store", copy / "store")
+
+    assert "stand bench-1: this run sees backlash, which stand record 2 does not have" in ran.out
+    assert [str(record.status) for record in list_stand_records(copy / "store")] == [
+        "provisional",
+        "in force",
+        "provisional",
+    ]
+
+
 def test_a_unit_that_sees_nothing_confirms_nothing(known, tmp_path):
     stand(tmp_path, "C", amplitude_deg=0.0)
     straight, sweeps = tmp_path / "c.mcap", tmp_path / "sweeps.toml"

@@ -176,6 +176,13 @@ def test_a_term_is_told_with_its_size(corrections, text):
     assert corrections.text(corrections.terms[0]) == text
 
 
+def test_a_course_of_the_head_has_its_place_among_harmonics():
+    known = one(ECCENTRICITY, 0.05, 0.0, variance=1e-6)
+    play, wave = Term(effect="backlash"), harmonic_term(7)
+
+    assert known.without_a_place_for([ECCENTRICITY, head_course(11), play, wave]) == [play, wave]
+
+
 def test_corrections_come_back_from_json():
     estimate = eccentric_run().estimate([ECCENTRICITY])
 
