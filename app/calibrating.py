@@ -1,97 +1,22 @@
 """The main job and its parts: run, fit, trace, store, report."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
+from app.analysing import Traced, fit, trace
 from app.exits import Exit, JobError
 from app.files import write_text
-from app.measurements import Measurement, check_limits, provenance, read_measurement
+from app.learning import Learned, contradictions_of, learn
+from app.measurements import read_measurement
 from app.running import Job, failure, recording_path, run
+from app.stand_records import with_stand_record
 from app.wiring import Connected
-from calibrations.analysis import analyse
-from calibrations.montecarlo import TRIALS
-from calibrations.provenance import LimitCheck, Provenance
 from calibrations.records.errors import StoreError
 from calibrations.records.record import Record
 from calibrations.records.store import Store
-from calibrations.result import Calibration
 from calibrations.tracing.chain import Chain
-from calibrations.tracing.document import result_document
-from calibrations.tracing.loop import Loop, close_loop
-from calibrations.tracing.questions import questioned
 from procedures.announcer import Listener
-from procedures.errors import InputError
-
-
-@dataclass(frozen=True, kw_only=True)
-class Analysed:
-    """A raw file and what the analysis says of it."""
-
-    measurement: Measurement
-    calibration: Calibration
-    provenance: Provenance
-    limits: tuple[LimitCheck, ...]
-
-    @property
-    def inside(self) -> bool:
-        """Whether every limited parameter lies inside its limits."""
-        return all(check.inside for check in self.limits)
-
-
-@dataclass(frozen=True, kw_only=True)
-class Traced(Analysed):
-    """The same with the loop closed: what the residual was traced to, and what that does to the parameters."""
-
-    loop: Loop
-
-    def as_json(self) -> dict[str, Any]:
-        """The result as `tumble.fit/1`, with the closed loop (`tumble.loop/1`) under `loop`."""
-        return result_document(self.calibration, self.loop)
-
-
-def fit(
-    measurement: Measurement, serial_number: str = "", trials: int = TRIALS, folder: Path | None = None
-) -> Analysed:
-    """Analyse a raw file.
-
-    Parameters
-    ----------
-    measurement
-        The raw file.
-    serial_number
-        Of the unit, where the file does not say.
-    trials
-        Trials of the Monte Carlo check.
-    folder
-        Store in which the record will lie; paths are relative to it.
-
-    Raises
-    ------
-    InputError
-        The rows cannot be analysed.
-    """
-    measurement = replace(measurement, observations=questioned(measurement.observations).observations)
-    try:
-        calibration = analyse(measurement.observations, measurement.uncertainty, trials)
-    except ValueError as error:
-        raise InputError(str(error)) from error
-    return Analysed(
-        measurement=measurement,
-        calibration=calibration,
-        provenance=provenance(measurement, serial_number, folder),
-        limits=check_limits(calibration, measurement.programme),
-    )
-
-
-def trace(analysed: Analysed) -> Traced:
-    """Close the loop on a raw file that was analysed."""
-    measurement = analysed.measurement
-    return Traced(
-        **vars(analysed),
-        loop=close_loop(measurement.observations, measurement.uncertainty, measurement.reference_temperature_degc),
-    )
 
 
 def store(traced: Traced, folder: Path) -> Record:
@@ -149,6 +74,7 @@ def write_report(
         revision=revision,
         loop=traced.loop,
         chain=chain,
+        contradictions=contradictions_of(traced),
     )
     write_text(path, page)
 
@@ -161,6 +87,8 @@ class Calibrated:
     record: Record
     recording: Path
     report: Path
+    learned: Learned
+    """What the run says of its stand."""
 
 
 def calibrate(
@@ -208,15 +136,16 @@ def conclude(recording: Path, folder: Path, tell: Callable[[str], None] = lambda
         What went wrong; the recording is kept.
     """
     tell("fitting")
-    analysed = fit(read_measurement(recording), folder=folder)
+    analysed = fit(with_stand_record(read_measurement(recording), folder), folder=folder)
     tell("tracing")
     traced = trace(analysed)
     tell("storing")
     record = store(traced, folder)
+    learned = learn(traced, folder)
     tell("reporting")
     report = report_path(folder, record)
     try:
         write_report(traced, report, record.id, record.revision)
     except JobError as error:
         raise JobError(f"{error}; record {record.id} of {recording} is stored", error.status) from error
-    return Calibrated(analysed=traced, record=record, recording=recording, report=report)
+    return Calibrated(analysed=traced, record=record, recording=recording, report=report, learned=learned)

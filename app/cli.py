@@ -18,6 +18,7 @@ _COMMANDS = {
     "close-loop": "Trace what the declared model leaves of a recording or a table to its causes.",
     "report": "Write the report of a recording, a table or a stored record.",
     "records": "List, show, compare, export and verify stored calibrations.",
+    "stand": "List, show, learn and verify what is known of stands.",
     "export": "Write the observation table of a recording.",
 }
 """Name of every command with the sentence that `--help` says of it; each is `app.commands.NAME:command` (_ for -)."""

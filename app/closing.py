@@ -9,11 +9,12 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from app.acting import AtStand, DeclinedError, prepare, run_experiment
+from app.analysing import Traced, fit
 from app.available import Available, available, programme_of, warms
-from app.calibrating import Traced, fit
 from app.joining import read_together
 from app.measurements import Measurement, read_measurement
 from app.running import Job
+from app.stand_records import with_stand_record
 from calibrations.tracing.chain import FUTILE, Chain, Ended, Link, cannot, cheapest, experiments_for, stage_of
 from calibrations.tracing.experiments import Experiment
 from calibrations.tracing.loop import Explained, explain
@@ -70,7 +71,7 @@ def begin(files: Sequence[Path], at: AtStand) -> Closing:
 
 def _begun(files: Sequence[Path], at: AtStand) -> Closing:
     """What a first measurement says; several files are taken together."""
-    measurement = read_together(files, at.stand.recorded)
+    measurement = with_stand_record(read_together(files, at.stand.recorded), at.folder)
     if measurement.header and measurement.header.serial_number != at.serial_number:
         raise InputError(
             f"{measurement.path}: holds unit {measurement.header.serial_number}, and {at.serial_number} is to be "
@@ -92,7 +93,8 @@ def _begun(files: Sequence[Path], at: AtStand) -> Closing:
 def follow(closing: Closing, experiment: Experiment, recording: Path, stand_time_s: float, at: AtStand) -> Closing:
     """What everything says together once an experiment was run. Raises `InputError`."""
     files = (*closing.files, recording)
-    traced, explained = _explained(read_together(files, at.stand.recorded), at.serial_number)
+    measurement = with_stand_record(read_together(files, at.stand.recorded), at.folder)
+    traced, explained = _explained(measurement, at.serial_number)
     link = Link(
         experiment=experiment,
         recording=str(recording),
@@ -192,7 +194,7 @@ def _explained(measurement: Measurement, serial_number: str) -> tuple[Traced, Ex
     measurement = analysed.measurement
     uncertainty, reference_degc = measurement.uncertainty, measurement.reference_temperature_degc
     loop, explained = explain(measurement.observations, uncertainty, reference_degc)
-    return Traced(**vars(analysed), loop=loop), explained
+    return Traced(**vars(analysed), loop=loop, explained=explained), explained
 
 
 def _with_plan(traced: Traced, planned: tuple[Experiment, ...]) -> Traced:

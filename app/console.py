@@ -9,10 +9,10 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn
 from rich.table import Table
 
-from app.calibrating import Analysed
+from app.analysing import Analysed
 from calibrations.quantities import format_concise, format_freedom, format_interval, format_number, format_probability
 from calibrations.result import Calibration, Parameter
-from calibrations.support import support
+from calibrations.support import series, support
 from drivers.clock import Clock
 from procedures.announcer import Listener
 from procedures.events import (
@@ -109,6 +109,9 @@ def show_result(analysed: Analysed, console: Console | None = None) -> None:
     console = console or results()
     calibration = analysed.calibration
     console.print(_parameter_table(analysed))
+    if record := calibration.stand_record:
+        on = f"{record.identity.stand}, learned from {series(record.units)}"
+        console.print(f"corrected by stand record {record.version} of {on}", markup=False)
     for line in _adequacy_lines(calibration):
         console.print(line, markup=False)
     for statement in support(calibration):

@@ -1,7 +1,7 @@
 """Raw files, recordings and tables alike, as what the analysis needs of them."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -16,8 +16,10 @@ from calibrations.observations import Observations
 from calibrations.provenance import LimitCheck, Provenance
 from calibrations.records.raw import file_sha256, stored_path
 from calibrations.result import Calibration
+from calibrations.stand_records.record import StandRecord
 from calibrations.table import TableError, read_table
 from procedures.errors import InputError
+from procedures.events import Identified
 from procedures.programme import Programme, programme_from_text
 from procedures.recording.errors import RecordingError
 from procedures.recording.header import Header
@@ -36,18 +38,28 @@ class Measurement:
     """None for a table."""
     others: tuple["Measurement", ...] = ()
     """Further files whose rows are in `observations` too."""
+    serials: Mapping[str, str] = field(default_factory=dict)
+    """What head and DAQ said of themselves when they were identified."""
+    stand_record: StandRecord | None = None
+    """What the rows were corrected by."""
 
     @property
     def uncertainty(self) -> StandUncertainty:
         """What the stand adds to the budget; nothing where there is no stand file. Raises `InputError`."""
         file = self._stand_file
-        return file.uncertainty if file else StandUncertainty()
+        return replace(file.uncertainty if file else StandUncertainty(), record=self.stand_record)
 
     @property
     def reference_temperature_degc(self) -> float:
         """Temperature to which parameters refer; 23 °C where there is no stand file. Raises `InputError`."""
         file = self._stand_file
         return (file.site if file else Site()).reference_temperature_degc
+
+    @property
+    def uses_stand_record(self) -> bool:
+        """Whether its stand file wants stored corrections to be applied. Raises `InputError`."""
+        file = self._stand_file
+        return file is not None and file.stand_record.use
 
     @property
     def _stand_file(self) -> RecordedStand | None:
@@ -112,6 +124,7 @@ def _read_recording(path: Path, stand: Mapping[str, Any] | None) -> Measurement:
         observations=observations(recording),
         stand=header.stand if stand is None else stand,
         header=header,
+        serials={event.instrument: event.serial for event in recording.events if isinstance(event, Identified)},
     )
 
 

@@ -4,14 +4,17 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from app.calibrating import fit, report_path, standing_record, trace, write_report
+from app.analysing import fit, trace
+from app.calibrating import report_path, standing_record, write_report
 from app.identity import program_identity
 from app.measurements import Measurement, read_measurement
-from calibrations.records.errors import StoreError
+from app.stand_records import corrected_by
+from calibrations.records.errors import RecordError, StoreError
 from calibrations.records.raw import file_sha256
 from calibrations.records.record import Record
 from calibrations.records.store import Store
 from calibrations.records.verify import Verification, verify
+from calibrations.stand_records.store import StandRecords
 from procedures.errors import InputError
 
 
@@ -27,7 +30,8 @@ def recall(folder: Path, record_id: str) -> tuple[Record, Measurement]:
     """A record, by the beginning of its id, with its raw file. Raises `InputError`, `RecordError`, `StoreError`."""
     store = open_store(folder)
     record = store.get(record_id)
-    return record, read_measurement(store.raw_file(record), record.provenance.stand)
+    measurement = read_measurement(store.raw_file(record), record.provenance.stand)
+    return record, _as_corrected(measurement, record, folder)
 
 
 def record_of(recording: Path, serial_number: str, folder: Path) -> Record | None:
@@ -49,8 +53,20 @@ def report_again(folder: Path, record_id: str, path: Path | None = None) -> Path
 
 def verify_record(store: Store, record: Record) -> Verification:
     """Hash again, fit again from the raw file, compare."""
-    return verify(record, store, _refit, program_identity().version)
+
+    def refit(path: Path, stand: Mapping[str, Any]) -> dict[str, Any]:
+        measurement = _as_corrected(read_measurement(path, stand), record, store.folder)
+        return trace(fit(measurement, trials=0)).as_json()
+
+    return verify(record, store, refit, program_identity().version)
 
 
-def _refit(path: Path, stand: Mapping[str, Any]) -> dict[str, Any]:
-    return trace(fit(read_measurement(path, stand), trials=0)).as_json()
+def _as_corrected(measurement: Measurement, record: Record, folder: Path) -> Measurement:
+    """The measurement with the stand record that was applied when it was calibrated, and no other."""
+    applied = record.result.get("stand_record")
+    if applied is None:
+        return measurement
+    stand_record = StandRecords(folder).get(applied["id"])
+    if stand_record.content_sha256 != applied["content_sha256"] or not stand_record.intact:
+        raise RecordError(f"{folder}: stand record {stand_record.version} is not the one that was applied; restore it")
+    return corrected_by(stand_record, measurement)

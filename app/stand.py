@@ -8,7 +8,7 @@ from datetime import date
 from hashlib import sha256
 from importlib.resources import files
 from pathlib import Path
-from typing import Any, Literal, Self
+from typing import Any, Self
 
 from pydantic import BaseModel, ConfigDict, Field, create_model, model_validator
 
@@ -54,7 +54,7 @@ class StandRecordTable(BaseModel):
 
     model_config = _STRICT
 
-    use: Literal[False] = False
+    use: bool = False
 
 
 class StandFile(BaseModel):

@@ -45,7 +45,7 @@ def analyse(observations: Observations, stand: StandUncertainty | None = None, t
 def assess(fitted: Joint, stand: StandUncertainty, trials: int = TRIALS) -> Calibration:
     """What a joint fit says of the parameters; further columns in it are taken into account."""
     verdicts = identify(fitted)
-    listed = sources(fitted.observations, fitted.slope_v_per_deg, stand)
+    listed = sources(fitted.scene, stand)
     type_a = covariance(fitted.compressed, fitted.fit, fitted.profile, fitted.noise.used_v**2)
     type_b = {source.name: _spread(fitted, source) for source in listed}
     combined = type_a + sum(type_b.values(), start=np.zeros_like(type_a))
@@ -69,6 +69,7 @@ def assess(fitted: Joint, stand: StandUncertainty, trials: int = TRIALS) -> Cali
         monte_carlo=_by_name(_simulate(fitted, listed, trials), told) if trials else {},
         per_acceleration=_per_acceleration(parameters, stand.gravity) if stand.gravity else {},
         warnings=(*fitted.observations.warnings, *_doubts(fitted)),
+        stand_record=stand.record,
     )
 
 

@@ -5,10 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from calibrations.effects.scene import Scene
 from calibrations.geometry import FloatArray
 from calibrations.gravity import Gravity
-from calibrations.observations import Observations
 from calibrations.repeats import mountings, settings
+from calibrations.stand_records.record import StandRecord
 
 _ARCSEC_DEG = 1.0 / 3600.0
 
@@ -27,6 +28,8 @@ class StandUncertainty:
     """Common to all readings, in volts."""
     gravity: Gravity | None = None
     """Local gravity; it enters the coefficients per m/s² only."""
+    record: StandRecord | None = None
+    """What the rows were corrected by."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -40,11 +43,9 @@ class Source:
     """One column per independent error, shape (rows, errors): what one standard uncertainty of it does to each row."""
 
 
-def sources(observations: Observations, slope_v_per_deg: FloatArray, stand: StandUncertainty) -> tuple[Source, ...]:
-    """Sources of type B with a size above zero.
-
-    `slope_v_per_deg`, shape (rows,), is the change of the output with the head angle.
-    """
+def sources(scene: Scene, stand: StandUncertainty) -> tuple[Source, ...]:
+    """Sources of type B with a size above zero, for the rows of a scene."""
+    observations, slope_v_per_deg = scene.observations, scene.slope_v_per_deg
     settled = settings(np.mod(observations.angle_deg, 360.0))
     listed = (
         Source(
@@ -67,8 +68,21 @@ def sources(observations: Observations, slope_v_per_deg: FloatArray, stand: Stan
             symbol=f"{stand.daq_offset_v * 1e6:g} µV",
             errors_v=np.full((len(observations), 1), stand.daq_offset_v),
         ),
+        *((_recorded(scene, stand.record),) if stand.record else ()),
     )
     return tuple(source for source in listed if np.any(source.errors_v))
+
+
+def _recorded(scene: Scene, record: StandRecord) -> Source:
+    """What is not known of the corrections: as many independent errors as they have coefficients."""
+    corrections = record.corrections
+    values, vectors = np.linalg.eigh(corrections.covariance)
+    independent = vectors * np.sqrt(np.maximum(values, 0.0))
+    return Source(
+        name=f"stand record {record.version}",
+        symbol=f"{len(corrections.values)} coefficients of {len(corrections.terms)} terms, correlated",
+        errors_v=corrections.columns_v(scene) @ independent,
+    )
 
 
 def _shared(errors_v: FloatArray, groups: NDArray[np.int64]) -> FloatArray:

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from calibrations.adequacy import LackOfFit, lack_of_fit
 from calibrations.compression import Compressed, Whiten, compress, unchanged
+from calibrations.effects.scene import Scene
 from calibrations.fit import Alpha0Profile, JointFit, alpha0_profile, coverage_factor, fit_given_alpha0, joint_fit
 from calibrations.geometry import FloatArray
 from calibrations.gross import gross_errors
@@ -56,6 +57,17 @@ class Joint:
     def slope_v_per_deg(self) -> FloatArray:
         """Change of the output with the head angle at each row, shape (rows,)."""
         return np.asarray(self.basis @ coefficients_jacobian(self.fit.theta)[:, ALPHA0])
+
+    @property
+    def scene(self) -> Scene:
+        """The rows as effects see them once all that was fitted is known."""
+        return Scene(
+            observations=self.observations,
+            alpha0_deg=float(self.fit.theta[ALPHA0]),
+            output_v=np.asarray(self.basis @ coefficients(self.fit.theta)),
+            slope_v_per_deg=self.slope_v_per_deg,
+            response_v_per_g=self.fit.theta[1:4],
+        )
 
 
 def fit_jointly(observations: Observations) -> Joint:

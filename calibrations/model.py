@@ -30,8 +30,8 @@ def basis(observations: Observations) -> FloatArray:
     1; then each projection at alpha0 = 0 and the same a quarter turn further on; then the three products by which
     ax ay turns with alpha0.
     """
-    p = projections(observations.mounts, observations.angle_deg)
-    q = projections(observations.mounts, observations.angle_deg + 90.0)
+    p = projections(observations.mounts, observations.true_angle_deg)
+    q = projections(observations.mounts, observations.true_angle_deg + 90.0)
     return np.column_stack(
         [
             np.ones(len(observations)),

@@ -53,6 +53,8 @@ class Observations:
     samples: NDArray[np.int64] | None = None
     run: NDArray[np.int64] | None = None
     """Number of the run of each row, from 0, where several were joined: the unit was seated anew for each."""
+    correction_deg: FloatArray | None = None
+    """What a stand record adds to the reported angle, in degrees."""
     extra: Mapping[str, FloatArray | NDArray[np.str_]] = field(default_factory=dict)
     """Columns that the contract does not know, kept as covariates."""
     set_aside: tuple[SetAside, ...] = ()
@@ -78,6 +80,11 @@ class Observations:
         if self.voltage_v is None:
             raise ValueError(f"{self.source}: there is no column voltage_V; a calibration needs the unit's output")
         return self.voltage_v
+
+    @property
+    def true_angle_deg(self) -> FloatArray:
+        """Head angle as far as it is known: as reported, and corrected where a stand record says by how much."""
+        return self.angle_deg if self.correction_deg is None else self.angle_deg + self.correction_deg
 
     @property
     def mounts(self) -> NDArray[np.str_]:
@@ -124,5 +131,6 @@ ARRAY_COLUMNS = (
     "voltage_sd_v",
     "samples",
     "run",
+    "correction_deg",
 )
 """The fields of `Observations` that hold one value per row."""

@@ -10,6 +10,7 @@ from calibrations.joint import Noise
 from calibrations.model import UNITS
 from calibrations.observations import Observations, SetAside
 from calibrations.published import PublishedValue
+from calibrations.stand_records.record import StandRecord
 
 SCHEMA = "tumble.fit/1"
 
@@ -108,6 +109,8 @@ class Calibration:
     per_acceleration: Mapping[str, PerAcceleration]
     """Empty where local gravity is not known."""
     warnings: tuple[str, ...]
+    stand_record: StandRecord | None = None
+    """What the rows were corrected by."""
 
     def as_json(self) -> dict[str, Any]:
         """The result as `tumble.fit/1`."""
@@ -139,7 +142,7 @@ class Calibration:
                 for name, c in self.per_acceleration.items()
             },
             "warnings": list(self.warnings),
-        }
+        } | ({"stand_record": self.stand_record.reference} if self.stand_record else {})
 
 
 def rows_json(observations: Observations) -> dict[str, Any]:

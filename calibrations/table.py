@@ -1,7 +1,7 @@
 """Reads and writes observation tables (CSV: UTF-8, comma, one header line, decimal point, `#` lines ignored)."""
 
 import csv
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -49,8 +49,7 @@ def read_table(path: Path) -> Observations:
         Missing, unreadable or malformed file: one sentence with file, line, column and remedy.
     """
     text, warnings = _read_text(path)
-    header, rows = _split(text, path)
-    _check_header(header, path)
+    header, rows = _split(text, path, _check_header)
     columns = {name: _column(name, index, rows, path) for index, name in enumerate(header)}
     known: dict[str, Any] = {FIELDS[name]: values for name, values in columns.items() if name in FIELDS}
     return set_aside_bad_rows(
@@ -66,17 +65,19 @@ def read_table(path: Path) -> Observations:
 
 def read_lines(path: Path) -> tuple[list[str], list[tuple[int, list[str]]]]:
     """Header of any table of this format, and number and cells of each of its rows. Raises `TableError`."""
-    header, rows = _split(_read_text(path)[0], path)
-    _check_names(header, path)
-    return header, rows
+    return _split(_read_text(path)[0], path, _check_names)
 
 
-def _split(text: str, path: Path) -> tuple[list[str], list[tuple[int, list[str]]]]:
+def _split(
+    text: str, path: Path, check: Callable[[list[str], Path], None]
+) -> tuple[list[str], list[tuple[int, list[str]]]]:
+    """The header, once it was checked, and what is below it."""
     lines = _records(text, path)
     try:
         _, header = next(lines)
     except StopIteration:
         raise TableError(f"{path}: the file is empty; expected a header line and one row per dwell") from None
+    check(header, path)
     rows = list(lines)
     if not rows:
         raise TableError(f"{path}: there is a header but no row; expected one row per dwell")

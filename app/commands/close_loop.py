@@ -9,7 +9,8 @@ from pathlib import Path
 import click
 
 from app.acting import AtStand, measure
-from app.calibrating import Traced, fit, trace, write_report
+from app.analysing import Traced, fit, trace
+from app.calibrating import write_report
 from app.closing import MOST_EXPERIMENTS, Closing, act, begin
 from app.commands import options
 from app.commands.measuring import Wanted, may_measure
@@ -17,11 +18,13 @@ from app.console import messages, run_display, warn
 from app.exits import Exit
 from app.files import is_recording
 from app.joining import read_together
+from app.learning import contradictions_of, learn
 from app.loop_console import show_loop, tell_closing
 from app.measurements import read_measurement
 from app.other_tables import close_other_loop
 from app.running import Job
 from app.stand import load_stand
+from app.stand_records import with_stand_record
 from calibrations.montecarlo import TRIALS
 from calibrations.tracing.chain import Chain
 from calibrations.tracing.document import document
@@ -64,20 +67,23 @@ def command(
         options.write_json(other, json_path)
         return
     if files and not most:
-        _tell(_traced(files, wanted, page), None, json_path, page)
+        _tell(_traced(files, wanted, folder, page), None, json_path, page)
         return
     closing = _closed(wanted, files, MOST_EXPERIMENTS if most is None else most, folder)
     traced = closing.traced
+    for sentence in learn(traced, folder).sentences:
+        messages().print(sentence, markup=False, soft_wrap=True)
     if page:
         calibration = fit(traced.measurement, wanted.serial_number, TRIALS).calibration
         traced = replace(traced, calibration=calibration)
     _tell(traced, closing.chain, json_path, page)
 
 
-def _traced(files: tuple[Path, ...], wanted: Wanted, page: Path | None) -> Traced:
+def _traced(files: tuple[Path, ...], wanted: Wanted, folder: Path, page: Path | None) -> Traced:
     """What files say, without a stand to ask."""
     stand = load_stand(wanted.stand_path).recorded if wanted.stand_path else None
-    return trace(fit(read_together(files, stand), wanted.serial_number, trials=TRIALS if page else 0))
+    measurement = with_stand_record(read_together(files, stand), folder)
+    return trace(fit(measurement, wanted.serial_number, trials=TRIALS if page else 0))
 
 
 def _closed(wanted: Wanted, files: tuple[Path, ...], most: int, folder: Path) -> Closing:
@@ -130,6 +136,7 @@ def _tell(traced: Traced, chain: Chain | None, json_path: Path | None, page: Pat
     warn(traced.loop.augmented.warnings)
     if str(json_path) != "-":
         show_loop(traced.loop)
+    warn(contradictions_of(traced))
     options.write_json(document(traced.loop) | (chain.as_json() if chain else {}), json_path)
     if page is not None:
         write_report(traced, page, chain=chain)

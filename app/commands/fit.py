@@ -4,12 +4,14 @@ from pathlib import Path
 
 import click
 
-from app.calibrating import fit, store, trace
+from app.analysing import fit, trace
+from app.calibrating import store
 from app.commands import options
 from app.console import messages, show_result, warn
 from app.exits import Exit
 from app.measurements import read_measurement
 from app.stand import load_stand
+from app.stand_records import with_stand_record
 
 
 @click.command("fit")
@@ -23,6 +25,7 @@ def command(
 ) -> None:
     """Fit a recording (.mcap) or an observation table (CSV)."""
     measurement = read_measurement(file, load_stand(stand_path).recorded if stand_path else None)
+    measurement = with_stand_record(measurement, folder)
     analysed = fit(measurement, serial_number, folder=folder)
     warn(analysed.calibration.warnings)
     if str(json_path) != "-":

@@ -4,11 +4,13 @@ from pathlib import Path
 
 import click
 
-from app.calibrating import fit, trace, write_report
+from app.analysing import fit, trace
+from app.calibrating import write_report
 from app.commands import options
 from app.measurements import read_measurement
 from app.recall import report_again
 from app.stand import load_stand
+from app.stand_records import with_stand_record
 
 
 @click.command("report")
@@ -22,6 +24,7 @@ def command(file_or_record: str, out: Path | None, stand_path: Path | None, seri
     path = Path(file_or_record)
     if path.is_file() or path.suffix:  # an id has none
         measurement = read_measurement(path, load_stand(stand_path).recorded if stand_path else None)
+        measurement = with_stand_record(measurement, folder)
         page = out or path.with_suffix(".html")
         write_report(trace(fit(measurement, serial_number)), page)
     else:

@@ -24,6 +24,8 @@ def tell_calibrated(done: Calibrated, json_path: Path | None) -> None:
         show_result(done.analysed)
         show_loop(done.analysed.loop)
     messages().print(f"recording {done.recording}\nrecord    {done.record.id}\nreport    {done.report}", soft_wrap=True)
+    for sentence in done.learned.sentences:
+        messages().print(sentence, markup=False, soft_wrap=True)
     left = {"record": done.record.id, "recording": str(done.recording), "report": str(done.report)}
     write_json(done.analysed.as_json() | left, json_path)
     if not done.analysed.inside:

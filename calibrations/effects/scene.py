@@ -38,7 +38,7 @@ class Scene:
     @cached_property
     def gravity_g(self) -> FloatArray:
         """Projections ax, ay, az, shape (rows, 3)."""
-        return projections(self.observations.mounts, self.observations.angle_deg + self.alpha0_deg)
+        return projections(self.observations.mounts, self.observations.true_angle_deg + self.alpha0_deg)
 
     @cached_property
     def ax_g(self) -> FloatArray:
@@ -108,7 +108,7 @@ class Scene:
     @cached_property
     def _ax_on_the_way(self) -> list[list[float]]:
         """Ax at every turning point between the pose before and each pose, and at the pose itself."""
-        mounts, angle_deg = self.observations.mounts, self.angle_deg + self.alpha0_deg
+        mounts, angle_deg = self.observations.mounts, self.observations.true_angle_deg + self.alpha0_deg
         fine = np.linspace(0.0, 1.0, _STEPS)
         before_deg = np.where(self._remounted, angle_deg, np.roll(angle_deg, 1))
         way_deg = before_deg[:, None] + (angle_deg - before_deg)[:, None] * fine

@@ -4,7 +4,7 @@ The JSON columns of `records` hold everything; the other columns, and the table 
 queries and for trends over units and time. Times are UTC as ISO 8601 texts (see `times`).
 """
 
-from sqlalchemy import JSON, Boolean, Column, Double, ForeignKey, Integer, MetaData, String, Table
+from sqlalchemy import JSON, Boolean, Column, Double, ForeignKey, Integer, MetaData, String, Table, UniqueConstraint
 
 from calibrations.records.immutability import protect
 
@@ -61,5 +61,21 @@ PARAMETERS = Table(
     Column("reason", String, nullable=False),
 )
 
+STAND_RECORDS = Table(
+    "stand_records",
+    METADATA,
+    Column("id", String, primary_key=True),
+    Column("stand", String, nullable=False),
+    Column("head", String, nullable=False),
+    Column("daq", String, nullable=False),
+    Column("version", Integer, nullable=False),
+    Column("status", String, nullable=False),
+    Column("content", JSON, nullable=False),
+    Column("content_sha256", String, nullable=False),
+    UniqueConstraint("stand", "head", "daq", "version"),
+)
+"""What is known of the stands. It came later: a store without it gets it with its first stand record."""
+
 protect(RECORDS, keys=(("id",), ("supersedes",)))
 protect(PARAMETERS, keys=(("record_id", "model", "name"),))
+protect(STAND_RECORDS, keys=(("id",), ("stand", "head", "daq", "version")))

@@ -12,6 +12,7 @@ from calibrations.report import evidence, uncertainty
 from calibrations.report.loop import closed_loop
 from calibrations.report.origin import origin
 from calibrations.report.results import header, results
+from calibrations.report.stand import corrections_of_the_stand
 from calibrations.report.subject import Subject
 from calibrations.result import Calibration
 from calibrations.tracing.chain import Chain
@@ -43,6 +44,7 @@ SECTIONS = (
     Section(anchor="results", title="Results", content=results),
     Section(anchor="support", title="What this experiment could support", content=evidence.supported),
     Section(anchor="loop", title="What the model left unexplained", content=closed_loop),
+    Section(anchor="stand", title="Corrections of the stand", content=corrections_of_the_stand),
     Section(anchor="fit", title="Fit", content=evidence.fit),
     Section(anchor="residuals", title="Residuals", content=evidence.residuals),
     Section(anchor="closure", title="Closure of the flips", content=evidence.closure),
@@ -64,6 +66,7 @@ def render_report(
     revision: int = 1,
     loop: Loop | None = None,
     chain: Chain | None = None,
+    contradictions: Sequence[str] = (),
 ) -> str:
     """One HTML page that needs nothing else: style and plots are inside, there is no script.
 
@@ -85,6 +88,8 @@ def render_report(
         The loop closed on the same table; None where it was not.
     chain
         The experiments that were run for that; None where it was closed on what was there.
+    contradictions
+        Where the loop contradicts the stand record that was applied, in words.
     """
     subject = Subject(
         calibration=calibration,
@@ -94,6 +99,7 @@ def render_report(
         revision=revision,
         loop=loop,
         chain=chain,
+        contradictions=tuple(contradictions),
     )
     bodies = [(section, section.render(subject)) for section in SECTIONS]
     return _TEMPLATES.get_template("page.html.j2").render(subject=subject, sections=bodies, **header(subject))

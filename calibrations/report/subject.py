@@ -22,6 +22,8 @@ class Subject:
     """None where the loop was not closed."""
     chain: Chain | None = None
     """None where nothing was run to close it."""
+    contradictions: tuple[str, ...] = ()
+    """Where the loop contradicts the stand record that was applied."""
 
     @property
     def told(self) -> tuple[Parameter, ...]:

@@ -62,7 +62,11 @@ def close_loop(
     ValueError
         No voltage, or no usable row.
     """
-    loop, explained = explain(observations, stand, reference_temperature_degc, effects)
+    return asked_next(*explain(observations, stand, reference_temperature_degc, effects))
+
+
+def asked_next(loop: Loop, explained: "Explained | None") -> Loop:
+    """What `explain` gives, with what to measure next."""
     if explained is None:
         return loop
     return replace(loop, next_experiment=next_experiments(explained.base, explained.trace, explained.close))

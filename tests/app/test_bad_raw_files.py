@@ -6,7 +6,7 @@ import pytest
 from app_jobs import tumble
 from mcap.reader import make_reader
 
-from app.calibrating import fit
+from app.analysing import fit
 from app.measurements import read_measurement
 from procedures.errors import InputError
 

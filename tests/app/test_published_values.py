@@ -3,7 +3,7 @@
 import pytest
 from app_jobs import tumble
 
-from app.calibrating import fit
+from app.analysing import fit
 from app.measurements import read_measurement
 
 PUBLISHED = {"u0": 2.5, "kx": 1.0, "ky": 0.0098, "kz": 0.002, "kxy": 0.001, "alpha0": 0.1121}

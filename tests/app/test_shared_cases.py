@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from app.calibrating import fit
+from app.analysing import fit
 from app.measurements import read_measurement
 
 NAMES = ("u0", "kx", "ky", "kz", "kxy", "alpha0")

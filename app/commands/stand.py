@@ -1,0 +1,153 @@
+"""`tumble stand`: list, show, learn, verify what is known of stands."""
+
+from pathlib import Path
+
+import click
+import numpy as np
+from rich.table import Table
+
+from app.analysing import fit, trace
+from app.commands import options
+from app.console import results
+from app.exits import Exit
+from app.learning import learn
+from app.measurements import read_measurement
+from app.rederiving import Rederivation
+from app.stand import load_stand
+from app.stand_records import list_stand_records
+from calibrations.quantities import format_number
+from calibrations.records.verify import TOLERANCE
+from calibrations.stand_records.corrections import Corrections
+from calibrations.stand_records.head_map import HeadMap
+from calibrations.stand_records.record import StandRecord, document
+from calibrations.support import equals, series
+from procedures.errors import InputError
+
+_ARCSEC = 3600.0
+
+
+@click.group("stand")
+def command() -> None:
+    """List, show, learn and verify what is known of stands: head map, axis tilt, errors of the voltmeter."""
+
+
+@command.command("list")
+@options.store
+@options.json_out
+def list_command(folder: Path, json_path: Path | None) -> None:
+    """List the stand records of a store, each stand's in the order of their versions."""
+    found = list_stand_records(folder)
+    if str(json_path) != "-":
+        results().print(_listing(found))
+    options.write_json({"schema": "tumble.stand-records/1", "records": [document(r) for r in found]}, json_path)
+
+
+def _listing(found: tuple[StandRecord, ...]) -> Table:
+    table = Table("stand", "version", "head", "DAQ", "status", "units", "what", "made")
+    for record in found:
+        what = series(list(dict.fromkeys(term.effect for term in record.corrections.terms)))
+        key = record.identity
+        made, units = f"{record.created_at:%Y-%m-%d %H:%M}", series(record.units)
+        table.add_row(key.stand, str(record.version), key.head, key.daq, record.status, units, what, made)
+    return table
+
+
+@command.command("show")
+@click.argument("name")
+@click.option("--version", type=click.IntRange(min=1), help="Which version; the newest one without.")
+@options.store
+@options.json_out
+def show(name: str, version: int | None, folder: Path, json_path: Path | None) -> None:
+    """Show what is known of a stand, by the name in its stand file; of several heads, the one known last."""
+    found = [record for record in list_stand_records(folder, name) if version in (None, record.version)]
+    if not found:
+        which = f"no stand record {version}" if version else "no stand record"
+        raise InputError(f"{folder}: there is {which} of {name}; list them with tumble stand list")
+    record = max(found, key=lambda each: each.created_at)
+    if str(json_path) != "-":
+        click.echo("\n".join(_lines(record)))
+    options.write_json(document(record), json_path)
+
+
+def _lines(record: StandRecord) -> list[str]:
+    agreement = "" if record.agreement_p is None else f", the units agree (p {equals(record.agreement_p)})"
+    lines = [
+        f"record     {record.id}, version {record.version}, {record.status}{agreement}",
+        f"stand      {record.identity.stand}, head {record.identity.head}, DAQ {record.identity.daq}",
+        *(
+            f"unit       {unit.serial_number}  {path}  {sha256[:12]}"
+            for unit in record.contributions
+            for path, sha256 in zip(unit.raw_paths, unit.raw_sha256, strict=True)
+        ),
+        *(f"  {record.corrections.text(term)}" for term in record.corrections.terms),
+    ]
+    head_map = record.corrections.head_map
+    return [*lines, *(_map_lines(head_map) if head_map else [])]
+
+
+def _map_lines(head_map: HeadMap) -> list[str]:
+    """The map every 30 degrees, in seconds of arc."""
+    angle_deg = np.arange(0.0, 360.0, 30.0)
+    error, uncertainty = head_map.error_deg(angle_deg), head_map.standard_uncertainty_deg(angle_deg)
+    rows = zip(angle_deg, error * _ARCSEC, uncertainty * _ARCSEC, strict=True)
+    return [
+        f"head map   true - reported, {format_number(head_map.rms_deg * _ARCSEC)}″ r.m.s., after moves in + direction",
+        *(f"  {angle:5.0f}°  {value:8.2f}″ ± {u:.2f}″" for angle, value, u in rows),
+    ]
+
+
+@command.command("learn")
+@click.argument("files", metavar="FILE...", nargs=-1, required=True, type=options.EXISTING)
+@click.option("--stand", "stand_path", type=options.EXISTING, help="Stand file, for tables.")
+@click.option("--serial", "serial_number", default="", help="Serial number of the unit, where a file does not say.")
+@options.store
+def learn_command(files: tuple[Path, ...], stand_path: Path | None, serial_number: str, folder: Path) -> None:
+    """Hold recordings or tables, each of one unit, one after the other against what is known of their stand.
+
+    A first unit gives a provisional record. Once a second one agrees, both give a record in force.
+    """
+    stand = load_stand(stand_path).recorded if stand_path else None
+    for file in files:
+        measurement = read_measurement(file, stand)
+        if not measurement.stand:
+            raise InputError(f"{file}: does not say on which stand it was measured; give the stand file with --stand")
+        traced = trace(fit(measurement, serial_number, trials=0, folder=folder))
+        learned = learn(traced, folder)
+        for sentence in learned.sentences or (f"{file}: nothing of its stand is to be learned that is not known",):
+            click.echo(sentence)
+
+
+@command.command("verify")
+@click.argument("names", nargs=-1)
+@options.store
+def verify(names: tuple[str, ...], folder: Path) -> None:
+    """Verify stand records, of these stands or of all: hash record and raw files, derive them again, compare."""
+    records = [record for record in list_stand_records(folder) if not names or record.identity.stand in names]
+    again, failed = Rederivation(folder), 0
+    for record in records:
+        problem = _problem(record, again)
+        failed += bool(problem)
+        words = f"NOT VERIFIED: {problem}" if problem else "verified"
+        click.echo(f"{record.identity.stand} {record.version} ({record.id}): {words}")
+    click.echo(f"{len(records) - failed} of {len(records)} stand records come back from their raw files")
+    if failed:
+        raise SystemExit(int(Exit.BAD_INPUT))
+
+
+def _problem(record: StandRecord, rederivation: Rederivation) -> str:
+    """What keeps a record from being believed; empty where nothing does."""
+    if not record.intact:
+        return "it was altered in the store"
+    again = rederivation.corrections(record)
+    if again is None:
+        return "a raw file is missing or changed"
+    return "" if _alike(record.corrections, again) else "derived again, it does not come back"
+
+
+def _alike(recorded: Corrections, again: Corrections) -> bool:
+    """Every coefficient and its uncertainty to within `TOLERANCE` of the uncertainty."""
+    if again.terms != recorded.terms:
+        return False
+    u, u_again = (np.sqrt(np.diag(each.covariance)) for each in (recorded, again))
+    off = np.maximum(np.abs(again.values - recorded.values), np.abs(u_again - u))
+    return bool(np.all(off <= TOLERANCE * u))

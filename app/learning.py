@@ -1,0 +1,191 @@
+"""What one run says of its stand, held against what the store knows of it."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from app.analysing import Traced
+from app.identity import program_identity
+from app.rederiving import Source, run_of, source_again, source_of
+from app.stand_records import identity_of
+from calibrations.stand_records.agreement import AGREE_P, Agreement, agreement, updated
+from calibrations.stand_records.applying import contradictions
+from calibrations.stand_records.corrections import Corrections, chi_square_p
+from calibrations.stand_records.evidence import doubts
+from calibrations.stand_records.record import Contribution, StandIdentity, StandRecord, Status, validity_of
+from calibrations.stand_records.store import StandRecords
+from calibrations.stand_records.terms import Term
+from calibrations.support import equals, series
+
+_MOST_TRIED = 3
+"""Of the units that said something provisional, so many are asked again, the last ones first."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Learned:
+    """What a run changed in what is known of its stand."""
+
+    sentences: tuple[str, ...]
+    """What was found, in words."""
+    record: StandRecord | None = None
+    """A new version; None where there is nothing new."""
+
+
+def learn(traced: Traced, folder: Path) -> Learned:
+    """Hold what a run says of its stand against the stand records of a store, and add a version where it changes them.
+
+    A run that was corrected by a stand record teaches nothing new: it confirms that record, or contradicts it.
+
+    Raises
+    ------
+    StoreError
+        The store cannot be read or written.
+    """
+    identity = identity_of(traced.measurement)
+    source = source_of(traced, folder)
+    if identity is None or source is None:
+        return Learned(sentences=())
+    if traced.measurement.stand_record is not None:
+        return Learned(sentences=contradictions_of(traced))
+    said = tuple(doubts(source.run))
+    if source.run.objections:
+        reason = f"nothing is learned of stand {identity.stand} from this run: {series(source.run.objections)}"
+        return Learned(sentences=(*said, reason) if source.run.terms else said)
+    learned = _Stand(StandRecords(folder), identity).hear(source)
+    return replace(learned, sentences=(*said, *learned.sentences))
+
+
+def contradictions_of(traced: Traced) -> tuple[str, ...]:
+    """Where a run contradicts the stand record that was applied to it, in words."""
+    run, applied = run_of(traced), traced.measurement.stand_record
+    return () if run is None or applied is None else tuple(contradictions(run, applied))
+
+
+class _Stand:
+    """One stand, and what is known of it."""
+
+    def __init__(self, records: StandRecords, identity: StandIdentity) -> None:
+        self._records = records
+        self._identity = identity
+        self._known = records.find(identity)
+        self._name = f"stand {identity.stand}"
+
+    def hear(self, source: Source) -> Learned:
+        """What a good run changes."""
+        heard = {sha for record in self._known for each in record.contributions for sha in each.raw_sha256}
+        if heard & set(source.contribution.raw_sha256):
+            return Learned(sentences=())
+        in_force = self._records.in_force(self._identity)
+        if in_force is None:
+            return self._compare(source, ())
+        more = source.run.estimate(in_force.corrections.terms)
+        corrections, p_value = updated(in_force.corrections, more)
+        if p_value < AGREE_P:
+            return self._compare(source, tuple(self._against(in_force, more, p_value)))
+        if beyond := in_force.corrections.without_a_place_for(source.run.terms):
+            seen = series([term.label for term in beyond])
+            return self._compare(
+                source, (f"{self._name}: this run sees {seen}, which stand record {in_force.version} does not have",)
+            )
+        if source.contribution.serial_number in in_force.units:
+            return Learned(sentences=(f"{self._name}: this run agrees with stand record {in_force.version}",))
+        contributions = (*in_force.contributions, source.saying(more))
+        return self._in_force(corrections, p_value, contributions, source, in_force)
+
+    def _compare(self, source: Source, said: tuple[str, ...]) -> Learned:
+        """Hold a run against those that said something provisional, each of another unit."""
+        for record in self._provisional(source.contribution.serial_number):
+            other = source_again(record.contributions[0], self._records.folder)
+            if other is None:
+                said += (f"stand record {record.version} is not used: a raw file of it is missing or changed",)
+                continue
+            found = agreement(other.run, source.run)
+            if found.holds:
+                contributions = (other.saying(found.each[0]), source.saying(found.each[1]))
+                learned = self._in_force(found.corrections, found.p_value, contributions, source, record)
+                return replace(learned, sentences=(*said, *learned.sentences))
+            said += (self._disagreement(record, source, found),)
+        if not source.run.terms:
+            return Learned(sentences=said)
+        estimate = source.run.estimate(source.run.terms)
+        record = self._add(Status.PROVISIONAL, estimate, None, (source.saying(estimate),), source, None)
+        sentence = (
+            f"{self._name}: {_terms(estimate)}: provisional (stand record {record.version}) until another unit agrees"
+        )
+        return Learned(sentences=(*said, sentence), record=record)
+
+    def _provisional(self, serial_number: str) -> Iterator[StandRecord]:
+        """The last provisional record of every other unit since the last one in force, the newest first."""
+        since = max((record.version for record in self._known if record.status is Status.IN_FORCE), default=0)
+        open_ones = [record for record in self._known if record.version > since and serial_number not in record.units]
+        last = {record.units[0]: record for record in open_ones}
+        yield from sorted(last.values(), key=lambda record: -record.version)[:_MOST_TRIED]
+
+    def _in_force(
+        self,
+        corrections: Corrections,
+        p_value: float,
+        contributions: Sequence[Contribution],
+        source: Source,
+        before: StandRecord,
+    ) -> Learned:
+        record = self._add(Status.IN_FORCE, corrections, p_value, contributions, source, before)
+        sentence = (
+            f"{self._name}: units {series(record.units)} agree (p {equals(p_value)}) on "
+            f"{_terms(corrections)}: stand record {record.version} is in force"
+        )
+        return Learned(sentences=(sentence,), record=record)
+
+    def _add(
+        self,
+        status: Status,
+        corrections: Corrections,
+        p_value: float | None,
+        contributions: Sequence[Contribution],
+        source: Source,
+        before: StandRecord | None,
+    ) -> StandRecord:
+        rows = source.run.loop.augmented.observations
+        validity = validity_of(rows, source.contribution.measured_at)
+        return self._records.add(
+            identity=self._identity,
+            status=status,
+            corrections=corrections,
+            contributions=contributions,
+            agreement_p=p_value,
+            validity=validity.together(before.validity) if before else validity,
+            program_version=program_identity().version,
+        )
+
+    def _against(self, record: StandRecord, more: Corrections, p_value: float) -> Iterator[str]:
+        yield (
+            f"{self._name}: this run contradicts stand record {record.version} (p {equals(p_value)}), "
+            "which stays in force; measure another unit, and where the two agree a new record takes its place"
+        )
+        for term in _differing(record.corrections, more):
+            yield f"stand record {record.version} says {record.corrections.text(term)}, this run says {more.text(term)}"
+
+    def _disagreement(self, record: StandRecord, source: Source, found: Agreement) -> str:
+        units = series([record.units[0], source.contribution.serial_number])
+        if not found.corrections.terms:
+            return f"{self._name}: units {units} confirm nothing of each other: nothing is in force on their word"
+        words = "; ".join(
+            f"{found.each[0].text(term)} and {found.each[1].text(term)}" for term in found.corrections.terms
+        )
+        return (
+            f"{self._name}: units {units} disagree (p {equals(found.p_value)}): {words}; nothing is in "
+            "force on their word"
+        )
+
+
+def _differing(known: Corrections, more: Corrections) -> Iterator[Term]:
+    """Terms that two estimates put where they cannot both be."""
+    for term in more.terms:
+        here, there = more.place(term), known.place(term)
+        spread = more.covariance[here, here] + known.covariance[there, there]
+        if chi_square_p(more.values[here] - known.values[there], spread) < AGREE_P:
+            yield term
+
+
+def _terms(corrections: Corrections) -> str:
+    return series([corrections.text(term) for term in corrections.terms])

@@ -1,0 +1,93 @@
+"""Runs on a stand with where they come from, and stand records derived again from them."""
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from app.analysing import Traced, fit, trace
+from app.joining import read_together
+from app.measurements import Measurement
+from calibrations.provenance import Provenance
+from calibrations.records.raw import file_sha256, resolved_path, stored_path
+from calibrations.stand_records.agreement import updated
+from calibrations.stand_records.corrections import Corrections
+from calibrations.stand_records.evidence import Run
+from calibrations.stand_records.record import Contribution, StandRecord
+
+
+@dataclass(frozen=True, kw_only=True)
+class Source:
+    """A run with where it comes from."""
+
+    run: Run
+    contribution: Contribution
+    """Without coefficients."""
+
+    def saying(self, estimate: Corrections) -> Contribution:
+        """The contribution with what the run says alone."""
+        return replace(
+            self.contribution,
+            coefficients=tuple(estimate.values.tolist()),
+            standard_uncertainties=tuple(np.sqrt(np.diag(estimate.covariance)).tolist()),
+        )
+
+
+def run_of(traced: Traced) -> Run | None:
+    """A run as far as its stand is concerned; None where nothing was traced."""
+    if traced.explained is None:
+        return None
+    return Run(loop=traced.loop, explained=traced.explained, uncertainty=traced.measurement.uncertainty)
+
+
+def source_of(traced: Traced, folder: Path) -> Source | None:
+    """The same with where it comes from, paths relative to the folder of the store."""
+    run = run_of(traced)
+    return Source(run=run, contribution=_contribution(traced.measurement, traced.provenance, folder)) if run else None
+
+
+def _contribution(measurement: Measurement, origin: Provenance, folder: Path) -> Contribution:
+    files = (measurement, *measurement.others)
+    return Contribution(
+        serial_number=origin.serial_number,
+        raw_paths=tuple(stored_path(folder, file.path) for file in files),
+        raw_sha256=tuple(file.sha256 for file in files),
+        measured_at=origin.measured_at,
+        stand=measurement.stand,
+        coefficients=(),
+        standard_uncertainties=(),
+    )
+
+
+def source_again(contribution: Contribution, folder: Path) -> Source | None:
+    """A unit's run, traced again from its raw files; None where one of them is missing or changed."""
+    paths = [resolved_path(folder, path) for path in contribution.raw_paths]
+    for path, sha256 in zip(paths, contribution.raw_sha256, strict=True):
+        if not path.is_file() or file_sha256(path) != sha256:
+            return None
+    measurement = read_together(paths, contribution.stand)
+    return source_of(trace(fit(measurement, contribution.serial_number, trials=0)), folder)
+
+
+class Rederivation:
+    """Derives stand records of one store again; a raw file that several rest on is traced once."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        self._traced: dict[tuple[str, ...], Source | None] = {}
+
+    def corrections(self, record: StandRecord) -> Corrections | None:
+        """The corrections of a record from its raw files; None where one of them is missing or changed."""
+        sources = [self._source(contribution) for contribution in record.contributions]
+        runs = [source.run for source in sources if source]
+        if len(runs) < len(sources):
+            return None
+        corrections = runs[0].estimate(record.corrections.terms)
+        for run in runs[1:]:
+            corrections, _ = updated(corrections, run.estimate(record.corrections.terms))
+        return corrections
+
+    def _source(self, contribution: Contribution) -> Source | None:
+        if contribution.raw_sha256 not in self._traced:
+            self._traced[contribution.raw_sha256] = source_again(contribution, self._folder)
+        return self._traced[contribution.raw_sha256]

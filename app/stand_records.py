@@ -1,0 +1,106 @@
+"""Stand records of a store: which one belongs to a measurement, and applying it."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from app.measurements import Measurement
+from calibrations.records.store import DATABASE
+from calibrations.stand_records.applying import corrected
+from calibrations.stand_records.head_map import Curve
+from calibrations.stand_records.record import StandIdentity, StandRecord, Status
+from calibrations.stand_records.store import StandRecords
+from calibrations.tracing.questions import questioned
+from procedures.errors import InputError
+
+
+def identity_of(measurement: Measurement) -> StandIdentity | None:
+    """To which stand a measurement belongs, by its stand file and by what the instruments said; None without one."""
+    if not measurement.stand.get("name"):
+        return None
+    return StandIdentity(
+        stand=str(measurement.stand["name"]),
+        head=_instrument("head", measurement),
+        daq=_instrument("daq", measurement),
+    )
+
+
+def _instrument(name: str, measurement: Measurement) -> str:
+    """Driver and serial number: that of the stand file, or else the one that the instrument gave."""
+    table: Mapping[str, Any] = measurement.stand.get(name, {})
+    serial = table.get("serial") or measurement.serials.get(name, "")
+    return f"{table.get('driver', '')} {serial}".strip()
+
+
+def with_stand_record(measurement: Measurement, folder: Path | None) -> Measurement:
+    """A measurement corrected by the stand record in force, where its stand file wants that.
+
+    Without such a record it stays as it is and a warning says why: what is measured is not lost, and the first runs on
+    a stand are those from which its record is learned.
+
+    Parameters
+    ----------
+    measurement
+        The raw file.
+    folder
+        Store of the stand records; None where there is none.
+
+    Raises
+    ------
+    InputError
+        The stand file in it does not fit.
+    StoreError
+        The store cannot be read.
+    """
+    if not measurement.uses_stand_record or measurement.observations.voltage_v is None:
+        return measurement
+    identity = identity_of(measurement)
+    records = StandRecords(folder) if folder is not None and (folder / DATABASE).is_file() else None
+    record = records.in_force(identity) if records and identity else None
+    if record is None:
+        sentence = f"{measurement.path}: {_why_not(records, identity, folder)}; the run is not corrected"
+        return _warned(measurement, sentence)
+    return corrected_by(record, measurement)
+
+
+def corrected_by(record: StandRecord, measurement: Measurement) -> Measurement:
+    """A measurement corrected by one stand record; what lies beyond its ranges is warned of."""
+    observations = questioned(measurement.observations).observations
+    done = replace(measurement, observations=corrected(observations, record), stand_record=record)
+    beyond = record.validity.exceeded_by(observations)
+    if not beyond:
+        return done
+    return _warned(done, f"{measurement.path}: beyond what stand record {record.version} knows: {', '.join(beyond)}")
+
+
+def _why_not(records: StandRecords | None, identity: StandIdentity | None, folder: Path | None) -> str:
+    if records is None or identity is None:
+        where = f"{folder} holds none" if folder is not None else "no store was named (--store)"
+        return f"its stand file wants the stand record, but {where}"
+    others = [record for record in records.find(stand=identity.stand) if record.status is Status.IN_FORCE]
+    if others:
+        last = others[-1]
+        return (
+            f"stand record {last.version} of {identity.stand} is for head {last.identity.head} and DAQ "
+            f"{last.identity.daq}, the run was made with head {identity.head} and DAQ {identity.daq}: it does not apply"
+        )
+    return f"no stand record of {identity.stand} is in force: two units must agree on one (tumble stand learn)"
+
+
+def _warned(measurement: Measurement, sentence: str) -> Measurement:
+    rows = measurement.observations
+    return replace(measurement, observations=replace(rows, warnings=(*rows.warnings, sentence)))
+
+
+def list_stand_records(folder: Path, stand: str | None = None) -> tuple[StandRecord, ...]:
+    """Stand records of a store, each stand's in the order of their versions. Raises `InputError`, `StoreError`."""
+    if not (folder / DATABASE).is_file():
+        raise InputError(f"{folder}: there is no {DATABASE} in this folder; name the folder of a store")
+    return StandRecords(folder).find(stand=stand)
+
+
+def head_map_curve(record: StandRecord, direction: int = 1, step_deg: float = 1.0) -> Curve | None:
+    """The head map of a record as arrays for a plot, see `HeadMap.curve`; None where it has none."""
+    head_map = record.corrections.head_map
+    return head_map.curve(direction, step_deg) if head_map else None

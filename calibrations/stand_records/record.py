@@ -1,0 +1,198 @@
+"""One stand record: what is known of a stand, from which units, and where it holds."""
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from datetime import datetime
+from enum import StrEnum
+from typing import Any
+
+import numpy as np
+
+from calibrations.observations import Observations
+from calibrations.records.canonical import canonical_sha256, plain
+from calibrations.records.times import read_time, utc_text
+from calibrations.stand_records.corrections import Corrections, corrections_from_json
+
+FORMAT_VERSION = 1
+
+
+class Status(StrEnum):
+    """Whether a record is applied."""
+
+    PROVISIONAL = "provisional"
+    """One unit says so: shown, not applied."""
+    IN_FORCE = "in force"
+    """Units agree on it."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class StandIdentity:
+    """To what a record belongs: another head or another voltmeter at the same stand is another stand."""
+
+    stand: str
+    head: str
+    """Driver and serial number."""
+    daq: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Contribution:
+    """One unit that a record was derived from, and what it says alone."""
+
+    serial_number: str
+    raw_paths: tuple[str, ...]
+    """Its files, relative to the store where they lie inside."""
+    raw_sha256: tuple[str, ...]
+    measured_at: str
+    """Start of the run, ISO 8601; empty where the file does not say."""
+    stand: Mapping[str, Any]
+    """The stand file as data, without what is simulated."""
+    coefficients: tuple[float, ...]
+    """Of the terms of the record that this unit tells, in their order."""
+    standard_uncertainties: tuple[float, ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Validity:
+    """The ranges that were measured when a record was derived; None where the data does not say."""
+
+    angle_deg: tuple[float, float]
+    voltage_v: tuple[float, float]
+    temperature_degc: tuple[float, float] | None = None
+    measured_from: str = ""
+    measured_to: str = ""
+
+    def together(self, other: "Validity") -> "Validity":
+        """The ranges of both."""
+        dates = sorted({*self._dates, *other._dates})
+        temperatures = [each.temperature_degc for each in (self, other) if each.temperature_degc]
+        return Validity(
+            angle_deg=_hull(self.angle_deg, other.angle_deg),
+            voltage_v=_hull(self.voltage_v, other.voltage_v),
+            temperature_degc=_hull(*temperatures) if temperatures else None,
+            measured_from=dates[0] if dates else "",
+            measured_to=dates[-1] if dates else "",
+        )
+
+    def exceeded_by(self, observations: Observations) -> list[str]:
+        """What of a table lies beyond, as parts of a sentence."""
+        measured = validity_of(observations)
+        whole_turn = self.angle_deg[1] - self.angle_deg[0] >= 345.0
+        pairs = {
+            "°": (None if whole_turn else self.angle_deg, measured.angle_deg),
+            " V": (self.voltage_v, _within(measured.voltage_v, 0.05)),
+            " °C": (self.temperature_degc, _within(measured.temperature_degc, 2.0)),
+        }
+        return [
+            f"{now[0]:.4g} to {now[1]:.4g}{unit}, known for {known[0]:.4g} to {known[1]:.4g}{unit}"
+            for unit, (known, now) in pairs.items()
+            if known and now and (now[0] < known[0] or now[1] > known[1])
+        ]
+
+    @property
+    def _dates(self) -> list[str]:
+        return [date for date in (self.measured_from, self.measured_to) if date]
+
+
+def validity_of(observations: Observations, measured_at: str = "") -> Validity:
+    """The ranges of one table."""
+    temperature = observations.temperature_degc
+    known = temperature is not None and bool(np.isfinite(temperature).any())
+    return Validity(
+        angle_deg=(float(observations.angle_deg.min()), float(observations.angle_deg.max())),
+        voltage_v=(float(observations.output_v.min()), float(observations.output_v.max())),
+        temperature_degc=(float(np.nanmin(temperature)), float(np.nanmax(temperature))) if known else None,  # type: ignore[arg-type]
+        measured_from=measured_at,
+        measured_to=measured_at,
+    )
+
+
+def _hull(*ranges: tuple[float, float]) -> tuple[float, float]:
+    return min(low for low, _ in ranges), max(high for _, high in ranges)
+
+
+def _within(measured: tuple[float, float] | None, margin: float) -> tuple[float, float] | None:
+    """A range without its margins: noise and a breath of air are no other conditions."""
+    return (measured[0] + margin, measured[1] - margin) if measured else None
+
+
+@dataclass(frozen=True, kw_only=True)
+class StandRecord:
+    """What is known of a stand. It never changes; what is learned later is a new version."""
+
+    id: str
+    version: int
+    """Of the records of one stand identity, from 1."""
+    identity: StandIdentity
+    status: Status
+    corrections: Corrections
+    contributions: tuple[Contribution, ...]
+    agreement_p: float | None
+    """Chance of differences as large as those between the units; None for one unit."""
+    validity: Validity
+    created_at: datetime
+    program_version: str
+    content_sha256: str = ""
+    """Of everything above in canonical spelling."""
+
+    @property
+    def units(self) -> tuple[str, ...]:
+        """Serial numbers of the units that it rests on."""
+        return tuple(contribution.serial_number for contribution in self.contributions)
+
+    @property
+    def intact(self) -> bool:
+        """Whether the record is what was recorded."""
+        return canonical_sha256(content(self)) == self.content_sha256
+
+    @property
+    def reference(self) -> dict[str, Any]:
+        """What a calibration says of the record that was applied to it."""
+        return {"id": self.id, "version": self.version, "content_sha256": self.content_sha256}
+
+
+def content(record: StandRecord) -> dict[str, Any]:
+    """The record as JSON without its hash."""
+    return plain(
+        {
+            "schema": f"tumble.stand-record/{FORMAT_VERSION}",
+            "id": record.id,
+            "version": record.version,
+            "identity": asdict(record.identity),
+            "status": str(record.status),
+            "corrections": record.corrections.as_json(),
+            "contributions": [asdict(contribution) for contribution in record.contributions],
+            "agreement_p": record.agreement_p,
+            "validity": asdict(record.validity),
+            "created_at": utc_text(record.created_at),
+            "program_version": record.program_version,
+        }
+    )
+
+
+def document(record: StandRecord) -> dict[str, Any]:
+    """The record as `tumble.stand-record/1`, with its hash and, where it has one, its head map."""
+    head_map = record.corrections.head_map
+    drawn = {} if head_map is None else {"head_map": head_map.as_json()}
+    return content(record) | {"content_sha256": record.content_sha256} | drawn
+
+
+def record_from_content(stored: Mapping[str, Any], content_sha256: str) -> StandRecord:
+    """Undo `content`."""
+    return StandRecord(
+        id=stored["id"],
+        version=stored["version"],
+        identity=StandIdentity(**stored["identity"]),
+        status=Status(stored["status"]),
+        corrections=corrections_from_json(stored["corrections"]),
+        contributions=tuple(Contribution(**_tuples(entry)) for entry in stored["contributions"]),
+        agreement_p=stored["agreement_p"],
+        validity=Validity(**_tuples(stored["validity"])),
+        created_at=read_time(stored["created_at"]),
+        program_version=stored["program_version"],
+        content_sha256=content_sha256,
+    )
+
+
+def _tuples(entry: Mapping[str, Any]) -> dict[str, Any]:
+    return {key: tuple(value) if isinstance(value, list) else value for key, value in entry.items()}

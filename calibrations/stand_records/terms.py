@@ -1,0 +1,114 @@
+"""What a stand can add to a measurement: terms that are linear in their coefficients."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Final
+
+import numpy as np
+
+from calibrations.effects.daq import DAQ_EFFECTS
+from calibrations.effects.effect import Effect
+from calibrations.effects.scene import Scene
+from calibrations.effects.stand import STAND_EFFECTS
+from calibrations.geometry import FloatArray
+from calibrations.stand_records.head_map import harmonics
+
+BACKLASH: Final = "backlash"
+HEAD_COURSE: Final = "head_course"
+"""An error of the head that no effect of the catalogue describes, as all harmonics that the settings can tell."""
+_ORDERS: Final = {"head_eccentricity": 1, "head_second_harmonic": 2}
+_VOLTAGE: Final = {"axis_tilt": "deg", "daq_nonlinearity": "V", "range_step": "V"}
+"""Effects that are taken off the voltage, with the unit of their coefficients."""
+_CATALOGUE: Final[Mapping[str, Effect[Scene]]] = {effect.name: effect for effect in (*STAND_EFFECTS, *DAQ_EFFECTS)}
+
+LASTING: Final = (*_ORDERS, "graduation", BACKLASH, *_VOLTAGE)
+"""Effects of the catalogue that stay with a stand; a seat, a leaning base or a settling belongs to the run."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Term:
+    """One effect of a stand, without its coefficients."""
+
+    effect: str
+    """Its name in the catalogue, or `HEAD_COURSE`."""
+    orders: tuple[int, ...] = ()
+    """Periods a turn of an error of the head."""
+    scanned: Mapping[str, float] = field(default_factory=dict)
+    """What enters nonlinearly: the period of a converter's error, the threshold of a step, in volts."""
+
+    @property
+    def size(self) -> int:
+        """Number of coefficients: a sine and a cosine for each order, and for a wave of the voltage."""
+        return 2 * len(self.orders) if self.orders else 2 if self.effect == "daq_nonlinearity" else 1
+
+    @property
+    def unit(self) -> str:
+        """Of the coefficients."""
+        return _VOLTAGE.get(self.effect, "deg")
+
+    @property
+    def of_angle(self) -> bool:
+        """Whether it is an error of the angle, which a head map holds; otherwise it is taken off the voltage."""
+        return self.effect not in _VOLTAGE
+
+    @property
+    def label(self) -> str:
+        """What to call it in a sentence."""
+        if self.effect == HEAD_COURSE:
+            return f"an error of the head of any shape (1 to {max(self.orders)} per turn)"
+        scanned = ", ".join(f"{key.removesuffix('_V')} {value:.4g} V" for key, value in self.scanned.items())
+        order = f"{self.orders[0]} per turn" if self.effect == "graduation" else scanned
+        return f"{self.effect} ({order})" if order else self.effect
+
+    def columns_v(self, scene: Scene) -> FloatArray:
+        """Volts per unit of each coefficient, shape (rows, size)."""
+        if self.effect == BACKLASH:
+            return np.asarray((scene.slope_v_per_deg * (scene.direction < 0))[:, None])
+        if self.of_angle:
+            return np.asarray(scene.slope_v_per_deg[:, None] * harmonics(scene.angle_deg, self.orders))
+        effect = _CATALOGUE[self.effect]
+        if effect.at is None:
+            return effect.forms(scene)[0].columns
+        (value,) = self.scanned.values()
+        return effect.at(scene, value).columns
+
+    def tangent_v(self, scene: Scene, coefficients: FloatArray) -> FloatArray | None:
+        """Change with what is scanned, shape (rows, 1), in volts per volt; None where nothing is, or it jumps."""
+        if self.effect != "daq_nonlinearity":
+            return None
+        (value,) = self.scanned.values()
+        step_v = 1e-3 * value
+        above, below = (_CATALOGUE[self.effect].at(scene, value + side * step_v) for side in (1.0, -1.0))  # type: ignore[misc]
+        return np.asarray(((above.columns - below.columns) @ coefficients / (2 * step_v))[:, None])
+
+
+def harmonic_term(order: int) -> Term:
+    """An error of the head so many times a turn, by the name that the catalogue has for it."""
+    named = {number: name for name, number in _ORDERS.items()}
+    return Term(effect=named.get(order, "graduation"), orders=(order,))
+
+
+def head_course(highest: int) -> Term:
+    """An error of the head of any shape."""
+    return Term(effect=HEAD_COURSE, orders=tuple(range(1, highest + 1)))
+
+
+def union(first: tuple[Term, ...], second: tuple[Term, ...]) -> tuple[Term, ...]:
+    """Terms of two runs together.
+
+    A course of the head holds all its orders, so that single ones go into it; what is scanned is taken halfway.
+    """
+    merged: dict[tuple[str, tuple[int, ...]], Term] = {}
+    for term in (*first, *second):
+        key = (term.effect, term.orders)
+        merged[key] = _halfway(merged[key], term) if key in merged else term
+    course = max((term for term in merged.values() if term.effect == HEAD_COURSE), key=lambda t: t.size, default=None)
+    if course is None:
+        return tuple(merged.values())
+    beside = [t for t in merged.values() if t.effect != HEAD_COURSE and not set(t.orders or (0,)) <= set(course.orders)]
+    return (course, *beside)
+
+
+def _halfway(first: Term, second: Term) -> Term:
+    scanned = {key: (value + second.scanned[key]) / 2 for key, value in first.scanned.items()}
+    return Term(effect=first.effect, orders=first.orders, scanned=scanned)
