@@ -15,6 +15,7 @@ from app.joining import read_together
 from app.measurements import Measurement, read_measurement
 from app.running import Job
 from app.stand_records import with_stand_record
+from calibrations.support import series
 from calibrations.tracing.chain import FUTILE, Chain, Ended, Link, cannot, cheapest, experiments_for, stage_of
 from calibrations.tracing.experiments import Experiment
 from calibrations.tracing.loop import Explained, explain
@@ -176,7 +177,9 @@ def _verdict(closing: Closing, most: int) -> tuple[Ended | None, str]:
     if closing.next is None:
         return Ended.NOTHING_AVAILABLE, cannot(closing.planned, _elsewhere(closing))
     if chain.futile >= FUTILE:
-        return Ended.NOT_AS_PROMISED, f"{chain.futile} experiments in a row told nothing apart, though each was to."
+        left = "; ".join(f"{first} from {series(others, 'or')}" for first, *others in chain.last.disputed)
+        why = f"{chain.futile} experiments in a row told nothing apart, though each was to: nothing here tells {left}."
+        return Ended.NOT_AS_PROMISED, why
     if len(chain.links) >= most:
         return Ended.ENOUGH, f"{most} experiments were to be run at most; the next would be {closing.next.programme}."
     return None, ""

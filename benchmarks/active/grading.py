@@ -27,10 +27,13 @@ def told(record: Record) -> bool:
 
 
 def said_so(record: Record) -> bool:
-    """Whether the loop says that nothing available tells the right name from its rivals."""
+    """Whether the loop says that nothing available tells the right name from its rivals.
+
+    Or that what was to tell them told nothing.
+    """
     found = record["found"]
     left = len(found) == 1 and record["effect"] in found[0] and len(found[0]) > 1
-    return left and record["ended"] == Ended.NOTHING_AVAILABLE
+    return left and record["ended"] in {Ended.NOTHING_AVAILABLE, Ended.NOT_AS_PROMISED}
 
 
 def report(records: Sequence[Record]) -> str:

@@ -13,6 +13,8 @@ from calibrations.tracing.rivals import rivals
 
 FUTILE = 2
 """After so many experiments in a row that told nothing apart, none is run any more."""
+_MOST_NEAR = 8
+"""Of explanations that are not quite rivals only the nearest are planned for, where there are many."""
 
 
 class Ended(StrEnum):
@@ -185,7 +187,8 @@ def experiments_for(explained: Explained | None, probes: Sequence[Probe]) -> tup
     """
     if explained is None:
         return ()
-    near = {name: explained.near[name] for name, close in explained.close.items() if close}
+    close = {name: found for name, found in explained.close.items() if found}
+    near = {name: explained.near[name][: max(len(found), _MOST_NEAR)] for name, found in close.items()}
     return next_experiments(explained.base, explained.trace, near, probes)
 
 

@@ -48,6 +48,7 @@ class Header:
     format_version: int = FORMAT_VERSION
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "follows", tuple(self.follows))  # a list in a recording
         if "simulated" in self.stand:
             raise ValueError("the stand in a recording's header must be without its [simulated] table")
 

@@ -91,8 +91,8 @@ def test_the_terminal_says_what_is_run_why_and_what_it_decides(told_apart):
 def test_every_run_leaves_a_recording_that_names_those_before_it(told_apart):
     bench, _ = told_apart
     first, probe = bench.recordings
-    assert read_recording(first).header.follows == []
-    assert read_recording(probe).header.follows == [str(first)]
+    assert read_recording(first).header.follows == ()
+    assert read_recording(probe).header.follows == (str(first),)
     assert bench.document["experiments"][0]["recording"] == str(probe)
 
 

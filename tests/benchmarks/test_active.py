@@ -39,7 +39,7 @@ def test_cases_are_counted_by_what_everything_tells():
         TOLD | {"found": [["k_xx", "k_yy"]]},
         TOLD | {"found": [["k_xx"], ["backlash"]]},
         LEFT | {"found": [["k_yy"]], "ended": "told apart"},
-        LEFT | {"ended": "not as promised"},
+        LEFT | {"ended": "as many as were asked for"},
         CLEAR | {"failure": "ValueError()"},
     ],
     ids=["wrong name", "a rival left", "an effect too many", "wrongly told", "not said", "failed"],
