@@ -113,7 +113,7 @@ def test_experiments_that_were_run_are_taken_up_from_their_files(told_apart, tmp
     assert ran.status == 0
     assert [each["separated"] for each in again["experiments"]] == [bench.document["experiments"][0]["separated"]]
     assert again["effects"] == bench.document["effects"]
-    assert not (tmp_path / "other").exists()
+    assert not (tmp_path / "other" / "recordings").exists()
 
 
 def test_where_the_seat_forbids_what_would_help_that_is_said(tmp_path):

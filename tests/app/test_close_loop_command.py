@@ -124,7 +124,7 @@ def test_a_recording_outside_its_limits_is_status_1(write, tmp_path):
 
 
 def test_a_table_without_a_voltage_is_bad_input(write):
-    ran = tumble("close-loop", write("t.csv", "angle_deg,reference_deg\n0,0\n90,90\n180,180\n"))
+    ran = tumble("fit", write("t.csv", "angle_deg,reference_deg\n0,0\n90,90\n180,180\n"))
 
     assert ran.status == 2
     assert "there is no column voltage_V" in ran.complaint
