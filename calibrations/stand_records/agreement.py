@@ -8,7 +8,7 @@ import numpy as np
 from calibrations.geometry import FloatArray
 from calibrations.stand_records.corrections import Corrections, chi_square_p
 from calibrations.stand_records.evidence import Run
-from calibrations.stand_records.terms import HEAD_COURSE, Term, harmonic_term, union
+from calibrations.stand_records.terms import Term, harmonic_term, head_course, union
 
 AGREE_P = 0.01
 """Two runs contradict each other where chance makes differences as large as theirs in fewer of a hundred cases."""
@@ -16,8 +16,7 @@ CONFIRMED_P = 0.01
 """A second unit confirms a term that it sees beyond this chance, whether or not it would have found it by itself."""
 
 SHOWN_P = 0.001
-"""Of an error of the head without a simple shape, the harmonics that stay are beyond this chance: of 35, one in thirty
-runs keeps one that is none."""
+"""Of an error of the head those harmonics stay that are beyond this chance: of 35, one is none in one map of thirty."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -40,12 +39,15 @@ class Agreement:
 def agreement(first: Run, second: Run) -> Agreement:
     """Hold two runs against each other on all terms that one of them tells apart and the other confirms.
 
-    An error of the head that has no simple shape becomes the harmonics that both together show.
+    Where both see an error of the head, it becomes the harmonics that both together show, more than each alone.
     """
     terms = _confirmed(first, second, union(first.terms, second.terms))
-    together = _on(first, second, terms)
-    harmonics = _shown(together.corrections)
-    return together if harmonics is None else _on(first, second, harmonics)
+    if not any(term.orders for term in terms):
+        return _on(first, second, terms)
+    course = head_course(min(first.highest_order, second.highest_order))
+    together = _on(first, second, union(tuple(terms), (course,)))
+    told = all(course in each.terms for each in together.each)
+    return _on(first, second, _shown(together.corrections, course) if told else terms)
 
 
 def _on(first: Run, second: Run, terms: Sequence[Term]) -> Agreement:
@@ -61,18 +63,15 @@ def _confirmed(first: Run, second: Run, terms: Sequence[Term]) -> Sequence[Term]
     return kept if len(kept) == len(terms) else _confirmed(first, second, kept)
 
 
-def _shown(corrections: Corrections) -> list[Term] | None:
-    """The terms with single harmonics in the place of a course of the head; None where there is no course."""
-    course = next((term for term in corrections.terms if term.effect == HEAD_COURSE), None)
-    if course is None:
-        return None
+def _shown(corrections: Corrections, course: Term) -> list[Term]:
+    """The terms with single harmonics in the place of the course of the head."""
     start = corrections.place(course).start
     shown = []
     for place, order in enumerate(course.orders):
         here = slice(start + 2 * place, start + 2 * place + 2)
         if chi_square_p(corrections.values[here], corrections.covariance[here, here]) < SHOWN_P:
             shown.append(harmonic_term(order))
-    return [*shown, *(term for term in corrections.terms if term is not course)]
+    return [*shown, *(term for term in corrections.terms if not term.orders)]
 
 
 def _confirms(estimate: Corrections, term: Term) -> bool:

@@ -90,6 +90,12 @@ class Run:
         )
 
     @property
+    def highest_order(self) -> int:
+        """Of an error of the head that the settings of the head can tell."""
+        settings = len(np.unique(np.round(self._scene.angle_deg % 360.0, 1)))
+        return min(HIGHEST_ORDER, (settings - 1) // 2)
+
+    @property
     def _scene(self) -> Scene:
         return self.explained.base.scene
 
@@ -97,7 +103,7 @@ class Run:
         told = {effect.name: effect for effect in self._lasting() if not effect.also_possible}
         for item in self.explained.trace.found:
             if isinstance(item.effect, Structure) and item.effect.depends_on == _ANGLE:
-                yield head_course(_highest_order(self.explained))
+                yield head_course(self.highest_order)
             elif item.effect.name in told and _is_harmonic(item):
                 yield harmonic_term(_order(item))
         yield from (_term(effect) for effect in told.values() if effect.name not in _HARMONICS)
@@ -155,12 +161,6 @@ def _cut(terms: Sequence[Term], values: NDArray[Any]) -> list[NDArray[Any]]:
     """What there is one of for each coefficient, term by term."""
     ends = np.cumsum([term.size for term in terms]).tolist()
     return [values[end - term.size : end] for end, term in zip(ends, terms, strict=True)]
-
-
-def _highest_order(explained: Explained) -> int:
-    """Of an error of the head that the settings of the head can tell."""
-    settings = len(np.unique(np.round(explained.base.scene.angle_deg % 360.0, 1)))
-    return min(HIGHEST_ORDER, (settings - 1) // 2)
 
 
 def doubts(run: Run) -> list[str]:
