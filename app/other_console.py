@@ -6,11 +6,12 @@ from rich.table import Table
 
 from app.console import results, warn
 from app.loop_console import findings_table
-from calibrations.quantities import format_concise, format_number, format_probability
+from calibrations.quantities import format_concise, format_number
 from calibrations.reference.changes import Change
 from calibrations.reference.loop import ReferenceLoop
 from calibrations.support import series
 from calibrations.temperature.loop import ParameterLoop, TemperatureLoop
+from calibrations.temperature.shared import shared_sentence
 from calibrations.tracing.linear_loop import Model, Stated
 from calibrations.tracing.words import unexplained_sentence
 
@@ -63,13 +64,7 @@ def show_temperature(loop: TemperatureLoop) -> None:
         table.add_row(parameter.name, *_errors(parameter), ", ".join(_effects(parameter)), _left(parameter))
     console.print(table)
     for cause in loop.shared:
-        low, high = cause.between_degc
-        agree = "agree on one temperature" if cause.one else "share the gap between two runs"
-        console.print(
-            f"{series(cause.parameters)} break between {low:.0f} and {high:.0f} °C: they {agree} "
-            f"({cause.at_degc:.1f} °C, p = {format_probability(cause.p_value)}), and may have one cause.",
-            markup=False,
-        )
+        console.print(shared_sentence(cause), markup=False)
     for sentence in loop.unknowable:
         console.print(f"- {sentence}", markup=False)
 

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from app.files import is_recording
+from app.files import is_recording, write_text
 from app.other_console import show_changes, show_head, show_temperature
 from calibrations.reference.changes import changes, changes_json
 from calibrations.reference.document import document as head_document
@@ -18,10 +18,10 @@ from procedures.errors import InputError
 _MOST_COMPARED = 2
 
 
-def close_other_loop(paths: Sequence[Path], show: bool) -> dict[str, Any] | None:
+def close_other_loop(paths: Sequence[Path], show: bool, page: Path | None = None) -> dict[str, Any] | None:
     """Close the loop on tables of another kind, and say what was found; None where they are of an accelerometer.
 
-    Two tables of one head are traced each by itself, and compared.
+    Two tables of one head are traced each by itself, and compared. With `page` the report on the last one is written.
 
     Raises
     ------
@@ -34,7 +34,7 @@ def close_other_loop(paths: Sequence[Path], show: bool) -> dict[str, Any] | None
             return None
         if len(kinds) > 1:
             raise InputError(f"{paths[0]} and {paths[-1]} are tables of different kinds; give them one by one")
-        return _temperature(paths, show) if kinds == {"temperature"} else _head(paths, show)
+        return _temperature(paths, show, page) if kinds == {"temperature"} else _head(paths, show, page)
     except (TableError, ValueError) as error:
         raise InputError(str(error)) from error
 
@@ -49,16 +49,20 @@ def _kind(path: Path) -> str:
     return "head" if table.reference_deg is not None and table.voltage_v is None else ""
 
 
-def _temperature(paths: Sequence[Path], show: bool) -> dict[str, Any]:
+def _temperature(paths: Sequence[Path], show: bool, page: Path | None) -> dict[str, Any]:
     if len(paths) > 1:
         raise InputError(f"{paths[1]}: give one table of parameters against temperature at a time")
     loop = close_temperature_loop(read_runs(paths[0]))
     if show:
         show_temperature(loop)
+    if page is not None:
+        from calibrations.report.temperature_page import render_temperature  # matplotlib takes half a second
+
+        write_text(page, render_temperature(paths[0].name, loop))
     return temperature_document(loop)
 
 
-def _head(paths: Sequence[Path], show: bool) -> dict[str, Any]:
+def _head(paths: Sequence[Path], show: bool, page: Path | None) -> dict[str, Any]:
     if len(paths) > _MOST_COMPARED:
         raise InputError(f"{paths[2]}: give one table of a head, or two to be compared")
     loops = [close_reference_loop(read_table(path)) for path in paths]
@@ -66,6 +70,10 @@ def _head(paths: Sequence[Path], show: bool) -> dict[str, Any]:
     if show:
         for path, loop in zip(paths, loops, strict=True):
             show_head(path.name, loop)
+    if page is not None:
+        from calibrations.report.head_page import render_head  # matplotlib takes half a second
+
+        write_text(page, render_head(paths[-1].name, loops[-1]))
     if len(loops) == 1:
         return documents[0]
     changed = changes(*loops)

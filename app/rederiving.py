@@ -1,19 +1,23 @@
 """Runs on a stand with where they come from, and stand records derived again from them."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Protocol
 
 import numpy as np
 
 from app.analysing import Traced, fit, trace
 from app.joining import read_together
-from app.measurements import Measurement
+from app.measurements import Measurement, read_measurement
+from app.referencing import REFERENCE, run_of_reference
 from calibrations.provenance import Provenance
 from calibrations.records.raw import file_sha256, resolved_path, stored_path
 from calibrations.stand_records.agreement import updated
 from calibrations.stand_records.corrections import Corrections
 from calibrations.stand_records.evidence import Run
 from calibrations.stand_records.record import Contribution, StandRecord
+from calibrations.stand_records.terms import Term
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -61,12 +65,21 @@ def _contribution(measurement: Measurement, origin: Provenance, folder: Path) ->
 
 def source_again(contribution: Contribution, folder: Path) -> Source | None:
     """A unit's run, traced again from its raw files; None where one of them is missing or changed."""
-    paths = [resolved_path(folder, path) for path in contribution.raw_paths]
-    for path, sha256 in zip(paths, contribution.raw_sha256, strict=True):
-        if not path.is_file() or file_sha256(path) != sha256:
-            return None
+    paths = _unchanged(contribution, folder)
+    if not paths:
+        return None
     measurement = read_together(paths, contribution.stand)
     return source_of(trace(fit(measurement, contribution.serial_number, trials=0)), folder)
+
+
+def _unchanged(contribution: Contribution, folder: Path) -> list[Path]:
+    """Where the raw files lie; empty where one of them is missing or changed."""
+    paths = [resolved_path(folder, path) for path in contribution.raw_paths]
+    good = [
+        path.is_file() and file_sha256(path) == sha256
+        for path, sha256 in zip(paths, contribution.raw_sha256, strict=True)
+    ]
+    return paths if all(good) else []
 
 
 class Rederivation:
@@ -74,20 +87,37 @@ class Rederivation:
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
-        self._traced: dict[tuple[str, ...], Source | None] = {}
+        self._traced: dict[tuple[str, ...], Says | None] = {}
 
     def corrections(self, record: StandRecord) -> Corrections | None:
         """The corrections of a record from its raw files; None where one of them is missing or changed."""
-        sources = [self._source(contribution) for contribution in record.contributions]
-        runs = [source.run for source in sources if source]
-        if len(runs) < len(sources):
+        found = [self._run(contribution) for contribution in record.contributions]
+        runs = [run for run in found if run]
+        if len(runs) < len(found):
             return None
         corrections = runs[0].estimate(record.corrections.terms)
         for run in runs[1:]:
             corrections, _ = updated(corrections, run.estimate(record.corrections.terms))
         return corrections
 
-    def _source(self, contribution: Contribution) -> Source | None:
+    def _run(self, contribution: Contribution) -> "Says | None":
         if contribution.raw_sha256 not in self._traced:
-            self._traced[contribution.raw_sha256] = source_again(contribution, self._folder)
+            self._traced[contribution.raw_sha256] = _run_again(contribution, self._folder)
         return self._traced[contribution.raw_sha256]
+
+
+class Says(Protocol):
+    """Whatever a stand record can be derived from: a run of a unit, or a table of head and reference."""
+
+    def estimate(self, terms: Sequence[Term]) -> Corrections:
+        """What it says of these terms."""
+        ...
+
+
+def _run_again(contribution: Contribution, folder: Path) -> Says | None:
+    """What a raw file says of its stand; None where it is missing or changed."""
+    if contribution.serial_number != REFERENCE:
+        source = source_again(contribution, folder)
+        return source.run if source else None
+    (path,) = _unchanged(contribution, folder) or (None,)
+    return None if path is None else run_of_reference(read_measurement(path, contribution.stand))

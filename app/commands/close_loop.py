@@ -63,7 +63,7 @@ def command(
     apart, the experiment that tells most for its time is run there, and everything is fitted together again. After
     files, --experiments N does the same: they are the first measurement, and a loop that was cut off goes on from them.
     """
-    if files and (other := close_other_loop(files, show=str(json_path) != "-")) is not None:
+    if files and (other := close_other_loop(files, str(json_path) != "-", page)) is not None:
         options.write_json(other, json_path)
         return
     if files and not most:

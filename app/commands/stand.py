@@ -13,6 +13,7 @@ from app.exits import Exit
 from app.learning import learn
 from app.measurements import read_measurement
 from app.rederiving import Rederivation
+from app.referencing import is_reference, learn_from_reference
 from app.stand import load_stand
 from app.stand_records import list_stand_records
 from calibrations.quantities import format_number
@@ -104,13 +105,19 @@ def _map_lines(head_map: HeadMap) -> list[str]:
 def learn_command(files: tuple[Path, ...], stand_path: Path | None, serial_number: str, folder: Path) -> None:
     """Hold recordings or tables, each of one unit, one after the other against what is known of their stand.
 
-    A first unit gives a provisional record. Once a second one agrees, both give a record in force.
+    A first unit gives a provisional record. Once a second one agrees, both give a record in force. A table of the head
+    against a reference gives one at once.
     """
     stand = load_stand(stand_path).recorded if stand_path else None
     for file in files:
         measurement = read_measurement(file, stand)
         if not measurement.stand:
             raise InputError(f"{file}: does not say on which stand it was measured; give the stand file with --stand")
+        if is_reference(measurement):
+            record = learn_from_reference(file, measurement.stand, folder)
+            name, version = record.identity.stand, record.version
+            click.echo(f"stand {name}: the reference gives a head map: stand record {version} is in force")
+            continue
         traced = trace(fit(measurement, serial_number, trials=0, folder=folder))
         learned = learn(traced, folder)
         for sentence in learned.sentences or (f"{file}: nothing of its stand is to be learned that is not known",):

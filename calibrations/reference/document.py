@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from calibrations.reference.head_map import head_map
 from calibrations.reference.loop import ReferenceLoop
 from calibrations.result import rows_json
 from calibrations.tracing.document import SCHEMA, effect_json, experiment_json, unexplained_json
@@ -10,6 +11,7 @@ from calibrations.tracing.linear_loop import model_json
 
 def document(loop: ReferenceLoop) -> dict[str, Any]:
     """The result; every angle in degrees."""
+    found = head_map(loop)
     unexplained = [unexplained_json(each) for each in loop.unexplained]
     return {
         "schema": SCHEMA,
@@ -27,6 +29,7 @@ def document(loop: ReferenceLoop) -> dict[str, Any]:
         "further_unexplained": unexplained[1:],
         "augmented": model_json(loop.augmented, "deg"),
         "passes": _passes_json(loop),
+        "head_map": None if found is None else found.as_json(),
         "next_experiment": [experiment_json(experiment) for experiment in loop.next_experiment],
         "warnings": list(loop.warnings),
     }

@@ -57,7 +57,7 @@ class Validity:
     """The ranges that were measured when a record was derived; None where the data does not say."""
 
     angle_deg: tuple[float, float]
-    voltage_v: tuple[float, float]
+    voltage_v: tuple[float, float] | None = None
     temperature_degc: tuple[float, float] | None = None
     measured_from: str = ""
     measured_to: str = ""
@@ -66,9 +66,10 @@ class Validity:
         """The ranges of both."""
         dates = sorted({*self._dates, *other._dates})
         temperatures = [each.temperature_degc for each in (self, other) if each.temperature_degc]
+        voltages = [each.voltage_v for each in (self, other) if each.voltage_v]
         return Validity(
             angle_deg=_hull(self.angle_deg, other.angle_deg),
-            voltage_v=_hull(self.voltage_v, other.voltage_v),
+            voltage_v=_hull(*voltages) if voltages else None,
             temperature_degc=_hull(*temperatures) if temperatures else None,
             measured_from=dates[0] if dates else "",
             measured_to=dates[-1] if dates else "",

@@ -7,6 +7,8 @@ import numpy as np
 from scipy.special import chdtrc
 
 from calibrations.effects.effect import Form
+from calibrations.quantities import format_probability
+from calibrations.support import series
 from calibrations.temperature.effects import BREAK
 from calibrations.temperature.scene import RunScene
 from calibrations.tracing.fitting_noise import golden_section
@@ -103,3 +105,13 @@ def _gap(one: _Break, at_degc: float) -> tuple[float, float]:
     known = np.unique(scene.temperature_degc)
     place = int(np.clip(np.searchsorted(known, at_degc), 1, len(known) - 1))
     return float(known[place - 1]), float(known[place])
+
+
+def shared_sentence(cause: SharedCause) -> str:
+    """Which parameters break together."""
+    low, high = cause.between_degc
+    how = "their fits agree on one temperature" if cause.one else "they share the gap between two runs"
+    return (
+        f"{series(cause.parameters)} break between {low:.0f} and {high:.0f} °C, near {cause.at_degc:.1f} °C: {how} "
+        f"(p = {format_probability(cause.p_value)}), and may have one cause."
+    )

@@ -69,6 +69,67 @@ def test_a_malformed_table_of_runs_ends_with_one_sentence(tmp_path):
     assert "line 2, column bias_mV: 'x' is not a number" in ran.err
 
 
+STAND = """
+name = "bench-9"
+[head]
+driver = "simulated"
+limits_deg = [-180.0, 760.0]
+serial = "H-1"
+[daq]
+driver = "simulated"
+serial = "D-1"
+[simulated]
+preset = "DXL203EB"
+[stand_record]
+use = true
+"""
+
+
+def test_a_reference_gives_a_stand_record_that_is_in_force_at_once_and_comes_back(tmp_path, eccentric):
+    stand = tmp_path / "bench.toml"
+    stand.write_text(STAND, "utf-8")
+    store = tmp_path / "store"
+    learned = tumble("stand", "learn", eccentric, "--stand", stand, "--store", store)
+    assert learned.status == 0, learned.err
+    assert "stand record 1 is in force" in learned.out
+    shown = tumble("stand", "show", "bench-9", "--store", store)
+    assert "head_eccentricity amplitude" in shown.out
+    assert "270°    -7" in shown.out  # seconds of arc: 0.02° is 72″
+    verified = tumble("stand", "verify", "--store", store)
+    assert verified.status == 0, verified.out
+    assert "1 of 1 stand records come back" in verified.out
+
+
+def test_a_reference_that_shows_nothing_gives_no_record(tmp_path):
+    (tmp_path / "bench.toml").write_text(STAND, "utf-8")
+    write_table(rests(lambda a, d, t: 0 * a), tmp_path / "good.csv")
+    learned = tumble(
+        "stand", "learn", tmp_path / "good.csv", "--stand", tmp_path / "bench.toml", "--store", tmp_path / "store"
+    )
+    assert learned.status == 2
+    assert "nothing to put into a stand record" in learned.err
+
+
+def test_the_head_map_is_in_the_document_and_in_the_report(tmp_path, eccentric):
+    page = tmp_path / "head.html"
+    assert tumble("close-loop", eccentric, "--report", page, "--json", tmp_path / "head.json").status == 0
+    document = json.loads((tmp_path / "head.json").read_text("utf-8"))
+    assert document["head_map"]["orders"] == [1]
+    assert document["head_map"]["coefficients_deg"][0] == pytest.approx(0.02, abs=5e-4)
+    text = page.read_text("utf-8")
+    for heading in ("What a constant offset leaves", "To what it was traced", "Before and after", "Head map"):
+        assert heading in text
+
+
+def test_the_report_on_runs_shows_what_is_shared_and_what_cannot_be_told(tmp_path):
+    lines = [f"{run},{-30 + 10 * run},{max(0, run - 6) * 2.0 + 0.01 * (-1) ** run}" for run in range(1, 13)]
+    (tmp_path / "runs.csv").write_text("\n".join(["run,sensor_degC,bias_mV", *lines]), "utf-8")
+    assert tumble("close-loop", tmp_path / "runs.csv", "--report", tmp_path / "runs.html").status == 0
+    text = (tmp_path / "runs.html").read_text("utf-8")
+    assert "temperature_break" in text
+    assert "What these runs cannot tell" in text
+
+
 @measured
 @pytest.mark.parametrize("name", ["fault", "rewired"])
 def test_the_passes_of_the_measured_axis_differ_because_the_reference_is_read_late(tmp_path, name):

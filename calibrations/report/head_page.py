@@ -1,0 +1,109 @@
+"""The page on a head and its reference: residual, causes, what is left, what would tell rivals apart, error before
+and after.
+"""
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+from markupsafe import Markup
+
+from calibrations.geometry import FloatArray
+from calibrations.quantities import format_concise, format_number
+from calibrations.reference.head_map import head_map
+from calibrations.reference.loop import ReferenceLoop
+from calibrations.report.drawing import COLOURS, INK, WIDE_IN, sheet, styled, to_svg
+from calibrations.report.stand import head_map_figure
+from calibrations.report.tables_page import Part, page
+from calibrations.support import series
+from calibrations.tracing.experiments import Experiment
+from calibrations.tracing.linear_loop import Model
+from calibrations.tracing.words import findings, unexplained_sentence
+
+
+def render_head(name: str, loop: ReferenceLoop) -> str:
+    """The whole page."""
+    return page("A dividing head measured against a reference", name, list(_parts(loop)), loop.warnings)
+
+
+def _parts(loop: ReferenceLoop) -> Iterator[Part]:
+    explained = loop.explained
+    yield Part(
+        title="What a constant offset leaves",
+        figure=residual_figure(loop, explained.before.residual, "before"),
+        caption="Reference minus head, mean taken off, against the angle of the head; each way in its own colour.",
+    )
+    yield Part(
+        title="To what it was traced",
+        lines=[unexplained_sentence(each) for each in loop.unexplained],
+        headings=("Effect", "Could also be", "Belongs to", "Coefficients", "p"),
+        rows=[
+            (each.name, each.also_possible or "told apart", each.belongs_to, each.coefficients, each.p_value)
+            for each in findings(loop.effects)
+        ],
+    )
+    yield Part(title="What would tell rivals apart", lines=[_next(each) for each in loop.next_experiment])
+    yield Part(
+        title="Before and after",
+        figure=residual_figure(loop, explained.best.residual, "after"),
+        caption="What is left once everything that was found is taken off.",
+        headings=("", "Constant offset", "With what was found"),
+        rows=list(_comparison(loop)),
+    )
+    if found := head_map(loop):
+        yield Part(
+            title="Head map",
+            figure=head_map_figure(found),
+            caption="True minus reported angle by the harmonics and the backlash that were found, with two standard "
+            "uncertainties. Latency and what adds up from turn to turn are no part of it.",
+        )
+
+
+def _next(experiment: Experiment) -> str:
+    first, *others = experiment.separates
+    return f"{first} or {series(others, 'or')}: {experiment.why}."
+
+
+def _comparison(loop: ReferenceLoop) -> Iterator[Sequence[str]]:
+    models = (loop.declared, loop.augmented)
+    yield "offset", *(_offset(model) for model in models)
+    yield "residual, r.m.s.", *(_deg(model.residual_rms) for model in models)
+    yield "held-out error, r.m.s.", *(_deg(model.held_out_rms) for model in models)
+    if loop.passes:
+        yield "forward minus backward, r.m.s.", _deg(loop.passes.before_deg), _deg(loop.passes.after_deg)
+
+
+def _offset(model: Model) -> str:
+    stated = model.parameters["offset"]
+    if stated.value is None or stated.standard_uncertainty is None:
+        return f"cannot be told: {stated.reason}"
+    return format_concise(stated.value, stated.standard_uncertainty, stated.unit)
+
+
+def _deg(value: float | None) -> str:
+    return "none" if value is None else format_number(value, "deg")
+
+
+@styled
+def residual_figure(loop: ReferenceLoop, residual_deg: FloatArray, name: str) -> Markup:
+    """A residual, shape (dwells,), against the angle of the head, each way and rests apart."""
+    scene = loop.explained.table.scene
+    speed = scene.velocity_deg_s
+    still = np.zeros(scene.rows, dtype=bool) if speed is None or not speed.any() else np.abs(speed) < 1e-3
+    kinds = {
+        "forward": (scene.direction > 0) & ~still,
+        "backward": (scene.direction < 0) & ~still,
+        "at rest": still | (scene.direction == 0),
+    }
+    figure, (panel,) = sheet(WIDE_IN, 2.6)
+    panel.axhline(0.0, color=INK, linewidth=0.7)
+    for number, (label, chosen) in enumerate(kinds.items()):
+        if chosen.any():
+            marker = "o^s"[number]
+            panel.plot(
+                *(scene.angle_deg[chosen], residual_deg[chosen]), linestyle="", marker=marker, markersize=2.5,
+                markeredgewidth=0, color=COLOURS[number], label=label,
+            )  # fmt: skip
+    panel.set_xlabel("head angle as reported (°)")
+    panel.set_ylabel("reference - head (°)")
+    panel.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    return to_svg(figure, f"residual-{name}", f"Residual against head angle, {name} what was found is taken off")
