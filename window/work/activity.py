@@ -1,0 +1,130 @@
+"""What the thread of the stand can be asked to do, as values: each is handed a connected stand and does one thing."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Protocol
+
+from app.calibrating import Calibrated, Traced, calibrate, conclude, fit, make_ready, trace
+from app.joining import read_together
+from app.resuming import Unfinished, resume
+from app.running import Job, failure, recording_path, run
+from app.simulation import Past
+from app.stand_lock import holding_recording
+from app.wiring import Connected
+from procedures.announcer import Listener
+from procedures.progress import Progress
+
+Tell = Callable[[str], None]
+
+
+class Activity(Protocol):
+    """A run, from its first step to what is made of it."""
+
+    @property
+    def job(self) -> Job:
+        """Programme, unit and stand file."""
+        ...
+
+    @property
+    def points_done(self) -> int:
+        """Points that are there before it begins."""
+        ...
+
+    @property
+    def past(self) -> Past | None:
+        """What a simulated stand must have lived through before; None where the run begins anew."""
+        ...
+
+    def carry_out(self, connected: Connected, listeners: Sequence[Listener], tell: Tell) -> "Concluded":
+        """Do it. Raises `InputError`, `JobError`; the head stands when this returns or raises."""
+        ...
+
+
+@dataclass(frozen=True, kw_only=True)
+class Concluded:
+    """What a run and its analysis left behind."""
+
+    traced: Traced
+    recordings: tuple[Path, ...]
+    record_id: str = ""
+    """Empty where nothing was stored."""
+    report: Path | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Calibration:
+    """A whole calibration: run, fit, trace, store, report."""
+
+    job: Job
+    store: Path
+    points_done: int = 0
+    past: Past | None = None
+
+    def carry_out(self, connected: Connected, listeners: Sequence[Listener], tell: Tell) -> Concluded:
+        """Do it."""
+        return _stored(calibrate(self.job, connected, self.store, listeners, tell))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Resumption:
+    """A run that was cut off: what is left of it, and what was to follow."""
+
+    unfinished: Unfinished
+    job: Job
+    store: Path
+
+    @property
+    def points_done(self) -> int:
+        """Points in the recording."""
+        return len(self.unfinished.recording.points)
+
+    @property
+    def past(self) -> Past:
+        """The run up to the break."""
+        return self.unfinished.past(self.job)
+
+    def carry_out(self, connected: Connected, listeners: Sequence[Listener], tell: Tell) -> Concluded:
+        """Do it."""
+        make_ready(self.store)
+        path = self.unfinished.path
+        with holding_recording(path, self.job.serial_number):
+            outcome = resume(self.unfinished, self.job, connected, listeners)
+        if error := failure(outcome, path):
+            raise error
+        return _stored(conclude(path, self.store, tell))
+
+
+@dataclass(frozen=True, kw_only=True)
+class FurtherExperiment:
+    """An experiment that the closed loop asked for, and the loop closed again with it."""
+
+    job: Job
+    store: Path
+    before: tuple[Path, ...]
+    """Recordings and tables of the unit so far."""
+    stand: dict[str, Any] | None = None
+    """Stand file as data for a table that holds none."""
+    points_done: int = 0
+    past: Past | None = None
+
+    def carry_out(self, connected: Connected, listeners: Sequence[Listener], tell: Tell) -> Concluded:
+        """Do it."""
+        path = recording_path(self.store, self.job.serial_number, self.job.programme.name, connected.stand.clock)
+        outcome = run(self.job, connected, path, listeners)
+        if error := failure(outcome, path):
+            raise error
+        recordings = (*self.before, path)
+        tell("fitting")
+        analysed = fit(read_together(recordings, self.stand), self.job.serial_number, folder=self.store)
+        tell("tracing")
+        return Concluded(traced=trace(analysed), recordings=recordings)
+
+
+def progress_of(activity: Activity, connected: Connected) -> Progress:
+    """What counts the steps of a run."""
+    return Progress(activity.job.plan(), connected.stand.clock, activity.points_done)
+
+
+def _stored(done: Calibrated) -> Concluded:
+    return Concluded(traced=done.analysed, recordings=(done.recording,), record_id=done.record.id, report=done.report)
