@@ -1,6 +1,6 @@
 """The menus: colours, text size, language, keys."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QCoreApplication, QSettings
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
@@ -12,12 +12,8 @@ from window.look.theme import Shade
 if TYPE_CHECKING:
     from window.main_window import MainWindow
 
-SCALES = (0.8, 1.0, 1.25, 1.5, 2.0, 2.5)
-
-
-def tr(text: str) -> str:
-    """A text of the menus in the language of the window."""
-    return QCoreApplication.translate("Menus", text)
+translate: Final = QCoreApplication.translate
+SCALES: Final = (0.8, 1.0, 1.25, 1.5, 2.0, 2.5)
 
 
 def shade() -> Shade:
@@ -37,24 +33,28 @@ def language() -> Language:
 
 def fill_menus(window: "MainWindow") -> None:
     """Give a window its menus."""
-    view = window.menuBar().addMenu(tr("&View"))
+    view = window.menuBar().addMenu(translate("Menus", "&View"))
     _fill_shades(window, view)
     view.addSeparator()
-    _add(view, tr("Larger text"), QKeySequence("Ctrl++"), lambda: _scale(window, 1))
-    _add(view, tr("Smaller text"), QKeySequence("Ctrl+-"), lambda: _scale(window, -1))
-    languages = window.menuBar().addMenu(tr("&Language"))
+    _add(view, translate("Menus", "Larger text"), QKeySequence("Ctrl++"), lambda: _scale(window, 1))
+    _add(view, translate("Menus", "Smaller text"), QKeySequence("Ctrl+-"), lambda: _scale(window, -1))
+    languages = window.menuBar().addMenu(translate("Menus", "&Language"))
     group = QActionGroup(languages)
     for choice in Language:
         action = _add(languages, choice.endonym, None, lambda choice=choice: _speak(window, choice))
         _tick(action, group, choice is language())
-    help_menu = window.menuBar().addMenu(tr("&Help"))
-    _add(help_menu, tr("Keys"), QKeySequence("F1"), lambda: _show_keys(window))
-    _add(help_menu, tr("Quit"), QKeySequence("Ctrl+Q"), window.close)
+    help_menu = window.menuBar().addMenu(translate("Menus", "&Help"))
+    _add(help_menu, translate("Menus", "Keys"), QKeySequence("F1"), lambda: _show_keys(window))
+    _add(help_menu, translate("Menus", "Quit"), QKeySequence("Ctrl+Q"), window.close)
 
 
 def _fill_shades(window: "MainWindow", view: QMenu) -> None:
     group = QActionGroup(view)
-    names = {Shade.DESKTOP: tr("As the desktop"), Shade.LIGHT: tr("Light"), Shade.DARK: tr("Dark")}
+    names = {
+        Shade.DESKTOP: translate("Menus", "As the desktop"),
+        Shade.LIGHT: translate("Menus", "Light"),
+        Shade.DARK: translate("Menus", "Dark"),
+    }
     for choice, name in names.items():
         action = _add(view, name, None, lambda choice=choice: _shade(window, choice))
         _tick(action, group, choice is shade())
@@ -89,26 +89,26 @@ def _scale(window: "MainWindow", way: int) -> None:
 def _speak(window: "MainWindow", choice: Language) -> None:
     QSettings().setValue("look/language", str(choice))
     if window.busy:
-        text = tr("The language changes when the window is opened the next time: the stand is at work.")
-        QMessageBox.information(window, tr("Language"), text)
+        text = translate("Menus", "The language changes when the window is opened the next time: the stand is at work.")
+        QMessageBox.information(window, translate("Menus", "Language"), text)
     else:
         window.restart_wanted.emit()
 
 
 def _show_keys(window: "MainWindow") -> None:
     keys = {
-        "Esc": tr("stop the head, whatever is going on"),
-        "F5": tr("start the run"),
-        "F6": tr("pause"),
-        "F7": tr("go on after a pause"),
-        "F9": tr("the unit sits in the mount"),
-        "Enter": tr("the head reads as set, or as typed"),
-        "Ctrl+1 … Ctrl+4": tr("Stand, Run, Result, Records"),
-        "Ctrl+← Ctrl+→": tr("one step with the head"),
-        "F8": tr("go to the angle that was typed"),
-        "Ctrl+Home": tr("home the head"),
-        "Ctrl++ Ctrl+-": tr("larger, smaller text"),
+        "Esc": translate("Menus", "stop the head, whatever is going on"),
+        "F5": translate("Menus", "start the run"),
+        "F6": translate("Menus", "pause"),
+        "F7": translate("Menus", "go on after a pause"),
+        "F9": translate("Menus", "the unit sits in the mount"),
+        "Enter": translate("Menus", "the head reads as set, or as typed"),
+        "Ctrl+1 … Ctrl+4": translate("Menus", "Stand, Run, Result, Records"),
+        "Ctrl+← Ctrl+→": translate("Menus", "one step with the head"),
+        "F8": translate("Menus", "go to the angle that was typed"),
+        "Ctrl+Home": translate("Menus", "home the head"),
+        "Ctrl++ Ctrl+-": translate("Menus", "larger, smaller text"),
     }
     rows = "".join(f"<tr><td><b>{key}</b>&nbsp;&nbsp;</td><td>{text}</td></tr>" for key, text in keys.items())
-    box = QMessageBox(QMessageBox.Icon.NoIcon, tr("Keys"), f"<table>{rows}</table>", parent=window)
+    box = QMessageBox(QMessageBox.Icon.NoIcon, translate("Menus", "Keys"), f"<table>{rows}</table>", parent=window)
     box.open()

@@ -4,7 +4,7 @@ from typing import Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
-CLAUSES: Final[tuple[str, ...]] = (
+CLAUSES: Final[tuple[str, ...]] = (  # type: ignore[assignment]  # the stub says object, and it is the text
     # operator and eyepiece
     QT_TRANSLATE_NOOP("Clauses", "Set the head to {}; Enter when it reads so, or type the reading."),
     QT_TRANSLATE_NOOP(

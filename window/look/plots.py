@@ -37,11 +37,12 @@ class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
         return colours(self)
 
     def name_axes(self, bottom: str, left: str) -> None:
-        """Say what is drawn against what."""
-        for side, text in (("bottom", bottom), ("left", left)):
-            axis = self.getAxis(side)
-            axis.setLabel(text)
-            axis.enableAutoSIPrefix(False)
+        """Say what is drawn against what: the ordinate above the plot, where it is read without turning the head."""
+        self._left = left
+        for side in ("bottom", "left"):
+            self.getAxis(side).enableAutoSIPrefix(False)
+        self.getAxis("bottom").setLabel(bottom)
+        self._entitle()
 
     def pen(self, colour: str, width: float = 1.5, **style: Any) -> Any:  # noqa: ANN401  # a QPen
         """A pen that is as wide at every magnification."""
@@ -63,4 +64,9 @@ class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
             axis.setTextPen(chosen.ink)
             axis.setTickFont(self.font())
             axis.label.setFont(self.font())
+        self._entitle()
         self.showGrid(x=True, y=True, alpha=0.18)
+
+    def _entitle(self) -> None:
+        size = f"{self.font().pointSizeF():g}pt"
+        self.getPlotItem().setTitle(self._left, color=colours(self).ink, size=size, justify="left")

@@ -6,6 +6,7 @@ whatever stood in the braces; any other stays as it is, so that nothing is ever 
 
 import re
 from functools import cache
+from typing import Final
 
 from PySide6.QtCore import QCoreApplication
 
@@ -26,18 +27,15 @@ from procedures.events import (
 from window.look.clauses import CLAUSES
 from window.look.numbers import local
 
-
-def tr(text: str) -> str:
-    """A text of this module in the language of the window."""
-    return QCoreApplication.translate("Sentences", text)
+translate: Final = QCoreApplication.translate
 
 
 def sentence_of(event: Event) -> str:
     """What the log says of an event; empty where it says nothing."""
     match event:
         case Identified():
-            text = tr("{instrument}: {model}, serial number {serial}, firmware {firmware}.")
-            names = {"head": tr("Dividing head"), "daq": tr("Voltmeter")}
+            text = translate("Sentences", "{instrument}: {model}, serial number {serial}, firmware {firmware}.")
+            names = {"head": translate("Sentences", "Dividing head"), "daq": translate("Sentences", "Voltmeter")}
             said = text.format(
                 instrument=names.get(event.instrument, event.instrument),
                 model=event.model,
@@ -45,23 +43,27 @@ def sentence_of(event: Event) -> str:
                 firmware=event.firmware or "—",
             )
         case MountRequested():
-            said = tr("The unit is to be seated in the mount {mount}.").format(mount=event.mount)
+            said = translate("Sentences", "The unit is to be seated in the mount {mount}.").format(mount=event.mount)
         case MountAnswered(confirmed=True):
-            said = tr("The unit sits in the mount {mount}.").format(mount=event.mount)
+            said = translate("Sentences", "The unit sits in the mount {mount}.").format(mount=event.mount)
         case ReadingAnswered():
-            text = tr("Set to {setting}; read: {answer}.")
-            said = text.format(setting=format_dms(event.setting_deg), answer=event.answer or tr("as set"))
+            text = translate("Sentences", "Set to {setting}; read: {answer}.")
+            said = text.format(
+                setting=format_dms(event.setting_deg), answer=event.answer or translate("Sentences", "as set")
+            )
         case RunResumed():
-            said = tr("The run goes on; {points} points are there already.").format(points=event.points)
+            said = translate("Sentences", "The run goes on; {points} points are there already.").format(
+                points=event.points
+            )
         case PointVerified():
-            text = tr("Point {point} was taken again: {now:.6f} V now, {before:.6f} V before.")
+            text = translate("Sentences", "Point {point} was taken again: {now:.6f} V now, {before:.6f} V before.")
             said = text.format(point=event.point, now=event.voltage_v, before=event.recorded_v)
         case StateChanged(state=State.PAUSED | State.STANDSTILL):
             said = state_name(event.state) + "."
         case WarningRaised():
             said = in_language(event.message)
         case RunFinished():
-            said = tr("The run is over: {message}.").format(message=in_language(event.message))
+            said = translate("Sentences", "The run is over: {message}.").format(message=in_language(event.message))
         case _:
             return ""
     return local(said)
@@ -70,12 +72,12 @@ def sentence_of(event: Event) -> str:
 def state_name(state: State) -> str:
     """Where a run stands, in a word or two."""
     return {
-        State.IDLE: tr("Ready"),
-        State.RUNNING: tr("Measuring"),
-        State.PAUSED: tr("Paused; the head stands"),
-        State.AWAITING_OPERATOR: tr("Waits for you"),
-        State.STOPPING: tr("Stopping"),
-        State.STANDSTILL: tr("The head stands"),
+        State.IDLE: translate("Sentences", "Ready"),
+        State.RUNNING: translate("Sentences", "Measuring"),
+        State.PAUSED: translate("Sentences", "Paused; the head stands"),
+        State.AWAITING_OPERATOR: translate("Sentences", "Waits for you"),
+        State.STOPPING: translate("Sentences", "Stopping"),
+        State.STANDSTILL: translate("Sentences", "The head stands"),
     }[state]
 
 
@@ -88,9 +90,7 @@ def in_language(sentence: str) -> str:
 def _clause(text: str) -> str | None:
     for template, pattern in _patterns():
         if found := pattern.fullmatch(text):
-            return QCoreApplication.translate("Clauses", template).format(
-                *(_clause(group) or group for group in found.groups())
-            )
+            return translate("Clauses", template).format(*(_clause(group) or group for group in found.groups()))
     return None
 
 

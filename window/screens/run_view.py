@@ -5,7 +5,7 @@ from typing import Final
 
 import numpy as np
 from PySide6.QtCore import Qt, QTimer
-from PySide6.QtWidgets import QSplitter, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
 
 from drivers.protocols import HeadStatus, SampleBlock
 from procedures.events import Event, PointCompleted, SamplesAcquired, StepStarted, WarningRaised
@@ -17,6 +17,7 @@ from window.widgets.pose_map import PoseMap
 from window.widgets.prompts import MountPrompt
 from window.widgets.run_log import RunLog
 from window.widgets.run_plots import OutputPlot, ResidualPlot, SamplesPlot, TemperaturePlot
+from window.widgets.splitter import Splitter
 from window.work.background import Background
 from window.work.live_fit import LiveFit, fit_live
 
@@ -95,12 +96,12 @@ class RunView(QWidget):
     def _lay_out(self) -> None:
         for part in (self.dial, self.mount_prompt):
             self._place.addWidget(part)
-        left = _split(Qt.Orientation.Vertical, (self._place, self.map), (3, 2))
-        small = _split(Qt.Orientation.Horizontal, (self.temperature, self.samples), (1, 1))
-        right = _split(Qt.Orientation.Vertical, (self.output, self.residual, small, self.log), (5, 4, 4, 3))
+        left = Splitter(Qt.Orientation.Vertical, (self._place, self.map), (3, 2))
+        small = Splitter(Qt.Orientation.Horizontal, (self.temperature, self.samples), (1, 1))
+        right = Splitter(Qt.Orientation.Vertical, (self.output, self.residual, small, self.log), (5, 4, 4, 3))
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(_split(Qt.Orientation.Horizontal, (left, right), (2, 3)))
+        layout.addWidget(Splitter(Qt.Orientation.Horizontal, (left, right), (2, 3)))
 
     def _draw(self) -> None:
         if self._block is not None and self.isVisible():
@@ -133,12 +134,3 @@ class RunView(QWidget):
 
 def _volts(point: Point) -> float:
     return point.voltage_v if abs(point.voltage_v) < 1e30 else float("nan")
-
-
-def _split(orientation: Qt.Orientation, parts: Sequence[QWidget], shares: Sequence[int]) -> QSplitter:
-    splitter = QSplitter(orientation)
-    for part, share in zip(parts, shares, strict=True):
-        splitter.addWidget(part)
-        splitter.setStretchFactor(splitter.count() - 1, share)
-    splitter.setChildrenCollapsible(False)
-    return splitter

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from PySide6.QtCore import QSettings, Qt, Signal
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLabel, QPushButton, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from app.stand import LoadedStand, load_stand
 from app.wiring import Attendant
@@ -13,6 +13,7 @@ from window.widgets.dial import Dial
 from window.widgets.instrument_table import InstrumentTable
 from window.widgets.jog import Jog
 from window.widgets.simulation_settings import SimulationSettings
+from window.widgets.splitter import Splitter
 from window.work.bridge import EventBridge
 from window.work.operator import WindowOperator
 from window.work.stand_worker import StandIdentity, StandWorker
@@ -101,12 +102,7 @@ class StandScreen(QWidget):
         for part in (self.table, self.simulation, self._notice, self.jog):
             column.addWidget(part)
         column.addStretch(1)
-        halves = QSplitter(Qt.Orientation.Horizontal)
-        halves.addWidget(self.dial)
-        halves.addWidget(facts)
-        halves.setStretchFactor(0, 1)
-        halves.setStretchFactor(1, 1)
-        halves.setChildrenCollapsible(False)
+        halves = Splitter(Qt.Orientation.Horizontal, (self.dial, facts), (1, 1))
         layout = QVBoxLayout(self)
         layout.addLayout(choice)
         layout.addWidget(halves, stretch=1)

@@ -126,6 +126,8 @@ class PoseMap(QWidget):
         painter.setPen(QPen(QColor(chosen.accent if share else chosen.pale), 1.2))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawEllipse(place, size, size)
+        if not share:
+            return
         painter.setBrush(QColor(chosen.accent))
         box = QRectF(place.x() - size, place.y() - size, 2 * size, 2 * size)
         painter.drawPie(box, 90 * 16, round(-360 * 16 * min(share, 1.0)))

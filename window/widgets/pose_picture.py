@@ -17,7 +17,6 @@ _RIGHT: Final = np.array([0.90, 0.0, -0.43])
 _UP: Final = np.array([-0.16, 0.93, -0.34])
 """On the paper, of X to the right, Y up and Z, the head's axis, towards the reader."""
 _TOWARDS: Final = np.cross(_RIGHT, _UP)
-_PLATE_Z: Final = -0.85
 _ARROW: Final = 1.15
 
 
@@ -60,7 +59,7 @@ class PosePicture(QWidget):
         painter.translate(self.width() * 0.5, self.height() * 0.52)
         scale = min(self.width() / 3.5, self.height() / 3.0)
         axes = MOUNTS[self._mount]
-        self._draw_plate(painter, chosen, scale)
+        self._draw_plate(painter, chosen, scale, _seat_z(axes))
         hidden = [axis for axis in range(3) if axes[axis] @ _TOWARDS < 0]
         for axis in hidden:
             self._draw_axis(painter, chosen, scale, axes, axis)
@@ -70,15 +69,15 @@ class PosePicture(QWidget):
             self._draw_axis(painter, chosen, scale, axes, axis)
         self._draw_gravity(painter, chosen, scale)
 
-    def _draw_plate(self, painter: QPainter, chosen: Colours, scale: float) -> None:
+    def _draw_plate(self, painter: QPainter, chosen: Colours, scale: float, seat_z: float) -> None:
         turn = np.linspace(0.0, 2 * np.pi, 73)
         rim = np.stack([np.sin(turn), np.cos(turn), np.zeros_like(turn)], axis=-1) * 1.25
-        for depth in (_PLATE_Z - 0.18, _PLATE_Z):
+        for depth in (seat_z - 0.18, seat_z):
             painter.setPen(QPen(QColor(chosen.pale), 1.5))
             painter.setBrush(QColor(chosen.grid))
             painter.drawPolygon(_polygon(rim + np.array([0.0, 0.0, depth]), scale))
-        painter.drawLine(_flat(np.array([0, 1.25, _PLATE_Z]), scale), _flat(np.array([0, 1.08, _PLATE_Z]), scale))
-        _write(painter, _flat(np.array([0.0, 1.0, _PLATE_Z]), scale), "0°", QColor(chosen.ink), scale * 0.13)
+        painter.drawLine(_flat(np.array([0, 1.25, seat_z]), scale), _flat(np.array([0, 1.08, seat_z]), scale))
+        _write(painter, _flat(np.array([0.0, 1.0, seat_z]), scale), "0°", QColor(chosen.ink), scale * 0.13)
 
     def _draw_face(self, painter: QPainter, chosen: Colours, scale: float, face: _Face) -> None:
         lightness = {0: 118, 1: 100, 2: 135}[face.axis]
@@ -101,6 +100,11 @@ class PosePicture(QWidget):
         begin, end = QPointF(1.5 * scale, -0.35 * scale), QPointF(1.5 * scale, 0.45 * scale)
         _arrow(painter, begin, end, QColor(chosen.ink), scale)
         _write(painter, QPointF(1.5 * scale, 0.65 * scale), "g", QColor(chosen.ink), scale * 0.2)
+
+
+def _seat_z(axes: FloatArray) -> float:
+    """Where the faceplate is: under the unit."""
+    return -float(np.abs(axes[:, 2]) @ np.array(_HALF_SIZES))
 
 
 def _visible_faces(axes: FloatArray) -> list[_Face]:

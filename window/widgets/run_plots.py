@@ -15,6 +15,7 @@ from window.look.plots import Plot
 from window.look.theme import MARKERS
 from window.work.live_fit import LiveFit
 
+translate: Final = QCoreApplication.translate
 _MOUNTS: Final = tuple(MOUNTS)
 _DRAWN_SAMPLES: Final = 2000
 """Of each channel; more than a screen has columns says nothing more."""
@@ -31,20 +32,21 @@ class AnglePlot(Plot):
     """Something of every point against the head angle, in the colour and shape of its mount."""
 
     def __init__(self, left: str, parent: QWidget | None = None) -> None:
-        super().__init__(bottom=QCoreApplication.translate("RunPlots", "head angle (°)"), left=left, parent=parent)
+        super().__init__(bottom=translate("RunPlots", "head angle (°)"), left=left, parent=parent)
         self.addLegend(offset=(-8, 8))
         self._series: dict[str, pg.PlotDataItem] = {}
-        self._drawn: tuple[list[str], FloatArray, FloatArray] = ([], np.empty(0), np.empty(0))
         self.recoloured.connect(self._restyle)
 
     def draw_points(self, points: Sequence[Point], values: FloatArray) -> None:
         """Draw a value of every point."""
-        mounts = [point.mount for point in points]
-        self._drawn = (mounts, np.array([point.angle_deg for point in points]), values)
+        self.draw([point.mount for point in points], np.array([point.angle_deg for point in points]), values)
+
+    def draw(self, mounts: Sequence[str], abscissa: FloatArray, values: FloatArray) -> None:
+        """Draw a value of every row against another."""
         of = np.array(mounts)
         for mount in dict.fromkeys(mounts):
             at = of == mount
-            self._of(mount).setData(self._drawn[1][at], values[at])
+            self._of(mount).setData(abscissa[at], values[at])
         for mount in set(self._series) - set(mounts):
             self.removeItem(self._series.pop(mount))
 
@@ -66,7 +68,7 @@ class OutputPlot(AnglePlot):
     """Output against angle, with the declared model as it is fitted so far."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(left=QCoreApplication.translate("RunPlots", "output (V)"), parent=parent)
+        super().__init__(left=translate("RunPlots", "output (V)"), parent=parent)
         self._curves: list[pg.PlotDataItem] = []
 
     def draw_fit(self, fit: LiveFit | None) -> None:
@@ -83,7 +85,7 @@ class ResidualPlot(AnglePlot):
     """Residual against angle: what is far outside of the band is a gross error, and is ringed."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(left=QCoreApplication.translate("RunPlots", "residual (µV)"), parent=parent)
+        super().__init__(left=translate("RunPlots", "residual (µV)"), parent=parent)
         self._band = pg.LinearRegionItem((0, 0), orientation="horizontal", movable=False)
         self._rings = pg.ScatterPlotItem(size=17, brush=None)
         self._band.setZValue(-10)
@@ -123,8 +125,8 @@ class TemperaturePlot(Plot):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(
-            bottom=QCoreApplication.translate("RunPlots", "time (min)"),
-            left=QCoreApplication.translate("RunPlots", "temperature (°C)"),
+            bottom=translate("RunPlots", "time (min)"),
+            left=translate("RunPlots", "temperature (°C)"),
             parent=parent,
         )
         self._line = self.plot([], [], pen=self.pen(self.colours.accent))
@@ -142,8 +144,8 @@ class SamplesPlot(Plot):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(
-            bottom=QCoreApplication.translate("RunPlots", "time in the dwell (s)"),
-            left=QCoreApplication.translate("RunPlots", "samples (V)"),
+            bottom=translate("RunPlots", "time in the dwell (s)"),
+            left=translate("RunPlots", "samples (V)"),
             parent=parent,
         )
         self._lines: list[pg.PlotDataItem] = []
