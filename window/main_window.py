@@ -9,7 +9,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QMainWindow,
     QMessageBox,
-    QScrollArea,
     QStackedWidget,
     QVBoxLayout,
     QWidget,
@@ -24,6 +23,7 @@ from window.screens.run import RunScreen
 from window.screens.stand import StandScreen
 from window.widgets.navigation import Navigation
 from window.widgets.problem import ProblemDialog
+from window.widgets.screen_area import ScreenArea
 from window.widgets.stop_bar import StopBar
 from window.work.activity import Concluded
 from window.work.background import Background
@@ -115,11 +115,7 @@ class MainWindow(QMainWindow):
     def _lay_out(self) -> None:
         self.setWindowTitle("tumble")
         for screen in self._in_order:
-            area = QScrollArea()
-            area.setWidgetResizable(True)
-            area.setFrameShape(QScrollArea.Shape.NoFrame)
-            area.setWidget(screen)
-            self._screens.addWidget(area)
+            self._screens.addWidget(ScreenArea(screen))
         middle = QWidget()
         across = QHBoxLayout()
         across.addWidget(self._navigation)

@@ -44,6 +44,12 @@ class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
         self.getAxis("bottom").setLabel(bottom)
         self._entitle()
 
+    def use_bottom_axis(self, axis: pg.AxisItem) -> None:
+        """Draw against another kind of axis."""
+        if self.getAxis("bottom") is not axis:
+            self.setAxisItems({"bottom": axis})
+            self._recolour()
+
     def pen(self, colour: str, width: float = 1.5, **style: Any) -> Any:  # noqa: ANN401  # a QPen
         """A pen that is as wide at every magnification."""
         return pg.mkPen(colour, width=width, **style)

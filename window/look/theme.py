@@ -127,7 +127,7 @@ def _sheet(chosen: Colours, space: int) -> str:
     QPushButton#navigation {{ border: none; border-radius: {space}px; padding: {2 * space}px {4 * space}px;
         text-align: left; background: transparent; }}
     QPushButton#navigation:hover, QPushButton#navigation:focus {{ border: 1px solid {chosen.accent}; }}
-    QPushButton#navigation:checked {{ background: {chosen.accent}; color: {chosen.paper}; font-weight: bold; }}
+    QPushButton#navigation:checked {{ background: {chosen.accent}; color: {chosen.paper}; }}
     QFrame#card {{ background: {chosen.paper}; border: 1px solid {chosen.grid}; border-radius: {2 * space}px; }}
     QLabel#heading {{ font-weight: bold; }}
     QLabel#pale {{ color: {chosen.pale}; }}

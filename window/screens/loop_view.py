@@ -50,9 +50,10 @@ class LoopView(QWidget):
         for part, title in self._titles.items():
             title.setObjectName("heading")
             layout.addWidget(title)
-            layout.addWidget(part, stretch=1)
+            layout.addWidget(part, stretch=8)
         layout.addWidget(self.run_button)
         layout.addWidget(self.untold)
+        layout.addStretch(1)
 
     def show_presentation(self, presentation: Presentation) -> None:
         """Show another result."""

@@ -72,7 +72,7 @@ class Dial(QWidget):
         painter.rotate(math.fmod(status.angle_deg, 360.0))
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(QColor(chosen.now if status.moving else chosen.accent))
-        tip, foot, half = -radius * 0.96, -radius * 0.60, radius * 0.07
+        tip, foot, half = -radius * 0.96, -radius * 0.70, radius * 0.045
         painter.drawPolygon(QPolygonF([QPointF(0, tip), QPointF(half, foot), QPointF(-half, foot)]))
         painter.restore()
 

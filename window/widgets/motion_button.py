@@ -1,7 +1,7 @@
 """A button that starts motion."""
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QKeySequence
+from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QPushButton, QWidget
 
 
@@ -18,3 +18,7 @@ class MotionButton(QPushButton):
         self.setAutoDefault(False)
         self.setShortcut(sequence)
         self.setAccessibleName(text)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802  # Qt's name
+        """Leave every key to others: the function key comes as a shortcut."""
+        event.ignore()

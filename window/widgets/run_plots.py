@@ -33,7 +33,7 @@ class AnglePlot(Plot):
 
     def __init__(self, left: str, parent: QWidget | None = None) -> None:
         super().__init__(bottom=translate("RunPlots", "head angle (°)"), left=left, parent=parent)
-        self.addLegend(offset=(-8, 8))
+        self._legend = self.addLegend(offset=(-8, 8), labelTextColor=self.colours.ink)
         self._series: dict[str, pg.PlotDataItem] = {}
         self.recoloured.connect(self._restyle)
 
@@ -60,6 +60,7 @@ class AnglePlot(Plot):
         return {"pen": None, "symbol": shape, "symbolSize": 7, "symbolBrush": colour, "symbolPen": None}
 
     def _restyle(self) -> None:
+        self._legend.setLabelTextColor(self.colours.ink)
         for mount, series in self._series.items():
             series.setSymbolBrush(mount_style(mount, self.colours.data)[0])
 

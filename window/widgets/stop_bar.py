@@ -21,6 +21,7 @@ class StopBar(QWidget):
         self.button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.button.setAccessibleName(self.tr("Stop the head"))
         self.button.clicked.connect(self.stop_wanted)
+        self._angle.setMinimumWidth(self._angle.fontMetrics().horizontalAdvance("↻ -000° 00′ 00.0″"))
         for label in (self.state, self.button):
             font = label.font()
             font.setBold(True)

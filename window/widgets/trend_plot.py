@@ -71,10 +71,10 @@ class TrendPlot(QWidget):
     def _places(self, records: Sequence[Record]) -> "np.ndarray[tuple[int], np.dtype[np.float64]]":
         """Where records stand on the abscissa, which is dressed for it."""
         if self.over.currentData() == "time":
-            self.plot.setAxisItems({"bottom": self._dates})
+            self.plot.use_bottom_axis(self._dates)
             return np.array([_moment(record).timestamp() for record in records])
         units = list(dict.fromkeys(record.provenance.serial_number for record in records))
-        self.plot.setAxisItems({"bottom": self._numbers})
+        self.plot.use_bottom_axis(self._numbers)
         self._numbers.setTicks([list(enumerate(units))])
         return np.array([float(units.index(record.provenance.serial_number)) for record in records])
 

@@ -23,6 +23,7 @@ class Background(QObject):
         super().__init__(parent)
         self._executor = ThreadPoolExecutor(max_workers=1, thread_name_prefix="analysis")
         self._under_way = 0
+        self._left = False
         self._arrived.connect(self._deliver)
 
     def start(
@@ -32,6 +33,8 @@ class Background(QObject):
         failed: Callable[[Exception], None] | None = None,
     ) -> None:
         """Call `function` in the other thread, and `done` or `failed` here with what came of it."""
+        if self._left:
+            return
         self._under_way += 1
         self.busy.emit(True)
         future = self._executor.submit(function)
@@ -39,6 +42,7 @@ class Background(QObject):
 
     def leave(self) -> None:
         """Begin nothing more, and wait for what is under way: it may be writing."""
+        self._left = True
         self._arrived.disconnect(self._deliver)
         self._executor.shutdown(wait=True, cancel_futures=True)
 

@@ -4,7 +4,7 @@ import re
 from pathlib import Path
 from typing import Final
 
-from PySide6.QtCore import QByteArray, QMarginsF, QSizeF, QUrl
+from PySide6.QtCore import QByteArray, QMarginsF, QSizeF, QThread, QUrl
 from PySide6.QtGui import QImage, QPageLayout, QPageSize, QPainter, QPdfWriter, QTextDocument
 from PySide6.QtSvg import QSvgRenderer
 
@@ -17,7 +17,27 @@ _POINTS_PER_INCH: Final = 72.0
 
 
 def print_page(html: str, path: Path) -> None:
-    """Write a page of HTML as PDF on A4. Raises `JobError` where the file cannot be written."""
+    """Write a page of HTML as PDF on A4, and wait for it. Raises `JobError` where the file cannot be written."""
+    printing = _Printing(html, path)
+    printing.start()
+    printing.wait()
+    if not path.is_file() or not path.stat().st_size:
+        raise JobError(f"{path}: cannot be written; choose another place", Exit.STORAGE)
+
+
+class _Printing(QThread):
+    """A text document wants a thread that Qt has made."""
+
+    def __init__(self, html: str, path: Path) -> None:
+        super().__init__()
+        self._html, self._path = html, path
+
+    def run(self) -> None:
+        """Lay out and write."""
+        _print(self._html, self._path)
+
+
+def _print(html: str, path: Path) -> None:
     writer = QPdfWriter(str(path))
     writer.setPageSize(QPageSize(QPageSize.PageSizeId.A4))
     writer.setPageMargins(QMarginsF(*[_MARGIN_MM] * 4), QPageLayout.Unit.Millimeter)
@@ -27,8 +47,6 @@ def print_page(html: str, path: Path) -> None:
     document.setPageSize(QSizeF(page.width(), page.height()))
     document.setHtml(_with_pictures(html, document, page.width()))
     document.print_(writer)
-    if not path.is_file() or not path.stat().st_size:
-        raise JobError(f"{path}: cannot be written; choose another place", Exit.STORAGE)
 
 
 def _with_pictures(html: str, document: QTextDocument, width_pt: float) -> str:
