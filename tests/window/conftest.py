@@ -5,7 +5,7 @@ import os
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 import pytest
-from PySide6.QtCore import QSettings
+from PySide6.QtCore import QEvent, QSettings
 from window_driver import LONG, TINY, Driver
 
 from calibrations import analysis
@@ -52,7 +52,9 @@ def driver(qtbot, qapp, settings, tmp_path, monkeypatch):
     yield Driver(qtbot, running)
     running.window.leave()
     qtbot.waitUntil(lambda: not running.window.isVisible(), timeout=20_000)
-    running.deleteLater()
+    for made in (running.window, running):
+        made.deleteLater()
+    qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
 
 @pytest.fixture

@@ -6,24 +6,23 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 CLAUSES: Final[tuple[str, ...]] = (  # type: ignore[assignment]  # the stub says object, and it is the text
     # operator and eyepiece
-    QT_TRANSLATE_NOOP("Clauses", "Set the head to {}; Enter when it reads so, or type the reading."),
+    QT_TRANSLATE_NOOP("Clauses", "Set the head to {}; Enter when it reads so, or type the reading"),
     QT_TRANSLATE_NOOP(
         "Clauses",
-        "You read {}, the setting was {}: type it again to keep it, or set the head right and press Enter.",
+        "You read {}, the setting was {}: type it again to keep it, or set the head right and press Enter",
     ),
     QT_TRANSLATE_NOOP(
         "Clauses",
-        "The voltage is {} V off at {} and would fit {}: a wrong {}? Read again and type what you read; "
-        "Enter keeps it.",
+        "The voltage is {} V off at {} and would fit {}: a wrong {}? Read again and type what you read; Enter keeps it",
     ),
     QT_TRANSLATE_NOOP(
         "Clauses",
         "The voltage is {} V off at {}, which no single wrong digit explains. Read again and type what you read; "
-        "Enter keeps it.",
+        "Enter keeps it",
     ),
-    QT_TRANSLATE_NOOP("Clauses", "{} is no angle; type degrees, minutes and seconds, such as 12 34 56, or 12.5."),
-    QT_TRANSLATE_NOOP("Clauses", "{} has a fraction before its last number; type it without."),
-    QT_TRANSLATE_NOOP("Clauses", "{} has 60 minutes or seconds, or more; type it with fewer than 60."),
+    QT_TRANSLATE_NOOP("Clauses", "{} is no angle; type degrees, minutes and seconds, such as 12 34 56, or 12.5"),
+    QT_TRANSLATE_NOOP("Clauses", "{} has a fraction before its last number; type it without"),
+    QT_TRANSLATE_NOOP("Clauses", "{} has 60 minutes or seconds, or more; type it with fewer than 60"),
     QT_TRANSLATE_NOOP("Clauses", "degree"),
     QT_TRANSLATE_NOOP("Clauses", "minute"),
     QT_TRANSLATE_NOOP("Clauses", "the request to seat the unit in {} was answered {}"),

@@ -7,6 +7,7 @@ from PySide6.QtCore import QLocale
 
 _POINT: Final = re.compile(r"(?<=\d)\.(?=\d)")
 _UNIT: Final = re.compile(r"(?<![A-Za-z])(?:[pnµmk]?V|Hz|kHz|ms|s|min|h)(?![A-Za-z])")
+_RANGE: Final = re.compile(r"(?<=\d) to (?=[-−\d])")
 _CYRILLIC: Final = {
     "V": "В",
     "pV": "пВ",
@@ -28,7 +29,9 @@ def local(text: str) -> str:
     """Text with numbers and units in it, with the decimal sign and the units of the language."""
     locale = QLocale()
     written = _POINT.sub(locale.decimalPoint(), text)
-    return _UNIT.sub(lambda unit: _CYRILLIC[unit[0]], written) if _is_ukrainian(locale) else written
+    if not _is_ukrainian(locale):
+        return written
+    return _UNIT.sub(lambda unit: _CYRILLIC[unit[0]], _RANGE.sub(" … ", written))
 
 
 def parse_number(text: str) -> float:

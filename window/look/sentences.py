@@ -24,6 +24,7 @@ from procedures.events import (
     StateChanged,
     WarningRaised,
 )
+from window.look.analysis_clauses import ANALYSIS_CLAUSES
 from window.look.clauses import CLAUSES
 from window.look.numbers import local
 
@@ -81,19 +82,31 @@ def state_name(state: State) -> str:
     }[state]
 
 
-def in_language(sentence: str) -> str:
+def in_language(text: str) -> str:
     """What was said in English, clause by clause in the language of the window, as far as that is known."""
-    whole = _clause(sentence)
-    return local(whole if whole is not None else "; ".join(_clause(part) or part for part in sentence.split("; ")))
+    return local(_said(text))
+
+
+def _said(text: str) -> str:
+    whole = _clause(text.removesuffix("."))
+    if whole is not None:
+        return whole + "." * text.endswith(".")
+    for separator in (". ", "; "):
+        if separator in text:
+            return separator.join(map(_said, text.split(separator)))
+    return text
 
 
 def _clause(text: str) -> str | None:
-    for template, pattern in _patterns():
-        if found := pattern.fullmatch(text):
-            return translate("Clauses", template).format(*(_clause(group) or group for group in found.groups()))
-    return None
+    """A clause that is known; of several that fit, the one with the most words of its own."""
+    fitting = [(template, found) for template, pattern in _patterns() if (found := pattern.fullmatch(text))]
+    if not fitting:
+        return None
+    template, found = max(fitting, key=lambda fit: len(fit[0].replace("{}", "")))
+    return translate("Clauses", template).format(*map(_said, found.groups()))
 
 
 @cache
 def _patterns() -> list[tuple[str, re.Pattern[str]]]:
-    return [(template, re.compile(re.escape(template).replace(r"\{\}", "(.+?)"), re.DOTALL)) for template in CLAUSES]
+    templates = (*CLAUSES, *ANALYSIS_CLAUSES)
+    return [(template, re.compile(re.escape(template).replace(r"\{\}", "(.+?)"), re.DOTALL)) for template in templates]

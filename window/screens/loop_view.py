@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QLabel, QListWidget, QVBoxLayout, QWidget
 
 from calibrations.tracing.experiments import Experiment
 from window.look.numbers import local, minutes
+from window.look.sentences import in_language
 from window.widgets.motion_button import MotionButton
 from window.widgets.table import Table
 from window.work.presentation import Presentation
@@ -58,21 +59,32 @@ class LoopView(QWidget):
     def show_presentation(self, presentation: Presentation) -> None:
         """Show another result."""
         self._experiments = presentation.concluded.traced.loop.next_experiment
-        self.headline.setText(local(presentation.headline))
+        self.headline.setText(in_language(presentation.headline))
         self.findings.fill(
             [
-                (found.name, found.also_possible, found.belongs_to, local(found.coefficients), local(found.p_value))
+                (
+                    found.name,
+                    in_language(found.also_possible),
+                    in_language(found.belongs_to),
+                    local(found.coefficients),
+                    local(found.p_value),
+                )
                 for found in presentation.findings
             ]
         )
         self.comparisons.fill(
             [
-                (line.name, local(line.declared), local(line.augmented), local(line.change))
+                tuple(map(in_language, (line.name, line.declared, line.augmented, line.change)))
                 for line in presentation.comparisons
             ]
         )
-        told = [self.tr("{name} cannot be told: {reason}").format(name=n, reason=why) for n, why in presentation.untold]
-        self.untold.setText(local("\n".join([*told, *([presentation.leaning] if presentation.leaning else [])])))
+        told = [
+            self.tr("{name} cannot be told: {reason}").format(name=n, reason=in_language(why))
+            for n, why in presentation.untold
+        ]
+        self.untold.setText(
+            local("\n".join([*told, *([in_language(presentation.leaning)] if presentation.leaning else [])]))
+        )
         self._list_experiments(self._experiments)
         shown = {
             self.findings: bool(presentation.findings),
@@ -95,7 +107,7 @@ class LoopView(QWidget):
             title = self.tr("no programme helps")
             if experiment.programme:
                 title = f"{experiment.programme} ({minutes(experiment.stand_time_s)})"
-            self.experiments.addItem(local(f"{title}: {experiment.why}"))
+            self.experiments.addItem(f"{title}: {in_language(experiment.why)}")
         self.experiments.setCurrentRow(0 if experiments else -1)
         self._refresh()
 

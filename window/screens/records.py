@@ -14,6 +14,7 @@ from calibrations.records.record import Record, Verdict
 from calibrations.records.verify import Verification
 from procedures.errors import InputError
 from window.look.numbers import local
+from window.look.sentences import in_language
 from window.screens.cut_off_view import CutOffView
 from window.screens.stand_records import StandRecords
 from window.widgets.record_search import RecordSearch
@@ -176,7 +177,7 @@ class RecordsScreen(QWidget):
         self._start(partial(store.differences, self._folder(), first.id, second.id), self._say_differences)
 
     def _say_differences(self, found: tuple[Difference, ...]) -> None:
-        self.said.setText(local("\n".join(difference.sentence for difference in found)))
+        self.said.setText("\n".join(in_language(difference.sentence) for difference in found))
 
     def _verify(self) -> None:
         ids = [record.id for record in self._chosen()]
@@ -187,7 +188,7 @@ class RecordsScreen(QWidget):
         lines = []
         for one in found:
             lines.append((good if one.verified else bad).format(id=one.record_id))
-            lines.extend(() if one.verified else one.sentences)
+            lines.extend(() if one.verified else map(in_language, one.sentences))
         self.said.setText("\n".join(lines))
 
     def _choose_export(self) -> None:

@@ -12,7 +12,7 @@ from app.stand import LoadedStand
 from calibrations.records.record import Verdict
 from procedures.errors import InputError
 from procedures.programme import load_programme
-from window.look.numbers import local
+from window.look.sentences import in_language
 from window.look.theme import colours
 from window.screens.loop_view import LoopView
 from window.widgets.correlation_table import CorrelationTable
@@ -101,7 +101,7 @@ class ResultScreen(QWidget):
         origin = concluded.traced.provenance
         parts = (origin.serial_number, origin.programme_name, origin.measured_at, origin.operator, concluded.record_id)
         self._subject.setText(" · ".join(part for part in parts if part))
-        self._notices.setText("\n".join(f"⚠ {local(notice)}" for notice in presentation.notices))
+        self._notices.setText("\n".join(f"⚠ {in_language(notice)}" for notice in presentation.notices))
         self._notices.setVisible(bool(presentation.notices))
         self.report_button.setEnabled(concluded.report is not None)
 
@@ -112,7 +112,7 @@ class ResultScreen(QWidget):
             for row in presentation.table
         ]
         unsettled = [shades.bad if row.limits and not row.inside else None for row in presentation.table]
-        self.table.fill([[local(text) for text in row] for row in told], unsettled)
+        self.table.fill([[in_language(text) for text in row] for row in told], unsettled)
 
     def _lay_out(self) -> None:
         for label in (self.verdict, self._subject, self._notices):

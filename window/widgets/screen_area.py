@@ -11,6 +11,7 @@ class ScreenArea(QScrollArea):
     def __init__(self, screen: QWidget, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setFrameShape(QScrollArea.Shape.NoFrame)
+        self._screen = screen
         self.setWidget(screen)
         screen.installEventFilter(self)
 
@@ -26,7 +27,7 @@ class ScreenArea(QScrollArea):
         self._fit()
 
     def _fit(self) -> None:
-        screen, room = self.widget(), self.maximumViewportSize()
+        screen, room = self._screen, self.maximumViewportSize()
         layout = screen.layout()
         if layout is None:
             return
