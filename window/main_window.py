@@ -19,7 +19,7 @@ from drivers.protocols import HeadStatus
 from window.menus import fill_menus
 from window.screens.records import RecordsScreen
 from window.screens.result import ResultScreen
-from window.screens.run import RunScreen
+from window.screens.run import Phase, RunScreen
 from window.screens.stand import StandScreen
 from window.widgets.navigation import Navigation
 from window.widgets.problem import ProblemDialog
@@ -69,7 +69,7 @@ class MainWindow(QMainWindow):
     @property
     def busy(self) -> bool:
         """Whether the stand is at work."""
-        return self._working
+        return self._working or self.run.phase is not Phase.IDLE
 
     def open(self, screen: QWidget) -> None:
         """Show one of the screens."""
@@ -88,11 +88,12 @@ class MainWindow(QMainWindow):
 
     def closeEvent(self, event: QCloseEvent) -> None:  # noqa: N802  # Qt's name
         """Ask while a run goes on; leave only once the head stands."""
-        if self._working and not self._leaving and not self._confirmed():
+        running = self.run.phase is not Phase.IDLE
+        if running and not self._leaving and not self._confirmed():
             event.ignore()
             return
         self._leaving = True
-        if self._working:
+        if running:
             self.worker.stop()
             event.ignore()  # closed anew when the stand has come to rest
             return

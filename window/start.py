@@ -8,7 +8,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Final
 
-from PySide6.QtCore import QEvent, QObject, Qt, QTimer, QTranslator, Signal
+from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QWindow
 from PySide6.QtWidgets import QApplication
 
@@ -30,7 +30,6 @@ class Application(QObject):
     def __init__(self, application: QApplication, store: Path) -> None:
         super().__init__(application)
         self._application, self._store = application, store
-        self._translators: list[QTranslator] = []
         self.faulted.connect(self._show_fault)
         application.focusWindowChanged.connect(self._watch_keys)
         self.window = self._made()
@@ -62,7 +61,7 @@ class Application(QObject):
         beat.start()
 
     def _made(self) -> MainWindow:
-        self._translators = speak(language(), self._translators)
+        speak(language())
         dress(self._application, shade(), text_scale())
         window = MainWindow(self._store)
         window.dress_wanted.connect(lambda: dress(self._application, shade(), text_scale()))

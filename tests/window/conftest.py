@@ -47,7 +47,7 @@ def settings(tmp_path, qapp):
 def driver(qtbot, qapp, settings, tmp_path, monkeypatch):
     """The window, with its simulated stand hurried, and what a person does with it."""
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
-    settings.setValue("simulation/speed", 3)
+    settings.setValue("simulation/speed", 0)
     running = Application(qapp, tmp_path / "store")
     yield Driver(qtbot, running)
     running.window.leave()

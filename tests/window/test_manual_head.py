@@ -22,7 +22,7 @@ def begin(driver, write):
     driver.start(write("thirty.toml", THIRTY), imagined=False)
     driver.wait(lambda: driver.run.view.asks_mount)
     driver.press(Qt.Key.Key_F9)
-    driver.wait(lambda: driver.run.reading.isVisible())
+    driver.wait(driver.run.reading.isVisible)
 
 
 def answer(driver, text=""):

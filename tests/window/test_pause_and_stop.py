@@ -17,7 +17,7 @@ def recording(tmp_path):
 @pytest.fixture
 def slow(driver):
     """A stand whose moves last long enough to be looked at."""
-    driver.window.stand.simulation.speed.setCurrentIndex(1)
+    driver.window.stand.simulation.speed.setCurrentIndex(2)
     return driver
 
 
@@ -79,7 +79,7 @@ def test_the_button_stops_a_jog(slow):
     stand = slow.window.stand
     slow.window.open(stand)
     stand.connect_button.click()
-    slow.wait(lambda: stand.jog.isEnabled())
+    slow.wait(stand.jog.isEnabled)
     stand.jog.angle.setText("700")
     slow.press(Qt.Key.Key_F8)
     slow.wait(lambda: slow.window.busy)
@@ -120,7 +120,7 @@ def test_a_head_that_still_turns_when_the_window_is_left_is_stopped(slow, monkey
     monkeypatch.setattr(SimulatedHead, "stop", lambda head: (stopped.append(head), stop(head))[1])
     stand = slow.window.stand
     stand.connect_button.click()
-    slow.wait(lambda: stand.jog.isEnabled())
+    slow.wait(stand.jog.isEnabled)
     slow.window.worker.move_to(700.0)
     slow.wait(lambda: slow.window.busy)
     slow.window.leave()

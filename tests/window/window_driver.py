@@ -57,6 +57,9 @@ class Driver:
         self.bot.waitUntil(lambda: bool(condition()), timeout=round(timeout_s * 1000))
 
     def press(self, key, modifiers=Qt.KeyboardModifier.NoModifier, at=None):
+        if at is None:  # a shortcut, which only the window that is active has
+            self.window.activateWindow()
+            self.wait(self.window.isActiveWindow)
         self.bot.keyClick(at or self.window, key, modifiers)
 
     def type(self, text, at):

@@ -27,24 +27,19 @@ def preferred() -> Language:
     return Language.UKRAINIAN if QLocale.system().language() == QLocale.Language.Ukrainian else Language.ENGLISH
 
 
-def speak(language: Language, before: list[QTranslator]) -> list[QTranslator]:
-    """Have everything that is made from now on in a language; returns what to hand over the next time."""
+def speak(language: Language) -> None:
+    """Have everything that is made from now on in a language."""
     application = QCoreApplication.instance()
     assert application is not None, "there are no texts without an application"
-    for translator in before:
+    for translator in application.findChildren(QTranslator):
         application.removeTranslator(translator)
+        translator.deleteLater()
     QLocale.setDefault(_locale(language))
     places = {_OWN: _FOLDER, "qtbase": Path(QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath))}
-    translators = [_load(name, folder, language) for name, folder in places.items()]
-    loaded = [translator for translator in translators if translator is not None]
-    for translator in loaded:
-        application.installTranslator(translator)
-    return loaded
-
-
-def compiled(language: Language) -> bool:
-    """Whether the texts of a language are there: `make setup` compiles them."""
-    return language is Language.ENGLISH or (_FOLDER / f"{_OWN}_{language}.qm").is_file()
+    for name, folder in places.items():
+        translator = QTranslator(application)
+        if translator.load(str(folder / f"{name}_{language}.qm")):
+            application.installTranslator(translator)
 
 
 def _locale(language: Language) -> QLocale:
@@ -54,8 +49,3 @@ def _locale(language: Language) -> QLocale:
     locale = QLocale(QLocale.Language.English, QLocale.Country.UnitedKingdom)
     locale.setNumberOptions(QLocale.NumberOption.OmitGroupSeparator)
     return locale
-
-
-def _load(name: str, folder: Path, language: Language) -> QTranslator | None:
-    translator = QTranslator(QCoreApplication.instance())
-    return translator if translator.load(str(folder / f"{name}_{language}.qm")) else None

@@ -6,7 +6,16 @@ import pyqtgraph as pg
 from PySide6.QtCore import QEvent, QSize, Signal
 from PySide6.QtWidgets import QWidget
 
+from window.look.numbers import local
 from window.look.theme import Colours, colours
+
+
+class LocalAxis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph is not typed
+    """Numbers with the decimal sign of the language."""
+
+    def tickStrings(self, values: list[float], scale: float, spacing: float) -> list[str]:  # noqa: N802  # its name
+        """The numbers beside the ticks."""
+        return [local(text) for text in super().tickStrings(values, scale, spacing)]
 
 
 class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
@@ -17,7 +26,8 @@ class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
     """Whether there are axes yet: the palette changes while they are being made."""
 
     def __init__(self, bottom: str, left: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+        axes = {side: LocalAxis(side) for side in ("left", "bottom")}
+        super().__init__(parent, axisItems=axes)
         self._made = True
         self.setMenuEnabled(False)
         self.hideButtons()

@@ -28,6 +28,8 @@ from window.look.analysis_clauses import ANALYSIS_CLAUSES
 from window.look.clauses import CLAUSES
 from window.look.numbers import local
 
+_BRACES: Final = "((?:(?!; ).)+?)"
+"""Anything but the border of two clauses."""
 translate: Final = QCoreApplication.translate
 
 
@@ -109,4 +111,4 @@ def _clause(text: str) -> str | None:
 @cache
 def _patterns() -> list[tuple[str, re.Pattern[str]]]:
     templates = (*CLAUSES, *ANALYSIS_CLAUSES)
-    return [(template, re.compile(re.escape(template).replace(r"\{\}", "(.+?)"), re.DOTALL)) for template in templates]
+    return [(template, re.compile(re.escape(template).replace(r"\{\}", _BRACES))) for template in templates]

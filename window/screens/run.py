@@ -5,6 +5,7 @@ from enum import Enum, auto
 from pathlib import Path
 
 from PySide6.QtCore import Signal
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QVBoxLayout, QWidget
 
 from app.exits import Exit, JobError
@@ -96,6 +97,12 @@ class RunScreen(QWidget):
         self.phase = Phase.RUNNING
         self._worker.begin(activity, self._attendant())
         self._refresh()
+
+    def showEvent(self, event: QShowEvent) -> None:  # noqa: N802  # Qt's name
+        """Be ready for the scanner."""
+        super().showEvent(event)
+        if self.phase is Phase.IDLE:
+            self.form.await_scan()
 
     def _connect(self, bridge: EventBridge) -> None:
         self.start_button.clicked.connect(self.start)
@@ -197,6 +204,7 @@ class RunScreen(QWidget):
         self._ask_nothing()
         self._left.setText(text)
         self._refresh()
+        self.form.await_scan()
 
     def _refresh(self) -> None:
         idle, running = self.phase is Phase.IDLE, self.phase is Phase.RUNNING

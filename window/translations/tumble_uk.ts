@@ -1286,6 +1286,10 @@ The details are in {place}.</source>
         <translation>Прилад установлює імітований оператор</translation>
     </message>
     <message>
+        <source>at once</source>
+        <translation>миттєво</translation>
+    </message>
+    <message>
         <source>Simulated stand: time</source>
         <translation>Імітований стенд: час</translation>
     </message>

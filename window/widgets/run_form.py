@@ -28,7 +28,7 @@ class RunForm(QWidget):
         self.serial, self.operator, self.programme = QLineEdit(), QLineEdit(), QComboBox()
         self.serial.setMaxLength(_LONGEST_SERIAL)
         self.serial.setPlaceholderText(self.tr("type or scan"))
-        self.serial.returnPressed.connect(self.serial.selectAll)
+        self.serial.returnPressed.connect(self.await_scan)
         self.programme.addItems(shipped_programmes())
         self.programme.setCurrentText(str(QSettings().value("run/programme", "seed")))
         self.programme.setMinimumContentsLength(14)
@@ -53,6 +53,11 @@ class RunForm(QWidget):
         if self.programme.findText(name_or_path) < 0:
             self.programme.addItem(name_or_path)
         self.programme.setCurrentText(name_or_path)
+
+    def await_scan(self) -> None:
+        """Have the next serial number take the place of the one that is there."""
+        self.serial.setFocus()
+        self.serial.selectAll()
 
     def job(self) -> Job:
         """What is asked for. Raises `InputError`."""

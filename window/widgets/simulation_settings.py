@@ -9,7 +9,8 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QFrame, QHBoxLayout, QLabel,
 from app.wiring import Attendant, obliging_operator
 from procedures.operator import Operator
 
-_SPEEDS: Final = (1, 10, 100, 1000)
+_SPEEDS: Final = (None, 1.0, 10.0, 100.0)
+"""Times real time; None takes no time at all."""
 
 
 class SimulationSettings(QFrame):
@@ -23,10 +24,10 @@ class SimulationSettings(QFrame):
         self.imagined = QCheckBox(self.tr("The simulated operator seats the unit"))
         self.speed = QComboBox()
         for factor in _SPEEDS:
-            self.speed.addItem(f"× {factor}", factor)
+            self.speed.addItem(self.tr("at once") if factor is None else f"× {factor:g}", factor)
         settings = QSettings()
         self.imagined.setChecked(settings.value("simulation/imagined", "false") == "true")
-        self.speed.setCurrentIndex(int(str(settings.value("simulation/speed", 1))))
+        self.speed.setCurrentIndex(int(str(settings.value("simulation/speed", 2))))
         layout = QHBoxLayout(self)
         label = QLabel(self.tr("Simulated stand: time"))
         label.setWordWrap(True)
@@ -39,7 +40,7 @@ class SimulationSettings(QFrame):
     def attendant(self, person: Operator) -> Attendant:
         """Who is asked on a simulated stand."""
         operator = obliging_operator if self.imagined.isChecked() else partial(_the, person)
-        return Attendant(operator=operator, speed=float(self.speed.currentData()))
+        return Attendant(operator=operator, speed=self.speed.currentData())
 
     def _remember(self) -> None:
         QSettings().setValue("simulation/imagined", "true" if self.imagined.isChecked() else "false")

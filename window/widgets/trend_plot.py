@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QVBoxLayout, 
 from calibrations.model import UNITS
 from calibrations.records.record import Record
 from window.look.numbers import local
-from window.look.plots import Plot
+from window.look.plots import LocalAxis, Plot
 
 
 class TrendPlot(QWidget):
@@ -24,7 +24,7 @@ class TrendPlot(QWidget):
         self.over.addItem(self.tr("time"), "time")
         self.over.addItem(self.tr("units"), "units")
         self.plot = Plot("", "")
-        self._dates, self._numbers = pg.DateAxisItem(orientation="bottom"), pg.AxisItem(orientation="bottom")
+        self._dates, self._numbers = pg.DateAxisItem(orientation="bottom"), LocalAxis(orientation="bottom")
         self._bars = pg.ErrorBarItem(beam=0)
         self._marks = pg.ScatterPlotItem(size=9)
         self._records: Sequence[Record] = ()

@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, Signal
 from procedures.operator import Answer, understand, understand_reading
 
 SEATED: Final = "yes"
-DECLINED: Final = "no"
+_BLINK_S: Final = 0.02
 
 
 class WindowOperator(QObject):
@@ -44,9 +44,9 @@ class WindowOperator(QObject):
         self.reading_asked.emit(prompt)
 
     def poll(self) -> Answer | None:
-        """The answer, if there is one by now."""
+        """The answer, if there is one within a blink: a stand that takes no time shall not spin meanwhile."""
         try:
-            text = self._answers.get_nowait()
+            text = self._answers.get(timeout=_BLINK_S)
         except Empty:
             return None
         return understand_reading(text) if self._mount is None else understand(text, self._mount)

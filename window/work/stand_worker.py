@@ -23,6 +23,7 @@ from procedures.errors import StopRequestedError
 from procedures.motion import Motion
 from window.work.activity import Activity, progress_of
 from window.work.bridge import EventBridge
+from window.work.patience import PatientControl
 
 _LOOK_S: Final = 0.2
 """Between two looks at a head that nobody moves."""
@@ -124,7 +125,7 @@ class StandWorker(QObject):
         self._thread.join()
 
     def _order(self, order: Order) -> None:
-        control = Control()
+        control = PatientControl()
         self._controls.append(control)
         self._orders.put((order, control))
 
