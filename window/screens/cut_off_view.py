@@ -1,12 +1,16 @@
 """Runs that came to no record, and going on with one of them."""
 
+from typing import TYPE_CHECKING
+
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from app.cut_off import CutOff
 from window.look.sentences import in_language
 from window.widgets.motion_button import MotionButton
 from window.widgets.table import Table
+
+if TYPE_CHECKING:
+    from app.cut_off import CutOff
 
 
 class CutOffView(QWidget):
@@ -29,7 +33,7 @@ class CutOffView(QWidget):
         layout.addWidget(self.table, stretch=1)
         layout.addWidget(self.resume_button)
 
-    def show_runs(self, runs: tuple[CutOff, ...]) -> None:
+    def show_runs(self, runs: "tuple[CutOff, ...]") -> None:
         """Show other runs, the newest one chosen."""
         self._runs = runs
         self.table.fill(

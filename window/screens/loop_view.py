@@ -1,16 +1,19 @@
 """The closed loop: what was found, what cannot be told, before and after, and the next experiment."""
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QLabel, QListWidget, QVBoxLayout, QWidget
 
-from calibrations.tracing.experiments import Experiment
 from window.look.numbers import local, minutes
 from window.look.sentences import in_language
 from window.widgets.motion_button import MotionButton
 from window.widgets.table import Table
 from window.work.presentation import Presentation
+
+if TYPE_CHECKING:
+    from calibrations.tracing.experiments import Experiment
 
 
 class LoopView(QWidget):
@@ -101,7 +104,7 @@ class LoopView(QWidget):
         self._allowed = allowed
         self._refresh()
 
-    def _list_experiments(self, experiments: Sequence[Experiment]) -> None:
+    def _list_experiments(self, experiments: "Sequence[Experiment]") -> None:
         self.experiments.clear()
         for experiment in experiments:
             title = self.tr("no programme helps")

@@ -3,15 +3,13 @@
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLabel, QPushButton, QTabWidget, QVBoxLayout, QWidget
 
 from calibrations.quantities import format_concise
-from calibrations.records.compare import Difference
 from calibrations.records.record import Record, Verdict
-from calibrations.records.verify import Verification
 from procedures.errors import InputError
 from window.look.numbers import local
 from window.look.sentences import in_language
@@ -24,6 +22,10 @@ from window.widgets.trend_plot import TrendPlot
 from window.work import records as store
 from window.work.activity import Resumption
 from window.work.background import Background
+
+if TYPE_CHECKING:
+    from calibrations.records.compare import Difference
+    from calibrations.records.verify import Verification
 
 _FORMATS: Final = "JSON (*.json);;HTML (*.html);;CSV (*.csv);;PDF (*.pdf)"
 
@@ -176,14 +178,14 @@ class RecordsScreen(QWidget):
         first, second = self._chosen()
         self._start(partial(store.differences, self._folder(), first.id, second.id), self._say_differences)
 
-    def _say_differences(self, found: tuple[Difference, ...]) -> None:
+    def _say_differences(self, found: "tuple[Difference, ...]") -> None:
         self.said.setText("\n".join(in_language(difference.sentence) for difference in found))
 
     def _verify(self) -> None:
         ids = [record.id for record in self._chosen()]
         self._start(partial(store.verify_all, self._folder(), ids), self._say_verified)
 
-    def _say_verified(self, found: tuple[Verification, ...]) -> None:
+    def _say_verified(self, found: "tuple[Verification, ...]") -> None:
         good, bad = self.tr("✓ {id} is verified."), self.tr("✗ {id} does NOT verify:")
         lines = []
         for one in found:

@@ -3,17 +3,18 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
-from app.calibrating import Calibrated, Traced, calibrate, conclude, fit, make_ready, trace
-from app.joining import read_together
-from app.resuming import Unfinished, resume
 from app.running import Job, failure, recording_path, run
 from app.simulation import Past
 from app.stand_lock import holding_recording
 from app.wiring import Connected
 from procedures.announcer import Listener
 from procedures.progress import Progress
+
+if TYPE_CHECKING:  # the analysis and the store take half a second: a window is up before that
+    from app.calibrating import Calibrated, Traced
+    from app.resuming import Unfinished
 
 Tell = Callable[[str], None]
 
@@ -45,7 +46,7 @@ class Activity(Protocol):
 class Concluded:
     """What a run and its analysis left behind."""
 
-    traced: Traced
+    traced: "Traced"
     recordings: tuple[Path, ...]
     record_id: str = ""
     """Empty where nothing was stored."""
@@ -63,6 +64,8 @@ class Calibration:
 
     def carry_out(self, connected: Connected, listeners: Sequence[Listener], tell: Tell) -> Concluded:
         """Do it."""
+        from app.calibrating import calibrate
+
         return _stored(calibrate(self.job, connected, self.store, listeners, tell))
 
 
@@ -70,7 +73,7 @@ class Calibration:
 class Resumption:
     """A run that was cut off: what is left of it, and what was to follow."""
 
-    unfinished: Unfinished
+    unfinished: "Unfinished"
     job: Job
     store: Path
 
@@ -86,6 +89,9 @@ class Resumption:
 
     def carry_out(self, connected: Connected, listeners: Sequence[Listener], tell: Tell) -> Concluded:
         """Do it."""
+        from app.calibrating import conclude, make_ready
+        from app.resuming import resume
+
         make_ready(self.store)
         path = self.unfinished.path
         with holding_recording(path, self.job.serial_number):
@@ -110,6 +116,9 @@ class FurtherExperiment:
 
     def carry_out(self, connected: Connected, listeners: Sequence[Listener], tell: Tell) -> Concluded:
         """Do it."""
+        from app.calibrating import fit, trace
+        from app.joining import read_together
+
         path = recording_path(self.store, self.job.serial_number, self.job.programme.name, connected.stand.clock)
         outcome = run(self.job, connected, path, listeners)
         if error := failure(outcome, path):
@@ -126,5 +135,5 @@ def progress_of(activity: Activity, connected: Connected) -> Progress:
     return Progress(activity.job.plan(), connected.stand.clock, activity.points_done)
 
 
-def _stored(done: Calibrated) -> Concluded:
+def _stored(done: "Calibrated") -> Concluded:
     return Concluded(traced=done.analysed, recordings=(done.recording,), record_id=done.record.id, report=done.report)

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from calibrations.geometry import FloatArray
-from calibrations.joint import fit_jointly
 from calibrations.model import basis, coefficients
 from calibrations.observations import Observations
 from procedures.steps import Point
@@ -32,6 +31,8 @@ class LiveFit:
 
 def fit_live(points: Sequence[Point]) -> LiveFit | None:
     """Fit the points of a run; None while there are too few of them."""
+    from calibrations.joint import fit_jointly  # takes the time in which a window is up
+
     if len(points) < FEWEST_POINTS:
         return None
     table = _table(points)

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -10,8 +10,10 @@ from calibrations.geometry import FloatArray
 from calibrations.quantities import format_correlation
 from calibrations.records.record import Verdict, verdict_of
 from calibrations.result import Calibration
-from calibrations.tracing.words import Comparison, Finding, comparisons, findings, headline, leaning, untold
 from window.work.activity import Concluded
+
+if TYPE_CHECKING:
+    from calibrations.tracing.words import Comparison, Finding
 
 _MICRO = 1e6
 
@@ -46,8 +48,8 @@ class Presentation:
     models: Mapping[str, Rows]
     """`declared` and, where something was found, `augmented`."""
     headline: str
-    findings: tuple[Finding, ...]
-    comparisons: tuple[Comparison, ...]
+    findings: "tuple[Finding, ...]"
+    comparisons: "tuple[Comparison, ...]"
     untold: tuple[tuple[str, str], ...]
     leaning: str
 
@@ -56,6 +58,7 @@ def present(concluded: Concluded) -> Presentation:
     """Work out what there is to show."""
     from calibrations.report.results import notices, results  # matplotlib takes half a second
     from calibrations.report.subject import Subject
+    from calibrations.tracing.words import comparisons, findings, headline, leaning, untold
 
     traced = concluded.traced
     calibration, loop = traced.calibration, traced.loop

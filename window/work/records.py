@@ -1,24 +1,24 @@
-"""What the screen Records asks of the store; every function is called outside the event loop."""
+"""What the screen Records asks of the store; every function is called outside the event loop.
+
+Database and analysis are imported when they are called: a window is up before that.
+"""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from app.calibrating import fit, report_path, store, trace, write_report
-from app.cut_off import CutOff, cut_off_runs
 from app.exits import Exit, JobError
 from app.files import refuse_recording, write_text
-from app.recall import open_store, recall, report_again, verify_record
-from app.resuming import find, load_same_stand
 from app.running import Job
-from calibrations.records.compare import Difference, compare
-from calibrations.records.export import document_text
 from calibrations.records.record import Record, Verdict
-from calibrations.records.store import DATABASE
-from calibrations.records.verify import Verification
-from calibrations.table import write_table
 from window.work.activity import Concluded, Resumption
+
+if TYPE_CHECKING:
+    from app.cut_off import CutOff
+    from calibrations.records.compare import Difference
+    from calibrations.records.verify import Verification
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -38,12 +38,16 @@ class Found:
     """What a store holds."""
 
     records: tuple[Record, ...]
-    cut_off: tuple[CutOff, ...]
+    cut_off: "tuple[CutOff, ...]"
     programmes: tuple[str, ...]
 
 
 def search(folder: Path, wanted: Search) -> Found:
     """Look for records and for runs that came to none; a store that is not there holds nothing."""
+    from app.cut_off import cut_off_runs
+    from app.recall import open_store
+    from calibrations.records.store import DATABASE
+
     if not (folder / DATABASE).is_file():
         return Found(records=(), cut_off=cut_off_runs(folder), programmes=())
     found = open_store(folder).find(
@@ -59,6 +63,9 @@ def search(folder: Path, wanted: Search) -> Found:
 
 def open_record(folder: Path, record_id: str) -> Concluded:
     """Read the raw file of a record and work out everything that the screen Result shows."""
+    from app.calibrating import fit, report_path, trace
+    from app.recall import recall
+
     record, measurement = recall(folder, record_id)
     traced = trace(fit(measurement, record.provenance.serial_number, folder=folder))
     page = report_path(folder, record)
@@ -72,6 +79,8 @@ def open_record(folder: Path, record_id: str) -> Concluded:
 
 def analyse_again(folder: Path, record_id: str) -> Concluded:
     """Analyse the raw file of a record anew and store what comes of it as a further revision."""
+    from app.calibrating import report_path, store, write_report
+
     concluded = open_record(folder, record_id)
     record = store(concluded.traced, folder)
     page = report_path(folder, record)
@@ -79,20 +88,27 @@ def analyse_again(folder: Path, record_id: str) -> Concluded:
     return Concluded(traced=concluded.traced, recordings=concluded.recordings, record_id=record.id, report=page)
 
 
-def differences(folder: Path, first: str, second: str) -> tuple[Difference, ...]:
+def differences(folder: Path, first: str, second: str) -> "tuple[Difference, ...]":
     """Compare two records."""
+    from app.recall import open_store
+    from calibrations.records.compare import compare
+
     records = open_store(folder)
     return compare(records.get(first), records.get(second))
 
 
-def verify_all(folder: Path, record_ids: Sequence[str]) -> tuple[Verification, ...]:
+def verify_all(folder: Path, record_ids: Sequence[str]) -> "tuple[Verification, ...]":
     """Verify records."""
+    from app.recall import open_store, verify_record
+
     records = open_store(folder)
     return tuple(verify_record(records, records.get(record_id)) for record_id in record_ids)
 
 
 def resumption(folder: Path, path: Path) -> Resumption:
     """What there is to go on with a run that was cut off."""
+    from app.resuming import find, load_same_stand
+
     unfinished = find(path)
     header = unfinished.recording.header
     job = Job(
@@ -107,6 +123,9 @@ def resumption(folder: Path, path: Path) -> Resumption:
 
 def export(folder: Path, record_id: str, path: Path) -> Path:
     """Write a record in the format that the name of the file ends in: JSON, HTML, CSV or PDF. Raises `JobError`."""
+    from app.recall import open_store, report_again
+    from calibrations.records.export import document_text
+
     match path.suffix.lower():
         case ".json":
             write_text(path, document_text(open_store(folder).get(record_id)))
@@ -124,6 +143,9 @@ def export(folder: Path, record_id: str, path: Path) -> Path:
 
 
 def _write_rows(folder: Path, record_id: str, path: Path) -> None:
+    from app.recall import recall
+    from calibrations.table import write_table
+
     refuse_recording(path)
     _, measurement = recall(folder, record_id)
     try:
@@ -133,6 +155,7 @@ def _write_rows(folder: Path, record_id: str, path: Path) -> None:
 
 
 def _write_pdf(folder: Path, record_id: str, path: Path) -> None:
+    from app.recall import report_again
     from window.work.printing import print_page
 
     page = report_again(folder, record_id, path.with_suffix(".print.html"))
