@@ -2,14 +2,17 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
+TEXTS := window/translations/tumble_uk
 
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test check endurance lock clean
+.PHONY: help setup gui texts demo test check endurance lock clean
 
 help:
 	@echo "make demo   run the main job on the simulated stand: recording, record and report in tumble-store/"
+	@echo "make gui    open the operator's window"
 	@echo "make test   style, types, import contracts and all tests"
 	@echo "make endurance   kills, cuts, runs through the wire, faults at every step, a soak, mutated frames (two hours)"
+	@echo "make texts  collect the texts of the window for its translators"
 	@echo "make lock   pin the dependencies anew"
 
 $(VENV)/.ready: requirements.lock pyproject.toml
@@ -18,7 +21,10 @@ $(VENV)/.ready: requirements.lock pyproject.toml
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --editable .
 	touch $@
 
-setup: $(VENV)/.ready
+$(TEXTS).qm: $(TEXTS).ts | $(VENV)/.ready
+	$(BIN)/pyside6-lrelease -silent $< -qm $@
+
+setup: $(VENV)/.ready $(TEXTS).qm
 
 demo: setup
 	$(BIN)/tumble calibrate --programme seed --serial DEMO-1 --operator demo --store tumble-store
@@ -49,5 +55,11 @@ lock:
 	uv pip compile --universal --python-version 3.11 --generate-hashes --no-emit-index-url --no-header \
 	    --extra test --extra check pyproject.toml -o requirements.lock
 
+texts: setup
+	$(BIN)/pyside6-lupdate -no-obsolete -locations none -target-language uk_UA $$(find window -name '*.py' | sort) -ts $(TEXTS).ts
+
+gui: setup
+	$(BIN)/tumble gui
+
 clean:
-	rm -rf $(VENV) tumble-store
+	rm -rf $(VENV) tumble-store $(TEXTS).qm

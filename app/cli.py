@@ -10,6 +10,7 @@ import click
 
 _COMMANDS = {
     "calibrate": "Run a programme, fit, close the loop, store and report: the whole job.",
+    "gui": "Open the operator's window.",
     "run": "Run a programme and leave a recording.",
     "resume": "Go on with a run that was cut off, and with what was to follow it.",
     "emulate": "Serve a simulated stand through the protocols of real instruments.",
@@ -22,6 +23,8 @@ _COMMANDS = {
     "export": "Write the observation table of a recording.",
 }
 """Name of every command with the sentence that `--help` says of it; each is `app.commands.NAME:command` (_ for -)."""
+_ABOVE = {"gui": "window.command"}
+"""A command that lives above the application: it is known by name only."""
 
 
 class _Commands(click.Group):
@@ -31,7 +34,8 @@ class _Commands(click.Group):
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:  # noqa: ARG002
         if cmd_name not in _COMMANDS:
             return None
-        command: click.Command = import_module(f"app.commands.{cmd_name.replace('-', '_')}").command
+        place = _ABOVE.get(cmd_name, f"app.commands.{cmd_name.replace('-', '_')}")
+        command: click.Command = import_module(place).command
         return command
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002

@@ -91,6 +91,11 @@ def find(path: Path) -> Unfinished:
     return Unfinished(path=run, recording=best, last=last)
 
 
+def is_set_aside(path: Path) -> bool:
+    """Whether a file is what was set aside of a run, by its name."""
+    return _CUT.fullmatch(path.stem) is not None
+
+
 def load_same_stand(recording: Recording, path: Path | None = None) -> LoadedStand:
     """The stand file of a run, from where it was or from `path`. Raises `InputError` where it is another by now."""
     header = recording.header

@@ -132,7 +132,16 @@ def carry_out(
 ) -> Outcome:
     """Have an engine do something while signals stop it, and close the recording. Raises `JobError`."""
     heard = [*connected.listeners, *listeners]
-    engine = Engine(connected.stand, connected.operator, recorder, job.acquisition, heard, connected.eyepiece)
+    engine = Engine(
+        connected.stand,
+        connected.operator,
+        recorder,
+        job.acquisition,
+        heard,
+        connected.eyepiece,
+        control=connected.control,
+        look=connected.look,
+    )
     try:
         with _stopping_on_signals(engine), recorder:
             return action(engine)

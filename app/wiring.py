@@ -15,9 +15,10 @@ from drivers.clock import Clock, ReleasedClock, SystemClock
 from drivers.driver import Bench
 from drivers.links.opened import Links
 from drivers.manual import Eyepiece
-from drivers.protocols import Daq, DividingHead, Stand
+from drivers.protocols import Daq, DividingHead, HeadStatus, Stand
 from emulators.backstage import Backstage, find_backstage
 from procedures.announcer import Listener
+from procedures.control import Control
 from procedures.errors import InputError
 from procedures.eyepiece import OperatorEyepiece
 from procedures.operator import Answers, ConsoleOperator, Operator, ScriptedOperator, SeatingOperator
@@ -25,6 +26,17 @@ from procedures.operator import Answers, ConsoleOperator, Operator, ScriptedOper
 _UNASKED: Final = (
     "stand {}: is emulated, and its emulated operator confirms every mount; give --attended or --answers to decide it"
 )
+
+
+@dataclass(frozen=True, kw_only=True)
+class Attendant:
+    """Who is asked at a stand, and how fast one that is simulated lives while somebody may be waited for."""
+
+    operator: Callable[[], Operator]
+    speed: float | None = None
+    """Times real time; None for a stand that takes no time at all."""
+    imagined: bool = False
+    """Whether nobody was named, so that whoever is asked confirms everything."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -46,6 +58,10 @@ class Connected:
     """To be closed when the stand is no longer needed."""
     ran: list[Path] = field(default_factory=list)
     """Recordings of the runs so far, in their order: what a simulated stand lives through before it goes on."""
+    control: Control = field(default_factory=Control)
+    """Pauses, resumes and stops what goes on there; from any thread."""
+    look: Callable[[HeadStatus], None] = lambda _: None
+    """Is shown where the head is on its way."""
 
 
 def connect(
@@ -54,13 +70,15 @@ def connect(
     attended: bool = False,
     past: Sequence[Past] = (),
     clock: Clock | None = None,
+    attendant: Attendant | None = None,
 ) -> Connected:
     """Connect to the instruments of a stand file.
 
     The operator of a simulated or emulated stand is simulated too, and seats the unit whenever asked, unless an answers
     file says otherwise. An attended stand asks the person at the terminal, and lives in real time, as a real one always
     does; an emulated stand lives by the clock of its emulation, or by `clock`, which goes as fast.
-    Where a run is resumed, or others came before, a simulated stand lives through its `past` again first.
+    Where there is an `attendant`, that is who is asked, and a simulated stand lives at the attendant's speed. Where a
+    run is resumed, or others came before, a simulated stand lives through its `past` again first.
 
     Raises
     ------
@@ -70,10 +88,11 @@ def connect(
         An instrument cannot be reached.
     """
     if loaded.file.simulates:
-        return _simulated(loaded, answers, attended, past)
+        return _simulated(loaded, attendant or _attendant(answers, attended), past)
     backstage, links = find_backstage((loaded.file.head.address, loaded.file.daq.address)), Links()
     clock = clock or (backstage.clock if backstage else SystemClock())
-    operator = cache(partial(_operator, answers, attended=attended or backstage is None))
+    attendant = attendant or _attendant(answers, attended or backstage is None)
+    operator = cache(attendant.operator)
     person = _Person(operator, clock, backstage)
     bench = Bench(clock=clock, links=links, folder=loaded.folder, eyepiece=person.at_the_head)
     try:
@@ -88,7 +107,7 @@ def connect(
         clock=clock,
         serials={"head": loaded.file.head.serial, "daq": loaded.file.daq.serial},
     )
-    warnings = (_UNASKED.format(loaded.file.name),) if backstage and answers is None and not attended else ()
+    warnings = (_UNASKED.format(loaded.file.name),) if backstage and attendant.imagined else ()
     connected = Connected(
         stand=stand,
         operator=operator(),
@@ -106,12 +125,12 @@ def _behind_the_scenes(connected: Connected, backstage: Backstage) -> Connected:
     return replace(connected, operator=operator, listeners=(switching_on(backstage.switch_on),))
 
 
-def _simulated(loaded: LoadedStand, answers: Path | None, attended: bool, past: Sequence[Past]) -> Connected:
+def _simulated(loaded: LoadedStand, attendant: Attendant, past: Sequence[Past]) -> Connected:
     clock = ReleasedClock()
     simulated = simulation(loaded, clock).after(past)
-    if attended:
-        clock.release()
-    operator = SeatingOperator(_operator(answers, attended), simulated.world.seat)
+    if attendant.speed is not None:
+        clock.release(attendant.speed)
+    operator = SeatingOperator(attendant.operator(), simulated.world.seat)
     person = _Person(lambda: operator, clock, simulated)
     stand = simulated.stand
     if loaded.head_driver is not None:
@@ -126,12 +145,20 @@ def _simulated(loaded: LoadedStand, answers: Path | None, attended: bool, past: 
     )
 
 
-def _operator(answers: Path | None, attended: bool) -> Operator:
-    if answers is not None:
-        return ScriptedOperator.from_file(answers)
-    if attended:
-        return ConsoleOperator(sys.stdin, show=partial(click.echo, err=True))
+def obliging_operator() -> Operator:
+    """Confirms every mount and every setting."""
     return ScriptedOperator(Answers(mounts={"default": "yes"}, readings={"default": ""}))
+
+
+def _attendant(answers: Path | None, attended: bool) -> Attendant:
+    """Whom the options of the command line name."""
+    speed = 1.0 if attended else None
+    if answers is not None:
+        return Attendant(operator=partial(ScriptedOperator.from_file, answers), speed=speed)
+    if attended:
+        console = partial(ConsoleOperator, sys.stdin, show=partial(click.echo, err=True))
+        return Attendant(operator=console, speed=speed)
+    return Attendant(operator=obliging_operator, imagined=True)
 
 
 class _Person:

@@ -4,7 +4,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import fdtrc
 
 from calibrations.compression import compress
 from calibrations.fit import fit_given_alpha0, joint_fit
@@ -29,6 +28,8 @@ class LackOfFit:
 
 def lack_of_fit(squares_v2: float, rows: int, fitted: int, error: PureError) -> LackOfFit:
     """F test of the joint fit; `squares_v2` is its weighted sum of squares, `fitted` its number of parameters."""
+    from scipy.special import fdtrc  # takes a tenth of a second, in which a window is half up
+
     freedom = rows - fitted - error.degrees_of_freedom
     if freedom < 1:
         return LackOfFit(variance_v2=float("nan"), degrees_of_freedom=0, p_value=None)

@@ -4,7 +4,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import stdtrit
 
 from calibrations.best_alpha0 import ALPHA0_REACH_DEG, GRID_DEG, best_parameters
 from calibrations.compression import Compressed
@@ -20,6 +19,8 @@ def coverage_factor(freedom: float, probability: float = 0.95) -> float:
 
     Infinite where there are no degrees of freedom.
     """
+    from scipy.special import stdtrit  # takes a tenth of a second, in which a window is half up
+
     if freedom <= 0:
         return float("inf")
     return float(stdtrit(min(freedom, 1e9), 0.5 + probability / 2))

@@ -2,7 +2,6 @@
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import stdtrit
 
 from calibrations.best_alpha0 import best_parameters
 from calibrations.compression import compress
@@ -63,6 +62,8 @@ def unlike_repeats(
 
 def _sigmas(spare_rows: int) -> float:
     """How many robust standard deviations make a gross error: more where few rows are to spare."""
+    from scipy.special import stdtrit  # takes a tenth of a second, in which a window is half up
+
     student = float(stdtrit(max(_EFFICIENCY * spare_rows, 1.0), 1.0 - _CHANCE / 2))
     return max(GROSS_SIGMA, student)
 

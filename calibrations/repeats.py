@@ -4,7 +4,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import chdtrc
 
 from calibrations.geometry import FloatArray
 from calibrations.observations import Observations
@@ -100,6 +99,8 @@ def _kinds(observations: Observations) -> NDArray[np.int64]:
 
 
 def _scatter_differs(errors: list[PureError]) -> bool:
+    from scipy.special import chdtrc  # takes a tenth of a second, in which a window is half up
+
     known = [e for e in errors if e.degrees_of_freedom > 1 and e.variance_v2 > 0]
     if len(known) < 2:
         return False

@@ -64,14 +64,15 @@ class ReleasedClock(VirtualClock):
     def __init__(self, wall_start_ns: int | None = None) -> None:
         super().__init__(wall_start_ns)
         self._released_s: float | None = None
+        self._speed = 1.0
 
-    def release(self) -> None:
-        """Run by the computer's own clock from now on."""
-        self._released_s = time.monotonic()
+    def release(self, speed: float = 1.0) -> None:
+        """Run by the computer's own clock from now on, `speed` times as fast."""
+        self._released_s, self._speed = time.monotonic(), speed
 
     def monotonic_s(self) -> float:
         """Seconds slept until the release, and those that have passed since."""
-        since_s = 0.0 if self._released_s is None else time.monotonic() - self._released_s
+        since_s = 0.0 if self._released_s is None else (time.monotonic() - self._released_s) * self._speed
         return super().monotonic_s() + since_s
 
     def wall_ns(self) -> int:
@@ -83,4 +84,4 @@ class ReleasedClock(VirtualClock):
         if self._released_s is None:
             super().sleep(duration_s)
         elif duration_s > 0:
-            time.sleep(duration_s)
+            time.sleep(duration_s / self._speed)

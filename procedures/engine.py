@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from functools import partial
 
-from drivers.protocols import Identity, Stand
+from drivers.protocols import HeadStatus, Identity, Stand
 from procedures.acquisition import Acquisition
 from procedures.announcer import Announcer, Listener, Sink
 from procedures.approach import Place
@@ -59,6 +59,10 @@ class Engine:
         Called with every event that the sink has taken; one that raises is dropped.
     eyepiece
         The person who reads a head by hand, where the stand has one; looks again where a voltage contradicts a reading.
+    control
+        Pauses, resumes and stops the run; one of its own without it.
+    look
+        Called with what the head reports on its way; must not raise.
     """
 
     def __init__(
@@ -69,15 +73,18 @@ class Engine:
         acquisition: Acquisition,
         listeners: Iterable[Listener] = (),
         eyepiece: OperatorEyepiece | None = None,
+        *,
+        control: Control | None = None,
+        look: Callable[[HeadStatus], None] = lambda _: None,
     ) -> None:
         self._clock = stand.clock
         self._operator = operator
         self._announcer = Announcer(sink, listeners)
         self._acquisition = acquisition
-        self.control = Control()
+        self.control = control or Control()
         """Pauses, resumes and stops the run; from any thread."""
         tolerance_deg = acquisition.position_tolerance_deg
-        self._motion = Motion(stand.head, stand.clock, tolerance_deg, acquisition.approach)
+        self._motion = Motion(stand.head, stand.clock, tolerance_deg, acquisition.approach, look)
         self._recovery = Recovery(stand, self._motion, self._announcer.announce, self.control.check)
         self._measuring = Measuring(stand, acquisition, self._motion, self._recovery, self._checkpoint)
         self._eyepiece = eyepiece

@@ -25,13 +25,22 @@ class Motion:
 
     Every move is watched, see `Watch`. A standstill must be there within 10 s; a reference within the time of two
     passes over all angles, plus 65 s. A head that a person turns may take its time, and stands where it is read.
+    `look` is shown where the head is whenever that is read on its way.
     """
 
-    def __init__(self, head: DividingHead, clock: Clock, tolerance_deg: float, approach: Approach = EITHER_WAY) -> None:
+    def __init__(
+        self,
+        head: DividingHead,
+        clock: Clock,
+        tolerance_deg: float,
+        approach: Approach = EITHER_WAY,
+        look: Callable[[HeadStatus], None] = lambda _: None,
+    ) -> None:
         self._head = head
         self._clock = clock
         self._tolerance_deg = tolerance_deg
         self._approach = approach
+        self._look = look
         self.direction: Direction = 0
         """Sign of the last move that was one; 0 before the first, and after the head was homed."""
         self.place: Place | None = None
@@ -81,6 +90,7 @@ class Motion:
             self.unwind(checkpoint)
         deadline_s = self._begin_homing()
         while (status := self._head.status()).moving or not status.referenced:
+            self._look(status)
             if self._clock.monotonic_s() > deadline_s:
                 raise DeviceError(
                     "dividing head",
@@ -193,6 +203,7 @@ class Motion:
 
     def _referenced_status(self) -> HeadStatus:
         status = self._head.status()
+        self._look(status)
         if not status.referenced:
             raise ReferenceLostError(
                 "dividing head", "has lost its reference", "look at its power supply, then resume the run"

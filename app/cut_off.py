@@ -1,0 +1,57 @@
+"""Runs of a store that came to no record: cut off, stopped, or measured to the end and never analysed."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from app.files import RECORDING_SUFFIX
+from app.recall import open_store
+from app.resuming import find, is_set_aside
+from calibrations.records.errors import StoreError
+from procedures.errors import InputError
+
+
+@dataclass(frozen=True, kw_only=True)
+class CutOff:
+    """A run that can go on."""
+
+    path: Path
+    serial_number: str
+    programme_name: str
+    points: int
+    ending: str
+    """Why it ended; empty where it broke off."""
+
+
+def cut_off_runs(folder: Path) -> tuple[CutOff, ...]:
+    """The runs of a store without a record, the newest last; what is no recording is passed over."""
+    recorded = _recorded(folder)
+    paths = sorted((folder / "recordings").glob(f"*/*{RECORDING_SUFFIX}"), key=lambda path: path.name)
+    wanted = (path for path in paths if not is_set_aside(path) and path.resolve() not in recorded)
+    return tuple(found for path in wanted for found in _cut_off(path))
+
+
+def _cut_off(path: Path) -> Iterator[CutOff]:
+    try:
+        unfinished = find(path)
+        programme_name = unfinished.programme.name
+    except InputError:
+        return
+    recording = unfinished.recording
+    if recording.header.job == "calibrate":
+        yield CutOff(
+            path=path,
+            serial_number=recording.header.serial_number,
+            programme_name=programme_name,
+            points=len(recording.points),
+            ending=str(recording.ending.reason) if recording.ending else "",
+        )
+
+
+def _recorded(folder: Path) -> set[Path]:
+    """The raw files of every record that stands."""
+    try:
+        store = open_store(folder)
+        return {store.raw_file(record).resolve() for record in store.find()}
+    except (InputError, StoreError):
+        return set()

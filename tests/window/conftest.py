@@ -1,0 +1,81 @@
+"""The real main window, on a screen that nobody sees, with settings and a store of its own."""
+
+import os
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+import pytest
+from PySide6.QtCore import QEvent, QSettings
+from window_driver import LONG, TINY, Driver
+
+from calibrations import analysis
+from window.look.language import Language
+from window.start import Application, application
+
+
+@pytest.fixture(scope="session")
+def qapp():
+    """The one application, under the name that its settings have."""
+    QSettings.setDefaultFormat(QSettings.Format.IniFormat)
+    return application()
+
+
+@pytest.fixture(autouse=True)
+def few_trials(monkeypatch):
+    """Monte Carlo takes most of the time of a fit; how well it does is tested elsewhere."""
+    simulate = analysis.monte_carlo
+    monkeypatch.setattr(analysis, "monte_carlo", lambda *arguments: simulate(*arguments[:-1], 100))
+
+
+@pytest.fixture
+def no_report(monkeypatch):
+    """Drawing takes two seconds; a test of something else does without."""
+    monkeypatch.setattr("calibrations.report.render_report", lambda *_, **__: "<html></html>")
+
+
+@pytest.fixture
+def settings(tmp_path, qapp):
+    """Settings that nobody has changed."""
+    QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, str(tmp_path / "settings"))
+    QSettings().clear()
+    QSettings().setValue("look/language", str(Language.ENGLISH))
+    QSettings().setValue("look/shade", "light")
+    return QSettings()
+
+
+@pytest.fixture
+def driver(qtbot, qapp, settings, tmp_path, monkeypatch):
+    """The window, with its simulated stand hurried, and what a person does with it."""
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
+    settings.setValue("simulation/speed", 0)
+    running = Application(qapp, tmp_path / "store")
+    yield Driver(qtbot, running)
+    running.window.leave()
+    qtbot.waitUntil(lambda: not running.window.isVisible(), timeout=20_000)
+    for made in (running.window, running):
+        made.deleteLater()
+    qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+@pytest.fixture
+def write(tmp_path):
+    """Writes a file and returns its path."""
+
+    def write_file(name, text):
+        path = tmp_path / name
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    return write_file
+
+
+@pytest.fixture
+def tiny(write):
+    """Programme of six dwells."""
+    return write("tiny.toml", TINY)
+
+
+@pytest.fixture
+def long(write):
+    """Programme of six hundred dwells."""
+    return write("long.toml", LONG)

@@ -1,0 +1,119 @@
+import sys
+
+from PySide6.QtCore import Qt
+from window_driver import TINY
+
+from drivers.errors import DeviceError
+from drivers.simulated.daq import SimulatedDaq
+from procedures.events import FinishReason
+from procedures.recording.reader import read_recording
+from window.widgets.problem import ProblemDialog
+from window.work.live_fit import fit_live
+
+LOST = DeviceError("voltmeter", "does not answer", "check its cable, then resume the run")
+
+
+def at_call(monkeypatch, number, error):
+    """Have the DAQ fail once."""
+    acquire, calls = SimulatedDaq.acquire, []
+
+    def failing(*arguments):
+        calls.append(arguments)
+        if len(calls) == number:
+            raise error
+        return acquire(*arguments)
+
+    monkeypatch.setattr(SimulatedDaq, "acquire", failing)
+
+
+def recording(tmp_path):
+    (path,) = (tmp_path / "store").glob("recordings/SN-1/*.mcap")
+    return read_recording(path)
+
+
+def test_a_device_fault_in_mid_run_is_told_and_the_points_are_kept(driver, tiny, tmp_path, monkeypatch):
+    at_call(monkeypatch, 3 * 2 + 2, LOST)
+    driver.start(tiny)
+    driver.wait(lambda: driver.complaints)
+    (told,) = driver.complaints
+    assert told.startswith(
+        "voltmeter: does not answer; check its cable, then resume the run; 2 complete points kept in"
+    )
+    found = recording(tmp_path)
+    assert found.ending.reason is FinishReason.DEVICE_FAULT
+    assert found.ending.at_standstill
+    assert driver.run.start_button.isEnabled()
+
+
+def test_a_run_that_a_fault_ended_is_offered_and_goes_on_to_its_record(driver, tiny, tmp_path, monkeypatch, no_report):
+    at_call(monkeypatch, 3 * 2 + 2, LOST)
+    driver.start(tiny)
+    driver.wait_for_end()
+    monkeypatch.undo()
+    for dialog in driver.window.findChildren(ProblemDialog):
+        dialog.accept()
+    records = driver.window.records
+    driver.window.open(records)
+    records.refresh()
+    driver.wait(lambda: records.cut_off.table.rowCount() == 1)
+    assert records.cut_off.table.texts()[0][:4] == ["SN-1", "tiny", "2", "device fault"]
+    records.tabs.setCurrentWidget(records.cut_off)
+    driver.press(Qt.Key.Key_F7)
+    presentation = driver.wait_for_result()
+    assert len(driver.run.view.points) == 6
+    assert presentation.concluded.record_id
+    records.refresh()
+    driver.wait(lambda: records.cut_off.table.rowCount() == 0 and records.table.rowCount() == 1)
+
+
+def test_an_exception_anywhere_becomes_a_dialog_and_stops_the_run(driver, long, tmp_path):
+    driver.window.stand.simulation.speed.setCurrentIndex(2)
+    driver.start(long)
+    driver.wait_for_points(1)
+    hook = sys.excepthook
+    driver.running.catch_faults()
+    try:
+        sys.excepthook(ZeroDivisionError, ZeroDivisionError("division by zero"), None)
+    finally:
+        sys.excepthook = hook
+    driver.wait_for_end()
+    (dialog,) = (one for one in driver.window.findChildren(ProblemDialog) if one.isVisible())
+    assert dialog.text() == "A fault of the program; the head was brought to rest."
+    assert str(tmp_path / "state" / "tumble" / "window-faults.log") in dialog.informativeText()
+    assert "ZeroDivisionError" in (tmp_path / "state" / "tumble" / "window-faults.log").read_text("utf-8")
+    assert recording(tmp_path).ending.reason is FinishReason.STOPPED
+
+
+def test_a_fault_in_the_analysis_is_a_dialog_too(driver, tiny, monkeypatch):
+    monkeypatch.setattr("app.calibrating.close_loop", lambda *_: 1 / 0)
+    driver.start(tiny)
+    driver.wait(lambda: driver.complaints)
+    assert driver.complaints == ["A fault of the program; the head was brought to rest."]
+    assert driver.run.start_button.isEnabled()
+
+
+def test_a_stand_file_that_is_wrong_is_told_with_its_line(driver, write):
+    driver.window.stand.open(write("bad.toml", 'name = "x"\n[head]\ndriver = "simulated"\n'))
+    (told,) = driver.complaints
+    assert "bad.toml" in told
+
+
+def test_a_programme_that_the_stand_forbids_moves_nothing(driver, write):
+    driver.open_run(write("far.toml", TINY.replace("60.0", "600.0")))
+    driver.run.start()
+    (told,) = driver.complaints
+    assert "outside the head's limits" in told
+    assert not driver.window.busy
+
+
+def test_a_gross_error_is_ringed_at_once(driver, tmp_path, monkeypatch, write):
+    driver.start(write("sweep.toml", TINY.replace("points = 6", "points = 36").replace("60.0", "10.0")))
+    driver.wait_for_points(36)
+    points = driver.run.view.points
+    spoilt = [
+        *points[:20],
+        type(points[20])(**{**vars(points[20]), "voltage_v": points[20].voltage_v + 0.2}),
+        *points[21:],
+    ]
+    driver.run.view.residual.draw_fit(spoilt, fit_live(spoilt))
+    assert driver.run.view.residual.ringed == 1

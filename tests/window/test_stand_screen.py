@@ -1,0 +1,89 @@
+from datetime import UTC, datetime, timedelta
+
+from PySide6.QtCore import Qt
+from window_driver import STAND
+
+
+def connect(driver):
+    stand = driver.window.stand
+    driver.window.open(stand)
+    stand.connect_button.click()
+    driver.wait(stand.jog.isEnabled)
+    return stand
+
+
+def test_a_stand_says_who_it_is(driver):
+    stand = connect(driver)
+    assert stand.table.text("head", "model") == "tumble simulated head"
+    assert stand.table.text("daq", "serial") == "SIM-DAQ"
+    stand.disconnect_button.click()
+    driver.wait(lambda: stand.table.text("head", "model") == "—")
+
+
+def test_the_head_goes_where_it_is_told(driver):
+    stand = connect(driver)
+    driver.type("12 30", stand.jog.angle)
+    driver.press(Qt.Key.Key_F8)
+    driver.wait(lambda: stand.dial.accessibleName() == "12.5000°")
+    stand.jog.step.setCurrentIndex(stand.jog.step.findText("10°"))
+    driver.press(Qt.Key.Key_Right, Qt.KeyboardModifier.ControlModifier)
+    driver.wait(lambda: stand.dial.accessibleName() == "22.5000°")
+    driver.press(Qt.Key.Key_Home, Qt.KeyboardModifier.ControlModifier)
+    driver.wait(lambda: stand.dial.accessibleName() == "0.0000°")
+
+
+def test_enter_in_the_field_of_the_angle_moves_nothing(driver):
+    stand = connect(driver)
+    driver.scan("45", at=stand.jog.angle)
+    driver.bot.wait(300)
+    assert stand.dial.accessibleName() == "0.0000°"
+
+
+def test_an_angle_outside_the_limits_is_refused(driver):
+    stand = connect(driver)
+    stand.jog.angle.setText("800")
+    driver.press(Qt.Key.Key_F8)
+    driver.wait(lambda: bool(driver.complaints))
+    assert "800" in driver.complaints[0]
+
+
+def test_what_is_no_angle_is_told(driver):
+    stand = connect(driver)
+    stand.jog.angle.setText("half a turn")
+    driver.press(Qt.Key.Key_F8)
+    driver.wait(lambda: bool(driver.complaints))
+    assert "'half a turn' is no angle" in driver.complaints[0]
+
+
+def test_certificates_are_shown_with_what_is_due(driver, write):
+    today = datetime.now(tz=UTC).date()
+    dated = STAND.replace("[daq]\n", f'[daq]\ncertificate = "C-17"\ncalibration_due = {today + timedelta(days=7)}\n')
+    dated = dated.replace("[head]\n", f"[head]\ncalibration_due = {today - timedelta(days=1)}\n")
+    driver.window.stand.open(write("dated.toml", dated))
+    table = driver.window.stand.table
+    assert table.text("daq", "certificate") == "C-17"
+    assert table.text("head", "due").endswith("overdue")
+    assert table.text("daq", "due").endswith("soon")
+
+
+def test_a_head_that_is_turned_by_hand_cannot_be_jogged(driver, write):
+    manual = STAND.replace('driver = "simulated"\nlimits', 'driver = "manual"\nserial = "OG-7"\nlimits')
+    stand = driver.window.stand
+    stand.open(write("manual.toml", manual))
+    driver.window.open(stand)
+    stand.connect_button.click()
+    driver.wait(lambda: stand.table.text("head", "serial") == "OG-7")
+    driver.wait(stand.disconnect_button.isEnabled)
+    assert not stand.jog.isEnabled()
+
+
+def test_settings_are_remembered(driver, write):
+    driver.window.stand.open(write("bench.toml", STAND))
+    driver.window.run.form.add_programme("reversal")
+    driver.window.open(driver.run)
+    driver.window.resize(790, 701)
+    driver.running._restart()
+    assert driver.window.stand.loaded.file.name == "bench-1"
+    assert driver.window.run.form.programme.currentText() == "reversal"
+    assert driver.run.isVisible()
+    assert driver.window.height() == 701

@@ -1,0 +1,102 @@
+"""What a person does at the window, in the words of the tests."""
+
+from PySide6.QtCore import Qt
+
+from window.screens.run import Phase
+
+STAND = """\
+name = "bench-1"
+
+[head]
+driver = "simulated"
+limits_deg = [-180.0, 760.0]
+
+[daq]
+driver = "simulated"
+
+[simulated]
+preset = "DXL203EB"
+"""
+
+TINY = """\
+name = "tiny"
+dwell_s = 0.1
+settle_s = 0.0
+
+[[procedure]]
+kind = "sweep"
+step_deg = 60.0
+points = 6
+"""
+"""Six dwells in one mount."""
+
+LONG = TINY.replace("tiny", "long").replace("points = 6", "points = 600").replace("60.0", "1.0")
+"""A run that does not end while a test looks at it."""
+
+
+class Driver:
+    """Keys and clicks, and waiting for what comes of them, never for long."""
+
+    def __init__(self, qtbot, running):
+        self.bot = qtbot
+        self.running = running
+
+    @property
+    def window(self):
+        return self.running.window
+
+    @property
+    def run(self):
+        return self.window.run
+
+    @property
+    def log(self):
+        return self.run.view.log.toPlainText()
+
+    def wait(self, condition, timeout_s=20):
+        self.bot.waitUntil(lambda: bool(condition()), timeout=round(timeout_s * 1000))
+
+    def press(self, key, modifiers=Qt.KeyboardModifier.NoModifier, at=None):
+        if at is None:  # a shortcut, which only the window that is active has
+            self.window.activateWindow()
+            self.wait(self.window.isActiveWindow)
+        self.bot.keyClick(at or self.window, key, modifiers)
+
+    def type(self, text, at):
+        at.setFocus()
+        self.bot.keyClicks(at, text)
+
+    def scan(self, text, at=None):
+        """Type as a barcode scanner does, with Enter at the end."""
+        field = at or self.run.form.serial
+        self.bot.keyClicks(field, text)
+        self.press(Qt.Key.Key_Return, at=field)
+
+    def open_run(self, programme, serial="SN-1", imagined=True):
+        self.window.stand.simulation.imagined.setChecked(imagined)
+        self.window.open(self.run)
+        self.run.form.add_programme(str(programme))
+        self.scan(serial)
+
+    def start(self, programme, serial="SN-1", imagined=True):
+        self.open_run(programme, serial, imagined)
+        self.press(Qt.Key.Key_F5)
+        self.wait(lambda: self.run.phase is not Phase.IDLE or self.complaints)
+
+    def wait_for_points(self, count):
+        self.wait(lambda: len(self.run.view.points) >= count)
+
+    def wait_for_end(self, timeout_s=30):
+        self.wait(lambda: self.run.phase is Phase.IDLE and not self.window.busy, timeout_s)
+
+    def wait_for_result(self, timeout_s=60):
+        self.wait(lambda: self.window.result.presentation is not None or self.complaints, timeout_s)
+        assert not self.complaints
+        return self.window.result.presentation
+
+    @property
+    def complaints(self):
+        """What the dialogs that are open say."""
+        from window.widgets.problem import ProblemDialog
+
+        return [dialog.text() for dialog in self.window.findChildren(ProblemDialog) if dialog.isVisible()]

@@ -1,0 +1,8 @@
+"""The operator's window: Qt over the same engine, stands and records as the command line.
+
+- `command`: `tumble gui`; `start`: the application; `main_window`: the frame around the screens.
+- `work`: what goes on outside the event loop, and how it is heard of inside.
+- `look`: colours, text size, languages, plots; `widgets`: small parts; `screens`: Stand, Run, Result, Records.
+
+Nothing below this package knows Qt.
+"""

@@ -1,0 +1,21 @@
+"""`tumble gui`: the operator's window. Qt is imported when it is opened."""
+
+from pathlib import Path
+
+import click
+
+from app.commands import options
+from app.exits import Exit, JobError
+
+
+@click.command("gui")
+@options.store
+def command(folder: Path) -> None:
+    """Open the operator's window."""
+    from window.libraries import obstacle
+
+    if sentence := obstacle():
+        raise JobError(sentence, Exit.BAD_INPUT)
+    from window.start import show
+
+    raise SystemExit(show(folder.absolute()))

@@ -1,0 +1,88 @@
+"""Plots in the colours of the window."""
+
+from typing import Any
+
+import pyqtgraph as pg
+from PySide6.QtCore import QEvent, QSize, Signal
+from PySide6.QtWidgets import QWidget
+
+from window.look.numbers import local
+from window.look.theme import Colours, colours
+
+
+class LocalAxis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph is not typed
+    """Numbers with the decimal sign of the language."""
+
+    def tickStrings(self, values: list[float], scale: float, spacing: float) -> list[str]:  # noqa: N802  # its name
+        """The numbers beside the ticks."""
+        return [local(text) for text in super().tickStrings(values, scale, spacing)]
+
+
+class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
+    """Axes with a grid; in other colours after the palette has changed, and told so with `recoloured`."""
+
+    recoloured = Signal()
+    _made = False
+    """Whether there are axes yet: the palette changes while they are being made."""
+
+    def __init__(self, bottom: str, left: str, parent: QWidget | None = None) -> None:
+        axes = {side: LocalAxis(side) for side in ("left", "bottom")}
+        super().__init__(parent, axisItems=axes)
+        self._made = True
+        self.setMenuEnabled(False)
+        self.hideButtons()
+        self.setMinimumSize(160, 90)
+        self.getPlotItem().setContentsMargins(0, 4, 8, 0)
+        self.name_axes(bottom, left)
+        self.setAccessibleName(f"{left}, {bottom}")
+        self._recolour()
+
+    def sizeHint(self) -> QSize:  # noqa: N802  # Qt's name
+        """Small: plots share what room there is."""
+        return QSize(300, 140)
+
+    @property
+    def colours(self) -> Colours:
+        """What to draw with."""
+        return colours(self)
+
+    def name_axes(self, bottom: str, left: str) -> None:
+        """Say what is drawn against what: the ordinate above the plot, where it is read without turning the head."""
+        self._left = left
+        for side in ("bottom", "left"):
+            self.getAxis(side).enableAutoSIPrefix(False)
+        self.getAxis("bottom").setLabel(bottom)
+        self._entitle()
+
+    def use_bottom_axis(self, axis: pg.AxisItem) -> None:
+        """Draw against another kind of axis."""
+        if self.getAxis("bottom") is not axis:
+            self.setAxisItems({"bottom": axis})
+            self._recolour()
+
+    def pen(self, colour: str, width: float = 1.5, **style: Any) -> Any:  # noqa: ANN401  # a QPen
+        """A pen that is as wide at every magnification."""
+        return pg.mkPen(colour, width=width, **style)
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802  # Qt's name
+        """Take over another palette."""
+        super().changeEvent(event)
+        if self._made and event.type() in (QEvent.Type.PaletteChange, QEvent.Type.FontChange):
+            self._recolour()
+            self.recoloured.emit()
+
+    def _recolour(self) -> None:
+        chosen = colours(self)
+        self.setBackground(chosen.paper)
+        for side in ("bottom", "left"):
+            axis = self.getAxis(side)
+            axis.setPen(chosen.pale)
+            axis.setTextPen(chosen.ink)
+            axis.setTickFont(self.font())
+            axis.label.setFont(self.font())
+        self._entitle()
+        self.showGrid(x=True, y=True, alpha=0.18)
+
+    def _entitle(self) -> None:
+        size = f"{self.font().pointSizeF():g}pt"
+        self.getPlotItem().setTitle(self._left, color=colours(self).ink, size=size, justify="left")

@@ -1,0 +1,114 @@
+"""The menus: colours, text size, language, keys."""
+
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QCoreApplication, QSettings
+from PySide6.QtGui import QAction, QActionGroup, QKeySequence
+from PySide6.QtWidgets import QMenu, QMessageBox
+
+from window.look.language import Language, preferred
+from window.look.theme import Shade
+
+if TYPE_CHECKING:
+    from window.main_window import MainWindow
+
+translate: Final = QCoreApplication.translate
+SCALES: Final = (0.8, 1.0, 1.25, 1.5, 2.0, 2.5)
+
+
+def shade() -> Shade:
+    """The colours that were chosen."""
+    return Shade(str(QSettings().value("look/shade", Shade.DESKTOP)))
+
+
+def text_scale() -> float:
+    """The size of text that was chosen; 1 is usual."""
+    return float(str(QSettings().value("look/text_scale", 1.0)))
+
+
+def language() -> Language:
+    """The language that was chosen, or that of the desktop."""
+    return Language(str(QSettings().value("look/language", preferred())))
+
+
+def fill_menus(window: "MainWindow") -> None:
+    """Give a window its menus."""
+    view = window.menuBar().addMenu(translate("Menus", "&View"))
+    _fill_shades(window, view)
+    view.addSeparator()
+    _add(view, translate("Menus", "Larger text"), QKeySequence("Ctrl++"), lambda: _scale(window, 1))
+    _add(view, translate("Menus", "Smaller text"), QKeySequence("Ctrl+-"), lambda: _scale(window, -1))
+    languages = window.menuBar().addMenu(translate("Menus", "&Language"))
+    group = QActionGroup(languages)
+    for choice in Language:
+        action = _add(languages, choice.endonym, None, lambda choice=choice: _speak(window, choice))
+        _tick(action, group, choice is language())
+    help_menu = window.menuBar().addMenu(translate("Menus", "&Help"))
+    _add(help_menu, translate("Menus", "Keys"), QKeySequence("F1"), lambda: _show_keys(window))
+    _add(help_menu, translate("Menus", "Quit"), QKeySequence("Ctrl+Q"), window.close)
+
+
+def _fill_shades(window: "MainWindow", view: QMenu) -> None:
+    group = QActionGroup(view)
+    names = {
+        Shade.DESKTOP: translate("Menus", "As the desktop"),
+        Shade.LIGHT: translate("Menus", "Light"),
+        Shade.DARK: translate("Menus", "Dark"),
+    }
+    for choice, name in names.items():
+        action = _add(view, name, None, lambda choice=choice: _shade(window, choice))
+        _tick(action, group, choice is shade())
+
+
+def _add(menu: QMenu, text: str, key: QKeySequence | None, do: object) -> QAction:
+    action = QAction(text, menu)
+    if key is not None:
+        action.setShortcut(key)
+    action.triggered.connect(lambda _checked: do())  # type: ignore[operator]
+    menu.addAction(action)
+    return action
+
+
+def _tick(action: QAction, group: QActionGroup, chosen: bool) -> None:
+    action.setCheckable(True)
+    group.addAction(action)
+    action.setChecked(chosen)
+
+
+def _shade(window: "MainWindow", choice: Shade) -> None:
+    QSettings().setValue("look/shade", str(choice))
+    window.dress_wanted.emit()
+
+
+def _scale(window: "MainWindow", way: int) -> None:
+    here = min(range(len(SCALES)), key=lambda place: abs(SCALES[place] - text_scale()))
+    QSettings().setValue("look/text_scale", SCALES[min(max(here + way, 0), len(SCALES) - 1)])
+    window.dress_wanted.emit()
+
+
+def _speak(window: "MainWindow", choice: Language) -> None:
+    QSettings().setValue("look/language", str(choice))
+    if window.busy:
+        text = translate("Menus", "The language changes when the window is opened the next time: the stand is at work.")
+        QMessageBox.information(window, translate("Menus", "Language"), text)
+    else:
+        window.restart_wanted.emit()
+
+
+def _show_keys(window: "MainWindow") -> None:
+    keys = {
+        "Esc": translate("Menus", "stop the head, whatever is going on"),
+        "F5": translate("Menus", "start the run"),
+        "F6": translate("Menus", "pause"),
+        "F7": translate("Menus", "go on after a pause"),
+        "F9": translate("Menus", "the unit sits in the mount"),
+        "Enter": translate("Menus", "the head reads as set, or as typed"),
+        "Ctrl+1 … Ctrl+4": translate("Menus", "Stand, Run, Result, Records"),
+        "Ctrl+← Ctrl+→": translate("Menus", "one step with the head"),
+        "F8": translate("Menus", "go to the angle that was typed"),
+        "Ctrl+Home": translate("Menus", "home the head"),
+        "Ctrl++ Ctrl+-": translate("Menus", "larger, smaller text"),
+    }
+    rows = "".join(f"<tr><td><b>{key}</b>&nbsp;&nbsp;</td><td>{text}</td></tr>" for key, text in keys.items())
+    box = QMessageBox(QMessageBox.Icon.NoIcon, translate("Menus", "Keys"), f"<table>{rows}</table>", parent=window)
+    box.open()

@@ -1,0 +1,1 @@
+"""The four screens, one a file: Stand, Run, Result, Records."""

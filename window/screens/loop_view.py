@@ -1,0 +1,132 @@
+"""The closed loop: what was found, what cannot be told, before and after, and the next experiment."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QLabel, QListWidget, QVBoxLayout, QWidget
+
+from window.look.numbers import local, minutes
+from window.look.sentences import in_language
+from window.widgets.motion_button import MotionButton
+from window.widgets.table import Table
+from window.work.presentation import Presentation
+
+if TYPE_CHECKING:
+    from calibrations.tracing.experiments import Experiment
+
+
+class LoopView(QWidget):
+    """One part below the other, those that have nothing to say left out."""
+
+    experiment_wanted = Signal(str)
+    """Name of the programme."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._experiments: tuple[Experiment, ...] = ()
+        self._allowed = True
+        self.headline = _wrapped()
+        self.findings = Table(
+            (
+                self.tr("effect"),
+                self.tr("or"),
+                self.tr("belongs to"),
+                self.tr("coefficients (standard uncertainty)"),
+                self.tr("p"),
+            )
+        )
+        self.comparisons = Table(("", self.tr("declared model"), self.tr("with what was found"), self.tr("change")))
+        self.untold = _wrapped()
+        self.experiments = QListWidget()
+        self.experiments.setWordWrap(True)
+        self.experiments.setMinimumHeight(70)
+        self.run_button = MotionButton(self.tr("Run the chosen experiment"), "F5")
+        self.run_button.clicked.connect(self._run)
+        self.experiments.currentRowChanged.connect(self._refresh)
+        self._titles = {
+            self.findings: QLabel(self.tr("What was found")),
+            self.comparisons: QLabel(self.tr("Before and after")),
+            self.experiments: QLabel(self.tr("What to measure next")),
+        }
+        layout = QVBoxLayout(self)
+        layout.addWidget(self.headline)
+        for part, title in self._titles.items():
+            title.setObjectName("heading")
+            layout.addWidget(title)
+            layout.addWidget(part, stretch=8)
+        layout.addWidget(self.run_button)
+        layout.addWidget(self.untold)
+        layout.addStretch(1)
+
+    def show_presentation(self, presentation: Presentation) -> None:
+        """Show another result."""
+        self._experiments = presentation.concluded.traced.loop.next_experiment
+        self.headline.setText(in_language(presentation.headline))
+        self.findings.fill(
+            [
+                (
+                    found.name,
+                    in_language(found.also_possible),
+                    in_language(found.belongs_to),
+                    local(found.coefficients),
+                    local(found.p_value),
+                )
+                for found in presentation.findings
+            ]
+        )
+        self.comparisons.fill(
+            [
+                tuple(map(in_language, (line.name, line.declared, line.augmented, line.change)))
+                for line in presentation.comparisons
+            ]
+        )
+        told = [
+            self.tr("{name} cannot be told: {reason}").format(name=n, reason=in_language(why))
+            for n, why in presentation.untold
+        ]
+        self.untold.setText(
+            local("\n".join([*told, *([in_language(presentation.leaning)] if presentation.leaning else [])]))
+        )
+        self._list_experiments(self._experiments)
+        shown = {
+            self.findings: bool(presentation.findings),
+            self.comparisons: bool(presentation.comparisons),
+            self.experiments: bool(self._experiments),
+        }
+        for part, title in self._titles.items():
+            part.setVisible(shown[part])
+            title.setVisible(shown[part])
+        self.run_button.setVisible(bool(self._experiments))
+
+    def allow_runs(self, allowed: bool) -> None:
+        """Whether the stand is free."""
+        self._allowed = allowed
+        self._refresh()
+
+    def _list_experiments(self, experiments: "Sequence[Experiment]") -> None:
+        self.experiments.clear()
+        for experiment in experiments:
+            title = self.tr("no programme helps")
+            if experiment.programme:
+                title = f"{experiment.programme} ({minutes(experiment.stand_time_s)})"
+            self.experiments.addItem(f"{title}: {in_language(experiment.why)}")
+        self.experiments.setCurrentRow(0 if experiments else -1)
+        self._refresh()
+
+    def _chosen(self) -> str:
+        row = self.experiments.currentRow()
+        return self._experiments[row].programme if 0 <= row < len(self._experiments) else ""
+
+    def _refresh(self) -> None:
+        self.run_button.setEnabled(self._allowed and bool(self._chosen()))
+
+    def _run(self) -> None:
+        if programme := self._chosen():
+            self.experiment_wanted.emit(programme)
+
+
+def _wrapped() -> QLabel:
+    label = QLabel()
+    label.setWordWrap(True)
+    return label

@@ -1,0 +1,213 @@
+"""The screen Records: what was measured, compared, verified, written elsewhere, and what came to no end."""
+
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLabel, QPushButton, QTabWidget, QVBoxLayout, QWidget
+
+from calibrations.quantities import format_concise
+from calibrations.records.record import Record, Verdict
+from procedures.errors import InputError
+from window.look.numbers import local
+from window.look.sentences import in_language
+from window.screens.cut_off_view import CutOffView
+from window.screens.stand_records import StandRecords
+from window.widgets.record_search import RecordSearch
+from window.widgets.splitter import Splitter
+from window.widgets.table import Table
+from window.widgets.trend_plot import TrendPlot
+from window.work import records as store
+from window.work.activity import Resumption
+from window.work.background import Background
+
+if TYPE_CHECKING:
+    from calibrations.records.compare import Difference
+    from calibrations.records.verify import Verification
+
+_FORMATS: Final = "JSON (*.json);;HTML (*.html);;CSV (*.csv);;PDF (*.pdf)"
+
+
+class RecordsScreen(QWidget):
+    """Search, list, what one can do with a record; trend, runs that were cut off, and records of stands beside it."""
+
+    opened = Signal(object)
+    """`Concluded`."""
+    resume_wanted = Signal(object, object)
+    """`Resumption`, and the points that are there."""
+    refused = Signal(object)
+    """An exception that the person must see."""
+
+    def __init__(self, background: Background, folder: Callable[[], Path], parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._background, self._folder = background, folder
+        self.records: tuple[Record, ...] = ()
+        self.search, self.trend, self.cut_off, self.stands = RecordSearch(), TrendPlot(), CutOffView(), StandRecords()
+        self.table = Table(
+            (
+                self.tr("unit"),
+                self.tr("programme"),
+                self.tr("measured"),
+                self.tr("revision"),
+                self.tr("verdict"),
+                "kx",
+                self.tr("record"),
+            )
+        )
+        self.said = QLabel()
+        self.tabs = QTabWidget()
+        self.open_button = self._button(self.tr("&Open"), self._open)
+        self.compare_button = self._button(self.tr("&Compare two"), self._compare)
+        self.verify_button = self._button(self.tr("Ver&ify"), self._verify)
+        self.again_button = self._button(self.tr("&Analyse again"), self._analyse_again)
+        self.export_button = self._button(self.tr("&Export…"), self._choose_export)
+        self._lay_out()
+        self.search.changed.connect(self.refresh)
+        self.table.itemDoubleClicked.connect(lambda _: self._open())
+        self.table.itemSelectionChanged.connect(self._refresh_buttons)
+        self.cut_off.resume_wanted.connect(self._resume)
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Look again."""
+        self._background.start(partial(store.search, self._folder(), self.search.search()), self._show)
+
+    def allow_runs(self, allowed: bool) -> None:
+        """Whether the stand is free."""
+        self.cut_off.allow_runs(allowed)
+
+    def export_to(self, path: Path) -> None:
+        """Write the record that is chosen, in the format of the file's name."""
+        for record in self._chosen()[:1]:
+            self._start(partial(store.export, self._folder(), record.id, path), self._say_exported)
+
+    def _lay_out(self) -> None:
+        buttons = QHBoxLayout()
+        for button in (
+            self.open_button,
+            self.compare_button,
+            self.verify_button,
+            self.again_button,
+            self.export_button,
+        ):
+            buttons.addWidget(button)
+        buttons.addStretch(1)
+        self.said.setWordWrap(True)
+        self.said.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        listed = QWidget()
+        column = QVBoxLayout(listed)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self.table, stretch=1)
+        column.addLayout(buttons)
+        column.addWidget(self.said)
+        for part, title in (
+            (self.trend, self.tr("Trend")),
+            (self.cut_off, self.tr("Runs without a record")),
+            (self.stands, self.tr("Stands")),
+        ):
+            self.tabs.addTab(part, title)
+        layout = QVBoxLayout(self)
+        layout.addWidget(self.search)
+        layout.addWidget(Splitter(Qt.Orientation.Vertical, (listed, self.tabs), (3, 2)), stretch=1)
+
+    def _button(self, text: str, do: Callable[[], None]) -> QPushButton:
+        button = QPushButton(text)
+        button.clicked.connect(lambda _checked: do())
+        return button
+
+    def _show(self, found: store.Found) -> None:
+        self.records = found.records
+        self.table.fill([self._line(record) for record in found.records])
+        self.search.offer(found.programmes)
+        self.trend.show_records(found.records)
+        self.cut_off.show_runs(found.cut_off)
+        title = self.tr("Runs without a record")
+        self.tabs.setTabText(1, f"{title} ({len(found.cut_off)})" if found.cut_off else title)
+        self._refresh_buttons()
+
+    def _line(self, record: Record) -> tuple[str, ...]:
+        kx, origin = record.parameters["kx"], record.provenance
+        verdicts = {
+            Verdict.INSIDE: self.tr("✓ inside"),
+            Verdict.OUTSIDE: self.tr("✗ outside"),
+            Verdict.NOT_JUDGED: self.tr("not judged"),
+        }
+        return (
+            origin.serial_number,
+            origin.programme_name,
+            (origin.measured_at or f"{record.created_at:%Y-%m-%dT%H:%M}").replace("T", " ")[:16],
+            str(record.revision),
+            verdicts[record.verdict],
+            "" if kx.value is None else local(format_concise(kx.value, kx.standard_uncertainty, kx.unit)),
+            record.id,
+        )
+
+    def _chosen(self) -> list[Record]:
+        return [self.records[row] for row in self.table.chosen]
+
+    def _refresh_buttons(self) -> None:
+        count = len(self.table.chosen)
+        for button in (self.open_button, self.again_button, self.export_button):
+            button.setEnabled(count == 1)
+        self.compare_button.setEnabled(count == 2)
+        self.verify_button.setEnabled(count > 0)
+
+    def _start(self, function: Callable[[], object], done: Callable[..., None]) -> None:
+        self.said.setText(self.tr("One moment…"))
+        self._background.start(function, done, self._refuse)
+
+    def _refuse(self, error: Exception) -> None:
+        self.said.clear()
+        self.refused.emit(error)
+
+    def _open(self) -> None:
+        for record in self._chosen()[:1]:
+            self._start(partial(store.open_record, self._folder(), record.id), self._show_opened)
+
+    def _analyse_again(self) -> None:
+        for record in self._chosen()[:1]:
+            self._start(partial(store.analyse_again, self._folder(), record.id), self._show_opened)
+
+    def _show_opened(self, concluded: object) -> None:
+        self.said.clear()
+        self.opened.emit(concluded)
+
+    def _compare(self) -> None:
+        first, second = self._chosen()
+        self._start(partial(store.differences, self._folder(), first.id, second.id), self._say_differences)
+
+    def _say_differences(self, found: "tuple[Difference, ...]") -> None:
+        self.said.setText("\n".join(in_language(difference.sentence) for difference in found))
+
+    def _verify(self) -> None:
+        ids = [record.id for record in self._chosen()]
+        self._start(partial(store.verify_all, self._folder(), ids), self._say_verified)
+
+    def _say_verified(self, found: "tuple[Verification, ...]") -> None:
+        good, bad = self.tr("✓ {id} is verified."), self.tr("✗ {id} does NOT verify:")
+        lines = []
+        for one in found:
+            lines.append((good if one.verified else bad).format(id=one.record_id))
+            lines.extend(() if one.verified else map(in_language, one.sentences))
+        self.said.setText("\n".join(lines))
+
+    def _choose_export(self) -> None:
+        chosen, _ = QFileDialog.getSaveFileName(self, self.tr("Export"), self._chosen()[0].id, _FORMATS)
+        if chosen:
+            self.export_to(Path(chosen))
+
+    def _say_exported(self, path: Path) -> None:
+        self.said.setText(self.tr("Written: {path}").format(path=path))
+
+    def _resume(self, path: Path) -> None:
+        self._background.start(partial(store.resumption, self._folder(), path), self._begin, self.refused.emit)
+
+    def _begin(self, resumption: Resumption) -> None:
+        try:
+            resumption.job.plan()
+        except InputError as error:
+            self.refused.emit(error)
+            return
+        self.resume_wanted.emit(resumption, resumption.unfinished.recording.points)

@@ -1,0 +1,160 @@
+"""The screen Result: what a calibration says, and what to do next."""
+
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import QUrl, Signal
+from PySide6.QtGui import QDesktopServices
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QTabWidget, QVBoxLayout, QWidget
+
+from app.running import Job
+from app.stand import LoadedStand
+from calibrations.records.record import Verdict
+from procedures.errors import InputError
+from procedures.programme import load_programme
+from window.look.sentences import in_language
+from window.look.theme import colours
+from window.screens.loop_view import LoopView
+from window.widgets.correlation_table import CorrelationTable
+from window.widgets.result_plots import FitPlot, ResidualFigure
+from window.widgets.table import Table
+from window.work.activity import Concluded, FurtherExperiment
+from window.work.background import Background
+from window.work.presentation import Presentation, present
+
+
+class ResultScreen(QWidget):
+    """Verdict and parameters, fit, residuals, correlations, and the closed loop."""
+
+    experiment_wanted = Signal(object)
+    """`FurtherExperiment`."""
+    refused = Signal(object)
+    """An exception that the person must see."""
+
+    def __init__(self, background: Background, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._background = background
+        self._stand: LoadedStand | None = None
+        self._store = Path()
+        self.presentation: Presentation | None = None
+        self.verdict, self._subject, self._notices = QLabel(), QLabel(), QLabel()
+        self.report_button = QPushButton(self.tr("Open the &report"))
+        self.table = Table(
+            (
+                self.tr("parameter"),
+                self.tr("value, expanded uncertainty"),
+                self.tr("95% interval"),
+                self.tr("standard uncertainty"),
+                self.tr("limits"),
+                self.tr("verdict"),
+                self.tr("condition"),
+            )
+        )
+        self.fit, self.residuals = FitPlot(), ResidualFigure()
+        self.correlation, self.loop = CorrelationTable(), LoopView()
+        self.tabs = QTabWidget()
+        self._lay_out()
+        self.report_button.clicked.connect(self._open_report)
+        self.loop.experiment_wanted.connect(self._run_experiment)
+        self._show_nothing()
+
+    def use_stand(self, loaded: LoadedStand) -> None:
+        """Run experiments on a stand from now on."""
+        self._stand = loaded
+
+    def allow_runs(self, allowed: bool) -> None:
+        """Whether the stand is free."""
+        self.loop.allow_runs(allowed)
+
+    def show_result(self, concluded: Concluded, store: Path) -> None:
+        """Show a result as soon as it is worked out."""
+        self._store = store
+        self._background.start(partial(present, concluded), self._show)
+
+    def _show_nothing(self) -> None:
+        self.verdict.setText(self.tr("There is no result yet: run a programme, or open a record."))
+        self.report_button.setEnabled(False)
+        self.tabs.setEnabled(False)
+
+    def _show(self, presentation: Presentation) -> None:
+        self.presentation = presentation
+        self._show_head(presentation)
+        self._show_table(presentation)
+        self.fit.show_rows(presentation.models["declared"])
+        for part in (self.residuals, self.correlation, self.loop):
+            part.show_presentation(presentation)
+        self.tabs.setEnabled(True)
+
+    def _show_head(self, presentation: Presentation) -> None:
+        concluded = presentation.concluded
+        self.verdict.setObjectName(
+            {Verdict.INSIDE: "good", Verdict.OUTSIDE: "bad"}.get(presentation.verdict, "heading")
+        )
+        self.verdict.style().polish(self.verdict)
+        self.verdict.setText(
+            {
+                Verdict.INSIDE: self.tr("✓ Inside the limits"),
+                Verdict.OUTSIDE: self.tr("✗ Outside the limits: {names}").format(names=", ".join(presentation.outside)),
+                Verdict.NOT_JUDGED: self.tr("The programme states no limits"),
+            }[presentation.verdict]
+        )
+        origin = concluded.traced.provenance
+        parts = (origin.serial_number, origin.programme_name, origin.measured_at, origin.operator, concluded.record_id)
+        self._subject.setText(" · ".join(part for part in parts if part))
+        self._notices.setText("\n".join(f"⚠ {in_language(notice)}" for notice in presentation.notices))
+        self._notices.setVisible(bool(presentation.notices))
+        self.report_button.setEnabled(concluded.report is not None)
+
+    def _show_table(self, presentation: Presentation) -> None:
+        shades = colours(self)
+        told = [
+            (row.name, row.value, row.interval, row.standard, row.limits, row.verdict, row.reason or row.note)
+            for row in presentation.table
+        ]
+        unsettled = [shades.bad if row.limits and not row.inside else None for row in presentation.table]
+        self.table.fill([[in_language(text) for text in row] for row in told], unsettled)
+
+    def _lay_out(self) -> None:
+        for label in (self.verdict, self._subject, self._notices):
+            label.setWordWrap(True)
+        font = self.verdict.font()
+        font.setPointSizeF(font.pointSizeF() * 1.6)
+        self.verdict.setFont(font)
+        head = QHBoxLayout()
+        head.addWidget(self.verdict, stretch=1)
+        head.addWidget(self.report_button)
+        for title, part in (
+            (self.tr("Parameters"), self.table),
+            (self.tr("Fit"), self.fit),
+            (self.tr("Residuals"), self.residuals),
+            (self.tr("Correlations"), self.correlation),
+            (self.tr("Closed loop"), self.loop),
+        ):
+            self.tabs.addTab(part, title)
+        layout = QVBoxLayout(self)
+        layout.addLayout(head)
+        layout.addWidget(self._subject)
+        layout.addWidget(self._notices)
+        layout.addWidget(self.tabs, stretch=1)
+
+    def _open_report(self) -> None:
+        if self.presentation and self.presentation.concluded.report:
+            QDesktopServices.openUrl(QUrl.fromLocalFile(str(self.presentation.concluded.report)))
+
+    def _run_experiment(self, programme: str) -> None:
+        if self.presentation is None or self._stand is None:
+            return
+        concluded = self.presentation.concluded
+        origin = concluded.traced.provenance
+        job = Job(
+            stand=self._stand,
+            programme=load_programme(programme),
+            serial_number=origin.serial_number,
+            operator=origin.operator,
+        )
+        try:
+            job.plan()
+        except InputError as error:
+            self.refused.emit(error)
+            return
+        self.experiment_wanted.emit(FurtherExperiment(job=job, store=self._store, before=concluded.recordings))

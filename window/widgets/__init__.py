@@ -1,0 +1,1 @@
+"""Small parts of which the screens are made, one a file."""

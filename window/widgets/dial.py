@@ -1,0 +1,99 @@
+"""Where the head is: a dial, and the angle in degrees and in degrees, minutes and seconds."""
+
+import math
+from typing import Final
+
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtWidgets import QWidget
+
+from drivers.manual import format_dms
+from drivers.protocols import HeadStatus
+from window.look.numbers import local
+from window.look.theme import Colours, colours
+
+_TICK_DEG: Final = 10
+_LABEL_DEG: Final = 30
+
+
+class Dial(QWidget):
+    """The circle of the head with a needle; 0° on top, clockwise as the circle of a head is engraved."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._status: HeadStatus | None = None
+        self.setMinimumSize(180, 180)
+
+    def sizeHint(self) -> QSize:  # noqa: N802  # Qt's name
+        """Readable from two metres where there is room."""
+        return QSize(360, 360)
+
+    def show_status(self, status: HeadStatus | None) -> None:
+        """Show where the head is; None where nobody knows."""
+        self._status = status
+        self.setAccessibleName("" if status is None else local(f"{status.angle_deg:.4f}°"))
+        self.update()
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802  # Qt's name
+        """Take over another palette or text size."""
+        super().changeEvent(event)
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:  # noqa: N802, ARG002  # Qt's name
+        """Draw it."""
+        painter, chosen = QPainter(self), colours(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        radius = min(self.width(), self.height()) / 2 - 6
+        painter.translate(QPointF(self.width() / 2, self.height() / 2))
+        painter.setPen(QPen(QColor(chosen.grid), 2))
+        painter.setBrush(QColor(chosen.paper))
+        painter.drawEllipse(QPointF(), radius, radius)
+        self._draw_scale(painter, chosen, radius)
+        if self._status is not None:
+            self._draw_needle(painter, chosen, radius, self._status)
+        self._draw_text(painter, chosen, radius)
+
+    def _draw_scale(self, painter: QPainter, chosen: Colours, radius: float) -> None:
+        font = self.font()
+        font.setPixelSize(max(9, round(radius * 0.09)))
+        painter.setFont(font)
+        for angle_deg in range(0, 360, _TICK_DEG):
+            labelled = angle_deg % _LABEL_DEG == 0
+            outer, inner = _on(radius - 3, angle_deg), _on(radius * (0.88 if labelled else 0.93), angle_deg)
+            painter.setPen(QPen(QColor(chosen.ink if labelled else chosen.pale), 2 if labelled else 1))
+            painter.drawLine(outer, inner)
+            if labelled:
+                place = _on(radius * 0.78, angle_deg)
+                box = QRectF(place.x() - radius, place.y() - radius, 2 * radius, 2 * radius)
+                painter.drawText(box, Qt.AlignmentFlag.AlignCenter, str(angle_deg))
+
+    def _draw_needle(self, painter: QPainter, chosen: Colours, radius: float, status: HeadStatus) -> None:
+        painter.save()
+        painter.rotate(math.fmod(status.angle_deg, 360.0))
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(QColor(chosen.now if status.moving else chosen.accent))
+        tip, foot, half = -radius * 0.96, -radius * 0.70, radius * 0.045
+        painter.drawPolygon(QPolygonF([QPointF(0, tip), QPointF(half, foot), QPointF(-half, foot)]))
+        painter.restore()
+
+    def _draw_text(self, painter: QPainter, chosen: Colours, radius: float) -> None:
+        lines = [("—", 0.22)] if self._status is None else _lines(self._status.angle_deg)
+        painter.setPen(QColor(chosen.ink))
+        top = -radius * 0.26
+        for text, size in lines:
+            font = self.font()
+            font.setBold(True)
+            font.setPixelSize(max(10, round(radius * size)))
+            painter.setFont(font)
+            box = QRectF(-radius * 0.68, top, radius * 1.36, radius * 0.3)
+            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
+            top += radius * 0.26
+
+
+def _lines(angle_deg: float) -> list[tuple[str, float]]:
+    return [(local(f"{angle_deg:.4f}°"), 0.22), (local(format_dms(angle_deg)), 0.17)]
+
+
+def _on(radius: float, angle_deg: float) -> QPointF:
+    angle_rad = math.radians(angle_deg)
+    return QPointF(radius * math.sin(angle_rad), -radius * math.cos(angle_rad))

@@ -1,0 +1,90 @@
+"""What is connected: who the instruments say they are, and until when their certificates hold."""
+
+from datetime import UTC, datetime, timedelta
+from typing import Final
+
+from PySide6.QtCore import QDate, QLocale, Qt
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
+
+from app.stand import LoadedStand
+from drivers.protocols import Identity
+from drivers.tables import Instrument
+
+_SOON: Final = timedelta(days=30)
+
+
+class InstrumentTable(QFrame):
+    """Head and DAQ beside each other, one line for each thing that is known."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("card")
+        self._grid = QGridLayout(self)
+        self._cells: dict[tuple[str, str], QLabel] = {}
+        names = {
+            "driver": self.tr("Driver"),
+            "address": self.tr("Address"),
+            "model": self.tr("Model"),
+            "serial": self.tr("Serial number"),
+            "firmware": self.tr("Firmware"),
+            "certificate": self.tr("Certificate"),
+            "due": self.tr("Calibration due"),
+        }
+        for column, (key, title) in enumerate(
+            {"head": self.tr("Dividing head"), "daq": self.tr("Voltmeter")}.items(), 1
+        ):
+            heading = QLabel(title)
+            heading.setObjectName("heading")
+            self._grid.addWidget(heading, 0, column)
+            self._grid.setColumnStretch(column, 1)
+            for row, name in enumerate(names, 1):
+                self._cells[key, name] = self._cell(row, column)
+        for row, title in enumerate(names.values(), 1):
+            label = QLabel(title)
+            label.setObjectName("pale")
+            self._grid.addWidget(label, row, 0)
+
+    def show_stand(self, loaded: LoadedStand) -> None:
+        """Show what the stand file says."""
+        self._show_file("head", loaded.file.head)
+        self._show_file("daq", loaded.file.daq)
+        self.show_identities(None, None)
+
+    def show_identities(self, head: Identity | None, daq: Identity | None) -> None:
+        """Show who answers; None where nobody was asked."""
+        for key, identity in (("head", head), ("daq", daq)):
+            for name in ("model", "serial", "firmware"):
+                self._say(key, name, getattr(identity, name) if identity else "")
+
+    def text(self, key: str, name: str) -> str:
+        """What a cell says."""
+        return self._cells[key, name].text()
+
+    def _cell(self, row: int, column: int) -> QLabel:
+        label = QLabel()
+        label.setWordWrap(True)
+        label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self._grid.addWidget(label, row, column)
+        return label
+
+    def _show_file(self, key: str, table: Instrument) -> None:
+        self._say(key, "driver", table.driver)
+        self._say(key, "address", table.address)
+        self._say(key, "certificate", table.certificate)
+        due, today = table.calibration_due, datetime.now(tz=UTC).date()
+        if due is None:
+            self._say(key, "due", "")
+            return
+        written = QLocale().toString(QDate(due.year, due.month, due.day), QLocale.FormatType.ShortFormat)
+        if due < today:
+            self._say(key, "due", self.tr("✗ {date}: overdue").format(date=written), "bad")
+        elif due - today < _SOON:
+            self._say(key, "due", self.tr("⚠ {date}: soon").format(date=written), "bad")
+        else:
+            self._say(key, "due", self.tr("✓ {date}").format(date=written), "good")
+
+    def _say(self, key: str, name: str, text: str, kind: str = "") -> None:
+        label = self._cells[key, name]
+        label.setText(text or "—")
+        label.setObjectName(kind)
+        label.style().polish(label)

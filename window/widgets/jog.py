@@ -1,0 +1,65 @@
+"""Turning the head by hand on the keyboard: by a step, to an angle, to its reference."""
+
+from typing import Final
+
+from PySide6.QtCore import QSettings, Signal
+from PySide6.QtWidgets import QComboBox, QFrame, QGridLayout, QLabel, QLineEdit, QWidget
+
+from drivers.manual import parse_reading
+from window.look.numbers import local
+from window.widgets.motion_button import MotionButton
+
+_STEPS_DEG: Final = ("0.01", "0.1", "1", "5", "10", "45", "90")
+
+
+class Jog(QFrame):
+    """Every motion by a key that no scanner types; Enter in the field of the angle moves nothing."""
+
+    step_wanted = Signal(float)
+    """By so many degrees."""
+    angle_wanted = Signal(float)
+    home_wanted = Signal()
+    misunderstood = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("card")
+        self.step, self.angle = QComboBox(), QLineEdit()
+        for step in _STEPS_DEG:
+            self.step.addItem(local(f"{step}°"), float(step))
+        self.step.setCurrentIndex(int(str(QSettings().value("stand/step", 4))))
+        self.angle.setPlaceholderText(self.tr("12 34 56, or 12.5"))
+        self.back = MotionButton("◀", "Ctrl+Left")
+        self.ahead = MotionButton("▶", "Ctrl+Right")
+        self.go = MotionButton(self.tr("Go"), "F8")
+        self.home = MotionButton(self.tr("Home"), "Ctrl+Home")
+        self.back.setAccessibleName(self.tr("One step back"))
+        self.ahead.setAccessibleName(self.tr("One step ahead"))
+        self._lay_out()
+        self.back.clicked.connect(lambda: self.step_wanted.emit(-self._step_deg))
+        self.ahead.clicked.connect(lambda: self.step_wanted.emit(self._step_deg))
+        self.go.clicked.connect(self._go)
+        self.home.clicked.connect(self.home_wanted)
+        self.step.currentIndexChanged.connect(lambda index: QSettings().setValue("stand/step", index))
+
+    @property
+    def _step_deg(self) -> float:
+        return float(self.step.currentData())
+
+    def _lay_out(self) -> None:
+        grid = QGridLayout(self)
+        step, angle = QLabel(self.tr("S&tep")), QLabel(self.tr("&Angle"))
+        step.setBuddy(self.step)
+        angle.setBuddy(self.angle)
+        for row, parts in enumerate(
+            ((step, self.step, self.back, self.ahead), (angle, self.angle, self.go, self.home))
+        ):
+            for column, part in enumerate(parts):
+                grid.addWidget(part, row, column)
+        grid.setColumnStretch(1, 1)
+
+    def _go(self) -> None:
+        try:
+            self.angle_wanted.emit(parse_reading(self.angle.text()))
+        except ValueError as error:
+            self.misunderstood.emit(f"{error}.")

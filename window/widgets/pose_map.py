@@ -1,0 +1,145 @@
+"""Where a run is in its programme: every pose on a circle for its mount, done, now or to come."""
+
+import math
+from collections import Counter
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Final, TypeAlias
+
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtWidgets import QWidget
+
+from procedures.steps import Dwell
+from window.look.theme import Colours, colours
+
+Pose: TypeAlias = tuple[str, float]
+"""Mount and head angle within the turn."""
+_NEVER: Final = ("", math.nan)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Cell:
+    """Where the circle of a mount lies."""
+
+    centre: QPointF
+    radius: float
+
+
+def pose_of(dwell: Dwell) -> Pose:
+    """The pose of a dwell."""
+    return dwell.mount, round(dwell.angle_deg % 360.0, 1)
+
+
+class PoseMap(QWidget):
+    """Filled marks are done, half filled ones in some realisations, hollow ones are to come; a diamond is now."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._planned: Counter[Pose] = Counter()
+        self._done: Counter[Pose] = Counter()
+        self._now: Pose = _NEVER
+        self.setMinimumSize(220, 130)
+
+    def sizeHint(self) -> QSize:  # noqa: N802  # Qt's name
+        """Room for two circles beside each other."""
+        return QSize(420, 240)
+
+    @property
+    def done(self) -> int:
+        """Number of dwells that are done."""
+        return self._done.total()
+
+    @property
+    def mounts(self) -> list[str]:
+        """The mounts of the programme in the order in which they first come."""
+        return list(dict.fromkeys(mount for mount, _ in self._planned))
+
+    def show_plan(self, dwells: Iterable[Dwell], done: int = 0) -> None:
+        """Show a programme of which so many dwells are done."""
+        poses = [pose_of(dwell) for dwell in dwells]
+        self._planned, self._done, self._now = Counter(poses), Counter(poses[:done]), _NEVER
+        self.update()
+
+    def begin(self, dwell: Dwell) -> None:
+        """Mark a dwell as the one that is taken now."""
+        self._now = pose_of(dwell)
+        self.update()
+
+    def complete(self, dwell: Dwell) -> None:
+        """Mark a dwell as done."""
+        self._done[pose_of(dwell)] += 1
+        self.update()
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802  # Qt's name
+        """Take over another palette or text size."""
+        super().changeEvent(event)
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:  # noqa: N802, ARG002  # Qt's name
+        """Draw it."""
+        painter, chosen = QPainter(self), colours(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        cells = self._cells()
+        for mount, cell in cells.items():
+            self._draw_circle(painter, chosen, mount, cell)
+        for pose in self._planned:
+            self._draw_pose(painter, chosen, pose, cells[pose[0]])
+        if self._now in self._planned:
+            self._draw_now(painter, chosen, cells[self._now[0]])
+
+    def _cells(self) -> dict[str, Cell]:
+        """One cell for each mount, as large as they can be."""
+        mounts = self.mounts
+        columns = max(range(1, len(mounts) + 1), key=self._radius_in, default=1)
+        rows = -(-len(mounts) // columns)
+        width, height = self.width() / columns, self.height() / max(rows, 1)
+        radius = self._radius_in(columns)
+        return {
+            mount: Cell(
+                centre=QPointF((number % columns + 0.5) * width, (number // columns + 0.5) * height), radius=radius
+            )
+            for number, mount in enumerate(mounts)
+        }
+
+    def _radius_in(self, columns: int) -> float:
+        rows = -(-max(len(self.mounts), 1) // columns)
+        return min(self.width() / columns, self.height() / rows) / 2 - 10.0
+
+    def _draw_circle(self, painter: QPainter, chosen: Colours, mount: str, cell: Cell) -> None:
+        painter.setPen(QPen(QColor(chosen.grid), 1))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawEllipse(cell.centre, cell.radius, cell.radius)
+        painter.setPen(QColor(chosen.ink))
+        font = self.font()
+        advance = max(painter.fontMetrics().horizontalAdvance(mount), 1)
+        font.setPointSizeF(font.pointSizeF() * min(1.0, 1.5 * cell.radius / advance))
+        painter.setFont(font)
+        box = QRectF(cell.centre.x() - cell.radius, cell.centre.y() - cell.radius, 2 * cell.radius, 2 * cell.radius)
+        done = sum(count for (of, _), count in self._done.items() if of == mount)
+        planned = sum(count for (of, _), count in self._planned.items() if of == mount)
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, f"{mount}\n{done}/{planned}")
+
+    def _draw_pose(self, painter: QPainter, chosen: Colours, pose: Pose, cell: Cell) -> None:
+        share = self._done[pose] / self._planned[pose]
+        place, size = _on(cell, pose[1]), max(2.2, min(5.0, cell.radius * 0.06))
+        painter.setPen(QPen(QColor(chosen.accent if share else chosen.pale), 1.2))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawEllipse(place, size, size)
+        if not share:
+            return
+        painter.setBrush(QColor(chosen.accent))
+        box = QRectF(place.x() - size, place.y() - size, 2 * size, 2 * size)
+        painter.drawPie(box, 90 * 16, round(-360 * 16 * min(share, 1.0)))
+
+    def _draw_now(self, painter: QPainter, chosen: Colours, cell: Cell) -> None:
+        place, size = _on(cell, self._now[1]), max(6.0, cell.radius * 0.11)
+        painter.setPen(QPen(QColor(chosen.paper), 1.5))
+        painter.setBrush(QColor(chosen.now))
+        corners = [QPointF(0, -size), QPointF(size, 0), QPointF(0, size), QPointF(-size, 0)]
+        painter.drawPolygon(QPolygonF([place + corner for corner in corners]))
+
+
+def _on(cell: Cell, angle_deg: float) -> QPointF:
+    angle_rad = math.radians(angle_deg)
+    return cell.centre + QPointF(math.sin(angle_rad), -math.cos(angle_rad)) * cell.radius

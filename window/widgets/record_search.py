@@ -1,0 +1,81 @@
+"""What records are looked for."""
+
+from datetime import UTC, datetime, time
+
+from PySide6.QtCore import QDate, Signal
+from PySide6.QtWidgets import QComboBox, QDateEdit, QGridLayout, QLabel, QLineEdit, QWidget
+
+from calibrations.records.record import Verdict
+from window.work.records import Search
+
+
+class RecordSearch(QWidget):
+    """Serial number, programme, verdict, first and last day; everything that is left alone matches all."""
+
+    changed = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.serial, self.programme, self.verdict = QLineEdit(), QComboBox(), QComboBox()
+        self.serial.setClearButtonEnabled(True)
+        self.since, self.until = self._day(), self._day()
+        self.programme.addItem(self.tr("any"), "")
+        self.verdict.addItem(self.tr("any"), None)
+        names = {
+            Verdict.INSIDE: self.tr("inside"),
+            Verdict.OUTSIDE: self.tr("outside"),
+            Verdict.NOT_JUDGED: self.tr("not judged"),
+        }
+        for verdict, name in names.items():
+            self.verdict.addItem(name, verdict)
+        grid = QGridLayout(self)
+        grid.setContentsMargins(0, 0, 0, 0)
+        parts: tuple[tuple[str, QWidget], ...] = (
+            (self.tr("&Serial number"), self.serial),
+            (self.tr("&Programme"), self.programme),
+            (self.tr("&Verdict"), self.verdict),
+            (self.tr("Fro&m"), self.since),
+            (self.tr("&Until"), self.until),
+        )
+        for column, (title, field) in enumerate(parts):
+            label = QLabel(title)
+            label.setBuddy(field)
+            grid.addWidget(label, 0, column)
+            grid.addWidget(field, 1, column)
+        grid.setColumnStretch(0, 1)
+        self.serial.textChanged.connect(self.changed)
+        self.programme.currentIndexChanged.connect(self.changed)
+        self.verdict.currentIndexChanged.connect(self.changed)
+        self.since.dateChanged.connect(self.changed)
+        self.until.dateChanged.connect(self.changed)
+
+    def search(self) -> Search:
+        """What is asked for."""
+        return Search(
+            serial_number=self.serial.text().strip(),
+            programme_name=self.programme.currentData() or "",
+            verdict=self.verdict.currentData(),
+            since=_moment(self.since, time.min),
+            until=_moment(self.until, time.max),
+        )
+
+    def offer(self, programmes: tuple[str, ...]) -> None:
+        """Offer programmes of which there are records."""
+        for name in programmes:
+            if self.programme.findData(name) < 0:
+                self.programme.addItem(name, name)
+
+    def _day(self) -> QDateEdit:
+        field = QDateEdit()
+        field.setCalendarPopup(True)
+        field.setMinimumDate(QDate(2000, 1, 1))
+        field.setSpecialValueText(self.tr("any"))
+        field.setDate(field.minimumDate())
+        return field
+
+
+def _moment(field: QDateEdit, at: time) -> datetime | None:
+    if field.date() == field.minimumDate():
+        return None
+    day = field.date()
+    return datetime.combine(datetime(day.year(), day.month(), day.day()).date(), at, tzinfo=UTC)

@@ -1,0 +1,93 @@
+"""Plots of a result: the fit, and the residual against what one likes."""
+
+from typing import Final
+
+import pyqtgraph as pg
+from PySide6.QtCore import QCoreApplication
+from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
+
+from window.widgets.run_plots import AnglePlot
+from window.work.presentation import Presentation, Rows
+
+translate: Final = QCoreApplication.translate
+
+
+class FitPlot(AnglePlot):
+    """Output against head angle, with the model through every mount."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(left=translate("ResultPlots", "output (V)"), parent=parent)
+        self._curves: list[pg.PlotDataItem] = []
+
+    def show_rows(self, rows: Rows) -> None:
+        """Draw the rows of a model."""
+        for curve in self._curves:
+            self.removeItem(curve)
+        self._curves = [self.plot(*curve, pen=self.pen(self.colours.pale)) for curve in rows.curves.values()]
+        for drawn in self._curves:
+            drawn.setZValue(-1)
+        self.draw(rows.mounts, rows.abscissae["angle"], rows.output_v)
+
+
+class ResidualFigure(QWidget):
+    """Residual of either model against angle, time, temperature or realisation; the band is one dwell."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.model, self.against = QComboBox(), QComboBox()
+        self.plot = AnglePlot(left=translate("ResultPlots", "residual (µV)"))
+        self._band = pg.LinearRegionItem((0, 0), orientation="horizontal", movable=False)
+        self._band.setZValue(-10)
+        self.plot.addItem(self._band)
+        self._presentation: Presentation | None = None
+        choice = QHBoxLayout()
+        for title, box in ((self.tr("&Model"), self.model), (self.tr("A&gainst"), self.against)):
+            form = QFormLayout()
+            form.addRow(title, box)
+            choice.addLayout(form)
+        choice.addStretch(1)
+        layout = QVBoxLayout(self)
+        layout.addLayout(choice)
+        layout.addWidget(self.plot, stretch=1)
+        self.model.currentIndexChanged.connect(self._draw)
+        self.against.currentIndexChanged.connect(self._draw)
+        self.plot.recoloured.connect(self._recolour)
+        self._recolour()
+
+    def show_presentation(self, presentation: Presentation) -> None:
+        """Show another result."""
+        self._presentation = None
+        self.model.clear()
+        self.against.clear()
+        models = {"declared": self.tr("declared model"), "augmented": self.tr("with what was found")}
+        for name in presentation.models:
+            self.model.addItem(models[name], name)
+        for name in presentation.models["declared"].abscissae:
+            if name != "angle":
+                self.against.addItem(self._label(name), name)
+        self._presentation = presentation
+        self._draw()
+
+    def _label(self, name: str) -> str:
+        return {
+            "turn": self.tr("head angle within the turn (°)"),
+            "time": self.tr("time (min)"),
+            "temperature": self.tr("temperature (°C)"),
+            "realisation": self.tr("realisation"),
+        }[name]
+
+    def _draw(self) -> None:
+        if self._presentation is None or self.model.currentData() is None or self.against.currentData() is None:
+            return
+        rows = self._presentation.models[self.model.currentData()]
+        name = self.against.currentData()
+        self.plot.name_axes(self._label(name), translate("ResultPlots", "residual (µV)"))
+        self._band.setRegion((-rows.scatter_uv, rows.scatter_uv))
+        self.plot.draw(rows.mounts, rows.abscissae[name], rows.residual_uv)
+
+    def _recolour(self) -> None:
+        tint = pg.mkColor(self.plot.colours.accent)
+        tint.setAlpha(40)
+        self._band.setBrush(tint)
+        for line in self._band.lines:
+            line.setPen(self.plot.pen(self.plot.colours.grid, 1))

@@ -1,0 +1,120 @@
+"""What shall be measured: unit, programme, operator."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QSettings, Signal
+from PySide6.QtWidgets import QComboBox, QFileDialog, QGridLayout, QLabel, QLineEdit, QPushButton, QWidget
+
+from app.running import Job
+from app.stand import LoadedStand
+from procedures.errors import InputError
+from procedures.programme import load_programme, shipped_programmes
+from window.look.numbers import local, minutes
+from window.look.sentences import in_language
+
+_LONGEST_SERIAL = 100
+
+
+class RunForm(QWidget):
+    """Serial number, typed or scanned; programme; operator. A scanner types and sends Enter, which selects the text.
+
+    Nothing here starts anything.
+    """
+
+    changed = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.serial, self.operator, self.programme = QLineEdit(), QLineEdit(), QComboBox()
+        self.serial.setMaxLength(_LONGEST_SERIAL)
+        self.serial.setPlaceholderText(self.tr("type or scan"))
+        self.serial.returnPressed.connect(self.await_scan)
+        self.programme.addItems(shipped_programmes())
+        self.programme.setCurrentText(str(QSettings().value("run/programme", "seed")))
+        self.programme.setMinimumContentsLength(14)
+        self.operator.setText(str(QSettings().value("run/operator", "")))
+        self._browse = QPushButton(self.tr("File…"))
+        self._browse.clicked.connect(self._choose_file)
+        self.summary = QLabel()
+        self.summary.setWordWrap(True)
+        self._stand: LoadedStand | None = None
+        self._lay_out()
+        self.serial.textChanged.connect(self.changed)
+        self.operator.editingFinished.connect(self._remember)
+        self.programme.currentTextChanged.connect(self._programme_chosen)
+
+    def use_stand(self, stand: LoadedStand) -> None:
+        """Plan for a stand."""
+        self._stand = stand
+        self._summarise()
+
+    def add_programme(self, name_or_path: str) -> None:
+        """Choose a programme, one that comes along or a file."""
+        if self.programme.findText(name_or_path) < 0:
+            self.programme.addItem(name_or_path)
+        self.programme.setCurrentText(name_or_path)
+
+    def await_scan(self) -> None:
+        """Have the next serial number take the place of the one that is there."""
+        self.serial.setFocus()
+        self.serial.selectAll()
+
+    def job(self) -> Job:
+        """What is asked for. Raises `InputError`."""
+        serial_number = self.serial.text().strip()
+        if not serial_number:
+            raise InputError(self.tr("There is no serial number yet: type it or scan it"))
+        if self._stand is None:
+            raise InputError(self.tr("There is no stand yet: choose one"))
+        return Job(
+            stand=self._stand,
+            programme=load_programme(self.programme.currentText()),
+            serial_number=serial_number,
+            operator=self.operator.text().strip(),
+        )
+
+    def _lay_out(self) -> None:
+        grid = QGridLayout(self)
+        grid.setContentsMargins(0, 0, 0, 0)
+        parts = (
+            (self.tr("&Serial number"), self.serial, 3),
+            (self.tr("&Programme"), self.programme, 3),
+            ("", self._browse, 0),
+            (self.tr("&Operator"), self.operator, 2),
+        )
+        for column, (text, field, stretch) in enumerate(parts):
+            label = QLabel(text)
+            label.setBuddy(field)
+            grid.addWidget(label, 0, column)
+            grid.addWidget(field, 1, column)
+            grid.setColumnStretch(column, stretch)
+
+    def _choose_file(self) -> None:
+        title = self.tr("Programme")
+        chosen, _ = QFileDialog.getOpenFileName(self, title, str(Path.cwd()), self.tr("Programmes (*.toml)"))
+        if chosen:
+            self.add_programme(chosen)
+
+    def _programme_chosen(self) -> None:
+        self._remember()
+        self._summarise()
+        self.changed.emit()
+
+    def _remember(self) -> None:
+        QSettings().setValue("run/programme", self.programme.currentText())
+        QSettings().setValue("run/operator", self.operator.text())
+
+    def _summarise(self) -> None:
+        if self._stand is None:
+            return
+        try:
+            planned = Job(
+                stand=self._stand, programme=load_programme(self.programme.currentText()), serial_number=""
+            ).plan()
+        except InputError as error:
+            self.summary.setText(in_language(str(error)))
+            return
+        text = self.tr("{points} points, {mountings} mountings, about {time}")
+        self.summary.setText(
+            local(text.format(points=planned.dwells, mountings=planned.mount_changes, time=minutes(planned.duration_s)))
+        )

@@ -1,0 +1,52 @@
+"""How a stand that exists in this process only lives: who seats the unit there, and how fast time goes."""
+
+from functools import partial
+from typing import Final
+
+from PySide6.QtCore import QSettings, Signal
+from PySide6.QtWidgets import QCheckBox, QComboBox, QFrame, QHBoxLayout, QLabel, QWidget
+
+from app.wiring import Attendant, obliging_operator
+from procedures.operator import Operator
+
+_SPEEDS: Final = (None, 1.0, 10.0, 100.0)
+"""Times real time; None takes no time at all."""
+
+
+class SimulationSettings(QFrame):
+    """A person or nobody, and times real time; remembered."""
+
+    changed = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("card")
+        self.imagined = QCheckBox(self.tr("The simulated operator seats the unit"))
+        self.speed = QComboBox()
+        for factor in _SPEEDS:
+            self.speed.addItem(self.tr("at once") if factor is None else f"× {factor:g}", factor)
+        settings = QSettings()
+        self.imagined.setChecked(settings.value("simulation/imagined", "false") == "true")
+        self.speed.setCurrentIndex(int(str(settings.value("simulation/speed", 2))))
+        layout = QHBoxLayout(self)
+        label = QLabel(self.tr("Simulated stand: time"))
+        label.setWordWrap(True)
+        layout.addWidget(label)
+        layout.addWidget(self.speed)
+        layout.addWidget(self.imagined, stretch=1)
+        self.imagined.toggled.connect(self._remember)
+        self.speed.currentIndexChanged.connect(self._remember)
+
+    def attendant(self, person: Operator) -> Attendant:
+        """Who is asked on a simulated stand."""
+        operator = obliging_operator if self.imagined.isChecked() else partial(_the, person)
+        return Attendant(operator=operator, speed=self.speed.currentData())
+
+    def _remember(self) -> None:
+        QSettings().setValue("simulation/imagined", "true" if self.imagined.isChecked() else "false")
+        QSettings().setValue("simulation/speed", self.speed.currentIndex())
+        self.changed.emit()
+
+
+def _the(person: Operator) -> Operator:
+    return person

@@ -1,0 +1,50 @@
+"""A table of texts."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QBrush, QColor
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem, QWidget
+
+
+class Table(QTableWidget):
+    """Read, selected by rows, copied by the keyboard; columns as wide as their texts, which wrap in the last one."""
+
+    def __init__(self, headings: Sequence[str], parent: QWidget | None = None) -> None:
+        super().__init__(0, len(headings), parent)
+        self.setHorizontalHeaderLabels(list(headings))
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setAlternatingRowColors(True)
+        self.setTabKeyNavigation(False)
+        self.verticalHeader().setVisible(False)
+        header = self.horizontalHeader()
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setStretchLastSection(True)
+        header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        self.setMinimumHeight(100)
+
+    def fill(self, rows: Sequence[Sequence[str]], colours: Sequence[str | None] = ()) -> None:
+        """Show other rows, each in a colour of its own where one is given."""
+        self.setRowCount(len(rows))
+        for number, row in enumerate(rows):
+            colour = colours[number] if number < len(colours) else None
+            for column, text in enumerate(row):
+                item = QTableWidgetItem(text)
+                item.setToolTip(text)
+                if colour:
+                    item.setForeground(QBrush(QColor(colour)))
+                self.setItem(number, column, item)
+
+    @property
+    def chosen(self) -> list[int]:
+        """Numbers of the rows that are selected, in the order of the table."""
+        return sorted({index.row() for index in self.selectionModel().selectedRows()})
+
+    def texts(self) -> list[list[str]]:
+        """What the cells say."""
+        return [
+            [item.text() if (item := self.item(row, column)) else "" for column in range(self.columnCount())]
+            for row in range(self.rowCount())
+        ]

@@ -1,0 +1,148 @@
+"""What the thread of the stand can be asked to do, as values: each is handed a connected stand and does one thing."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Protocol
+
+from app.running import Job, failure
+from app.simulation import Past
+from app.stand_lock import holding_recording
+from app.wiring import Connected
+from procedures.announcer import Listener
+from procedures.progress import Progress
+
+if TYPE_CHECKING:  # the analysis and the store take half a second: a window is up before that
+    from app.analysing import Traced
+    from app.calibrating import Calibrated
+    from app.resuming import Unfinished
+
+Tell = Callable[[str], None]
+
+
+class Activity(Protocol):
+    """A run, from its first step to what is made of it."""
+
+    @property
+    def job(self) -> Job:
+        """Programme, unit and stand file."""
+        ...
+
+    @property
+    def points_done(self) -> int:
+        """Points that are there before it begins."""
+        ...
+
+    @property
+    def past(self) -> Sequence[Past]:
+        """What a simulated stand must have lived through before; nothing where the run begins anew."""
+        ...
+
+    def carry_out(self, connected: Connected, listeners: Sequence[Listener], tell: Tell) -> "Concluded":
+        """Do it. Raises `InputError`, `JobError`; the head stands when this returns or raises."""
+        ...
+
+
+@dataclass(frozen=True, kw_only=True)
+class Concluded:
+    """What a run and its analysis left behind."""
+
+    traced: "Traced"
+    recordings: tuple[Path, ...]
+    record_id: str = ""
+    """Empty where nothing was stored."""
+    report: Path | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Calibration:
+    """A whole calibration: run, fit, trace, store, report."""
+
+    job: Job
+    store: Path
+    points_done: int = 0
+    past: Sequence[Past] = ()
+
+    def carry_out(self, connected: Connected, listeners: Sequence[Listener], tell: Tell) -> Concluded:
+        """Do it."""
+        from app.calibrating import calibrate
+
+        return _stored(calibrate(self.job, connected, self.store, listeners, tell))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Resumption:
+    """A run that was cut off: what is left of it, and what was to follow."""
+
+    unfinished: "Unfinished"
+    job: Job
+    store: Path
+
+    @property
+    def points_done(self) -> int:
+        """Points in the recording."""
+        return len(self.unfinished.recording.points)
+
+    @property
+    def past(self) -> Sequence[Past]:
+        """The runs before it, and this one up to the break."""
+        from app.resuming import lived_through
+
+        recording = self.unfinished.recording
+        return lived_through([Path(path) for path in recording.header.follows], self.job.stand, recording)
+
+    def carry_out(self, connected: Connected, listeners: Sequence[Listener], tell: Tell) -> Concluded:
+        """Do it."""
+        from app.calibrating import conclude, make_ready
+        from app.resuming import resume
+
+        make_ready(self.store)
+        path = self.unfinished.path
+        with holding_recording(path, self.job.serial_number):
+            outcome = resume(self.unfinished, self.job, connected, listeners)
+        if error := failure(outcome, path):
+            raise error
+        return _stored(conclude(path, self.store, tell))
+
+
+@dataclass(frozen=True, kw_only=True)
+class FurtherExperiment:
+    """An experiment that the closed loop asked for, and the loop closed again with it."""
+
+    job: Job
+    store: Path
+    before: tuple[Path, ...]
+    """Recordings and tables of the unit so far."""
+    points_done: int = 0
+    past: Sequence[Past] = ()
+
+    def carry_out(self, connected: Connected, listeners: Sequence[Listener], tell: Tell) -> Concluded:
+        """Do it."""
+        from app.acting import AtStand, prepare, run_experiment
+        from app.closing import begin, follow
+
+        job, clock = self.job, connected.stand.clock
+        at = AtStand(
+            stand=job.stand,
+            connected=connected,
+            serial_number=job.serial_number,
+            folder=self.store,
+            operator=job.operator,
+        )
+        closing, began_s = begin(self.before, at), clock.monotonic_s()
+        asked = next(each for each in closing.planned if each.programme == job.programme.name)
+        probe = closing.available.probe(asked.programme)
+        prepare(at, probe, connected.control.stop_wanted)
+        recording = run_experiment(at, probe, listeners)
+        tell("tracing")
+        closing = follow(closing, asked, recording, clock.monotonic_s() - began_s, at)
+        return Concluded(traced=closing.traced, recordings=closing.files)
+
+
+def progress_of(activity: Activity, connected: Connected) -> Progress:
+    """What counts the steps of a run."""
+    return Progress(activity.job.plan(), connected.stand.clock, activity.points_done)
+
+
+def _stored(done: "Calibrated") -> Concluded:
+    return Concluded(traced=done.analysed, recordings=(done.recording,), record_id=done.record.id, report=done.report)

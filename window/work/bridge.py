@@ -1,0 +1,49 @@
+"""The one way from the thread of a run into the event loop."""
+
+import time
+from typing import Final
+
+from PySide6.QtCore import QObject, Signal
+
+from drivers.protocols import HeadStatus
+from procedures.events import Event, MountAnswered, PointCompleted
+from procedures.progress import Progress, TimeLeft
+
+_LOOKS_S: Final = 0.04
+"""Least real time between two sights of a moving head that are passed on."""
+
+
+class EventBridge(QObject):
+    """A listener whose signals arrive in the thread of whoever is connected."""
+
+    announced = Signal(object)
+    """Every event of a run."""
+    head_seen = Signal(object)
+    """`HeadStatus`, where the head is on its way; not every one."""
+    progressed = Signal(int, object)
+    """Points done, and the `TimeLeft`."""
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._looked_s = 0.0
+        self._progress: Progress | None = None
+
+    def count(self, progress: Progress) -> None:
+        """Have a run counted that is about to begin."""
+        self._progress = progress
+
+    def listen(self, event: Event) -> None:
+        """Pass an event on; called in the thread of the run."""
+        self.announced.emit(event)
+        if self._progress is not None:
+            self._progress(event)
+            if isinstance(event, PointCompleted | MountAnswered):
+                left: TimeLeft = self._progress.time_left()
+                self.progressed.emit(self._progress.done, left)
+
+    def look(self, status: HeadStatus) -> None:
+        """Pass on where the head is, as often as an eye can follow."""
+        now_s = time.monotonic()
+        if not status.moving or now_s - self._looked_s >= _LOOKS_S:
+            self._looked_s = now_s
+            self.head_seen.emit(status)

@@ -1,0 +1,56 @@
+"""The person in front of the window, as the engine sees them. Fits `procedures.operator.Operator`."""
+
+from queue import Empty, SimpleQueue
+from typing import Final
+
+from PySide6.QtCore import QObject, Signal
+
+from procedures.operator import Answer, understand, understand_reading
+
+SEATED: Final = "yes"
+_BLINK_S: Final = 0.02
+
+
+class WindowOperator(QObject):
+    """Puts questions into the event loop, and what is answered there before the engine.
+
+    What was said before a question answers nothing.
+    """
+
+    mount_asked = Signal(str)
+    """The mount in which the unit shall be seated."""
+    reading_asked = Signal(str)
+    """The prompt for a reading of the head; the setting came with the event before it."""
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._answers: SimpleQueue[str] = SimpleQueue()
+        self._mount: str | None = None
+
+    def answer(self, text: str) -> None:
+        """Answer the question that is open; called in the event loop."""
+        self._answers.put(text)
+
+    def ask_mount(self, mount: str, prompt: str) -> None:  # noqa: ARG002  # the window has its own words and a picture
+        """Ask for the unit to be seated."""
+        self._forget()
+        self._mount = mount
+        self.mount_asked.emit(mount)
+
+    def ask_reading(self, prompt: str) -> None:
+        """Ask for a reading."""
+        self._forget()
+        self._mount = None
+        self.reading_asked.emit(prompt)
+
+    def poll(self) -> Answer | None:
+        """The answer, if there is one within a blink: a stand that takes no time shall not spin meanwhile."""
+        try:
+            text = self._answers.get(timeout=_BLINK_S)
+        except Empty:
+            return None
+        return understand_reading(text) if self._mount is None else understand(text, self._mount)
+
+    def _forget(self) -> None:
+        while not self._answers.empty():
+            self._answers.get_nowait()

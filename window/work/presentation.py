@@ -1,0 +1,113 @@
+"""A result as the screen shows it, worked out where it keeps nobody waiting."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from calibrations.geometry import FloatArray
+from calibrations.quantities import format_correlation
+from calibrations.records.record import Verdict, verdict_of
+from calibrations.result import Calibration
+from window.work.activity import Concluded
+
+if TYPE_CHECKING:
+    from calibrations.tracing.words import Comparison, Finding
+
+_MICRO = 1e6
+
+
+@dataclass(frozen=True, kw_only=True)
+class Rows:
+    """The rows of one model, as plots need them."""
+
+    mounts: list[str]
+    abscissae: Mapping[str, FloatArray]
+    """`angle`, `turn`, `time`, `temperature`, `realisation`, those that the data have; every one of shape (rows,)."""
+    output_v: FloatArray
+    residual_uv: FloatArray
+    scatter_uv: float
+    curves: Mapping[str, tuple[FloatArray, FloatArray]]
+    """Head angle in degrees and model output in volts, by mount."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Presentation:
+    """Everything on the screen Result but the words of the window itself."""
+
+    concluded: Concluded
+    verdict: Verdict
+    outside: tuple[str, ...]
+    notices: tuple[str, ...]
+    table: tuple[Any, ...]
+    """`calibrations.report.results.ResultRow`, one for each parameter."""
+    names: tuple[str, ...]
+    correlation: FloatArray
+    correlation_texts: tuple[tuple[str, ...], ...]
+    models: Mapping[str, Rows]
+    """`declared` and, where something was found, `augmented`."""
+    headline: str
+    findings: "tuple[Finding, ...]"
+    comparisons: "tuple[Comparison, ...]"
+    untold: tuple[tuple[str, str], ...]
+    leaning: str
+
+
+def present(concluded: Concluded) -> Presentation:
+    """Work out what there is to show."""
+    from calibrations.report.results import notices, results  # matplotlib takes half a second
+    from calibrations.report.subject import Subject
+    from calibrations.tracing.words import comparisons, findings, headline, leaning, untold
+
+    traced = concluded.traced
+    calibration, loop = traced.calibration, traced.loop
+    subject = Subject(calibration=calibration, provenance=traced.provenance, limits=traced.limits, loop=loop)
+    names = tuple(calibration.parameters)
+    models = {"declared": rows_of(calibration)}
+    if loop.effects or loop.unexplained:
+        models["augmented"] = rows_of(loop.augmented)
+    return Presentation(
+        concluded=concluded,
+        verdict=verdict_of(traced.limits),
+        outside=tuple(check.name for check in traced.limits if not check.inside),
+        notices=tuple(notices(subject)),
+        table=tuple(results(subject)["rows"]),
+        names=names,
+        correlation=calibration.correlation,
+        correlation_texts=tuple(tuple(map(_coefficient, row)) for row in calibration.correlation),
+        models=models,
+        headline=headline(loop),
+        findings=tuple(findings(loop.effects, loop.misread)),
+        comparisons=tuple(comparisons(loop)),
+        untold=tuple(untold(loop)),
+        leaning=leaning(loop),
+    )
+
+
+def rows_of(calibration: Calibration) -> Rows:
+    """What plots need of a calibration."""
+    from calibrations.report.figures import model_curve
+
+    observations, noise = calibration.observations, calibration.noise
+    mounts = observations.mounts.tolist()
+    curves = {mount: model_curve(calibration, mount) for mount in dict.fromkeys(mounts)}
+    columns = {
+        "angle": observations.angle_deg,
+        "turn": np.mod(observations.angle_deg, 360.0),
+        "time": None if observations.time_s is None else observations.time_s / 60.0,
+        "temperature": observations.temperature_degc,
+        "realisation": observations.realisation,
+    }
+    return Rows(
+        mounts=mounts,
+        abscissae={name: np.asarray(column, float) for name, column in columns.items() if column is not None},
+        output_v=observations.output_v,
+        residual_uv=np.asarray(calibration.residual_v * np.sqrt(calibration.weights) * _MICRO),
+        scatter_uv=(noise.used_v if noise.pure_error_v is None else noise.pure_error_v) * _MICRO,
+        curves={mount: curve for mount, curve in curves.items() if curve is not None},
+    )
+
+
+def _coefficient(value: float) -> str:
+    return "" if not np.isfinite(value) else format_correlation(float(value))

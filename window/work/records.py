@@ -1,0 +1,166 @@
+"""What the screen Records asks of the store; every function is called outside the event loop.
+
+Database and analysis are imported when they are called: a window is up before that.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from app.exits import Exit, JobError
+from app.files import refuse_recording, write_text
+from app.running import Job
+from calibrations.records.record import Record, Verdict
+from window.work.activity import Concluded, Resumption
+
+if TYPE_CHECKING:
+    from app.cut_off import CutOff
+    from calibrations.records.compare import Difference
+    from calibrations.records.verify import Verification
+
+
+@dataclass(frozen=True, kw_only=True)
+class Search:
+    """Which records are looked for; what is empty matches everything."""
+
+    serial_number: str = ""
+    """A part of it is enough."""
+    programme_name: str = ""
+    verdict: Verdict | None = None
+    since: datetime | None = None
+    until: datetime | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Found:
+    """What a store holds."""
+
+    records: tuple[Record, ...]
+    cut_off: "tuple[CutOff, ...]"
+    programmes: tuple[str, ...]
+
+
+def search(folder: Path, wanted: Search) -> Found:
+    """Look for records and for runs that came to none; a store that is not there holds nothing."""
+    from app.cut_off import cut_off_runs
+    from app.recall import open_store
+    from calibrations.records.store import DATABASE
+
+    if not (folder / DATABASE).is_file():
+        return Found(records=(), cut_off=cut_off_runs(folder), programmes=())
+    found = open_store(folder).find(
+        programme_name=wanted.programme_name or None, verdict=wanted.verdict, since=wanted.since, until=wanted.until
+    )
+    part = wanted.serial_number.casefold()
+    return Found(
+        records=tuple(record for record in found if part in record.provenance.serial_number.casefold()),
+        cut_off=cut_off_runs(folder),
+        programmes=tuple(sorted({record.provenance.programme_name for record in found} - {""})),
+    )
+
+
+def open_record(folder: Path, record_id: str) -> Concluded:
+    """Read the raw file of a record and work out everything that the screen Result shows."""
+    from app.analysing import fit, trace
+    from app.calibrating import report_path
+    from app.recall import recall
+
+    record, measurement = recall(folder, record_id)
+    traced = trace(fit(measurement, record.provenance.serial_number, folder=folder))
+    page = report_path(folder, record)
+    return Concluded(
+        traced=traced,
+        recordings=(measurement.path,),
+        record_id=record.id,
+        report=page if page.is_file() else None,
+    )
+
+
+def analyse_again(folder: Path, record_id: str) -> Concluded:
+    """Analyse the raw file of a record anew and store what comes of it as a further revision."""
+    from app.calibrating import report_path, store, write_report
+
+    concluded = open_record(folder, record_id)
+    record = store(concluded.traced, folder)
+    page = report_path(folder, record)
+    write_report(concluded.traced, page, record.id, record.revision)
+    return Concluded(traced=concluded.traced, recordings=concluded.recordings, record_id=record.id, report=page)
+
+
+def differences(folder: Path, first: str, second: str) -> "tuple[Difference, ...]":
+    """Compare two records."""
+    from app.recall import open_store
+    from calibrations.records.compare import compare
+
+    records = open_store(folder)
+    return compare(records.get(first), records.get(second))
+
+
+def verify_all(folder: Path, record_ids: Sequence[str]) -> "tuple[Verification, ...]":
+    """Verify records."""
+    from app.recall import open_store, verify_record
+
+    records = open_store(folder)
+    return tuple(verify_record(records, records.get(record_id)) for record_id in record_ids)
+
+
+def resumption(folder: Path, path: Path) -> Resumption:
+    """What there is to go on with a run that was cut off."""
+    from app.resuming import find, load_same_stand
+
+    unfinished = find(path)
+    header = unfinished.recording.header
+    job = Job(
+        stand=load_same_stand(unfinished.recording),
+        programme=unfinished.programme,
+        serial_number=header.serial_number,
+        operator=header.operator,
+    )
+    job.check(unfinished.recording.points)
+    return Resumption(unfinished=unfinished, job=job, store=folder)
+
+
+def export(folder: Path, record_id: str, path: Path) -> Path:
+    """Write a record in the format that the name of the file ends in: JSON, HTML, CSV or PDF. Raises `JobError`."""
+    from app.recall import open_store, report_again
+    from calibrations.records.export import document_text
+
+    match path.suffix.lower():
+        case ".json":
+            write_text(path, document_text(open_store(folder).get(record_id)))
+        case ".html":
+            report_again(folder, record_id, path)
+        case ".csv":
+            _write_rows(folder, record_id, path)
+        case ".pdf":
+            _write_pdf(folder, record_id, path)
+        case suffix:
+            raise JobError(
+                f"{path}: {suffix or 'no ending'} is no format; end it in .json, .html, .csv or .pdf", Exit.BAD_INPUT
+            )
+    return path
+
+
+def _write_rows(folder: Path, record_id: str, path: Path) -> None:
+    from app.recall import recall
+    from calibrations.table import write_table
+
+    refuse_recording(path)
+    _, measurement = recall(folder, record_id)
+    try:
+        write_table(measurement.observations, path)
+    except OSError as error:
+        raise JobError(f"{path}: cannot be written ({error.strerror}); choose another place", Exit.STORAGE) from error
+
+
+def _write_pdf(folder: Path, record_id: str, path: Path) -> None:
+    from app.recall import report_again
+    from window.work.printing import print_page
+
+    page = report_again(folder, record_id, path.with_suffix(".print.html"))
+    try:
+        print_page(page.read_text(encoding="utf-8"), path)
+    finally:
+        page.unlink()
