@@ -151,11 +151,12 @@ def _experiment(question: Question, offer: _Offer, probe: Probe, apart: list[int
     sure = bool((offer.separations(sure=True)[apart] >= _LIKELY).all())
     separation = float((offer.separations(sure=True)[apart] if sure else separations).min())
     rivals = tuple(question.rivals[rival] for rival in apart)
-    others = [other.programme for other in offer.probes if other is not probe]
+    others = list(dict.fromkeys(other.programme for other in offer.probes if other is not probe))
+    runs = offer.runs * offer.probes.count(probe)
     remarks = [
         f", if {' and '.join(_needed(question, offer, apart))} is the true one" * (not sure),
         f"; only together with {' '.join(others)}" * bool(others),
-        f"; run it {offer.runs} times" * (offer.runs > 1),
+        f"; run it {runs} times" * (runs > 1),
     ]
     return Experiment(
         separates=(question.name, *rivals),
@@ -166,8 +167,8 @@ def _experiment(question: Question, offer: _Offer, probe: Probe, apart: list[int
         ),
         command=f"tumble run --programme {probe.programme} --serial SERIAL",
         separation=separation,
-        stand_time_s=offer.runs * probe.stand_time_s,
-        runs=offer.runs,
+        stand_time_s=runs * probe.stand_time_s,
+        runs=runs,
         together=tuple(others),
         outlook=_outlook(question, offer, probe, apart, sure),
     )
