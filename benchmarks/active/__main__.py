@@ -25,11 +25,12 @@ def main() -> None:
     )
     parser.add_argument("--seeds", choices=sorted(_SEEDS), default="development")
     parser.add_argument("--count", type=int, default=160, help="cases, ambiguous or not")
+    parser.add_argument("--skip", type=int, default=0, help="cases that were used before")
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--out", type=Path, help="file of results, one line for each case; continued where it exists")
     parser.add_argument("--verbose", action="store_true", help="list every case that went wrong")
     given = parser.parse_args()
-    wanted = [Job(seed=seed) for seed in _SEEDS[given.seeds][FIRST : FIRST + given.count]]
+    wanted = [Job(seed=seed) for seed in _SEEDS[given.seeds][FIRST + given.skip : FIRST + given.skip + given.count]]
     records = _run(wanted, given.workers, given.out)
     print(report(records))
     if given.verbose:

@@ -7,7 +7,7 @@
 - `candidates`, `problem`, `search`, `fitting_noise`, `trace`: how a residual is traced.
 - `rivals`: which other effects would explain it as well; `prediction`, `separation`, `probes`, `experiments`: what
   would part them.
-- `quantified`, `findings`: what was found, as numbers and as it is reported; `linear`, `linear_loop`: for a model that is
+- `quantified`, `findings`: what was found, as numbers and as reported; `linear`, `linear_loop`: for a model that is
   linear in its parameters.
 - `augmented`: the declared model with what was found; `taken_back`: what it cannot tell after all; `misreading`: gross
   errors by a round amount; `held_out`: the error on rows that did not choose it; `words`: all of it in sentences.
