@@ -17,7 +17,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from threading import Thread
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
 import numpy as np
 from numpy.typing import NDArray
@@ -50,7 +50,7 @@ BEAT_MS = 2
 _POINT_BLOCKS = 20
 """A point a second."""
 _WARM_UP_S = 2.0
-_PROGRAMME = 'name = "stream"\n[[procedure]]\nkind = "sweep"\nstep_deg = 0.5\npoints = 2000\n'
+_PROGRAMME = 'name = "stream"\n[[procedure]]\nkind = "sweep"\nstep_deg = 0.5\npoints = 1400\n'
 
 
 def source(minutes: float) -> None:
@@ -183,7 +183,7 @@ def lost(path: Path, blocks: int) -> int:
     return bad + (blocks - number) * BLOCK * CHANNELS
 
 
-def measure(minutes: float) -> dict[str, float]:
+def measure(minutes: float) -> dict[str, Any]:
     """Stream for so long, and say what came of it."""
     folder = Path(tempfile.mkdtemp())
     QSettings.setDefaultFormat(QSettings.Format.IniFormat)
@@ -203,7 +203,7 @@ def measure(minutes: float) -> dict[str, float]:
     beat = QTimer(interval=BEAT_MS, timerType=Qt.TimerType.PreciseTimer)
     beat.timeout.connect(meter.beat)
     beat.start()
-    scales = QTimer(interval=5_000)
+    scales = QTimer(interval=1_000)
     scales.timeout.connect(meter.weigh)
     scales.start()
     QTimer.singleShot(round(1e3 * _WARM_UP_S), meter.forget)
@@ -213,9 +213,12 @@ def measure(minutes: float) -> dict[str, float]:
         recorded = folder / "stream.mcap"
 
         def work() -> None:
-            taken.append(record(running, streaming.stdout, recorded, job))
-            QTimer.singleShot(0, qt, qt.quit)
+            try:
+                taken.append(record(running, streaming.stdout, recorded, job))
+            finally:
+                running.window.worker.stage.emit("over")
 
+        running.window.worker.stage.connect(lambda _: qt.exit())
         thread = Thread(target=work)
         thread.start()
         qt.exec()
@@ -233,7 +236,7 @@ def measure(minutes: float) -> dict[str, float]:
     }
 
 
-def summary(meter: Meter) -> dict[str, float]:
+def summary(meter: Meter) -> dict[str, Any]:
     gaps, frames, memory = np.array(meter.gaps_ms), np.array(meter.frames_ms), meter.memory_mb
     return {
         "gap_p50_ms": float(np.percentile(gaps, 50)),
@@ -243,8 +246,7 @@ def summary(meter: Meter) -> dict[str, float]:
         "frames": len(frames),
         "frame_median_ms": statistics.median(frames),
         "frame_p99_ms": float(np.percentile(frames, 99)),
-        "memory_first_mb": memory[min(1, len(memory) - 1)] if memory else 0.0,
-        "memory_last_mb": memory[-1] if memory else 0.0,
+        "memory_mb": [round(memory[place], 1) for place in np.linspace(0, len(memory) - 1, 7).round().astype(int)],
     }
 
 

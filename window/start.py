@@ -17,6 +17,8 @@ from window.look.theme import dress
 from window.main_window import MainWindow
 from window.menus import language, shade, text_scale
 
+_TURN_S: Final = 5e-4
+"""How long another thread may compute before the event loop has its turn; Python's own 5 ms are felt."""
 _PYTHON_MS: Final = 200
 """How often the event loop lets Python see a signal of the system."""
 
@@ -29,6 +31,7 @@ class Application(QObject):
 
     def __init__(self, application: QApplication, store: Path) -> None:
         super().__init__(application)
+        sys.setswitchinterval(_TURN_S)
         self._application, self._store = application, store
         self.faulted.connect(self._show_fault)
         application.focusWindowChanged.connect(self._watch_keys)

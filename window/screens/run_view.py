@@ -1,6 +1,6 @@
 """What a run looks like while it goes on."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Final
 
 import numpy as np
@@ -36,6 +36,8 @@ class RunView(QWidget):
         self._block: SampleBlock | None = None
         self._drawn = self._fitted = 0
         self._fitting = False
+        self._stale: dict[Callable[[], None], None] = {}
+        """What is to be drawn anew, in order."""
         self.fit: LiveFit | None = None
         self.dial, self.mount_prompt, self.map, self.log = Dial(), MountPrompt(), PoseMap(), RunLog()
         self.output, self.residual = OutputPlot(), ResidualPlot()
@@ -56,6 +58,7 @@ class RunView(QWidget):
         self.map.show_plan(dwells, done=len(self.points))
         self._step, self._block, self.fit = None, None, None
         self._drawn, self._fitted = -1, 0
+        self._show_fit(None)
         self.samples.forget()
         self.ask_nothing()
         self.log.clear()
@@ -104,13 +107,31 @@ class RunView(QWidget):
         layout.addWidget(Splitter(Qt.Orientation.Horizontal, (left, right), (2, 3)))
 
     def _draw(self) -> None:
-        if self._block is not None and self.isVisible():
+        """Draw the newest samples, and one of the plots that are not up to date: all at once would be felt."""
+        if not self.isVisible():
+            return
+        if self._block is not None:
             self.samples.draw_block(self._block)
             self._block = None
-        if len(self.points) != self._drawn and self.isVisible():
+        if len(self.points) != self._drawn:
             self._drawn = len(self.points)
-            self.output.draw_points(self.points, np.array([_volts(point) for point in self.points]))
-            self.temperature.draw_points(self.points)
+            self._stale |= {self._draw_output: None, self._draw_temperature: None}
+        if self._stale:
+            draw = next(iter(self._stale))
+            del self._stale[draw]
+            draw()
+
+    def _draw_output(self) -> None:
+        self.output.draw_points(self.points, np.array([_volts(point) for point in self.points]))
+
+    def _draw_temperature(self) -> None:
+        self.temperature.draw_points(self.points)
+
+    def _draw_curves(self) -> None:
+        self.output.draw_curves(self.fit.curves if self.fit else {})
+
+    def _draw_residual(self) -> None:
+        self.residual.draw_fit(self.points, self.fit)
 
     def _fit(self) -> None:
         if self._fitting or len(self.points) == self._fitted:
@@ -124,8 +145,7 @@ class RunView(QWidget):
         if fit is not None and fit.points > len(self.points):
             return  # another run has begun meanwhile
         self.fit = fit
-        self.output.draw_fit(fit)
-        self.residual.draw_fit(self.points, fit)
+        self._stale |= {self._draw_residual: None, self._draw_curves: None}
 
     def _without_fit(self, _error: Exception) -> None:
         """Points from which nothing can be fitted yet: the analysis after the run says why."""

@@ -1009,10 +1009,6 @@ The details are in {place}.</source>
 <context>
     <name>ResultPlots</name>
     <message>
-        <source>output (V)</source>
-        <translation>вихід (В)</translation>
-    </message>
-    <message>
         <source>residual (µV)</source>
         <translation>залишок (мкВ)</translation>
     </message>

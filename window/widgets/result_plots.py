@@ -6,26 +6,18 @@ import pyqtgraph as pg
 from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
 
-from window.widgets.run_plots import AnglePlot
+from window.widgets.run_plots import AnglePlot, OutputPlot
 from window.work.presentation import Presentation, Rows
 
 translate: Final = QCoreApplication.translate
 
 
-class FitPlot(AnglePlot):
-    """Output against head angle, with the model through every mount."""
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(left=translate("ResultPlots", "output (V)"), parent=parent)
-        self._curves: list[pg.PlotDataItem] = []
+class FitPlot(OutputPlot):
+    """The rows of a result with the model through every mount."""
 
     def show_rows(self, rows: Rows) -> None:
         """Draw the rows of a model."""
-        for curve in self._curves:
-            self.removeItem(curve)
-        self._curves = [self.plot(*curve, pen=self.pen(self.colours.pale)) for curve in rows.curves.values()]
-        for drawn in self._curves:
-            drawn.setZValue(-1)
+        self.draw_curves(rows.curves)
         self.draw(rows.mounts, rows.abscissae["angle"], rows.output_v)
 
 

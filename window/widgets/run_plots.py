@@ -1,6 +1,6 @@
 """What a run measures, while it does: output and residual against angle, temperature, and the samples of a dwell."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Final
 
 import numpy as np
@@ -66,20 +66,27 @@ class AnglePlot(Plot):
 
 
 class OutputPlot(AnglePlot):
-    """Output against angle, with the declared model as it is fitted so far."""
+    """Output against angle, with the model through every mount."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(left=translate("RunPlots", "output (V)"), parent=parent)
-        self._curves: list[pg.PlotDataItem] = []
+        self._curves: dict[str, pg.PlotDataItem] = {}
+        self.recoloured.connect(self._recolour_curves)
 
-    def draw_fit(self, fit: LiveFit | None) -> None:
-        """Draw the model through every mount."""
-        for curve in self._curves:
-            self.removeItem(curve)
-        curves = fit.curves.values() if fit else ()
-        self._curves = [self.plot(*curve, pen=self.pen(self.colours.pale, 1.2)) for curve in curves]
-        for drawn in self._curves:
-            drawn.setZValue(-1)
+    def draw_curves(self, curves: Mapping[str, tuple[FloatArray, FloatArray]]) -> None:
+        """Draw head angle and model output by mount."""
+        for mount in set(self._curves) - set(curves):
+            self.removeItem(self._curves.pop(mount))
+        for mount, curve in curves.items():
+            if mount not in self._curves:
+                self._curves[mount] = self.plot([], [])
+                self._curves[mount].setZValue(-1)
+                self._recolour_curves()
+            self._curves[mount].setData(*curve)
+
+    def _recolour_curves(self) -> None:
+        for curve in self._curves.values():
+            curve.setPen(self.pen(self.colours.pale, 1.2))
 
 
 class ResidualPlot(AnglePlot):
