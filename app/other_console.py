@@ -15,11 +15,18 @@ from calibrations.temperature.shared import shared_sentence
 from calibrations.tracing.linear_loop import Model, Stated
 from calibrations.tracing.words import unexplained_sentence
 
+_LISTED = 6
+"""Of the rows that are set aside so many are listed, the rest counted."""
+
 
 def show_head(name: str, loop: ReferenceLoop) -> None:
     """Effects, the error before and after, how the passes differ, and what to measure next."""
     warn(loop.warnings)
     console = results()
+    if aside := loop.observations.set_aside:
+        listed = series([f"{entry.row} ({entry.reason})" for entry in aside[:_LISTED]])
+        more = f" and {len(aside) - _LISTED} more" if len(aside) > _LISTED else ""
+        console.print(f"{name}: set aside: rows {listed}{more}", markup=False)
     names = list(dict.fromkeys(effect.name for effect in loop.effects))
     found = f"was traced to {series(names)}" if names else "shows no effect"
     console.print(f"{name}: what the reference says beyond the head {found}.", markup=False)
@@ -45,11 +52,18 @@ def _before_and_after(loop: ReferenceLoop) -> Table:
 
 def show_changes(listed: Sequence[Change]) -> None:
     """What is not the same in two tables of one head."""
-    table = _table("What changed", "effect", "before", "after", "standard uncertainty of the difference")
+    if not listed:
+        results().print("Nothing changed beyond its uncertainty.")
+        return
+    table = _table("What changed", "effect", "before", "after", "difference", "its standard uncertainty")
     for change in listed:
         name = change.name if change.order is None else f"{change.name}, {change.order} per turn"
         sizes = [format_number(size, change.unit) if size else "none" for size in (change.before, change.after)]
-        table.add_row(name, *sizes, format_number(change.standard_uncertainty, change.unit, 2))
+        apart = (
+            format_number(change.difference, change.unit),
+            format_number(change.standard_uncertainty, change.unit, 2),
+        )
+        table.add_row(name, *sizes, *apart)
     results().print(table)
 
 

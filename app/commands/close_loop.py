@@ -64,6 +64,8 @@ def command(
     files, --experiments N does the same: they are the first measurement, and a loop that was cut off goes on from them.
     """
     if files and (other := close_other_loop(files, str(json_path) != "-", page)) is not None:
+        if most:
+            raise InputError(f"{files[0]}: no experiment can be run from a table of this kind; leave --experiments out")
         options.write_json(other, json_path)
         return
     if files and not most:
@@ -101,7 +103,7 @@ def _closed(wanted: Wanted, files: tuple[Path, ...], most: int, folder: Path) ->
         def watching(job: Job) -> AbstractContextManager[Listener]:
             return run_display(job.plan(), connected.stand.clock, messages())
 
-        with _saying_how_to_go_on(wanted, files, connected.ran):
+        with _saying_how_to_go_on(wanted, files, connected.ran, folder):
             if not files:
                 with watching(at.job(programme)) as display:
                     files = (measure(at, programme, [display]),)
@@ -109,7 +111,7 @@ def _closed(wanted: Wanted, files: tuple[Path, ...], most: int, folder: Path) ->
 
 
 @contextmanager
-def _saying_how_to_go_on(wanted: Wanted, files: Sequence[Path], ran: Sequence[Path]) -> Iterator[None]:
+def _saying_how_to_go_on(wanted: Wanted, files: Sequence[Path], ran: Sequence[Path], folder: Path) -> Iterator[None]:
     """Where the loop is cut off: how it goes on from what was measured."""
     try:
         yield
@@ -117,8 +119,12 @@ def _saying_how_to_go_on(wanted: Wanted, files: Sequence[Path], ran: Sequence[Pa
         kept = [path for path in dict.fromkeys([*(file.resolve() for file in files), *ran]) if _has_rows(path)]
         if kept:
             stand = ["--stand", str(wanted.stand_path)] if wanted.stand_path else []
-            words = [*map(str, kept), *stand, "--serial", wanted.serial_number, "--experiments", str(MOST_EXPERIMENTS)]
-            goes_on = f"the loop goes on from what was measured with: tumble close-loop {shlex.join(words)}"
+            where = ["--serial", wanted.serial_number, "--store", str(folder)]
+            words = shlex.join([*map(str, kept), *stand, *where, "--experiments", str(MOST_EXPERIMENTS)])
+            goes_on = f"the loop goes on from what was measured with: tumble close-loop {words}"
+            if cut := [path for path in kept if not read_measurement(path).observations.complete]:
+                first = f"first complete what was cut off: tumble resume {shlex.join(map(str, cut))}"
+                messages().print(first, markup=False, soft_wrap=True)
             messages().print(goes_on, markup=False, soft_wrap=True)
         raise
 

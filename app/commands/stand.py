@@ -130,6 +130,10 @@ def learn_command(files: tuple[Path, ...], stand_path: Path | None, serial_numbe
 def verify(names: tuple[str, ...], folder: Path) -> None:
     """Verify stand records, of these stands or of all: hash record and raw files, derive them again, compare."""
     records = [record for record in list_stand_records(folder) if not names or record.identity.stand in names]
+    if unknown := sorted(set(names) - {record.identity.stand for record in records}):
+        raise InputError(
+            f"{folder}: there is no stand record of {series(unknown, 'or')}; list them with tumble stand list"
+        )
     again, failed = Rederivation(folder), 0
     for record in records:
         problem = _problem(record, again)

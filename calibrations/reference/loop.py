@@ -80,7 +80,8 @@ def close_reference_loop(observations: Observations) -> ReferenceLoop:
     asked = question(observations)
     table = first_look(observations)
     observations = _without(observations, table, _gross_errors(table.output))
-    explained = _explained(first_look(observations))
+    table = first_look(observations)
+    explained = _explained(replace(table, effects=(), structures=()) if asked else table)
     rejected = _gross_errors(explained.best.residual)
     if rejected.any():
         observations = _without(observations, explained.table, rejected)
@@ -106,7 +107,7 @@ def close_reference_loop(observations: Observations) -> ReferenceLoop:
         unexplained=explained.unexplained,
         dwell_deg=explained.best.dwell,
         passes=passes(table, explained.before.residual, explained.best.residual),
-        warnings=(*observations.warnings, *asked),
+        warnings=tuple(filter(None, (*observations.warnings, *asked, table.not_traced))),
         explained=explained,
         fit=fit,
     )
@@ -161,7 +162,9 @@ def _stretches(rows: int) -> Sequence[NDArray[np.bool_]]:
     return [number == part for part in range(min(_PARTS, rows))]
 
 
-def _held_out_constant(output: FloatArray, parts: Sequence[NDArray[np.bool_]]) -> float:
+def _held_out_constant(output: FloatArray, parts: Sequence[NDArray[np.bool_]]) -> float | None:
+    if len(output) < 2:
+        return None
     error = np.concatenate([output[out] - output[~out].mean() for out in parts])
     return _rms(error)
 

@@ -1,10 +1,10 @@
 """Structure without a name in a head that is measured against a reference."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
-from calibrations.effects.effect import Form, Structure, plain
+from calibrations.effects.effect import Form, Forms, Structure, Variable, plain
 from calibrations.geometry import FloatArray
 from calibrations.reference.scene import HeadScene
 
@@ -49,48 +49,36 @@ def _time_bends(scene: HeadScene) -> Sequence[Form]:
     return [_column(part**power, power=float(power)) for power in (2, 3)]
 
 
+def _structure(
+    depends_on: Variable, kind: str, forms: Forms[HeadScene], describe: Callable[[Mapping[str, float]], str]
+) -> Structure[HeadScene]:
+    return Structure(
+        name=f"?{depends_on} {kind}",
+        belongs_to="stand",
+        symbol="",
+        source="",
+        forms=forms,
+        report=plain("amplitude", "deg"),
+        depends_on=depends_on,
+        describe=lambda form: describe(form.scanned),
+    )
+
+
 HEAD_STRUCTURES: tuple[Structure[HeadScene], ...] = (
-    Structure(
-        name="?angle bell",
-        belongs_to="stand",
-        symbol="",
-        source="",
-        forms=_bells,
-        report=plain("amplitude", "deg"),
-        depends_on="angle",
-        describe=lambda form: (
-            f"a bump of the head's error near {form.scanned['centre_deg']:g}°, "
-            f"some {2 * form.scanned['width_deg']:g}° wide"
-        ),
+    _structure(
+        "angle",
+        "bell",
+        _bells,
+        lambda at: f"a bump of the head's error near {at['centre_deg']:g}°, some {2 * at['width_deg']:g}° wide",
     ),
-    Structure(
-        name="?angle edge",
-        belongs_to="stand",
-        symbol="",
-        source="",
-        forms=_edges,
-        report=plain("step", "deg"),
-        depends_on="angle",
-        describe=lambda form: f"a step of the head's error near {form.scanned['edge_deg']:g}°, from either side",
+    _structure(
+        "angle",
+        "edge",
+        _edges,
+        lambda at: f"a step of the head's error near {at['edge_deg']:g}°, from either side",
     ),
-    Structure(
-        name="?time step",
-        belongs_to="stand",
-        symbol="",
-        source="",
-        forms=_time_steps,
-        report=plain("step", "deg"),
-        depends_on="time",
-        describe=lambda form: f"a step some {form.scanned['step_s']:.1f} s after the first row",
-    ),
-    Structure(
-        name="?time bend",
-        belongs_to="stand",
-        symbol="",
-        source="",
-        forms=_time_bends,
-        report=plain("amplitude", "deg"),
-        depends_on="time",
-        describe=lambda form: f"a drift that bends, like the power {form.scanned['power']:g} of the time",
+    _structure("time", "step", _time_steps, lambda at: f"a step some {at['step_s']:.1f} s after the first row"),
+    _structure(
+        "time", "bend", _time_bends, lambda at: f"a drift that bends, like the power {at['power']:g} of the time"
     ),
 )

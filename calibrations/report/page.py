@@ -4,7 +4,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from calibrations.provenance import LimitCheck, Provenance
@@ -14,17 +13,10 @@ from calibrations.report.origin import origin
 from calibrations.report.results import header, results
 from calibrations.report.stand import corrections_of_the_stand
 from calibrations.report.subject import Subject
+from calibrations.report.templates import TEMPLATES
 from calibrations.result import Calibration
 from calibrations.tracing.chain import Chain
 from calibrations.tracing.loop import Loop
-
-_TEMPLATES = Environment(
-    loader=PackageLoader("calibrations", "report"),
-    autoescape=True,
-    undefined=StrictUndefined,
-    trim_blocks=True,
-    lstrip_blocks=True,
-)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -37,7 +29,7 @@ class Section:
 
     def render(self, subject: Subject) -> Markup:
         """The section without its heading: the template `<anchor>.html.j2` with what `content` gives."""
-        return Markup(_TEMPLATES.get_template(f"{self.anchor}.html.j2").render(self.content(subject)))
+        return Markup(TEMPLATES.get_template(f"{self.anchor}.html.j2").render(self.content(subject)))
 
 
 SECTIONS = (
@@ -102,4 +94,4 @@ def render_report(
         contradictions=tuple(contradictions),
     )
     bodies = [(section, section.render(subject)) for section in SECTIONS]
-    return _TEMPLATES.get_template("page.html.j2").render(subject=subject, sections=bodies, **header(subject))
+    return TEMPLATES.get_template("page.html.j2").render(subject=subject, sections=bodies, **header(subject))

@@ -3,16 +3,9 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
-_TEMPLATES = Environment(
-    loader=PackageLoader("calibrations", "report"),
-    autoescape=True,
-    undefined=StrictUndefined,
-    trim_blocks=True,
-    lstrip_blocks=True,
-)
+from calibrations.report.templates import TEMPLATES
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -30,6 +23,6 @@ class Part:
 def page(kind: str, title: str, parts: Sequence[Part], notices: Sequence[str] = ()) -> str:
     """One HTML page that needs nothing else; the same input gives the same text."""
     shown = [part for part in parts if part.lines or part.rows or part.figure]
-    return _TEMPLATES.get_template("tables_page.html.j2").render(
+    return TEMPLATES.get_template("tables_page.html.j2").render(
         kind=kind, title=title, sections=shown, notices=list(notices)
     )

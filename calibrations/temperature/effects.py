@@ -10,6 +10,8 @@ from calibrations.temperature.scene import RunScene
 
 BREAK: Final = "temperature_break"
 DRIFT: Final = "run_drift"
+CUBIC: Final = ("temperature_linear", "temperature_quadratic", "temperature_cubic")
+"""What a cubic consists of."""
 _EXPECTED = 8.0
 """What a polynomial need not earn: that a parameter follows temperature smoothly is what anyone expects. With thirteen
 runs it is then believed at a chance of one in a hundred, as a term that is added to a fit usually is."""

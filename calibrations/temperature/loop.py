@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from calibrations.geometry import FloatArray
 from calibrations.support import series
-from calibrations.temperature.effects import run_effects
+from calibrations.temperature.effects import CUBIC, run_effects
 from calibrations.temperature.scene import RunScene
 from calibrations.temperature.shared import SharedCause, shared_causes
 from calibrations.temperature.table import Runs, unit_of
@@ -20,6 +20,8 @@ from calibrations.tracing.noise import Memory
 from calibrations.tracing.quantified import form_in
 from calibrations.tracing.table import Table
 
+_WORSE = 1.1
+"""A larger error of runs left out, by more than this, is a worse prediction."""
 HIGHEST_POWER = 3
 """Of the polynomials that are stated beside what was found."""
 
@@ -53,6 +55,13 @@ class ParameterLoop:
         """The one that predicts runs left out best."""
         return min(self.polynomials, key=lambda polynomial: polynomial.held_out_rms)
 
+    @property
+    def only_describes(self) -> bool:
+        """Whether more than a cubic was found, which says less of a run that is left out than a polynomial does."""
+        beyond = any(effect.name not in CUBIC for effect in self.effects)
+        held_out = self.augmented.held_out_rms
+        return beyond and held_out is not None and held_out > _WORSE * self.best_polynomial.held_out_rms
+
 
 @dataclass(frozen=True, kw_only=True)
 class TemperatureLoop:
@@ -70,22 +79,22 @@ def close_temperature_loop(runs: Runs) -> TemperatureLoop:
     parameters = tuple(_parameter(runs, name, values) for name, values in runs.parameters.items())
     explained = {parameter.name: parameter.explained for parameter in parameters}
     shared = shared_causes(explained)
-    unknowable = (*cannot_be_known(runs, explained, shared), *_only_described(parameters))
+    few = next((one.table.not_traced for one in explained.values()), "")
+    unknowable = (
+        *([f"Nothing is looked for: {few}."] if few else []),
+        *cannot_be_known(runs, explained, shared),
+        *_only_described(parameters),
+    )
     return TemperatureLoop(runs=runs, parameters=parameters, shared=shared, unknowable=unknowable)
 
 
 def _only_described(parameters: Sequence[ParameterLoop]) -> Iterator[str]:
     """Where what was found says less of a run that is left out than a polynomial does."""
-    worse = [
-        parameter.name
-        for parameter in parameters
-        if parameter.augmented.held_out_rms is not None
-        and parameter.augmented.held_out_rms > parameter.best_polynomial.held_out_rms
-    ]
+    worse = [f"{each.name} (degree {each.best_polynomial.power})" for each in parameters if each.only_describes]
     if worse:
         yield (
-            f"What was found in {series(worse)} describes these runs, but predicts a run that is left out no better "
-            "than a polynomial does: it rests on single runs. Until there are more, correct with the polynomial."
+            f"What was found in {series(worse)} describes these runs, but a polynomial of the degree that is given "
+            "predicts a run that is left out better: until there are more runs, correct with that."
         )
 
 
@@ -102,7 +111,7 @@ def _parameter(runs: Runs, name: str, values: FloatArray) -> ParameterLoop:
             residual_rms=_rms(explained.before.residual),
             held_out_rms=_polynomial(runs, values, 0).held_out_rms,
         ),
-        polynomials=tuple(_polynomial(runs, values, power) for power in range(HIGHEST_POWER + 1)),
+        polynomials=tuple(_polynomial(runs, values, power) for power in range(min(HIGHEST_POWER, len(runs) - 2) + 1)),
         augmented=Model(
             parameters=stated(explained, explained.best, units),
             residual_rms=_rms(explained.best.residual),
@@ -114,7 +123,7 @@ def _parameter(runs: Runs, name: str, values: FloatArray) -> ParameterLoop:
 
 
 def _scene(runs: Runs) -> RunScene:
-    hours = None if runs.time_s is None else (runs.time_s - runs.time_s[0]) / 3600.0
+    hours = None if runs.time_s is None else (runs.time_s - runs.time_s.min()) / 3600.0
     return RunScene(temperature_degc=runs.temperature_degc, order=runs.order, hours=hours)
 
 

@@ -7,8 +7,7 @@ import numpy as np
 from scipy.special import chdtrc
 
 from calibrations.effects.effect import Form
-from calibrations.quantities import format_probability
-from calibrations.support import series
+from calibrations.support import equals, series
 from calibrations.temperature.effects import BREAK
 from calibrations.temperature.scene import RunScene
 from calibrations.tracing.fitting_noise import golden_section
@@ -113,5 +112,5 @@ def shared_sentence(cause: SharedCause) -> str:
     how = "their fits agree on one temperature" if cause.one else "they share the gap between two runs"
     return (
         f"{series(cause.parameters)} break between {low:.0f} and {high:.0f} °C, near {cause.at_degc:.1f} °C: {how} "
-        f"(p = {format_probability(cause.p_value)}), and may have one cause."
+        f"(p {equals(cause.p_value)}), and may have one cause."
     )

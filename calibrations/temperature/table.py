@@ -63,8 +63,12 @@ def read_runs(path: Path) -> Runs:
         Missing, unreadable or malformed file, or one with fewer than four runs.
     """
     header, lines = read_lines(path)
-    columns = {name: _numbers(name, place, lines, path) for place, name in enumerate(header)}
-    temperatures = [name for name in header if _TEMPERATURE.search(name)]
+    columns = {
+        name: _numbers(name, place, lines, path) for place, name in enumerate(header) if _holds_numbers(place, lines)
+    }
+    temperatures = [name for name in columns if _TEMPERATURE.search(name)]
+    if not temperatures:
+        raise TableError(f"{path}: no column of a temperature (…_degC) holds numbers; correct it")
     named = "sensor_degC" if "sensor_degC" in temperatures else temperatures[0]
     others = {_ORDER, _TIME, *temperatures}
     parameters = {name: values for name, values in columns.items() if name not in others}
@@ -75,7 +79,7 @@ def read_runs(path: Path) -> Runs:
     return Runs(
         temperature_degc=columns[named],
         temperature_name=named,
-        order=columns.get(_ORDER, np.arange(1.0, len(lines) + 1)),
+        order=_order(columns, len(lines)),
         time_s=columns.get(_TIME),
         parameters=parameters,
         source=str(path),
@@ -83,6 +87,28 @@ def read_runs(path: Path) -> Runs:
 
 
 _FEWEST = 4
+_LARGEST = 1e30
+"""Beyond this a value is none."""
+
+
+def _order(columns: Mapping[str, FloatArray], runs: int) -> FloatArray:
+    """Which run was made when: as the table says, by its times, or else line by line."""
+    if _ORDER in columns:
+        return columns[_ORDER]
+    if _TIME in columns:
+        return np.argsort(np.argsort(columns[_TIME])).astype(np.float64) + 1.0
+    return np.arange(1.0, runs + 1)
+
+
+def _holds_numbers(place: int, lines: list[tuple[int, list[str]]]) -> bool:
+    """Whether any cell of a column is a number; a column of remarks is left out."""
+    for _, cells in lines:
+        try:
+            float(cells[place])
+        except ValueError:
+            continue
+        return True
+    return False
 
 
 def _numbers(name: str, place: int, lines: list[tuple[int, list[str]]], path: Path) -> FloatArray:
@@ -92,7 +118,7 @@ def _numbers(name: str, place: int, lines: list[tuple[int, list[str]]], path: Pa
             value = float(cells[place])
         except ValueError:
             raise TableError(f"{path}, line {number}, column {name}: {cells[place]!r} is not a number") from None
-        if not np.isfinite(value):
+        if not abs(value) < _LARGEST:
             raise TableError(f"{path}, line {number}, column {name}: {cells[place]} is no value; leave the run out")
         values.append(value)
     return np.array(values)

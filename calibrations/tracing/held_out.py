@@ -19,7 +19,8 @@ def held_out_rms(tracer: Tracer[Any], trace: Trace, parts: Iterable[NDArray[np.b
     """
     ground = tracer.ground
     error = np.empty(ground.rows)
-    offered = [candidate for candidate in tracer.offered if not candidate.effect.drawn]
+    searched = () if ground.not_traced else tracer.offered
+    offered = [candidate for candidate in searched if not candidate.effect.drawn]
     for out in parts:
         if np.count_nonzero(~out) < ground.declared.shape[1]:
             return None

@@ -121,7 +121,7 @@ def explain(
         effects=_effects(explained.base, trace, best, close, misread),
         unexplained=unexplained(trace),
         misread=misread,
-        not_traced=_too_few(explained.base),
+        not_traced=explained.base.not_traced,
     )
     return loop, explained
 
@@ -170,11 +170,6 @@ def _explained(joint: Joint, effects: Sequence[Effect[Scene]], reference_tempera
             break
         base = seen_anew(base, best.joint.fit.theta)
     return min(looks, key=lambda look: trace_price(look.trace))
-
-
-def _too_few(base: Ground) -> str:
-    few = base.rows < base.fewest_rows
-    return f"{base.rows} rows are too few; at least {base.fewest_rows} are needed" if few else ""
 
 
 def _rejected_rows(joint: Joint) -> set[int]:

@@ -66,8 +66,14 @@ class Table:
 
     @property
     def fewest_rows(self) -> int:
-        """With fewer rows, three for each declared parameter and never less than ten, nothing is traced."""
-        return max(3 * self.model.parameters, 10)
+        """With fewer rows, three for each declared parameter and never less than six, nothing is traced."""
+        return max(3 * self.model.parameters, 6)
+
+    @property
+    def not_traced(self) -> str:
+        """Why nothing is looked for; empty where it is."""
+        few = self.rows < self.fewest_rows
+        return f"{self.rows} rows are too few; at least {self.fewest_rows} are needed" if few else ""
 
     @cached_property
     def whole(self) -> Sample:

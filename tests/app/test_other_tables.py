@@ -42,8 +42,43 @@ def test_two_tables_of_one_head_are_compared(tmp_path, eccentric):
     ran, document = closed(tmp_path, eccentric, tmp_path / "mended.csv")
     (change,) = document["changed"]
     assert (change["name"], change["after"]) == ("head_eccentricity", 0.0)
+    assert change["difference"] == pytest.approx(0.02, abs=5e-4)
     assert change["before"] == pytest.approx(0.02, abs=5e-4)
     assert "What changed" in ran.out
+
+
+def test_an_eccentricity_that_turned_round_has_changed(tmp_path, eccentric):
+    write_table(rests(lambda a, d, t: -0.02 * np.sin(np.deg2rad(a))), tmp_path / "turned.csv")
+    _, document = closed(tmp_path, eccentric, tmp_path / "turned.csv")
+    (change,) = document["changed"]
+    assert change["difference"] == pytest.approx(0.04, abs=1e-3)
+
+
+def test_where_nothing_changed_that_is_said(tmp_path, eccentric):
+    write_table(rests(lambda a, d, t: 0.02 * np.sin(np.deg2rad(a)), seed=2), tmp_path / "again.csv")
+    ran, document = closed(tmp_path, eccentric, tmp_path / "again.csv")
+    assert document["changed"] == []
+    assert "Nothing changed beyond its uncertainty" in ran.out
+
+
+def test_a_head_table_of_one_row_is_too_short_and_says_so(tmp_path):
+    (tmp_path / "one.csv").write_text("angle_deg,reference_deg\n0,0.1\n", "utf-8")
+    ran, document = closed(tmp_path, tmp_path / "one.csv")
+    assert document["declared"]["held_out_rms_deg"] is None
+    assert "1 rows are too few; at least 6 are needed" in ran.err
+
+
+def test_no_experiment_can_be_run_from_a_head_table(eccentric):
+    ran = tumble("close-loop", eccentric, "--experiments", 2, "--serial", "A")
+    assert ran.status == 2
+    assert "leave --experiments out" in ran.err
+
+
+def test_rows_that_are_set_aside_are_listed(tmp_path):
+    table = rests(lambda a, d, t: 0.1 * (np.arange(len(a)) == 40))
+    write_table(table, tmp_path / "wild.csv")
+    ran, _ = closed(tmp_path, tmp_path / "wild.csv")
+    assert "set aside: rows 41 (gross error)" in ran.out
 
 
 def test_parameters_against_temperature_are_traced_with_the_same_command(tmp_path):
@@ -63,10 +98,10 @@ def test_tables_of_different_kinds_are_refused(tmp_path, eccentric):
 
 
 def test_a_malformed_table_of_runs_ends_with_one_sentence(tmp_path):
-    (tmp_path / "runs.csv").write_text("run,sensor_degC,bias_mV\n1,20,x\n", "utf-8")
+    (tmp_path / "runs.csv").write_text("run,sensor_degC,bias_mV\n1,20,3\n2,30,x\n", "utf-8")
     ran = tumble("close-loop", tmp_path / "runs.csv")
     assert (ran.status, ran.err.count("\n")) == (2, 1)
-    assert "line 2, column bias_mV: 'x' is not a number" in ran.err
+    assert "line 3, column bias_mV: 'x' is not a number" in ran.err
 
 
 STAND = """

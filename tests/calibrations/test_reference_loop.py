@@ -115,12 +115,14 @@ def test_a_local_error_of_the_circle_has_no_name():
     [
         (lambda reference: -reference, "change its sign"),
         (np.deg2rad, "write it in degrees"),
+        (lambda reference: 2 * reference, "it counts 2 turns for one"),
     ],
 )
 def test_a_reference_that_does_not_follow_the_head_is_asked_about(spoilt, said):
     table = rests(lambda a, d, t: 0 * a)
     loop = close_reference_loop(replace(table, reference_deg=spoilt(table.reference_deg)))
     assert said in loop.warnings[-1]
+    assert (loop.effects, loop.unexplained) == ((), ())
 
 
 def test_a_table_without_a_reference_is_refused():

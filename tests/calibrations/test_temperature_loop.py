@@ -71,6 +71,30 @@ def test_where_every_run_was_warmer_it_is_said_that_ageing_cannot_be_told():
     assert loop.unknowable[0].startswith("Every run was warmer than the one before it")
 
 
+def test_of_constants_nothing_is_said_to_be_found():
+    loop = close_temperature_loop(runs(**{f"p{n}_ppm": lambda at, order: 0 * at for n in range(4)}))
+    assert not any("was found" in sentence for sentence in loop.unknowable)
+
+
+def test_times_say_which_run_was_made_when(tmp_path):
+    rng = np.random.default_rng(5)
+    order = rng.permutation(15)
+    lines = [f"{600 * at},{rng.uniform(10, 40)},{0.4 * at + 0.01 * rng.standard_normal()}" for at in order]
+    path = written(tmp_path, "\n".join(["time_s,sensor_degC,a_mV", *lines]))
+    assert names(close_temperature_loop(read_runs(path))) == ["run_drift"]
+
+
+def test_few_runs_are_too_few_and_that_is_said():
+    loop = close_temperature_loop(runs(temperature_degc=[0, 10, 20, 30], a_mV=lambda at, order: at))
+    assert loop.unknowable[0] == "Nothing is looked for: 4 rows are too few; at least 6 are needed."
+
+
+def test_a_column_of_remarks_is_left_out(tmp_path):
+    lines = [f"{run},{10 * run},{0.5 * run},good" for run in range(1, 9)]
+    path = written(tmp_path, "\n".join(["run,sensor_degC,a_mV,note", *lines]))
+    assert list(read_runs(path).parameters) == ["a_mV"]
+
+
 def test_breaks_at_one_temperature_are_one_cause():
     loop = close_temperature_loop(
         runs(
@@ -129,6 +153,7 @@ def test_a_table_of_runs_is_known_by_its_temperature_and_by_having_no_angle(tmp_
         ("sensor_degC,a_V\n20,1\n20,1\n20,1\n20,1\n", "4 runs at 1 temperatures"),
         ("sensor_degC,a_V\n20,1\n30,one\n40,1\n50,1\n", "line 3, column a_V: 'one' is not a number"),
         ("sensor_degC,a_V\n20,1\n30,nan\n40,1\n50,1\n", "line 3, column a_V: nan is no value"),
+        ("sensor_degC,a_V\n20,1\n30,1e200\n40,1\n50,1\n", "line 3, column a_V: 1e200 is no value"),
     ],
 )
 def test_a_malformed_table_of_runs_is_refused_in_one_sentence(tmp_path, text, said):
