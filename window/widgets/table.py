@@ -37,6 +37,13 @@ class Table(QTableWidget):
                     item.setForeground(QBrush(QColor(colour)))
                 self.setItem(number, column, item)
 
+    def show_whole(self) -> None:
+        """Be as high as all rows together."""
+        self.resizeRowsToContents()
+        rows = sum(self.rowHeight(row) for row in range(self.rowCount()))
+        bar = self.horizontalScrollBar().sizeHint().height()
+        self.setFixedHeight(self.horizontalHeader().sizeHint().height() + rows + bar + 4)
+
     @property
     def chosen(self) -> list[int]:
         """Numbers of the rows that are selected, in the order of the table."""
