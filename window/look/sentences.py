@@ -90,7 +90,7 @@ def in_language(text: str) -> str:
 
 
 def _said(text: str) -> str:
-    for clause, end in ((text, ""), (text.removesuffix("."), ".")):
+    for clause, end in ((text.removesuffix("."), "." * text.endswith(".")), (text, "")):
         if (whole := _clause(clause)) is not None:
             return whole + end
     for separator in (". ", "; "):
