@@ -5,12 +5,13 @@ BIN := $(VENV)/bin
 TEXTS := window/translations/tumble_uk
 
 .DEFAULT_GOAL := help
-.PHONY: help setup gui texts demo test check endurance lock clean
+.PHONY: help setup gui texts demo test test-screen check endurance lock clean
 
 help:
 	@echo "make demo   run the main job on the simulated stand: recording, record and report in tumble-store/"
 	@echo "make gui    open the operator's window"
 	@echo "make test   style, types, import contracts and all tests"
+	@echo "make test-screen   tests of the window on a real X11 screen that nobody sees (needs xvfb)"
 	@echo "make endurance   kills, cuts, runs through the wire, faults at every step, a soak, mutated frames (two hours)"
 	@echo "make texts  collect the texts of the window for its translators"
 	@echo "make lock   pin the dependencies anew"
@@ -32,6 +33,12 @@ demo: setup
 
 test: setup check
 	$(BIN)/python -m pytest --cov --cov-report=term:skip-covered
+
+test-screen: setup
+	xvfb-run --auto-servernum --server-args="-screen 0 1280x800x24" env QT_QPA_PLATFORM=xcb \
+	    $(BIN)/python -m pytest tests/window/test_whole_run.py tests/window/test_stand_screen.py
+	xvfb-run --auto-servernum --server-args="-screen 0 1280x800x24" env QT_QPA_PLATFORM=xcb \
+	    $(BIN)/python -m benchmarks.window_streaming --minutes 0.25
 
 check: setup
 	$(BIN)/ruff check .

@@ -6,7 +6,7 @@ from typing import Final
 from PySide6.QtCore import QLocale
 
 _POINT: Final = re.compile(r"(?<=\d)\.(?=\d)")
-_UNIT: Final = re.compile(r"(?<![A-Za-z])(?:[pnµmk]?V|Hz|kHz|ms|s|min|h)(?![A-Za-z])")
+_UNIT: Final = re.compile(r"(?<![A-Za-z.])(?:[pnµmk]?V|Hz|kHz|ms|s|min|h)(?![A-Za-z])")
 _RANGE: Final = re.compile(r"(?<=\d) to (?=[-−\d])")
 _CYRILLIC: Final = {
     "V": "В",

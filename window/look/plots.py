@@ -9,6 +9,9 @@ from PySide6.QtWidgets import QWidget
 from window.look.numbers import local
 from window.look.theme import Colours, colours
 
+_WIDE_LINES, _HIGH_LINES = 11, 7
+"""Least size, in lines of text."""
+
 
 class LocalAxis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph is not typed
     """Numbers with the decimal sign of the language."""
@@ -31,7 +34,6 @@ class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
         self._made = True
         self.setMenuEnabled(False)
         self.hideButtons()
-        self.setMinimumSize(160, 90)
         self.getPlotItem().setContentsMargins(0, 4, 8, 0)
         self.name_axes(bottom, left)
         self.setAccessibleName(f"{left}, {bottom}")
@@ -72,7 +74,8 @@ class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
             self.recoloured.emit()
 
     def _recolour(self) -> None:
-        chosen = colours(self)
+        chosen, line = colours(self), self.fontMetrics().height()
+        self.setMinimumSize(_WIDE_LINES * line, _HIGH_LINES * line)
         self.setBackground(chosen.paper)
         for side in ("bottom", "left"):
             axis = self.getAxis(side)
@@ -83,6 +86,7 @@ class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
         self._entitle()
         self.showGrid(x=True, y=True, alpha=0.18)
 
-    def _entitle(self) -> None:
+    def _entitle(self, key: str = "") -> None:
+        """Put a title above the plot: the ordinate, and a `key` to what is drawn, which so never hides it."""
         size = f"{self.font().pointSizeF():g}pt"
-        self.getPlotItem().setTitle(self._left, color=colours(self).ink, size=size, justify="left")
+        self.getPlotItem().setTitle(self._left + key, color=colours(self).ink, size=size, justify="left")

@@ -90,9 +90,9 @@ def in_language(text: str) -> str:
 
 
 def _said(text: str) -> str:
-    whole = _clause(text.removesuffix("."))
-    if whole is not None:
-        return whole + "." * text.endswith(".")
+    for clause, end in ((text.removesuffix("."), "." * text.endswith(".")), (text, "")):
+        if (whole := _clause(clause)) is not None:
+            return whole + end
     for separator in (". ", "; "):
         if separator in text:
             return separator.join(map(_said, text.split(separator)))

@@ -54,7 +54,7 @@ class LoopView(QWidget):
         for part, title in self._titles.items():
             title.setObjectName("heading")
             layout.addWidget(title)
-            layout.addWidget(part, stretch=8)
+            layout.addWidget(part)
         layout.addWidget(self.run_button)
         layout.addWidget(self.untold)
         layout.addStretch(1)
@@ -81,6 +81,8 @@ class LoopView(QWidget):
                 for line in presentation.comparisons
             ]
         )
+        self.findings.show_whole()
+        self.comparisons.show_whole()
         told = [
             self.tr("{name} cannot be told: {reason}").format(name=n, reason=in_language(why))
             for n, why in presentation.untold

@@ -108,11 +108,14 @@ class ResultScreen(QWidget):
     def _show_table(self, presentation: Presentation) -> None:
         shades = colours(self)
         told = [
-            (row.name, row.value, row.interval, row.standard, row.limits, row.verdict, row.reason or row.note)
+            (row.name, row.value or row.reason, row.interval, row.standard, row.limits, row.verdict, row.note)
             for row in presentation.table
         ]
         unsettled = [shades.bad if row.limits and not row.inside else None for row in presentation.table]
         self.table.fill([[in_language(text) for text in row] for row in told], unsettled)
+        for number, row in enumerate(presentation.table):
+            if row.reason and not row.limits:
+                self.table.widen(number, 1)
 
     def _lay_out(self) -> None:
         for label in (self.verdict, self._subject, self._notices):

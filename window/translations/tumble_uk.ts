@@ -805,8 +805,10 @@
         <translation>Установлено</translation>
     </message>
     <message>
-        <source>Seat the unit as in the picture, at head angle 0°.</source>
-        <translation>Установіть прилад, як на рисунку, за кута головки 0°.</translation>
+        <source>Seat the unit as in the picture,
+at head angle 0°.</source>
+        <translation>Установіть прилад, як на рисунку,
+за кута головки 0°.</translation>
     </message>
 </context>
 <context>
@@ -829,8 +831,8 @@ The details are in {place}.</source>
 <context>
     <name>ReadingPrompt</name>
     <message>
-        <source>Enter: it reads so. Or type the reading: 12 34 56, or 12.5</source>
-        <translation>Enter: відлік такий. Або введіть відлік: 12 34 56 чи 12,5</translation>
+        <source>12 34 56, or 12.5</source>
+        <translation>12 34 56 або 12,5</translation>
     </message>
     <message>
         <source>Reading of the head</source>

@@ -22,7 +22,7 @@ class Dial(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._status: HeadStatus | None = None
-        self.setMinimumSize(180, 180)
+        self.setMinimumSize(140, 140)
 
     def sizeHint(self) -> QSize:  # noqa: N802  # Qt's name
         """Readable from two metres where there is room."""

@@ -62,7 +62,6 @@ class InstrumentTable(QFrame):
 
     def _cell(self, row: int, column: int) -> QLabel:
         label = QLabel()
-        label.setWordWrap(True)
         label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._grid.addWidget(label, row, column)
         return label

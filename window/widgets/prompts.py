@@ -25,8 +25,7 @@ class MountPrompt(QFrame):
         self.confirm = MotionButton(self.tr("It sits there"), "F9")
         self.confirm.setObjectName("primary")
         self.confirm.clicked.connect(self.seated)
-        hint = QLabel(self.tr("Seat the unit as in the picture, at head angle 0°."))
-        hint.setWordWrap(True)
+        hint = QLabel(self.tr("Seat the unit as in the picture,\nat head angle 0°."))
         layout = QVBoxLayout(self)
         layout.addWidget(self._title)
         layout.addWidget(self._picture, stretch=1)
@@ -58,7 +57,7 @@ class ReadingPrompt(QFrame):
         self._prompt.setWordWrap(True)
         self._prompt.setObjectName("heading")
         self.field = QLineEdit()
-        self.field.setPlaceholderText(self.tr("Enter: it reads so. Or type the reading: 12 34 56, or 12.5"))
+        self.field.setPlaceholderText(self.tr("12 34 56, or 12.5"))
         self.field.setAccessibleName(self.tr("Reading of the head"))
         self.field.returnPressed.connect(self._answer)
         self._open = False

@@ -75,6 +75,7 @@ class ResidualFigure(QWidget):
         name = self.against.currentData()
         self.plot.name_axes(self._label(name), translate("ResultPlots", "residual (µV)"))
         self._band.setRegion((-rows.scatter_uv, rows.scatter_uv))
+        self.plot.forget_key()
         self.plot.draw(rows.mounts, rows.abscissae[name], rows.residual_uv)
 
     def _recolour(self) -> None:

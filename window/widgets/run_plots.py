@@ -17,6 +17,8 @@ from window.work.live_fit import LiveFit
 
 translate: Final = QCoreApplication.translate
 _MOUNTS: Final = tuple(MOUNTS)
+_SIGNS: Final = {"o": "●", "s": "■", "t1": "▲", "d": "◆", "t": "▼", "p": "⬟"}
+"""The shapes of pyqtgraph in writing."""
 _DRAWN_SAMPLES: Final = 2000
 """Of each channel; more than a screen has columns says nothing more."""
 _MICRO: Final = 1e6
@@ -33,8 +35,8 @@ class AnglePlot(Plot):
 
     def __init__(self, left: str, parent: QWidget | None = None) -> None:
         super().__init__(bottom=translate("RunPlots", "head angle (°)"), left=left, parent=parent)
-        self._legend = self.addLegend(offset=(-8, 8), labelTextColor=self.colours.ink)
         self._series: dict[str, pg.PlotDataItem] = {}
+        self._named: tuple[str, ...] = ()
         self.recoloured.connect(self._restyle)
 
     def draw_points(self, points: Sequence[Point], values: FloatArray) -> None:
@@ -49,20 +51,33 @@ class AnglePlot(Plot):
             self._of(mount).setData(abscissa[at], values[at])
         for mount in set(self._series) - set(mounts):
             self.removeItem(self._series.pop(mount))
+        if self._named != (named := tuple(self._series)):
+            self._named = named
+            self._entitle(self._key())
 
     def _of(self, mount: str) -> pg.PlotDataItem:
         if mount not in self._series:
             self._series[mount] = self.plot([], [], name=mount, **self._style(mount))
         return self._series[mount]
 
+    def forget_key(self) -> None:
+        """Write the key anew with the next rows: the axes have other names."""
+        self._named = ()
+
+    def _key(self) -> str:
+        """Shape and name of every mount, in its colour."""
+        styles = {mount: mount_style(mount, self.colours.data) for mount in self._series}
+        marks = [f'<span style="color: {colour}">{_SIGNS[shape]}</span> {m}' for m, (colour, shape) in styles.items()]
+        return "".join(f" &nbsp; {mark}" for mark in marks)
+
     def _style(self, mount: str) -> dict[str, object]:
         colour, shape = mount_style(mount, self.colours.data)
         return {"pen": None, "symbol": shape, "symbolSize": 7, "symbolBrush": colour, "symbolPen": None}
 
     def _restyle(self) -> None:
-        self._legend.setLabelTextColor(self.colours.ink)
         for mount, series in self._series.items():
             series.setSymbolBrush(mount_style(mount, self.colours.data)[0])
+        self._entitle(self._key())
 
 
 class OutputPlot(AnglePlot):

@@ -4,6 +4,8 @@ from PySide6.QtCore import QEvent, QObject
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QScrollArea, QWidget
 
+from window.widgets.splitter import Splitter
+
 
 class ScreenArea(QScrollArea):
     """Unlike a resizable `QScrollArea` it scrolls by what a screen needs, not by what it would like to have."""
@@ -31,6 +33,8 @@ class ScreenArea(QScrollArea):
         layout = screen.layout()
         if layout is None:
             return
+        for splitter in screen.findChildren(Splitter):
+            splitter.fold(room.width())
         least = layout.minimumSize()
         wide = max(room.width(), least.width())
         high = layout.minimumHeightForWidth(wide) if layout.hasHeightForWidth() else least.height()

@@ -27,6 +27,7 @@ class Table(QTableWidget):
 
     def fill(self, rows: Sequence[Sequence[str]], colours: Sequence[str | None] = ()) -> None:
         """Show other rows, each in a colour of its own where one is given."""
+        self.clearSpans()
         self.setRowCount(len(rows))
         for number, row in enumerate(rows):
             colour = colours[number] if number < len(colours) else None
@@ -36,6 +37,17 @@ class Table(QTableWidget):
                 if colour:
                     item.setForeground(QBrush(QColor(colour)))
                 self.setItem(number, column, item)
+
+    def widen(self, row: int, column: int) -> None:
+        """Give a cell all the room to the end of its row."""
+        self.setSpan(row, column, 1, self.columnCount() - column)
+
+    def show_whole(self) -> None:
+        """Be as high as all rows together."""
+        self.resizeRowsToContents()
+        rows = sum(self.rowHeight(row) for row in range(self.rowCount()))
+        bar = self.horizontalScrollBar().sizeHint().height()
+        self.setFixedHeight(self.horizontalHeader().sizeHint().height() + rows + bar + 4)
 
     @property
     def chosen(self) -> list[int]:
