@@ -123,6 +123,7 @@ class RecordsScreen(QWidget):
         self.search.offer(found.programmes)
         self.trend.show_records(found.records)
         self.cut_off.show_runs(found.cut_off)
+        self.stands.show_records(found.stands)
         title = self.tr("Runs without a record")
         self.tabs.setTabText(1, f"{title} ({len(found.cut_off)})" if found.cut_off else title)
         self._refresh_buttons()

@@ -1,24 +1,54 @@
 """Records of stands with the map of a head: the one place where they are drawn."""
 
-from PySide6.QtCore import QCoreApplication
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
-from calibrations.geometry import FloatArray
+import pyqtgraph as pg
+from PySide6.QtCore import QCoreApplication
+from PySide6.QtWidgets import QComboBox, QVBoxLayout, QWidget
+
 from window.look.plots import Plot
+
+if TYPE_CHECKING:  # the analysis takes half a second: a window is up before that
+    from calibrations.stand_records.record import StandRecord
+
+_ARCSEC = 3600.0
 
 
 class StandRecords(QWidget):
-    """Error of the head against its angle, with what is known of it as a band."""
+    """What is known of each stand; error of its head against the angle, with two standard uncertainties as a band."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self.choice = QComboBox()
         self.plot = Plot(
             QCoreApplication.translate("StandRecords", "head angle (°)"),
             QCoreApplication.translate("StandRecords", "error of the head (″)"),
         )
-        self._line = self.plot.plot([], [])
-        QVBoxLayout(self).addWidget(self.plot)
+        self.line = self.plot.plot([], [])
+        self._low, self._high = self.plot.plot([], []), self.plot.plot([], [])
+        self.plot.addItem(pg.FillBetweenItem(self._low, self._high, brush=(86, 180, 233, 90)))
+        self._records: tuple[StandRecord, ...] = ()
+        layout = QVBoxLayout(self)
+        layout.addWidget(self.choice)
+        layout.addWidget(self.plot)
+        self.choice.currentIndexChanged.connect(self._draw)
 
-    def show_head_map(self, angle_deg: FloatArray, error_arcsec: FloatArray) -> None:
-        """Draw the map of a head."""
-        self._line.setData(angle_deg, error_arcsec, pen=self.plot.pen(self.plot.colours.accent, 2))
+    def show_records(self, records: "Sequence[StandRecord]") -> None:
+        """List the records of all stands, the newest first, and draw that."""
+        self._records = tuple(sorted(records, key=lambda record: record.created_at, reverse=True))
+        self.choice.clear()
+        self.choice.addItems([f"{each.identity.stand} {each.version}, {each.status}" for each in self._records])
+
+    def _draw(self, place: int) -> None:
+        from app.stand_records import head_map_curve
+
+        curve = head_map_curve(self._records[place]) if 0 <= place < len(self._records) else None
+        if curve is None:
+            for line in (self.line, self._low, self._high):
+                line.setData([], [])
+            return
+        error, twice = curve.error_deg * _ARCSEC, 2 * curve.standard_uncertainty_deg * _ARCSEC
+        self.line.setData(curve.angle_deg, error, pen=self.plot.pen(self.plot.colours.accent, 2))
+        self._low.setData(curve.angle_deg, error - twice)
+        self._high.setData(curve.angle_deg, error + twice)

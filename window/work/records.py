@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from app.cut_off import CutOff
     from calibrations.records.compare import Difference
     from calibrations.records.verify import Verification
+    from calibrations.stand_records.record import StandRecord
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -40,12 +41,15 @@ class Found:
     records: tuple[Record, ...]
     cut_off: "tuple[CutOff, ...]"
     programmes: tuple[str, ...]
+    stands: "tuple[StandRecord, ...]" = ()
+    """Stand records of all stands."""
 
 
 def search(folder: Path, wanted: Search) -> Found:
     """Look for records and for runs that came to none; a store that is not there holds nothing."""
     from app.cut_off import cut_off_runs
     from app.recall import open_store
+    from app.stand_records import list_stand_records
     from calibrations.records.store import DATABASE
 
     if not (folder / DATABASE).is_file():
@@ -58,6 +62,7 @@ def search(folder: Path, wanted: Search) -> Found:
         records=tuple(record for record in found if part in record.provenance.serial_number.casefold()),
         cut_off=cut_off_runs(folder),
         programmes=tuple(sorted({record.provenance.programme_name for record in found} - {""})),
+        stands=list_stand_records(folder),
     )
 
 
