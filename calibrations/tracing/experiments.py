@@ -17,10 +17,6 @@ from calibrations.tracing.trace import Trace
 
 APART = 16.0
 """Explanations that differ by this in -2 ln L are told apart: four standard deviations."""
-_MOST_TOGETHER = 8
-"""So many runs may be asked for to tell two explanations apart, where fewer do not."""
-_LIKELY = 6.0
-"""Where nothing is sure to tell them apart, this is worth a try: explanations are no longer close beyond 3.84."""
 _RUNS = 3
 """How often a probe is run where once is not enough."""
 
@@ -77,10 +73,10 @@ class _Offer:
         """Separation from each rival: sure whichever is true, or if one of the two is."""
         return np.asarray(self.each_way.min(axis=0) if sure else self.each_way.max(axis=0))
 
-    def apart(self, among: list[int], sure: bool, needed: float = APART) -> list[int]:
+    def apart(self, among: list[int], sure: bool) -> list[int]:
         """Rivals that it tells apart."""
         separations = self.separations(sure)
-        return [rival for rival in among if separations[rival] >= needed]
+        return [rival for rival in among if separations[rival] >= APART]
 
     def worth(self, among: list[int], sure: bool) -> tuple[float, float]:
         """Rivals told apart per second; of equal ones the clearer, in whole multiples of what is needed."""
@@ -96,13 +92,10 @@ def _answers(question: Question, probes: Sequence[Probe]) -> Iterator[Experiment
         chosen, apart = _best(offers, left, sure=True)
         if not apart:
             chosen, apart = _best(offers, left, sure=False)
-        if not apart and probes:
-            chosen = _grown(question, rows, left, probes)
-            apart = chosen.apart(left, True, _LIKELY) or chosen.apart(left, False, _LIKELY)
         if not apart:
             yield _nothing(question, left, chosen)
             return
-        yield from (_experiment(question, chosen, probe, apart) for probe in dict.fromkeys(chosen.probes))
+        yield from (_experiment(question, chosen, probe, apart) for probe in chosen.probes)
         rows, left = chosen.rows, [rival for rival in left if rival not in apart]
 
 
@@ -126,20 +119,6 @@ def _offers(question: Question, rows: Rows, left: list[int], probes: Sequence[Pr
     return offers or [_offer(question, rows, ())]
 
 
-def _grown(question: Question, rows: Rows, left: list[int], probes: Sequence[Probe]) -> _Offer:
-    """Probes one after the other, each the one that tells most together with those before it, until they tell enough.
-
-    What two or three cannot, as none of them tells more than a little, the sum of several does.
-    """
-    grown = _offer(question, rows, ())
-    for _ in range(_MOST_TOGETHER):
-        trials = [_offer(question, rows, (*grown.probes, probe)) for probe in probes]
-        grown = max(trials, key=lambda offer: float(offer.separations(sure=True)[left].max()))
-        if grown.apart(left, sure=True):
-            break
-    return grown
-
-
 def _offer(question: Question, rows: Rows, probes: tuple[Probe, ...], runs: int = 1) -> _Offer:
     for probe in probes * runs:
         rows = rows.followed_by(probe)
@@ -148,15 +127,14 @@ def _offer(question: Question, rows: Rows, probes: tuple[Probe, ...], runs: int 
 
 def _experiment(question: Question, offer: _Offer, probe: Probe, apart: list[int]) -> Experiment:
     separations = offer.separations(sure=False)[apart]
-    sure = bool((offer.separations(sure=True)[apart] >= _LIKELY).all())
+    sure = bool((offer.separations(sure=True)[apart] >= APART).all())
     separation = float((offer.separations(sure=True)[apart] if sure else separations).min())
     rivals = tuple(question.rivals[rival] for rival in apart)
-    others = list(dict.fromkeys(other.programme for other in offer.probes if other is not probe))
-    runs = offer.runs * offer.probes.count(probe)
+    others = [other.programme for other in offer.probes if other is not probe]
     remarks = [
         f", if {' and '.join(_needed(question, offer, apart))} is the true one" * (not sure),
         f"; only together with {' '.join(others)}" * bool(others),
-        f"; run it {runs} times" * (runs > 1),
+        f"; run it {offer.runs} times" * (offer.runs > 1),
     ]
     return Experiment(
         separates=(question.name, *rivals),
@@ -167,8 +145,8 @@ def _experiment(question: Question, offer: _Offer, probe: Probe, apart: list[int
         ),
         command=f"tumble run --programme {probe.programme} --serial SERIAL",
         separation=separation,
-        stand_time_s=runs * probe.stand_time_s,
-        runs=runs,
+        stand_time_s=offer.runs * probe.stand_time_s,
+        runs=offer.runs,
         together=tuple(others),
         outlook=_outlook(question, offer, probe, apart, sure),
     )
@@ -193,8 +171,7 @@ def _outlook(question: Question, offer: _Offer, probe: Probe, apart: list[int], 
 
 def _needed(question: Question, offer: _Offer, apart: list[int]) -> list[str]:
     """Explanations one of which must be true for them to be told apart."""
-    clearer = offer.each_way.argmax(axis=0)
-    return sorted({question.rivals[rival] if clearer[rival] else question.name for rival in apart})
+    return sorted({question.name if offer.each_way[0, rival] >= APART else question.rivals[rival] for rival in apart})
 
 
 def _nothing(question: Question, left: list[int], nearest: _Offer) -> Experiment:

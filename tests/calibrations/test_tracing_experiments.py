@@ -165,27 +165,14 @@ def test_squares_of_the_three_projections_are_told_apart_by_another_mount():
     assert "k_xx" in after
 
 
-@pytest.fixture
-def cube_or_voltmeter():
-    """A table with a cube of ax, and the error of the voltmeter that explains it as well."""
-
+def test_what_only_the_voltmeter_can_tell_is_said_and_has_no_command():
     def cube(columns):
         return 4e-4 * ax_g(columns) ** 3
 
     base, trace, found = traced(runs(programme(FLIPS, BACK, DOWN, realisations=2), extra_v=cube))
     (name,) = found
-    return base, trace, {name: [rival for rival in found[name] if rival.name == "daq_nonlinearity"]}
-
-
-def test_what_no_two_experiments_tell_apart_the_sum_of_several_may(cube_or_voltmeter):
-    experiments = next_experiments(*cube_or_voltmeter)
-    assert sum(experiment.runs for experiment in experiments) > 2
-    assert all(experiment.command for experiment in experiments)
-    assert all("run it" in each.why or "only together with" in each.why for each in experiments)
-
-
-def test_what_nothing_tells_apart_is_said_and_has_no_command(cube_or_voltmeter):
-    (experiment,) = next_experiments(*cube_or_voltmeter, probes=[])
+    nonlinear = {name: [rival for rival in found[name] if rival.name == "daq_nonlinearity"]}
+    (experiment,) = next_experiments(base, trace, nonlinear)
     assert (experiment.programme, experiment.command) == ("", "")
     assert "exchange one of these" in experiment.why
     assert experiment.outlook is None
