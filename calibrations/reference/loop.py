@@ -19,7 +19,7 @@ from calibrations.tracing.findings import EffectFound, Unexplained
 from calibrations.tracing.fitting_noise import best_walk
 from calibrations.tracing.held_out import held_out_rms
 from calibrations.tracing.linear import LinearFit, fit_linear
-from calibrations.tracing.linear_loop import Explained, Model, as_stated, explain_linear, stated
+from calibrations.tracing.linear_loop import Explained, Model, as_stated, explain_linear, rms, stated
 from calibrations.tracing.noise import NoiseModel
 from calibrations.tracing.trace import trace_price
 
@@ -80,12 +80,11 @@ def close_reference_loop(observations: Observations) -> ReferenceLoop:
     asked = question(observations)
     table = first_look(observations)
     observations = _without(observations, table, _gross_errors(table.output))
-    table = first_look(observations)
-    explained = _explained(replace(table, effects=(), structures=()) if asked else table)
+    explained = _explained(_traceable(observations, asked))
     rejected = _gross_errors(explained.best.residual)
     if rejected.any():
         observations = _without(observations, explained.table, rejected)
-        explained = _explained(first_look(observations))
+        explained = _explained(_traceable(observations, asked))
     table, trace = explained.table, explained.trace
     known = _known_noise(explained)
     fit = fit_linear(table.wandering, replace(trace, noise=known), UNITS)
@@ -95,12 +94,12 @@ def close_reference_loop(observations: Observations) -> ReferenceLoop:
         rows_read=observations.rows_read,
         declared=Model(
             parameters=as_stated(explained.before),
-            residual_rms=_rms(explained.before.residual),
+            residual_rms=rms(explained.before.residual),
             held_out_rms=_held_out_constant(table.output, parts),
         ),
         augmented=Model(
             parameters=stated(explained, fit, UNITS),
-            residual_rms=_rms(explained.best.residual),
+            residual_rms=rms(explained.best.residual),
             held_out_rms=held_out_rms(explained.tracer, trace, parts),
         ),
         effects=explained.effects(fit),
@@ -111,6 +110,12 @@ def close_reference_loop(observations: Observations) -> ReferenceLoop:
         explained=explained,
         fit=fit,
     )
+
+
+def _traceable(observations: Observations, asked: Sequence[str]) -> HeadTable:
+    """The table; with nothing to be found in it where it must be asked about first."""
+    table = first_look(observations)
+    return replace(table, effects=(), structures=()) if asked else table
 
 
 def _explained(table: HeadTable) -> Explained[HeadTable]:
@@ -166,8 +171,4 @@ def _held_out_constant(output: FloatArray, parts: Sequence[NDArray[np.bool_]]) -
     if len(output) < 2:
         return None
     error = np.concatenate([output[out] - output[~out].mean() for out in parts])
-    return _rms(error)
-
-
-def _rms(values: FloatArray) -> float:
-    return float(np.sqrt(np.mean(values**2)))
+    return rms(error)

@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 
 from calibrations.geometry import FloatArray
 from calibrations.reference.rows import Dwells
-from calibrations.repeats import labels
 
 _STILL_DEG, _STILL_DEG_S = 1e-4, 1e-3
 """A head that reports less of a move, or less of a speed, is at rest."""
@@ -81,11 +80,6 @@ class HeadScene:
         sign = np.where(np.abs(speed) > _STILL_DEG, np.sign(speed), 0).astype(np.int64)
         last = np.maximum.accumulate(np.where(sign != 0, np.arange(self.rows), 0))
         return np.asarray(sign[last])
-
-    @cached_property
-    def realisation(self) -> NDArray[np.int64]:
-        """Number of the realisation of each row, from 0."""
-        return labels(self.dwells.observations.realisations)
 
     @cached_property
     def temperature_k(self) -> FloatArray | None:

@@ -15,7 +15,7 @@ from calibrations.temperature.table import Runs, unit_of
 from calibrations.temperature.unknowable import cannot_be_known
 from calibrations.tracing.declared import Linear
 from calibrations.tracing.findings import EffectFound
-from calibrations.tracing.linear_loop import Explained, Model, as_stated, explain_linear, stated
+from calibrations.tracing.linear_loop import Explained, Model, as_stated, explain_linear, rms, stated
 from calibrations.tracing.noise import Memory
 from calibrations.tracing.quantified import form_in
 from calibrations.tracing.table import Table
@@ -108,13 +108,13 @@ def _parameter(runs: Runs, name: str, values: FloatArray) -> ParameterLoop:
         unit=unit,
         declared=Model(
             parameters=as_stated(explained.before),
-            residual_rms=_rms(explained.before.residual),
+            residual_rms=rms(explained.before.residual),
             held_out_rms=_polynomial(runs, values, 0).held_out_rms,
         ),
         polynomials=tuple(_polynomial(runs, values, power) for power in range(min(HIGHEST_POWER, len(runs) - 2) + 1)),
         augmented=Model(
             parameters=stated(explained, explained.best, units),
-            residual_rms=_rms(explained.best.residual),
+            residual_rms=rms(explained.best.residual),
             held_out_rms=_held_out(table, units),
         ),
         effects=explained.effects(explained.best),
@@ -147,7 +147,7 @@ def _held_out(table: Table, units: Mapping[str, str]) -> float:
     scene = table.scene
     assert isinstance(scene, RunScene), "run_table makes it"
     errors = [_missed(table, scene, np.arange(table.rows) != out, units) for out in range(table.rows)]
-    return _rms(np.array(errors))
+    return rms(np.array(errors))
 
 
 def _missed(table: Table, scene: RunScene, kept: NDArray[np.bool_], units: Mapping[str, str]) -> float:
@@ -168,8 +168,4 @@ def _polynomial(runs: Runs, values: FloatArray, power: int) -> Polynomial:
         fitted = np.polynomial.Polynomial.fit(temperature_degc[kept], values[kept], power)
         errors.append(values[out] - fitted(temperature_degc[out]))
     deviation = float(left.std(ddof=1))
-    return Polynomial(power=power, standard_deviation=deviation, held_out_rms=_rms(np.array(errors)))
-
-
-def _rms(values: FloatArray) -> float:
-    return float(np.sqrt(np.mean(values**2)))
+    return Polynomial(power=power, standard_deviation=deviation, held_out_rms=rms(np.array(errors)))

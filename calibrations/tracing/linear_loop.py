@@ -7,6 +7,7 @@ from typing import Any, Generic, TypeVar
 import numpy as np
 
 from calibrations.effects.effect import Quantity, Structure
+from calibrations.geometry import FloatArray
 from calibrations.tracing.findings import EffectFound, Unexplained, effects_found
 from calibrations.tracing.linear import LinearFit, fit_linear
 from calibrations.tracing.noise import NoiseModel
@@ -98,6 +99,11 @@ def stated(explained: Explained[Any], fit: LinearFit, units: Mapping[str, str]) 
             for key, quantity in other.parameters.items():
                 parameters[key] = _judged(parameters[key], quantity.value, name, rival.name)
     return parameters
+
+
+def rms(values: FloatArray) -> float:
+    """Root mean square."""
+    return float(np.sqrt(np.mean(values**2)))
 
 
 def as_stated(fit: LinearFit) -> dict[str, Stated]:

@@ -125,6 +125,14 @@ def test_a_reference_that_does_not_follow_the_head_is_asked_about(spoilt, said):
     assert (loop.effects, loop.unexplained) == ((), ())
 
 
+def test_a_wild_reading_does_not_make_a_table_traced_that_must_be_asked_about():
+    table = rests(lambda a, d, t: 0 * a, step_deg=1.0)
+    wild = 170.0 * (np.arange(len(table)) == 20)
+    loop = close_reference_loop(replace(table, reference_deg=wild - table.reference_deg))
+    assert "change its sign" in loop.warnings[-1]
+    assert (loop.effects, loop.unexplained) == ((), ())
+
+
 def test_a_table_without_a_reference_is_refused():
     with pytest.raises(ValueError, match="no column reference_deg"):
         close_reference_loop(replace(rests(lambda a, d, t: 0 * a), reference_deg=None))
