@@ -165,10 +165,17 @@ def test_the_report_on_runs_shows_what_is_shared_and_what_cannot_be_told(tmp_pat
     assert "What these runs cannot tell" in text
 
 
+@pytest.fixture(scope="module")
+def axis(tmp_path_factory):
+    """What is said of the measured axis: its two tables, each by itself and compared."""
+    paths = [SHARED / f"head_reference_{name}.csv" for name in ("fault", "rewired")]
+    return closed(tmp_path_factory.mktemp("axis"), *paths)[1]
+
+
 @measured
-@pytest.mark.parametrize("name", ["fault", "rewired"])
-def test_the_passes_of_the_measured_axis_differ_because_the_reference_is_read_late(tmp_path, name):
-    _, document = closed(tmp_path, SHARED / f"head_reference_{name}.csv")
+@pytest.mark.parametrize("number", [0, 1])
+def test_the_passes_of_the_measured_axis_differ_because_the_reference_is_read_late(axis, number):
+    document = axis["tables"][number]
     latency = next(effect for effect in document["effects"] if effect["name"] == "latency")
     assert latency["also_possible"] == []
     assert latency["coefficients"]["latency"]["value"] == pytest.approx(0.0345, abs=0.002)
@@ -190,10 +197,8 @@ def test_of_constant_speed_alone_nobody_can_tell_lateness_from_backlash(tmp_path
 
 
 @measured
-def test_the_rewiring_took_four_waves_a_turn_away(tmp_path):
-    paths = [SHARED / f"head_reference_{name}.csv" for name in ("fault", "rewired")]
-    _, document = closed(tmp_path, *paths)
-    first = document["changed"][0]
+def test_the_rewiring_took_four_waves_a_turn_away(axis):
+    first = axis["changed"][0]
     assert (first["name"], first["order"], first["after"]) == ("graduation", 4, 0.0)
     assert first["before"] == pytest.approx(7.9, abs=0.2)
 

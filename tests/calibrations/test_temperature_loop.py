@@ -119,18 +119,22 @@ def test_breaks_far_apart_are_two_causes():
     assert loop.shared == ()
 
 
+@pytest.fixture(scope="module")
+def triad():
+    return close_temperature_loop(read_runs(TRIAD))
+
+
 @measured
-def test_the_deviations_that_a_cubic_leaves_of_the_triad_come_out_as_printed():
-    loop = close_temperature_loop(read_runs(TRIAD))
-    for parameter in loop.parameters:
+def test_the_deviations_that_a_cubic_leaves_of_the_triad_come_out_as_printed(triad):
+    for parameter in triad.parameters:
         scale = 1e4 if parameter.unit == "percent" else 1.0
         printed = PRINTED[parameter.name] * scale
         assert scale * parameter.polynomials[3].standard_deviation == pytest.approx(printed, abs=0.1)
 
 
 @measured
-def test_the_biases_of_the_triad_break_together_below_fifty_degrees():
-    first, second = close_temperature_loop(read_runs(TRIAD)).shared
+def test_the_biases_of_the_triad_break_together_below_fifty_degrees(triad):
+    first, second = triad.shared
     assert set(first.parameters) == {"bias_x_arcsec", "bias_y_arcsec", "bias_z_arcsec"}
     assert first.between_degc == (40.97, 50.18)
     assert {"angle_1_arcsec", "angle_2_arcsec", "angle_3_arcsec"} <= set(second.parameters)
