@@ -89,7 +89,7 @@ def explain(
         No voltage, or no usable row.
     """
     uncertainty = stand or StandUncertainty()
-    asked = questioned(observations)
+    asked = questioned(observations, reference_temperature_degc)
     observations = asked.observations
     declared = fit_jointly(observations)
     if not asked.answerable:
