@@ -82,8 +82,8 @@ def ascii_controls(text: str) -> str:
 def _lines(text: str, path: Path) -> Iterator[tuple[int, str]]:
     """Numbered lines that hold anything, without comments and without a spreadsheet's own `sep=;`."""
     if "\0" in text:
-        line = text[: text.index("\0")].count("\n") + 1
-        raise TableError(f"{path}, line {line}: holds a NUL byte; this is no text table, save it as CSV in UTF-8")
+        where = text[: text.index("\0")].count("\n") + 1
+        raise TableError(f"{path}, line {where}: holds a NUL byte; this is no text table, save it as CSV in UTF-8")
     for count, line in enumerate(text.splitlines(), start=1):
         if not line.strip() or _is_comment(line) or (count == 1 and re.fullmatch(r"sep=.", line.strip())):
             continue

@@ -59,13 +59,14 @@ def read_table(path: Path) -> Observations:
     _check_header(header, path)
     empty = _empty(header, rows, path)
     columns = {name: _column(name, index, rows, path) for index, name in enumerate(header) if name not in empty}
+    known: dict[str, Any] = {FIELDS[name]: values for name, values in columns.items() if name in FIELDS}
     return set_aside_bad_rows(
         Observations(
             row=np.arange(1, len(rows) + 1),
             extra={name: values for name, values in columns.items() if name not in FIELDS},
             source=str(path),
             warnings=(*warnings, *_told(header, empty, rows, path)),
-            **{FIELDS[name]: values for name, values in columns.items() if name in FIELDS},
+            **known,
         ).without(_without_a_value(header, empty, rows))
     )
 
