@@ -1,4 +1,4 @@
-"""One garbled number in one row changes no parameter, wherever the row stands: the row is set aside, or the value is."""
+"""One garbled number in one row moves no parameter, wherever the row stands: the row, or the value, is left out."""
 
 from dataclasses import replace
 from functools import cache
