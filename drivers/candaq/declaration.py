@@ -1,7 +1,10 @@
 """A DAQ on CAN in a stand file."""
 
+from pydantic import Field, model_validator
+
 from drivers.candaq.daq import CanDaq
 from drivers.candaq.frames import DaqFrames
+from drivers.candaq.free import FreeRunningDaq
 from drivers.driver import Bench, Driver
 from drivers.tables import DaqTable, OnCan
 
@@ -11,15 +14,24 @@ class CanDaqTable(OnCan, DaqTable):
 
     dbc: str = ""
     """DBC file, relative to the stand file; without it the one that comes along."""
+    signals: dict[str, dict[str, str]] = Field(default_factory=dict)
+    """What the DBC file calls the signals, where it has names of its own, see `drivers.candaq.naming`."""
+
+    @model_validator(mode="after")
+    def _of_a_file(self) -> "CanDaqTable":
+        if self.signals and not self.dbc:
+            raise ValueError("signals are named, and no DBC file that has them: give dbc, too")
+        return self
 
 
-def _connect(table: CanDaqTable, bench: Bench) -> CanDaq:
+def _connect(table: CanDaqTable, bench: Bench) -> CanDaq | FreeRunningDaq:
     path = bench.folder / table.dbc if table.dbc else None
     try:
-        frames = DaqFrames.from_file(path)
+        frames = DaqFrames.from_file(path, table.signals)
     except (OSError, ValueError) as error:
         raise ValueError(f"{path}: {error}; name the DBC file of the DAQ in the stand file") from error
-    return CanDaq(bench.links.can(table), frames, bench.clock)
+    kind = FreeRunningDaq if frames.free_running else CanDaq
+    return kind(bench.links.can(table), frames, bench.clock)
 
 
 CAN = Driver(table=CanDaqTable, connect=_connect)
