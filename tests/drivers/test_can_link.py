@@ -18,11 +18,11 @@ ENOBUFS = OSError(errno.ENOBUFS, "No buffer space available")
 FULL = can.CanOperationError("Failed to transmit: No buffer space available", error_code=errno.ENOBUFS)
 
 
-class Terminal(Exception):
+class TerminalError(Exception):
     """As `termios.error`, which there is none of on Windows."""
 
 
-Terminal.__module__ = "termios"
+TerminalError.__module__ = "termios"
 
 
 class ScriptedBus:
@@ -93,7 +93,7 @@ def trouble(link):
         (KeyError(17), "cut or garbled frames dropped: 1"),
         (FULL, "failures to receive, tried again: 1"),
         (OSError(errno.EINTR, "Interrupted"), "failures to receive, tried again: 1"),
-        (Terminal(5, "Input/output error"), "cut or garbled frames dropped: 1"),
+        (TerminalError(5, "Input/output error"), "cut or garbled frames dropped: 1"),
         (can.Message(is_error_frame=True, arbitration_id=0x04), "error frames dropped: 1"),
         (can.Message(is_remote_frame=True, arbitration_id=0x310), "remote frames dropped: 1"),
         (can.Message(is_fd=True, arbitration_id=0x310, data=bytes(12)), "CAN FD frames dropped: 1"),
@@ -137,7 +137,9 @@ def test_a_bus_that_is_gone_is_lost_at_once(monkeypatch):
         assert "No such device" in trouble(link)
 
 
-@pytest.mark.parametrize("error", [ENOBUFS, FULL, Terminal(5, "Input/output error"), OSError(errno.EAGAIN, "again")])
+@pytest.mark.parametrize(
+    "error", [ENOBUFS, FULL, TerminalError(5, "Input/output error"), OSError(errno.EAGAIN, "again")]
+)
 @pytest.mark.parametrize("times", [1, 4])
 def test_a_frame_that_could_not_be_sent_for_a_moment_is_sent_all_the_same(monkeypatch, error, times):
     bus = ScriptedBus(sending=[error] * times)
@@ -160,7 +162,7 @@ def test_a_frame_that_cannot_be_sent_is_a_lost_link_after_the_time_that_is_grant
 
 @pytest.mark.parametrize(
     "error",
-    [Terminal(25, "Inappropriate ioctl"), RuntimeError("odd"), can.CanInitializationError("no"), TypeError("x")],
+    [TerminalError(25, "Inappropriate ioctl"), RuntimeError("odd"), can.CanInitializationError("no"), TypeError("x")],
 )
 def test_whatever_an_interface_raises_at_opening_is_a_lost_link(monkeypatch, error):
     with link_over(monkeypatch, ScriptedBus()) as link:

@@ -1,4 +1,4 @@
-"""Arbitrary bytes from a serial adapter and from a socketcand server: nothing but `ValueError`, and then good frames."""
+"""Arbitrary bytes from an adapter and from a socketcand server: nothing but `ValueError`, and then good frames."""
 
 import socket
 import time

@@ -98,12 +98,12 @@ def test_messages_of_others_without_end_are_no_answer(monkeypatch):
         head_on(Alerts()).status()
 
 
-class Terminal(Exception):
+class TerminalError(Exception):
     """As `termios.error`, which there is none of on Windows."""
 
 
-Terminal.__module__ = "termios"
-FLAPS = Terminal(5, "Input/output error")
+TerminalError.__module__ = "termios"
+FLAPS = TerminalError(5, "Input/output error")
 
 
 class Flapping:
@@ -172,7 +172,7 @@ def test_a_port_that_flaps_when_it_is_opened_is_tried_again_for_a_while(monkeypa
     if opened:
         SerialLink("COM7")
     else:
-        with pytest.raises(LinkLostError, match=r"cannot be reached at COM7 .Terminal: "):
+        with pytest.raises(LinkLostError, match=r"cannot be reached at COM7 .TerminalError: "):
             SerialLink("COM7")
 
 
