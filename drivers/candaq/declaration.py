@@ -1,5 +1,7 @@
 """A DAQ on CAN in a stand file."""
 
+from pathlib import Path
+
 from pydantic import Field, model_validator
 
 from drivers.candaq.daq import CanDaq
@@ -24,12 +26,17 @@ class CanDaqTable(OnCan, DaqTable):
         return self
 
 
-def _connect(table: CanDaqTable, bench: Bench) -> CanDaq | FreeRunningDaq:
-    path = bench.folder / table.dbc if table.dbc else None
+def frames_of(table: CanDaqTable, folder: Path) -> DaqFrames:
+    """The frames of a DAQ; paths are relative to `folder`. Raises `ValueError`."""
+    path = folder / table.dbc if table.dbc else None
     try:
-        frames = DaqFrames.from_file(path, table.signals)
+        return DaqFrames.from_file(path, table.signals)
     except (OSError, ValueError) as error:
         raise ValueError(f"{path}: {error}; name the DBC file of the DAQ in the stand file") from error
+
+
+def _connect(table: CanDaqTable, bench: Bench) -> CanDaq | FreeRunningDaq:
+    frames = frames_of(table, bench.folder)
     kind = FreeRunningDaq if frames.free_running else CanDaq
     return kind(bench.links.can(table), frames, bench.clock)
 
