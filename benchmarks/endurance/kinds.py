@@ -10,8 +10,6 @@ from pathlib import Path
 from threading import Timer
 from typing import Final, Literal
 
-import can
-
 from benchmarks.endurance.emulated import EmulatedStand, Pair
 from drivers.links.socketcand import SocketcandBus
 from emulators.faults import At, Fault
@@ -88,7 +86,7 @@ def _fill_buffer(*_: object) -> None:
     """The next frame cannot be sent: the computer's buffer is full, as Linux says (ENOBUFS), and not for long."""
     right = SocketcandBus.send
 
-    def send(bus: SocketcandBus, msg: can.Message, timeout: float | None = None) -> None:
+    def send(*_: object, **__: object) -> None:
         SocketcandBus.send = right  # type: ignore[method-assign]
         raise OSError(errno.ENOBUFS, "No buffer space available")
 

@@ -28,6 +28,7 @@ PATIENCE_S: Final = 1.5
 _SDO_ANSWER: Final = 0x580
 _FUNCTION: Final = 0x780
 _NODE: Final = 0x7F
+_MOST_ID: Final = 0x7FF
 _SDO_BYTES: Final = 8
 _LATE_S: Final = 0.1
 """Wait after a missing answer, so that a late one is not taken for the next."""
@@ -217,9 +218,11 @@ class _LinkNetwork(canopen.Network):
     def _hear(self, message: can.Message) -> None:
         """Pass a message on to whom it concerns; one of the node's that cannot be read is dropped and counted."""
         can_id, data = message.arbitration_id, message.data
-        if message.is_extended_id:
+        if can_id > _MOST_ID:
             return
         try:
+            if message.is_extended_id:
+                raise ValueError("an identifier here has 11 bits")
             if can_id & _FUNCTION == _SDO_ANSWER and len(data) != _SDO_BYTES:
                 raise ValueError("an SDO answer has 8 bytes")
             self.notify(can_id, data, message.timestamp)

@@ -58,7 +58,7 @@ HAPPENED = [
     ("head: target reached flickers", "move", "CAN", GOOD, ""),
     ("head: no optional objects", "identification", "CAN", GOOD, ""),
     ("head: mode shown late", "homing", "CAN", GOOD, ""),
-    ("head: foreign frames", "move", "CAN", GOOD, "CAN FD frames dropped"),
+    ("head: foreign frames", "move", "CAN", GOOD, "error frames dropped"),
     ("head: noise on the bus", "move", "CAN", GOOD, "cut or garbled frames dropped"),
     ("daq: foreign frames", "dwell", "CAN", GOOD, "frames of another length than the DBC file says dropped"),
     ("daq: reply late", "settling", "CAN", GOOD, ""),

@@ -71,16 +71,22 @@ def test_a_block_is_the_next_frames_that_come():
 
 
 def test_frames_that_were_lost_twice_are_told():
-    with daq_on("free-2") as daq, sending("free-2", range(0, 100_000, 3)):
-        with pytest.raises(DeviceError, match="voltage frames did not follow the one before, twice in a row"):
-            daq.acquire(20, RATE_HZ)
+    with (
+        daq_on("free-2") as daq,
+        sending("free-2", range(0, 100_000, 3)),
+        pytest.raises(DeviceError, match="voltage frames did not follow the one before, twice in a row"),
+    ):
+        daq.acquire(20, RATE_HZ)
 
 
 def test_a_rate_that_is_not_its_own_is_told(monkeypatch):
     monkeypatch.setattr(drivers.candaq.free, "_RATE_S", 0.05)
-    with daq_on("free-3") as daq, sending("free-3", range(10_000)):
-        with pytest.raises(DeviceError, match="samples a second by itself, and 100 were asked for; write the rate"):
-            daq.acquire(20, 100.0)
+    with (
+        daq_on("free-3") as daq,
+        sending("free-3", range(10_000)),
+        pytest.raises(DeviceError, match="samples a second by itself, and 100 were asked for; write the rate"),
+    ):
+        daq.acquire(20, 100.0)
 
 
 def test_a_silent_one_is_told_with_what_was_dropped(monkeypatch):
