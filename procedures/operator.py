@@ -170,7 +170,7 @@ class ConsoleOperator:
         line = self._next_line()
         if line is None and self._at_end and self._trouble:
             raise UnansweredError(
-                f"the answer could not be read ({self._trouble}); look at what is typed or piped in, then resume the run"
+                f"the answer could not be read ({self._trouble}); look at what is typed or piped, then resume the run"
             )
         if line is None:
             return Answer(text="", confirmed=False) if self._at_end else None

@@ -150,5 +150,5 @@ def test_a_simulated_unit_is_seated_once_it_is_confirmed():
 def test_input_that_cannot_be_read_is_told_with_its_reason():
     console = ConsoleOperator(io.TextIOWrapper(io.BytesIO(b"\xff\xfe\n"), "utf-8"), lambda text: None)
     console.ask_mount("edge", "Seat it in edge.")
-    with pytest.raises(UnansweredError, match="the answer could not be read .UnicodeDecodeError: .* resume the run"):
+    with pytest.raises(UnansweredError, match=r"the answer could not be read .UnicodeDecodeError: .* resume the run"):
         answer_of(console)
