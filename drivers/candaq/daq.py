@@ -104,7 +104,8 @@ class CanDaq:
                     temperature_degc=collection.temperature_degc,
                 )
             self._send(0, 0.0)
-        raise DeviceError(DEVICE, f"{complaint}, twice in a row", "check the load of the bus, cable and termination")
+        happened = f"{complaint}, twice in a row{self._inbox.words}"
+        raise DeviceError(DEVICE, happened, "check the load of the bus, cable and termination")
 
     def _complaint(self, collection: Collection, samples: int) -> str:
         """What is wrong with a block; empty where it is whole."""

@@ -103,7 +103,7 @@ class FreeRunningDaq:
         others: dict[str, list[float]] = {"Temperature": [], "Time": []}
         moments_s: list[float] = []
         while len(voltages_v) < samples:
-            frame = self._await_any(deadline_s, len(voltages_v), samples)
+            frame = self._next(deadline_s, f"sent {len(voltages_v)} of {samples} voltages")
             if frame.name == "Voltage":
                 voltages_v.append(frame.number("Voltage"))
                 counters.append(frame.number("Counter"))
@@ -138,16 +138,15 @@ class FreeRunningDaq:
             raise DeviceError(DEVICE, happened, "write the rate at which it sends as rate_hz into the stand file")
 
     def _await(self, name: str, deadline_s: float) -> Frame:
-        while (frame := self._await_any(deadline_s, 0, 1)).name != name:
+        happened = f"sent no {self._frames.place_of(name)} within {FIRST_FRAME_S:g} s"
+        while (frame := self._next(deadline_s, happened)).name != name:
             pass
         return frame
 
-    def _await_any(self, deadline_s: float, so_far: int, samples: int) -> Frame:
+    def _next(self, deadline_s: float, happened: str) -> Frame:
+        """The next frame. Raises `NoReplyError`, which says what `happened`, after the deadline."""
         frame = self._inbox.next(deadline_s)
         if frame is None:
-            raise NoReplyError(
-                DEVICE,
-                f"sent {so_far} of {samples} frames{self._inbox.words}",
-                f"check its power, and whether the DBC file with {self._frames.place_of('Voltage')} is its own",
-            )
+            remedy = "check its power, and whether the DBC file is its own"
+            raise NoReplyError(DEVICE, f"{happened}{self._inbox.words}", remedy)
         return frame

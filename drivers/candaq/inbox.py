@@ -1,6 +1,7 @@
 """The frames of a DAQ as they come from its bus."""
 
 import time
+from contextlib import suppress
 from queue import Empty, Queue
 from typing import Final
 
@@ -12,6 +13,9 @@ from drivers.links.tally import Tally
 
 DEVICE: Final = "CAN DAQ"
 """What errors call it."""
+
+MOST_WAITING: Final = 100_000
+"""Frames that are kept for whoever asks for them; of more, the oldest are dropped."""
 
 _SLICE_S: Final = 0.05
 
@@ -37,8 +41,9 @@ class Inbox:
 
     def forget(self) -> None:
         """Throw away what has come so far."""
-        while not self._received.empty():
-            self._received.get()
+        with suppress(Empty):
+            while True:
+                self._received.get_nowait()
 
     def remarks(self) -> tuple[str, ...]:
         """What was dropped here and on the link, as far as it is time to tell of it."""
@@ -61,4 +66,7 @@ class Inbox:
             self._tally.count(f"{error} dropped", f"{message.arbitration_id:X}h {message.data.hex()}")
             return
         for frame in frames:
+            if self._received.qsize() >= MOST_WAITING:  # nobody measures, and the DAQ sends all the same
+                with suppress(Empty):
+                    self._received.get_nowait()
             self._received.put(frame)

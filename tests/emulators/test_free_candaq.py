@@ -92,6 +92,8 @@ def test_a_rate_that_is_not_its_own_is_told(monkeypatch):
 def test_a_silent_one_is_told_with_what_was_dropped(monkeypatch):
     monkeypatch.setattr(drivers.candaq.free, "FIRST_FRAME_S", 0.3)
     with daq_on("free-4") as daq, sending("free-4", range(10_000), data=lambda _: b"\x01"):
-        with pytest.raises(NoReplyError, match=r"sent 0 of 1 frames \(frames of another length .* dropped: \d+\)"):
+        with pytest.raises(
+            NoReplyError, match=r"sent no ADC within 0.3 s \(frames of another length .* dropped: \d+\)"
+        ):
             daq.identify()
         assert "CAN DAQ: frames of another length than the DBC file says dropped" in daq.remarks()[0]
