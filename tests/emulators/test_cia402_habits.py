@@ -141,7 +141,7 @@ def test_a_mode_that_is_shown_only_once_enabled_is_waited_for_then():
 
 
 def test_frames_that_nobody_can_use_are_dropped_counted_and_told():
-    with can_bench(habit("foreign_frames")) as bench:
+    with can_bench(habit("foreign_frames", at={"command": 1, "containing": "controlword 001F"})) as bench:
         head = bench.homed_head()
         head.start_move(30.0)
         assert rested(head).angle_deg == 30.0
