@@ -15,7 +15,7 @@ from cantools.database.namedsignalvalue import NamedSignalValue
 
 from drivers.candaq.checksum import Checksum
 from drivers.candaq.naming import CRC, Part, SignalNames, load_dbc, named_parts, own_parts
-from drivers.candaq.units import to_our_unit
+from drivers.candaq.units import unit_of
 
 OVERLOAD_V: Final = 9.9e37
 """How the value named Overload is told, as SCPI instruments do."""
@@ -73,13 +73,11 @@ class DaqFrames:
             part.name: Checksum(part.message, part.signals[CRC]) for part in parts if CRC in part.signals
         }
         self._units = {
-            (part.name, name): to_our_unit(part.name, signal)
-            for part in parts
-            for name, signal in part.signals.items()
-            if name == part.name
+            (part.name, name): unit_of(name, signal) for part in parts for name, signal in part.signals.items()
         }
         voltage = self._parts["Voltage"]
-        self._most_v = voltage.signals["Voltage"].maximum or OVERLOAD_V
+        most = voltage.signals["Voltage"].maximum
+        self._most_v = self._units["Voltage", "Voltage"].to_ours(float(most)) if most else OVERLOAD_V
         self.counts = 1 << voltage.signals["Counter"].length if "Counter" in voltage.signals else 0
         """How far the counter of the voltage frames counts before it begins again at 0; 0 where there is none."""
 
@@ -107,7 +105,7 @@ class DaqFrames:
     def encode(self, name: str, signals: Mapping[str, Value]) -> tuple[int, bytes]:
         """Identifier and bytes of a frame. Raises `ValueError` for a value that does not fit."""
         part, checksum = self._parts[name], self._checksums.get(name)
-        told = {part.signals[signal].name: value for signal, value in signals.items() if signal in part.signals}
+        told = {part.signals[s].name: self._theirs(name, s, value) for s, value in signals.items() if s in part.signals}
         rest: dict[str, Value] = {signal.name: 0.0 for signal in part.message.signals if signal.name not in told}
         try:
             data = part.message.encode(rest | told, strict=False)
@@ -163,5 +161,7 @@ class DaqFrames:
     def _ours(self, message: str, name: str, value: float | str | NamedSignalValue) -> Value:
         if isinstance(value, NamedSignalValue):
             return value.name
-        convert = self._units.get((message, name))
-        return value if convert is None or isinstance(value, str) else convert(value)
+        return value if isinstance(value, str) else self._units[message, name].to_ours(value)
+
+    def _theirs(self, message: str, name: str, value: Value) -> Value:
+        return value if isinstance(value, str) else self._units[message, name].to_theirs(value)

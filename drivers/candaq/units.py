@@ -1,44 +1,48 @@
-"""Units in which a DBC file may give a voltage, a temperature or a time, and the way to ours."""
+"""Units in which a DBC file may give a voltage, a temperature or a time, and the way to ours and back."""
 
-from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Final
 
 from cantools.database.can import Signal
 
-Convert = Callable[[float], float]
 
-_SCALES: Final = {
-    "Voltage": {
-        "": 1.0,
-        "v": 1.0,
-        "volt": 1.0,
-        "volts": 1.0,
-        "mv": 1e-3,
-        "uv": 1e-6,
-        "µv": 1e-6,
-        "μv": 1e-6,
-        "kv": 1e3,
-    },
-    "Time": {"": 1.0, "s": 1.0, "sec": 1.0, "ms": 1e-3, "us": 1e-6, "µs": 1e-6, "μs": 1e-6},
-}
-_TO_DEGC: Final[dict[str, Convert]] = {
-    "k": lambda kelvin: kelvin - 273.15,
-    "°f": lambda fahrenheit: (fahrenheit - 32.0) / 1.8,
-    "degf": lambda fahrenheit: (fahrenheit - 32.0) / 1.8,
-}
+@dataclass(frozen=True)
+class Unit:
+    """A unit of V, s or °C: ours is theirs times `scale` plus `offset`."""
+
+    scale: float = 1.0
+    offset: float = 0.0
+
+    def to_ours(self, theirs: float) -> float:
+        """A value in our unit; the very same where the units are."""
+        return theirs if self == OURS else theirs * self.scale + self.offset
+
+    def to_theirs(self, ours: float) -> float:
+        """A value in the DBC file's unit."""
+        return ours if self == OURS else (ours - self.offset) / self.scale
 
 
-def to_our_unit(what: str, signal: Signal) -> Convert | None:
-    """How a value of a signal becomes V, s or °C; None where it is that already.
+OURS: Final = Unit()
+_FAHRENHEIT: Final = Unit(1.0 / 1.8, -32.0 / 1.8)
+_MICRO: Final = Unit(1e-6)
+_VOLTS: Final = {"v": OURS, "volt": OURS, "volts": OURS, "mv": Unit(1e-3), "uv": _MICRO, "µv": _MICRO, "μv": _MICRO}
+_SECONDS: Final = {"s": OURS, "sec": OURS, "ms": Unit(1e-3), "us": _MICRO, "µs": _MICRO, "μs": _MICRO}
+_TEMPERATURES: Final = {"k": Unit(1.0, -273.15), "°f": _FAHRENHEIT, "degf": _FAHRENHEIT}
+
+
+def unit_of(what: str, signal: Signal) -> Unit:
+    """Unit of a signal that tells `what`; ours where it says none, and °C where its unit of temperature is no other.
 
     Raises `ValueError` for a unit in which no voltage or time can be.
     """
     unit = (signal.unit or "").strip().casefold()
-    if what not in _SCALES:
-        return _TO_DEGC.get(unit) if what == "Temperature" else None
-    scale = _SCALES[what].get(unit)
-    if scale is None:
+    if what == "Temperature":
+        return _TEMPERATURES.get(unit, OURS)
+    known = {"Voltage": _VOLTS, "Time": _SECONDS}.get(what)
+    if known is None or not unit:
+        return OURS
+    if unit not in known:
         raise ValueError(
             f"signal {signal.name} of the DBC file is in {signal.unit}, which is no unit of a {what.lower()}"
         )
-    return None if scale == 1.0 else lambda value: value * scale
+    return known[unit]
