@@ -55,6 +55,11 @@ class SerialLink:
         self._port: serial.Serial | None = None
         self.reopen()
 
+    @property
+    def checksummed(self) -> bool:
+        """Whether what is underneath notices garbled bytes: TCP to the instrument itself; not a serial line."""
+        return self._is_socket
+
     def write(self, data: bytes) -> None:
         """Send bytes. Raises `LinkLostError`, also where the other end does not take them in time."""
         with self._watched() as port:

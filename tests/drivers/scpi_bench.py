@@ -16,6 +16,8 @@ PATIENCE = 10_000
 class EmulatedLink:
     """Fits `drivers.scpi.meter.ReopenableLink`; answers and commands are spoilt by their number."""
 
+    checksummed = True
+
     def __init__(self, session: ScpiSession, faults: Faults, clock: VirtualClock) -> None:
         self.session = session
         self.faults = faults
