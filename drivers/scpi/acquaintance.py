@@ -162,7 +162,8 @@ class _Trial:
         """Ask what it measures, where that is not known to be understood."""
         if not self._dialect.singly:
             return
-        if answered(self._exchange, self._dialect.function) not in self._dialect.functions:
+        answer = answered(self._exchange, self._dialect.function)
+        if answer is None or answer.strip('"') not in self._dialect.functions:
             self._exchange.errors()
             self._leave_out(function="")
             self._remarks.append("cannot be asked what it measures (FUNC?)")
@@ -185,13 +186,16 @@ class _Trial:
 
     def _try_reading(self, line_hz: float, checksummed: bool) -> None:
         """Whether readings can be asked for twice."""
-        if self._kept(line_hz):
+        kept = self._kept(line_hz)
+        if self._dialect.singly:
+            self._remarks.append("is used by the SCPI that all have, its readings are taken one by one")
+        if kept:
             return
         self._leave_out(keeps=False)
         if not checksummed:
             self._remarks.append(
-                "gives every reading once only, and this line has no checksum: a digit that is garbled on the way is not "
-                "seen; connect it by network, or judge its readings by their scatter"
+                "gives every reading once only, and this line has no checksum: a digit that is garbled on the way is "
+                "not seen; connect it by network, or judge its readings by their scatter"
             )
 
     def _kept(self, line_hz: float) -> bool:

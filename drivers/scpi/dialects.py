@@ -1,8 +1,8 @@
 """How families of multimeters want to be told the same thing: dialects of SCPI, as data.
 
 A setting is a command with one value, `VOLT:DC:NPLC {nplc}`, and is read back by the header with a question mark. What
-stands in braces is filled in: `range_v`, `expected_v` (the same before a range is chosen for it), `nplc`, `interval_s` (from one reading to the next), `spare_s` (what the
-integration leaves of that), `count`.
+stands in braces is filled in: `expected_v` and `range_v` (the smallest range that holds that), `nplc`, `interval_s`
+(from one reading to the next), `spare_s` (what the integration leaves of that), `count`.
 
 Sources, by the names that the entries cite:
 
@@ -38,8 +38,8 @@ class Dialect:
     """Commands that choose DC voltage."""
     function: str = "FUNC?"
     """Asks what it measures."""
-    functions: tuple[str, ...] = ('"VOLT"', '"VOLT:DC"')
-    """How it may say that this is DC voltage."""
+    functions: tuple[str, ...] = ("VOLT", "VOLT:DC")
+    """How it may say that this is DC voltage, within quotation marks or without."""
     fixed_range: str = "VOLT:DC:RANG {range_v}"
     autorange: str = "VOLT:DC:RANG:AUTO 1"
     settings: tuple[str, ...]
@@ -90,7 +90,7 @@ KEITHLEY_2000: Final = Dialect(
     source="Keithley 2000, 3-17 (buffer), 4-29 (idle), 5-37 (SENSe), 5-68 (TRACe), 5-70 (TRIGger)",
     prepare=("INIT:CONT 0", "ABOR", "*CLS"),
     configure=('FUNC "VOLT:DC"', "FORM ASC", "FORM:ELEM READ", "TRAC:FEED:CONT NEV", "TRAC:CLE"),
-    functions=('"VOLT:DC"',),
+    functions=("VOLT:DC",),
     settings=(
         "VOLT:DC:NPLC {nplc}",
         "VOLT:DC:AVER:STAT 0",
@@ -112,9 +112,9 @@ DMM6500: Final = Dialect(
     name="DMM6500",
     source="DMM6500, 12: SENSe1 and TRACe subsystems, TRIGger:LOAD SimpleLoop, *LANG",
     language=("*LANG SCPI",),
-    configure=('SENS:FUNC "VOLT:DC"', 'TRAC:CLE "defbuffer1"'),
+    configure=('SENS:FUNC "VOLT:DC"', "FORM ASC", 'TRAC:CLE "defbuffer1"'),
     function="SENS:FUNC?",
-    functions=('"VOLT:DC"',),
+    functions=("VOLT:DC",),
     fixed_range="SENS:VOLT:DC:RANG {range_v}",
     autorange="SENS:VOLT:DC:RANG:AUTO 1",
     settings=("SENS:VOLT:DC:NPLC {nplc}", "SENS:VOLT:DC:AZER 0", "SENS:VOLT:DC:AVER 0"),
@@ -165,7 +165,9 @@ COMMON: Final = Dialect(
     configure=("CONF:VOLT:DC {expected_v}",),
     fixed_range="",
     autorange="",
-    settings=(),
+    settings=("VOLT:DC:NPLC {nplc}",),
+    optional=frozenset({"VOLT:DC:NPLC"}),
     singly=True,
 )
-"""What every multimeter with SCPI has: one reading, as it is set by itself for the voltage that is expected."""
+"""What every multimeter with SCPI has: one reading, as it is set by itself for the voltage that is expected. Few
+lack the integration time (SCPI-1999, volume 2, SENSe:VOLTage:NPLCycles), which makes it as fast as is asked."""

@@ -187,6 +187,7 @@ class CompoundExchange(Exchange):
 
     @property
     def asks_all_at_once(self) -> bool:
+        """Yes."""
         return True
 
     def ask(self, *queries: str, commands: Sequence[str] = (), extra_s: float = 0.0) -> tuple[str, ...]:

@@ -26,7 +26,7 @@ class Measurement:
     function: str
     """Asks what is measured."""
     functions: tuple[str, ...]
-    """Right answers to that."""
+    """Right answers to that, without quotation marks."""
     configure: tuple[str, ...]
     """The commands that preset everything for it."""
     settings: tuple[Setting, ...] = ()
@@ -90,7 +90,7 @@ def temperature(dialect: Dialect, sensor: str) -> Measurement:
     command, *settings = dialect.temperature
     return Measurement(
         function=dialect.function,
-        functions=('"TEMP"',),
+        functions=("TEMP",),
         configure=(*dialect.prepare, command.format(sensor=sensor)),
         settings=tuple(setting(text, {}) for text in settings),
         begin=dialect.begin if dialect.keeps else (),

@@ -32,8 +32,8 @@ class ReopenableLink(Link, Protocol):
 class ScpiMultimeter:
     """DC voltage, and temperature where a sensor is connected. Fits `drivers.protocols.Daq` and `Reconnectable`.
 
-    Which multimeters there are, and how each wants to be told: `drivers.scpi.models` and `dialects`. What a meter can is
-    found out when it is identified; what it cannot stands in the remarks of its identity.
+    Which multimeters there are, and how each wants to be told: `drivers.scpi.models` and `dialects`. What a meter can
+    is found out when it is identified; what it cannot stands in the remarks of its identity.
 
     Before every block the meter is configured anew and everything is read back. The integration time is the longest
     that the rate allows; a timer, or the trigger delay where there is none, fills up the interval. Autozero is off

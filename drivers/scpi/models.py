@@ -85,7 +85,7 @@ MODELS: Mapping[str, Model] = {
 }
 """Memory of the Rigol: what the Agilent 34401A keeps, whose commands it is told."""
 
-UNKNOWN: Final = Model(makers=("",), dialect=COMMON, memory=1)
+UNKNOWN: Final = Model(makers=("",), dialect=COMMON, nplc=_SLOW, memory=1)
 """Any other, where the stand file asks for the common core."""
 
 
@@ -97,6 +97,6 @@ def known(identity: Identity) -> Model:
         raise DeviceError(
             "multimeter",
             f"says that it is {identity.model!r}, which is not among the meters that are known by name",
-            f'write dialect = "common" in [daq] to use it as any meter with SCPI, or connect one of {", ".join(MODELS)}',
+            f'write dialect = "common" in [daq] to use it as any meter with SCPI, or connect {", ".join(MODELS)}',
         )
     return model

@@ -5,8 +5,9 @@ No message number and no redundancy come with it; both are made of messages one 
 - **Number.** `*ESE n`, then `*ESE?` until it is answered with n: all that was asked before has been answered, and what
   is still waiting is thrown away. After the questions `*ESE?` once more: an answer that is missing, doubled, late or
   merged with its neighbour has shifted the lines, and then it is not n. Numbers are made of the bits that every
-  instrument keeps in the register (IEEE 488.2-1992, 11.5.1.1; two are reserved, and some instruments mask them). Where
-  there is no such register, the identity is asked for in its place: it tells order, though not one request from another.
+  instrument keeps in the register (IEEE 488.2-1992, 11.5.1.1; two are reserved, and some instruments mask them).
+  Where there is no such register, the identity is asked for in its place: it tells the order of answers, though not one
+  request from another.
 - **Redundancy.** Whatever is asked is asked twice, unless asking changes it.
 
 So a line is believed under the same two conditions as in one message, at the price of some round trips.
@@ -45,6 +46,7 @@ class PlainExchange(Exchange):
 
     @property
     def asks_all_at_once(self) -> bool:
+        """No."""
         return False
 
     def identify(self) -> Identity:

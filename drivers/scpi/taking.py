@@ -109,7 +109,7 @@ def _set_up(exchange: Exchange, measurement: Measurement, commands: Sequence[str
     """Configure, read everything back. Raises `DeviceError` where the meter is not set as it was told."""
     answers = list(exchange.ask(*measurement.questions, commands=commands))
     complaints = [str(entry) for entry in exchange.errors()]
-    if measurement.function and (function := answers.pop(0)) not in measurement.functions:
+    if measurement.function and (function := answers.pop(0)).strip('"') not in measurement.functions:
         complaints.append(f"it measures {function}")
     for (header, value), answer in zip(measurement.settings, answers, strict=True):
         if not same(value, answer):
