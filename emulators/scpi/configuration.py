@@ -33,7 +33,7 @@ class Configuration:
         table = {
             "CONFigure?": Command(act=self._summary),
             "DISPlay:TEXT:CLEar": Command(act=lambda: self._values.update(display_text="")),
-            "[SENSe]:FUNCtion[:ON]?": Command(act=self._named),
+            "[SENSe]:FUNCtion[:ON]?": Command(act=lambda: f'"{self._function}"'),
             "[SENSe]:VOLTage[:DC]:RESolution": Command(act=self._resolve, least=1, most=1),
             "[SENSe]:VOLTage[:DC]:RESolution?": Command(act=lambda: write_real(self._resolution_v)),
         }
@@ -142,10 +142,6 @@ class Configuration:
         if name == "timer_s" and extreme.upper().startswith("MIN"):
             return write_real(self._reading_s)
         return setting.kind.write(setting.kind.read(extreme) if extreme else self._values[name])
-
-    def _named(self) -> str:
-        """The function as it is asked for; QCoDeS's driver of the DMM6500 knows it without quotation marks."""
-        return self._function if self._model.family == "dmm6500" else f'"{self._function}"'
 
     def _summary(self) -> str:
         if self._function == "TEMP" or self._model.family == "keithley 2000":
