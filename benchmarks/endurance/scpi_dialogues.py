@@ -2,9 +2,9 @@
 
 A meter that takes one query a message is talked to in many lines. In every block one of them, a command or an answer,
 has one kind of error (those of `scpi_frames`). What the driver then gives must be, to the last digit, what the meter
-read in that block and in none before, or an error. Each dialect by itself, in virtual time. `READ-ONCE` gives every reading once only, and
-what a line without checksums does to it cannot all be noticed: the driver says so when it identifies such a meter, and
-how much is not noticed is stated here.
+read in that block and in none before, or an error. Each dialect by itself, in virtual time. `READ-ONCE` gives every
+reading once only, and what a line without checksums does to it cannot all be noticed: the driver says so when it
+identifies such a meter, and how much is not noticed is stated here.
 """
 
 import sys

@@ -8,7 +8,7 @@ from drivers.errors import DeviceError, LinkLostError, NoReplyError
 from drivers.protocols import Identity
 from drivers.scpi.codec import TERMINATOR, CorruptReplyError, parse_number, parse_readings
 from drivers.scpi.dialects import Dialect
-from drivers.scpi.exchange import CompoundExchange, Exchange, Link
+from drivers.scpi.exchange import ATTEMPTS, CompoundExchange, Exchange, Link
 from drivers.scpi.measurement import Setting, setting, voltage, written
 from drivers.scpi.models import UNKNOWN, Model, known
 from drivers.scpi.plain import PlainExchange, answered
@@ -17,6 +17,8 @@ from drivers.scpi.taking import same
 DEVICE: Final = "multimeter"
 USUAL_LINE_HZ: Final = 50.0
 """Where the frequency of the power line cannot be asked: at 60 Hz integration is shorter, and of whole cycles, too."""
+TRIAL_PATIENCE: Final = 2
+"""So often silent, and it does not answer this query; an answer that only came to harm is asked for as ever."""
 TRIAL_HZ: Final = 10.0
 TRIAL_READINGS: Final = 2
 
@@ -66,6 +68,7 @@ def acquaint(link: Link, clock: Clock, timeout_s: float, range_v: float | None, 
 
 def _all_at_once(compound: CompoundExchange, plain: PlainExchange) -> CompoundExchange | None:
     """The exchange if the meter takes several queries in one message; nothing where it answers to one only."""
+    compound.patience = TRIAL_PATIENCE
     try:
         compound.ask(commands=("ABOR", "*CLS"))
     except LinkLostError:
@@ -76,6 +79,7 @@ def _all_at_once(compound: CompoundExchange, plain: PlainExchange) -> CompoundEx
         except DeviceError:
             raise error from None
         return None
+    compound.patience = ATTEMPTS
     return compound
 
 
@@ -101,6 +105,7 @@ class _Trial:
         self._remarks: list[str] = []
 
     def result(self, identity: Identity, checksummed: bool) -> Acquaintance:
+        self._exchange.patience = TRIAL_PATIENCE
         self._find_marks()
         self._find_error_queue()
         self._choose_language()
@@ -109,6 +114,7 @@ class _Trial:
         line_hz = _line_hz(self._exchange, self._dialect)
         self._try_settings(line_hz)
         self._try_reading(line_hz, checksummed)
+        self._exchange.patience = ATTEMPTS
         identity = replace(identity, remarks=tuple(self._remarks))
         return Acquaintance(exchange=self._exchange, identity=identity, model=self._model, line_hz=line_hz)
 

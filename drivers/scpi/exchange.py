@@ -63,6 +63,8 @@ class Exchange(ABC):
 
     def __init__(self, link: Link, device: str, timeout_s: float) -> None:
         self.timeout_s = timeout_s
+        self.patience = ATTEMPTS
+        """How often it may be silent before it is given up; less often while it is tried what it answers."""
         self.has_error_queue = True
         """Whether it can be asked for errors; where it cannot, there are none."""
         self._link = link
@@ -129,7 +131,7 @@ class Exchange(ABC):
                 entry = self.next_error(again=lost > 0)
             except (NoReplyError, CorruptReplyError, StaleReplyError) as error:
                 lost += 1
-                if lost < ATTEMPTS:
+                if lost < (self.patience if isinstance(error, NoReplyError) else ATTEMPTS):
                     continue
                 raise self._given_up(error) from error
             if entry.number == 0:
@@ -160,11 +162,15 @@ class Exchange(ABC):
     def _insist(self, attempt: Callable[[int], Answer]) -> Answer:
         """Try up to `ATTEMPTS` times; the attempt is told its number."""
         failure: Exception = CorruptReplyError("it was not asked")
+        silences = 0
         for number in range(ATTEMPTS):
             try:
                 return attempt(number)
             except (NoReplyError, CorruptReplyError) as error:
                 failure = error
+                silences += isinstance(error, NoReplyError)
+                if silences >= self.patience:
+                    break
         raise self._given_up(failure)
 
     def _agreeing_identity(self, ask: Callable[[], Identity]) -> Identity:
