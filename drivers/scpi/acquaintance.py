@@ -76,6 +76,8 @@ def _all_at_once(compound: CompoundExchange, plain: PlainExchange) -> CompoundEx
     except DeviceError as error:
         try:
             plain.identify()
+        except LinkLostError:
+            raise
         except DeviceError:
             raise error from None
         return None

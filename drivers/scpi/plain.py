@@ -17,7 +17,7 @@ from collections.abc import Sequence
 from itertools import cycle
 from typing import Final
 
-from drivers.errors import DeviceError, NoReplyError
+from drivers.errors import DeviceError, LinkLostError, NoReplyError
 from drivers.protocols import Identity
 from drivers.scpi.codec import (
     TERMINATOR,
@@ -59,6 +59,8 @@ class PlainExchange(Exchange):
         self._numbered = True
         try:
             self.ask()
+        except LinkLostError:
+            raise
         except DeviceError:
             self._numbered = False
         return self._numbered
@@ -96,6 +98,8 @@ class PlainExchange(Exchange):
         """Whether the instrument is there. Raises `LinkLostError`."""
         try:
             self._insist(lambda number: self._begin(next(self._tags), number > 0))
+        except LinkLostError:
+            raise
         except DeviceError:
             return False
         return True
