@@ -21,6 +21,8 @@ class Identity:
     model: str
     serial: str
     firmware: str = ""
+    remarks: tuple[str, ...] = field(default=(), compare=False)
+    """What this instrument cannot do, or cannot be asked, as others of its kind can: told and recorded with the run."""
 
 
 @dataclass(frozen=True, kw_only=True)

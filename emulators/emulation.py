@@ -11,6 +11,7 @@ from drivers.driver import SIMULATED
 from drivers.tables import DaqTable, HeadTable, Instrument
 from emulators.backstage import backstage_of
 from emulators.faults import Faults
+from emulators.scpi.models import Messages
 from emulators.serving import Server, Session, serve_pty, serve_tcp
 from emulators.stand_faults import StandFaults
 from emulators.world import SharedWorld
@@ -34,6 +35,10 @@ class Wanted:
     daq_port: int = 0
     folder: Path = Path()
     """Where relative paths of the stand file begin."""
+    meter: str = "34461A"
+    """Which multimeter is served, one of `emulators.scpi.MODELS`."""
+    meter_messages: Messages | None = None
+    """What it makes of several queries in one message, where that is not what the model does."""
     ptys: bool = False
     """Whether each is served on a pseudo-terminal too (not on Windows)."""
 
@@ -95,7 +100,9 @@ class _Emulation:
     def _scpi(self) -> dict[str, str]:
         from emulators.scpi import Multimeter, ScpiSession
 
-        meter = Multimeter(self._shared, self._daq_faults)
+        meter = Multimeter(
+            self._shared, self._daq_faults, model=self._wanted.meter, messages=self._wanted.meter_messages
+        )
         return self._lines("daq", lambda: ScpiSession(meter), self._wanted.daq_port, self._daq_faults)
 
     def _candaq(self) -> dict[str, str]:

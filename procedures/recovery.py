@@ -199,6 +199,8 @@ class Recovery:
         self._announce(
             Identified(instrument=name, model=identity.model, serial=identity.serial, firmware=identity.firmware)
         )
+        for remark in identity.remarks:
+            self._warn(f"{_NAMES[name]}: {remark}")
 
     def _warn(self, message: str) -> None:
         self._announce(WarningRaised(message=message))

@@ -11,20 +11,32 @@ from app.stand import LoadedStand, load_stand
 from app.wiring import Connected, connect
 from drivers.simulated import HeadOptions, Simulated, build
 from emulators.emulation import Wanted, emulate
+from emulators.scpi.models import Messages
 from emulators.speed import FasterClock
 from emulators.stand_faults import StandFaults
 from emulators.world import SharedWorld
 from procedures.programme import programme_from_text
 
-Pair = Literal["serial", "CAN"]
-"""Zaber and a multimeter, or a CiA 402 drive and a CAN DAQ on one bus."""
+Pair = Literal["serial", "CAN", "plain meter", "Keithley 2000"]
+"""Zaber and a multimeter, or a CiA 402 drive and a CAN DAQ on one bus; or Zaber and a meter that takes one query a
+message, or a Keithley 2000."""
 
 SPEED_DEG_S: Final = 60.0
 SAMPLES: Final = 50
-_DRIVERS: Final[dict[Pair, tuple[str, str]]] = {"serial": ("zaber", "scpi"), "CAN": ("cia402", "can")}
+_METERS: Final[dict[Pair, tuple[str, Messages]]] = {
+    "plain meter": ("34461A", "first"),
+    "Keithley 2000": ("MODEL 2000", "any"),
+}
+_SERIAL: Final = ("zaber", "scpi")
+_DRIVERS: Final[dict[Pair, tuple[str, str]]] = {
+    "serial": _SERIAL,
+    "CAN": ("cia402", "can"),
+    "plain meter": _SERIAL,
+    "Keithley 2000": _SERIAL,
+}
 _ANYWHERE: Final[dict[Pair, dict[str, str]]] = {
-    "serial": dict.fromkeys(("head", "daq"), "socket://127.0.0.1:0"),
-    "CAN": dict.fromkeys(("head", "daq"), "virtual:anywhere"),
+    pair: dict.fromkeys(("head", "daq"), "virtual:anywhere" if pair == "CAN" else "socket://127.0.0.1:0")
+    for pair in _DRIVERS
 }
 """Addresses of a stand that is not served yet."""
 
@@ -80,8 +92,10 @@ def emulated(
     shared = SharedWorld(built)
     faults = StandFaults(None, clock, lambda: built.world.counts.dwells)
     anywhere = _stand(folder, pair, _ANYWHERE[pair])
+    meter, messages = _METERS.get(pair, ("34461A", "any"))
+    wanted = Wanted(head=anywhere.file.head, daq=anywhere.file.daq, meter=meter, meter_messages=messages)
     with ExitStack() as stack:
-        where = emulate(stack, shared, Wanted(head=anywhere.file.head, daq=anywhere.file.daq), faults)
+        where = emulate(stack, shared, wanted, faults)
         stand = _stand(folder, pair, where)
         job = Job(stand=stand, programme=programme_from_text(programme, "faults"), serial_number="E-1")
         yield EmulatedStand(job=job, clock=clock, speed=speed, shared=shared, faults=faults)

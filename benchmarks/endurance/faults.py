@@ -23,7 +23,7 @@ from benchmarks.endurance.fault_runs import SPEED, Case, Result, of_case
 from benchmarks.endurance.kinds import KINDS, Kind
 from benchmarks.endurance.moments import MOMENTS
 
-PAIRS: Final[tuple[Pair, ...]] = ("serial", "CAN")
+PAIRS: Final[tuple[Pair, ...]] = ("serial", "CAN", "plain meter", "Keithley 2000")
 _ALWAYS: Final = "dividing head: has no reference; it is homed"
 _PLACES: Final = {
     r"\S*run\.mcap": "run.mcap",

@@ -24,6 +24,8 @@ _AWAY_S: Final = 3.0
 FOR_GOOD_S: Final = 60.0
 """By the stand's clock; the engine waits 30 s for a link."""
 _SECOND_INTERRUPT_S: Final = 0.01
+METERS: Final[tuple[Pair, ...]] = ("serial", "plain meter", "Keithley 2000")
+WITH_EVERY_METER: Final[tuple[Pair, ...]] = (*METERS, "CAN")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -113,6 +115,7 @@ def make_room() -> None:
 
 def _of_instrument(device: Literal["head", "daq"]) -> list[Kind]:
     """What may happen to either."""
+    pairs = WITH_EVERY_METER if device == "daq" else ("serial", "CAN")
     wires: dict[Named, str] = {
         "late": "reply late",
         "cut": "reply cut",
@@ -122,21 +125,32 @@ def _of_instrument(device: Literal["head", "daq"]) -> list[Kind]:
         "wrong_checksum": "wrong checksum",
     }
     of_wire = [
-        Kind(name=f"{device}: {words}", device=device, does=_goes_wrong(device, kind, real_s=_LATE_S), early=True)
+        Kind(
+            name=f"{device}: {words}",
+            device=device,
+            does=_goes_wrong(device, kind, real_s=_LATE_S),
+            pairs=pairs,
+            early=True,
+        )
         for kind, words in wires.items()
     ]
     drop = _goes_wrong(device, "drop", stand_s=_AWAY_S)
     swapped = _all(_goes_wrong(device, "swapped"), drop)
     return [
         *of_wire,
-        Kind(name=f"{device}: port vanishes and returns", device=device, does=drop),
+        Kind(name=f"{device}: port vanishes and returns", device=device, does=drop, pairs=pairs),
         Kind(
             name=f"{device}: port vanishes for good",
             device=device,
             does=_goes_wrong(device, "drop", stand_s=FOR_GOOD_S),
+            pairs=pairs,
         ),
-        Kind(name=f"{device}: power lost", device=device, does=_goes_wrong(device, "power_loss", real_s=0.3)),
-        Kind(name=f"{device}: another unit after a reconnect", device=device, does=swapped, other_unit=True),
+        Kind(
+            name=f"{device}: power lost", device=device, does=_goes_wrong(device, "power_loss", real_s=0.3), pairs=pairs
+        ),
+        Kind(
+            name=f"{device}: another unit after a reconnect", device=device, does=swapped, pairs=pairs, other_unit=True
+        ),
         Kind(name=f"{device}: bus-off", device=device, does=_goes_wrong(device, "bus_off", real_s=0.5), pairs=("CAN",)),
     ]
 
@@ -161,14 +175,14 @@ KINDS: Final = (
     Kind(name="head: noise on the bus", device="head", does=_goes_wrong("head", "noise"), pairs=("CAN",)),
     *_of_instrument("daq"),
     Kind(name="daq: foreign frames", device="daq", does=_goes_wrong("daq", "foreign_frames"), pairs=("CAN",)),
-    Kind(name="daq: NaN", device="daq", does=_goes_wrong("daq", "nan"), early=True),
-    Kind(name="daq: overload", device="daq", does=_goes_wrong("daq", "overload"), early=True),
+    Kind(name="daq: NaN", device="daq", does=_goes_wrong("daq", "nan"), pairs=WITH_EVERY_METER, early=True),
+    Kind(name="daq: overload", device="daq", does=_goes_wrong("daq", "overload"), pairs=WITH_EVERY_METER, early=True),
     Kind(name="daq: frames lost", device="daq", does=_goes_wrong("daq", "frames_lost"), pairs=("CAN",), early=True),
     Kind(
         name="daq: error in its queue",
         device="daq",
         does=_goes_wrong("daq", "error_queued"),
-        pairs=("serial",),
+        pairs=METERS,
         early=True,
     ),
     Kind(name="mount not changed though confirmed", device="operator", does=_goes_wrong("operator", "not_seated")),

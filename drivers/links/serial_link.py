@@ -1,6 +1,7 @@
 """Lines of bytes over any pyserial URL, with the two ways of failing told apart."""
 
 import select
+import socket
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
@@ -59,6 +60,11 @@ class SerialLink:
         self._waiting = bytearray()
         self._port: serial.Serial | None = None
         self.reopen()
+
+    @property
+    def checksummed(self) -> bool:
+        """Whether what is underneath notices garbled bytes: TCP to the instrument itself; not a serial line."""
+        return self._is_socket
 
     def write(self, data: bytes) -> None:
         """Send bytes. Raises `LinkLostError`, also where the other end does not take them in time."""
@@ -121,6 +127,7 @@ class SerialLink:
         )
         try:
             self._port = patiently(open_port, FAILING_S, _is_passing_at_opening)
+            _send_at_once(self._port)
         except Exception as error:  # pyserial lets through what the system's terminals raise
             raise LinkLostError(
                 self.device,
@@ -188,3 +195,10 @@ class SerialLink:
 def _is_passing_at_opening(error: Exception) -> bool:
     """Whether a port may be there a moment later; one that another program has will not, though pyserial says so."""
     return is_passing(error) and not isinstance(error, serial.SerialException)
+
+
+def _send_at_once(port: serial.Serial) -> None:
+    """Keep the network from holding back a short message until the one before is acknowledged, 40 ms later."""
+    connection = getattr(port, "_socket", None)
+    if connection is not None:
+        connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)

@@ -1,7 +1,8 @@
-"""SCPI multimeters of the 34461A family, over a serial line or a socket.
+"""SCPI multimeters, over a serial line or a socket.
 
 - `ScpiMultimeter`: the meter as the DAQ of a stand.
-- `codec`: messages and answers, and what may be believed of them.
+- `models`, `dialects`: which meters are known by name, and how each wants to be told.
+- `codec`, `plain`: messages and answers, and what may be believed of them.
 """
 
 from drivers.scpi.meter import ScpiMultimeter

@@ -1,5 +1,6 @@
 """Messages to a SCPI instrument, and what may be believed of its answers.
 
+An instrument that takes several queries in one message is talked to as follows; for one that does not, see `plain`.
 SCPI has no checksum and no message number. Both are made here from what IEEE 488.2 gives to every instrument:
 
 - **Number.** `*ESE` stores a number from 0 to 255 and gives it back (IEEE 488.2-1992, 10.10 and 10.11); the register
@@ -34,7 +35,8 @@ _NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[Ee][+-]?\d{1,3})?"
 _READING = rf"(?:{_NUMBER}|NAN|INF|NINF)"
 _INTEGER = re.compile(r"[+-]?\d{1,9}", re.ASCII)
 _READINGS = re.compile(rf"{_READING}(?:,{_READING})*", re.ASCII)
-_ERROR = re.compile(r'([+-]?\d{1,5}),"([^"]*)"', re.ASCII)
+_ERROR = re.compile(r"""([+-]?\d{1,5}) *, *(?:"([^"]*)"|([^",]+))""", re.ASCII)
+_ALL_WELL = "no error"
 _WORDS = {"NAN": "nan", "INF": "9.9e37", "NINF": "-9.9e37"}
 
 
@@ -82,9 +84,9 @@ def parse_reply(line: bytes, tag: int, queries: int) -> tuple[str, ...]:
         The line is not what any request is answered with.
     """
     first, *answers, last = _fields(line, at_least=2)
-    if _integer(first) != _integer(last):
+    if parse_integer(first) != parse_integer(last):
         raise CorruptReplyError("begin and end of the line belong to different requests")
-    if _integer(first) != tag:
+    if parse_integer(first) != tag:
         raise StaleReplyError(f"answer number {first} instead of {tag}")
     if len(answers) != queries:
         raise CorruptReplyError(f"{len(answers)} answers to {queries} questions")
@@ -110,13 +112,26 @@ def parse_identity(line: bytes, tag: int) -> Identity:
     Its text is not protected: ask until two answers agree. Raises as `parse_reply`.
     """
     first, name = _fields(line, at_least=2, at_most=2)
-    if _integer(first) != tag:
+    if parse_integer(first) != tag:
         raise StaleReplyError(f"answer number {first} instead of {tag}")
+    return parse_name(name)
+
+
+def parse_name(name: str) -> Identity:
+    """Read the answer to `*IDN?` alone. Raises `CorruptReplyError`."""
     parts = [part.strip() for part in name.split(",", 3)]
     if len(parts) != 4 or not all(parts[:3]):
         raise CorruptReplyError(f"{name!r} is not maker, model, serial number and firmware")
     maker, model, serial, firmware = parts
     return Identity(model=f"{maker} {model}", serial=serial, firmware=firmware)
+
+
+def parse_line(line: bytes) -> str:
+    """The one answer in a line. Raises `CorruptReplyError` where it is no text, or none."""
+    text = line.strip(b"\r\n ")
+    if not text or not all(0x20 <= octet < 0x7F for octet in text):
+        raise CorruptReplyError(f"{line[:40]!r} is no answer in plain text")
+    return text.decode("ascii")
 
 
 def parse_readings(field: str) -> NDArray[np.float64]:
@@ -141,11 +156,18 @@ def parse_number(field: str) -> float:
 
 
 def parse_error(field: str) -> QueueEntry:
-    """Read an answer to `SYST:ERR?`. Raises `CorruptReplyError`."""
+    """Read an answer to `SYST:ERR?`, with or without quotation marks, and with whatever follows the text in them.
+
+    It is asked once only, and therefore number and text must agree: 0 is `No error`, and nothing else is.
+    Raises `CorruptReplyError`.
+    """
     found = _ERROR.fullmatch(field)
     if found is None:
         raise CorruptReplyError(f"{field[:40]!r} is not an entry of an error queue")
-    return QueueEntry(number=int(found[1]), text=found[2])
+    entry = QueueEntry(number=int(found[1]), text=found[2] if found[3] is None else found[3].strip())
+    if (entry.number == 0) != entry.text.casefold().startswith(_ALL_WELL):
+        raise CorruptReplyError(f"{field[:40]!r} has a number and a text that do not belong together")
+    return entry
 
 
 def _fields(line: bytes, *, at_least: int, at_most: int | None = None) -> list[str]:
@@ -162,7 +184,8 @@ def _fields(line: bytes, *, at_least: int, at_most: int | None = None) -> list[s
     return fields
 
 
-def _integer(field: str) -> int:
+def parse_integer(field: str) -> int:
+    """Read the number of a request. Raises `CorruptReplyError`."""
     if not _INTEGER.fullmatch(field):
         raise CorruptReplyError(f"{field[:20]!r} is not the number of a request")
     return int(field)

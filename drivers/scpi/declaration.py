@@ -1,5 +1,7 @@
 """A SCPI multimeter in a stand file."""
 
+from typing import Literal
+
 from pydantic import Field
 
 from drivers.driver import Bench, Driver
@@ -11,6 +13,8 @@ class ScpiTable(OnSerialLine, DaqTable):
     """`driver = "scpi"`."""
 
     range_v: float | None = Field(default=10.0, gt=0.0, le=1000.0)
+    dialect: Literal["common"] | None = None
+    """`common`: a meter that is not known by name is used by the SCPI that all have, one query a message."""
     temperature_sensor: str | None = None
     """Parameters of `CONF:TEMP`; without them there is no temperature."""
 
@@ -22,6 +26,7 @@ def _connect(table: ScpiTable, bench: Bench) -> ScpiMultimeter:
         range_v=table.range_v,
         temperature_sensor=table.temperature_sensor,
         baud_rate=table.baud_rate,
+        common=table.dialect == "common",
     )
 
 

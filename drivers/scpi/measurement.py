@@ -1,23 +1,19 @@
-"""A block of readings: how the multimeter is set for it, and how it is taken."""
+"""A block of readings: what the multimeter is told for it, in its dialect."""
 
-import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
-import numpy as np
-from numpy.typing import NDArray
-
-from drivers.clock import Clock
-from drivers.errors import DeviceError, LinkLostError, NoReplyError
-from drivers.scpi.codec import CorruptReplyError, parse_number, parse_readings
-from drivers.scpi.exchange import ATTEMPTS, Exchange
+from drivers.errors import DeviceError
+from drivers.scpi.dialects import Dialect
 from drivers.scpi.models import Model
 
 TEMPERATURE_S: Final = 5.0
 """A reading of temperature takes less than this, in real seconds."""
+READ: Final = "READ?"
+"""Begins a block and asks for its readings, which cannot be asked for again."""
 TOLERANCE: Final = 1e-4
 """Relative difference allowed between what was set and what is read back."""
-RANGES_V: Final = (0.1, 1.0, 10.0, 100.0, 1000.0)
 
 Setting = tuple[str, float | str]
 """Header and value."""
@@ -28,120 +24,114 @@ class Measurement:
     """What is measured, and how."""
 
     function: str
-    """As `FUNC?` names it."""
-    configure: str
-    """The command that presets everything for it."""
+    """Asks what is measured."""
+    functions: tuple[str, ...]
+    """Right answers to that, without quotation marks."""
+    configure: tuple[str, ...]
+    """The commands that preset everything for it."""
     settings: tuple[Setting, ...] = ()
     """What is set after that, in this order."""
+    arm: tuple[str, ...] = ()
+    """Commands after that."""
+    begin: tuple[str, ...] = ("INIT",)
+    """Commands that begin it; none where asking for the readings does."""
+    fetch: str = "FETC?"
     count: int = 1
     duration_s: float = 0.0
     """By the stand's clock, in s."""
     extra_s: float = 0.0
     """How much longer than an ordinary answer the readings may take, in real seconds."""
 
+    @property
+    def preparation(self) -> tuple[str, ...]:
+        """All commands before it begins."""
+        assignments = (f"{header} {written(value)}" for header, value in self.settings)
+        return (*self.configure, *assignments, *self.arm)
+
+    @property
+    def questions(self) -> tuple[str, ...]:
+        """What is asked to read everything back: the function, where it can be asked, then the settings."""
+        return (*filter(None, (self.function,)), *(f"{header}?" for header, _ in self.settings))
+
 
 def voltage(model: Model, line_hz: float, range_v: float | None, count: int, rate_hz: float) -> Measurement:
     """DC voltage, `count` times at `rate_hz`, in the smallest range that holds `range_v`; autorange where that is None.
 
-    Raises `DeviceError` where even the shortest integration time of the model is too long for the rate.
+    Raises `DeviceError` where the model cannot be as fast, for instance because even its shortest integration time is
+    too long.
     """
-    fitting = [nplc for nplc in model.nplc if nplc / line_hz <= 1.0 / rate_hz * (1.0 + TOLERANCE)]
-    if not fitting:
-        most_hz = line_hz / model.nplc[0]
-        raise DeviceError("multimeter", f"cannot take {rate_hz:g} samples a second", f"ask for {most_hz:g} at most")
-    interval_s = 1.0 / rate_hz
-    spare_s = max(interval_s - fitting[-1] / line_hz, 0.0)
-    pace: tuple[Setting, ...] = (("TRIG:DEL", round(spare_s, 6)),)
-    if model.timer:
-        pace = (("TRIG:DEL", 0.0), ("SAMP:SOUR", "TIM"), ("SAMP:TIM", round(interval_s, 6)))
+    dialect, values = model.dialect, _values(model, line_hz, range_v, count, rate_hz)
+    ranging = dialect.autorange if range_v is None else dialect.fixed_range
+    settings = tuple(setting(text, values) for text in (ranging, *dialect.settings) if text)
     return Measurement(
-        function='"VOLT"',
-        configure="CONF:VOLT:DC",
-        settings=(
-            _range(range_v),
-            ("VOLT:DC:NPLC", fitting[-1]),
-            ("VOLT:DC:ZERO:AUTO", 0.0),
-            *pace,
-            ("SAMP:COUN", float(count)),
-        ),
+        function=dialect.function,
+        functions=dialect.functions,
+        configure=(*dialect.prepare, *(_filled(text, values) for text in dialect.configure)),
+        settings=settings,
+        arm=tuple(_filled(text, values) for text in dialect.arm),
+        begin=dialect.begin if dialect.keeps else (),
+        fetch=_filled(dialect.fetch, values) if dialect.keeps else READ,
         count=count,
         duration_s=count / rate_hz,
     )
 
 
-def _range(range_v: float | None) -> Setting:
-    if range_v is None:
-        return "VOLT:DC:RANG:AUTO", 1.0
-    return "VOLT:DC:RANG", next((known_v for known_v in RANGES_V if known_v >= range_v), RANGES_V[-1])
+def temperature(dialect: Dialect, sensor: str) -> Measurement:
+    """One reading of temperature with a sensor as `CONF:TEMP` names it.
 
-
-def temperature(sensor: str) -> Measurement:
-    """One reading of temperature with a sensor as `CONF:TEMP` names it."""
-    return Measurement(function='"TEMP"', configure=f"CONF:TEMP {sensor}", extra_s=TEMPERATURE_S)
-
-
-def perform(exchange: Exchange, clock: Clock, measurement: Measurement, transfer_s: float) -> NDArray[np.float64]:
-    """Take a block; one that goes wrong is taken anew, as a whole.
-
-    Parameters
-    ----------
-    transfer_s
-        How long the readings may be on their way, in real seconds.
-
-    Raises
-    ------
-    DeviceError
-        It went wrong `ATTEMPTS` times.
-    NoReplyError, LinkLostError
-        The meter or the way to it is gone.
+    Raises `DeviceError` where it is not known how the multimeter measures it.
     """
-    happened = ""
-    for _ in range(ATTEMPTS):
-        try:
-            _begin(exchange, measurement)
-            clock.sleep(measurement.duration_s)
-            return _fetch(exchange, measurement, transfer_s)
-        except (NoReplyError, LinkLostError):
-            raise
-        except DeviceError as error:
-            happened = error.happened
-    raise DeviceError(
-        "multimeter", f"failed to measure {ATTEMPTS} times: {happened}", "look at its display, then resume the run"
+    if not dialect.temperature:
+        raise DeviceError(
+            "multimeter",
+            f"is not known to measure temperature ({dialect.name} dialect)",
+            "leave temperature_sensor out of the stand file",
+        )
+    command, *settings = dialect.temperature
+    return Measurement(
+        function=dialect.function,
+        functions=("TEMP",),
+        configure=(*dialect.prepare, command.format(sensor=sensor)),
+        settings=tuple(setting(text, {}) for text in settings),
+        begin=dialect.begin if dialect.keeps else (),
+        fetch=dialect.fetch if dialect.keeps else READ,
+        extra_s=TEMPERATURE_S,
     )
 
 
-def _begin(exchange: Exchange, measurement: Measurement) -> None:
-    """Configure, begin, read everything back. Raises `DeviceError` where the meter is not set as it was told."""
-    settings = measurement.settings
-    assignments = (f"{header} {value if isinstance(value, str) else f'{value:.9g}'}" for header, value in settings)
-    queries = ("FUNC?", *(f"{header}?" for header, _ in settings))
-    function, *answers = exchange.ask(*queries, commands=("ABOR", "*CLS", measurement.configure, *assignments, "INIT"))
-    complaints = [str(entry) for entry in exchange.errors()]
-    if function != measurement.function:
-        complaints.append(f"it measures {function}")
-    for (header, value), answer in zip(settings, answers, strict=True):
-        if not _same(value, answer):
-            complaints.append(f"{header} is {answer} instead of {value}")
-    if complaints:
-        raise DeviceError("multimeter", ", ".join(complaints), "check the settings of the stand file")
-
-
-def _fetch(exchange: Exchange, measurement: Measurement, transfer_s: float) -> NDArray[np.float64]:
-    (field,) = exchange.ask("FETC?", extra_s=measurement.extra_s + transfer_s)
+def setting(text: str, values: Mapping[str, float | str]) -> Setting:
+    """A setting of a dialect, with the values that are in force."""
+    header, _, value = text.partition(" ")
+    if value.startswith("{"):
+        return header, values[value[1:-1]]
     try:
-        readings = parse_readings(field)
-    except CorruptReplyError as error:
-        raise DeviceError("multimeter", f"gave readings that are none ({error})", "check its language") from error
-    if len(readings) != measurement.count:
-        happened = f"gave {len(readings)} of {measurement.count} readings"
-        raise DeviceError("multimeter", happened, "check that nobody else talks to it")
-    return readings
+        return header, float(value)
+    except ValueError:
+        return header, value
 
 
-def _same(value: float | str, answer: str) -> bool:
-    if isinstance(value, str):
-        return answer == value
-    try:
-        return math.isclose(parse_number(answer), value, rel_tol=TOLERANCE, abs_tol=1e-6)
-    except CorruptReplyError:
-        return False
+def written(value: float | str) -> str:
+    """The value as a parameter."""
+    return value if isinstance(value, str) else f"{value:.9g}"
+
+
+def _filled(text: str, values: Mapping[str, float | str]) -> str:
+    return text.format_map({name: written(value) for name, value in values.items()})
+
+
+def _values(model: Model, line_hz: float, range_v: float | None, count: int, rate_hz: float) -> dict[str, float | str]:
+    """What may stand in braces."""
+    interval_s = 1.0 / rate_hz
+    fitting = [nplc for nplc in model.nplc if nplc / line_hz <= interval_s * (1.0 + TOLERANCE)]
+    most_hz = model.most_hz or (line_hz / model.nplc[0] if model.nplc else rate_hz)
+    if rate_hz > most_hz * (1.0 + TOLERANCE) or (model.nplc and not fitting):
+        raise DeviceError("multimeter", f"cannot take {rate_hz:g} samples a second", f"ask for {most_hz:g} at most")
+    nplc = fitting[-1] if fitting else 0.0
+    return {
+        "expected_v": "DEF" if range_v is None else range_v,
+        "range_v": next((known_v for known_v in model.ranges_v if known_v >= (range_v or 0.0)), model.ranges_v[-1]),
+        "nplc": nplc,
+        "interval_s": round(interval_s, 6),
+        "spare_s": round(max(interval_s - nplc / line_hz, 0.0), 6),
+        "count": float(count),
+    }

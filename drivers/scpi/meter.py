@@ -1,19 +1,20 @@
-"""A multimeter of the 34461A family as the DAQ of a stand."""
+"""A SCPI multimeter as the DAQ of a stand."""
 
 import math
+from dataclasses import dataclass
 from typing import Final, Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
 from drivers.clock import Clock
 from drivers.errors import DeviceError
 from drivers.protocols import Identity, SampleBlock
-from drivers.scpi.codec import TERMINATOR, CorruptReplyError, parse_number
-from drivers.scpi.exchange import Exchange, Link
-from drivers.scpi.measurement import Measurement, perform, temperature, voltage
-from drivers.scpi.models import MODELS, SLOWEST, Model
+from drivers.scpi.acquaintance import DEVICE, Acquaintance, acquaint
+from drivers.scpi.exchange import Link
+from drivers.scpi.measurement import Measurement, temperature, voltage
+from drivers.scpi.taking import perform, perform_singly
 
-DEVICE: Final = "multimeter"
 MOST_AT_ONCE: Final = 10_000
 """Readings that are fetched in one answer, at most."""
 READING_BITS: Final = 2 * 16 * 10
@@ -31,12 +32,15 @@ class ReopenableLink(Link, Protocol):
 class ScpiMultimeter:
     """DC voltage, and temperature where a sensor is connected. Fits `drivers.protocols.Daq` and `Reconnectable`.
 
-    Before every block the meter is configured anew and everything is read back. The integration time is the longest
-    that the rate allows; a sample timer, or the trigger delay where there is none, fills up the interval. Autozero is
-    off within a block: zero is measured once, when the block is configured. `INIT` begins a block and `FETC?` gives its
-    readings, as often as one likes; a block that went wrong is taken anew, never pieced together.
+    Which multimeters there are, and how each wants to be told: `drivers.scpi.models` and `dialects`. What a meter can
+    is found out when it is identified; what it cannot stands in the remarks of its identity.
 
-    What the wire can do to an answer, and which of it is noticed: `drivers.scpi.codec`.
+    Before every block the meter is configured anew and everything is read back. The integration time is the longest
+    that the rate allows; a timer, or the trigger delay where there is none, fills up the interval. Autozero is off
+    within a block: zero is measured once, when the block is configured. A block that went wrong is taken anew, never
+    pieced together. With the common core readings are taken one by one, as the meter is set by itself.
+
+    What the wire can do to an answer, and which of it is noticed: `drivers.scpi.codec` and `plain`.
 
     Parameters
     ----------
@@ -45,13 +49,15 @@ class ScpiMultimeter:
     clock
         The stand's clock, for the time that a block takes.
     range_v
-        The smallest of the ranges 0.1, 1, 10, 100 and 1000 V that holds this is taken; autorange where it is None.
+        The smallest range of the meter that holds this is taken; autorange where it is None.
     temperature_sensor
         Parameters of `CONF:TEMP` (`FRTD`, `THER`, `FRTD,(@101)` …); None where there is no sensor.
     temperature_age_s
         A block is given the last temperature if it is not older than this; otherwise one is measured behind the block.
     baud_rate
         Of the link, for how long an answer may take.
+    common
+        Whether it is used by the SCPI that all have, whatever it is; otherwise it must be known by name.
     timeout_s
         How long a short answer may take, in real seconds.
     """
@@ -65,6 +71,7 @@ class ScpiMultimeter:
         temperature_sensor: str | None = None,
         temperature_age_s: float = 10.0,
         baud_rate: int = 115_200,
+        common: bool = False,
         timeout_s: float = 1.0,
     ) -> None:
         self._link = link
@@ -73,25 +80,24 @@ class ScpiMultimeter:
         self._temperature_sensor = temperature_sensor
         self._temperature_age_s = temperature_age_s
         self._reading_s = READING_BITS / baud_rate
-        self._exchange = Exchange(link, DEVICE, timeout_s)
-        self._model: Model | None = None
-        self._line_hz = math.nan
+        self._common = common
+        self._timeout_s = timeout_s
+        self._known: Acquaintance | None = None
+        self._blocks = 0
         self._temperature_degc = math.nan
         self._temperature_time_s = -math.inf
 
     def identify(self) -> Identity:
-        """Ask for maker, model, serial number and firmware; errors of the past are forgotten. Raises `DeviceError`."""
-        self._link.write(b"SYST:REM" + TERMINATOR)  # an older meter obeys a serial line only after this
-        self._exchange.ask(commands=("ABOR", "*CLS"))
-        identity = self._exchange.identify()
-        self._line_hz = self._asked_line_hz()
-        self._model = MODELS.get(identity.model.split()[-1], SLOWEST)
-        return identity
+        """Ask for maker, model, serial number and firmware, and find out what it can. Raises `DeviceError`."""
+        self._known = acquaint(self._link, self._clock, self._timeout_s, self._range_v, common=self._common)
+        if self._temperature_sensor is not None:
+            temperature(self._known.model.dialect, self._temperature_sensor)
+        return self._known.identity
 
     def reconnect(self) -> None:
         """Open the link anew; the meter is to be identified again. Raises `LinkLostError` while it is away."""
         self._link.reopen()
-        self._model = None
+        self._known = None
         self._temperature_time_s = -math.inf
 
     def acquire(self, samples: int, rate_hz: float) -> SampleBlock:
@@ -110,37 +116,59 @@ class ScpiMultimeter:
         if samples < 1 or not rate_hz > 0.0:
             happened = f"{samples} samples at {rate_hz:g} Hz cannot be taken"
             raise DeviceError(DEVICE, happened, "ask for at least one sample at a positive rate")
-        if self._model is None:
-            self.identify()
-        model = self._model or SLOWEST
         began_s = self._clock.monotonic_s()
-        most = min(model.memory, MOST_AT_ONCE)
-        counts = [min(most, samples - taken) for taken in range(0, samples, most)]
-        blocks = [voltage(model, self._line_hz, self._range_v, count, rate_hz) for count in counts]
+        taken = self._taken(self._acquaintance(), samples, rate_hz)
         return SampleBlock(
-            voltage_v=np.concatenate([self._perform(block) for block in blocks]),
-            rate_hz=rate_hz,
+            voltage_v=taken.voltage_v,
+            rate_hz=taken.rate_hz,
             device_time_s=began_s,
             temperature_degc=self._measured_degc(),
         )
 
-    def _perform(self, measurement: Measurement) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
+    def _acquaintance(self) -> Acquaintance:
+        if self._known is None:
+            self.identify()
+        assert self._known
+        return self._known
+
+    def _taken(self, known: Acquaintance, samples: int, rate_hz: float) -> "_Taken":
+        model = known.model
+        if model.dialect.singly:
+            block = voltage(model, known.line_hz, self._range_v, 1, rate_hz)
+            return _Taken(*perform_singly(known.exchange, self._clock, block, samples, rate_hz))
+        most = min(model.memory, MOST_AT_ONCE)
+        counts = [min(most, samples - taken) for taken in range(0, samples, most)]
+        return _Taken(np.concatenate([self._block(known, count, rate_hz) for count in counts]), rate_hz)
+
+    def _block(self, known: Acquaintance, count: int, rate_hz: float) -> NDArray[np.float64]:
+        """A block that fits into the meter's memory.
+
+        Where errors cannot be asked for, a beginning that was not heard would leave the readings of the block before:
+        every other block is longer by one reading, so that they are told by their number.
+        """
+        self._blocks += 1
+        spare = 0 if known.exchange.has_error_queue else self._blocks % 2
+        wanted = max(count + spare, known.model.least)
+        block = voltage(known.model, known.line_hz, self._range_v, wanted, rate_hz)
+        return self._perform(known, block)[:count]
+
+    def _perform(self, known: Acquaintance, measurement: Measurement) -> NDArray[np.float64]:
         transfer_s = measurement.count * self._reading_s
-        return perform(self._exchange, self._clock, measurement, transfer_s)
+        return perform(known.exchange, self._clock, measurement, transfer_s)
 
     def _measured_degc(self) -> float | None:
         """Temperature, measured now unless it was of late."""
         if self._temperature_sensor is None:
             return None
         if self._clock.monotonic_s() - self._temperature_time_s > self._temperature_age_s:
-            (self._temperature_degc,) = self._perform(temperature(self._temperature_sensor)).tolist()
+            known = self._acquaintance()
+            measurement = temperature(known.model.dialect, self._temperature_sensor)
+            (self._temperature_degc,) = self._perform(known, measurement).tolist()
             self._temperature_time_s = self._clock.monotonic_s()
         return self._temperature_degc
 
-    def _asked_line_hz(self) -> float:
-        (field,) = self._exchange.ask("SYST:LFR?")
-        try:
-            return parse_number(field)
-        except CorruptReplyError as error:
-            happened = f"says that its power line has {field} Hz"
-            raise DeviceError(DEVICE, happened, "check that it speaks SCPI as a 34461A does") from error
+
+@dataclass(frozen=True)
+class _Taken:
+    voltage_v: NDArray[np.float64]
+    rate_hz: float

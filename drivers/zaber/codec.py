@@ -158,6 +158,24 @@ def parse_message(line: bytes, *, checksum: bool) -> Message:
     )
 
 
+def parse_flags(data: str) -> tuple[str, ...]:
+    """Read the answer to `warnings`: how many flags there are, then the flags, for example `02 FS WR`.
+
+    Raises
+    ------
+    GarbledError
+        Not that many, or something that is no flag.
+    """
+    count, *flags = data.split(" ")
+    if not _COUNT.fullmatch(count) or int(count) != len(flags):
+        raise GarbledError(f"{data!r} does not hold as many flags as it says")
+    if not all(_FLAG.fullmatch(flag) for flag in flags):
+        raise GarbledError(f"{data!r} holds something that is no flag")
+    return tuple(flags)
+
+
+_COUNT: Final = re.compile(r"\d{2}", re.ASCII)
+_FLAG: Final = re.compile(r"[FWN][A-Z]", re.ASCII)
 _ADDRESS = r"(?P<device>\d\d) (?P<axis>\d)"
 _STATE = r"(?P<state>BUSY|IDLE) (?P<warning>--|[FWN][A-Z])"
 _DATA = r"(?P<data>[!-9;-\[\]-~]+(?: [!-9;-\[\]-~]+)*)"

@@ -7,7 +7,7 @@ from drivers.clock import Clock
 from drivers.errors import DeviceError, LimitError, NoReplyError, ReferenceLostError
 from drivers.limits import check_limits
 from drivers.protocols import HeadStatus, Identity
-from drivers.zaber.codec import Message
+from drivers.zaber.codec import GarbledError, Message, parse_flags
 from drivers.zaber.conversation import ATTEMPTS, Conversation, Link, RejectedError, UnclearError
 from drivers.zaber.warnings import STOPPING, UNREFERENCED
 
@@ -180,7 +180,21 @@ class ZaberHead:
         """All flags; they are asked for only where the one in the reply may hide others that matter."""
         if reply.warning[0] not in "FW":
             return frozenset({reply.warning})
-        return frozenset(self._conversation.repeat("warnings").data.split()[1:])
+        return frozenset({reply.warning, *self._listed()})
+
+    def _listed(self) -> tuple[str, ...]:
+        """The list of flags; one that is not as long as it says is asked for again. Raises `DeviceError`."""
+        garbled = GarbledError()
+        for _ in range(ATTEMPTS):
+            try:
+                return parse_flags(self._conversation.repeat("warnings").data)
+            except GarbledError as error:
+                garbled = error
+        raise DeviceError(
+            self._conversation.name,
+            f"gave no list of warnings that can be believed in {ATTEMPTS} attempts ({garbled})",
+            "check model and firmware, and what else talks on this line",
+        ) from garbled
 
     def _steps(self, status: HeadStatus) -> int:
         return round(status.angle_deg * self._steps_per_deg)

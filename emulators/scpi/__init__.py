@@ -1,12 +1,12 @@
-"""An emulated multimeter of the 34461A class that speaks SCPI.
+"""Emulated multimeters that speak SCPI: the 34461A class, Keithley, Siglent, Rigol, and a plain one.
 
 - `Multimeter`: the instrument, wired to a shared world.
 - `ScpiSession`: one client's conversation with it.
-- `MODELS`: the models that it can be.
+- `MODELS`: the models that it can be, `Model` what tells them apart.
 """
 
 from emulators.scpi.meter import Multimeter
+from emulators.scpi.models import MODELS, Model
 from emulators.scpi.session import ScpiSession
-from emulators.scpi.settings import MODELS
 
-__all__ = ["MODELS", "Multimeter", "ScpiSession"]
+__all__ = ["MODELS", "Model", "Multimeter", "ScpiSession"]

@@ -4,17 +4,17 @@ from functools import partial
 from typing import Final
 
 from emulators.scpi.command import Command
+from emulators.scpi.kinds import Setting, Value, write_real
 from emulators.scpi.language import ScpiError, number, quoted, spellings
-from emulators.scpi.settings import Model, Setting, Value, settings_of, write_real
+from emulators.scpi.models import Model
+from emulators.scpi.settings import settings_of
 from emulators.scpi.triggering import Measurement
 
 LINE_HZ: Final = 50.0
-MEMORY: Final = 100_000
-"""The most readings that are taken at once."""
 TEMPERATURE_S: Final = 0.2
 """Time that a reading of temperature takes: 10 power-line cycles."""
 
-_KEPT: Final = ("display", "display_text", "language")
+_KEPT: Final = ("display", "display_text", "language", "command_set")
 """What `CONFigure` leaves as it is."""
 
 
@@ -69,12 +69,24 @@ class Configuration:
         else:
             raise ScpiError(-224)
 
+    def word(self, name: str) -> str:
+        """A setting that is a word; empty where the model has none of that name."""
+        return str(self._values.get(name, ""))
+
+    def assign(self, name: str, value: Value) -> None:
+        """Let a setting change by itself."""
+        self._values[name] = value
+
+    def number(self, name: str) -> float:
+        """A setting that is a number."""
+        return float(self._values[name])
+
     @property
     def measurement(self) -> Measurement:
         """What would be measured now."""
-        readings = self._number("samples") * self._number("trigger_count")
+        readings = self.number("samples") * self.number("trigger_count")
         return Measurement(
-            count=int(min(readings, MEMORY)),
+            count=int(min(readings, self._model.memory)),
             interval_s=self._interval_s,
             source=str(self._values["trigger_source"]),
             temperature=self._function == "TEMP",
@@ -83,7 +95,7 @@ class Configuration:
 
     @property
     def _limit_v(self) -> float:
-        return 1000.0 if self._values["autorange"] else self._number("range_v")
+        return 1000.0 if self._values["autorange"] else self.number("range_v")
 
     @property
     def _reading_s(self) -> float:
@@ -91,26 +103,26 @@ class Configuration:
         if self._function == "TEMP":
             return TEMPERATURE_S
         in_seconds = self._values["aperture_on"]
-        aperture_s = self._number("aperture_s") if in_seconds else self._number("nplc") / LINE_HZ
+        aperture_s = self.number("aperture_s") if in_seconds else self.number("nplc") / LINE_HZ
         return aperture_s * (2.0 if self._values["autozero"] else 1.0)
 
     @property
     def _interval_s(self) -> float:
-        if self._values["sample_source"] == "TIM":
-            return max(self._number("timer_s"), self._reading_s)
-        return self._reading_s + (0.0 if self._values["auto_delay"] else self._number("delay_s"))
+        if "TIM" in (self._values["sample_source"], self._values["trigger_source"]):
+            return max(self.number("timer_s"), self._reading_s)
+        return self._reading_s + (0.0 if self._values["auto_delay"] else self.number("delay_s"))
 
     @property
     def _resolution_v(self) -> float:
         by_nplc = zip(self._model.nplc, self._model.resolution, strict=True)
-        fraction = next(fraction for nplc, fraction in by_nplc if nplc >= self._number("nplc"))
-        return fraction * self._number("range_v")
+        fraction = next(fraction for nplc, fraction in by_nplc if nplc >= self.number("nplc"))
+        return fraction * self.number("range_v")
 
     def _resolve(self, text: str) -> None:
         """Take the shortest integration time that resolves so much. Raises `ScpiError`."""
         finest, coarsest = self._model.resolution[-1], self._model.resolution[0]
         names = {"MIN": finest, "MAX": coarsest, "DEF": 1e-6}
-        fraction = names.get(text.upper()) or number(text, "V") / self._number("range_v")
+        fraction = names.get(text.upper()) or number(text, "V") / self.number("range_v")
         by_nplc = zip(self._model.nplc, self._model.resolution, strict=True)
         fitting = [nplc for nplc, resolution in by_nplc if resolution <= fraction * (1.0 + 1e-9)]
         if not fitting:
@@ -118,7 +130,7 @@ class Configuration:
         self._values.update(nplc=fitting[0], aperture_on=0.0)
 
     def _preset(self, function: str) -> None:
-        kept = {name: self._values[name] for name in _KEPT}
+        kept: dict[str, Value] = {name: self._values[name] for name in _KEPT if name in self._values}
         self.reset()
         self._values |= kept
         self._function = function
@@ -132,9 +144,6 @@ class Configuration:
         return setting.kind.write(setting.kind.read(extreme) if extreme else self._values[name])
 
     def _summary(self) -> str:
-        if self._function == "TEMP":
-            return '"TEMP"'
-        return f'"{self._function} {write_real(self._number("range_v"))},{write_real(self._resolution_v)}"'
-
-    def _number(self, name: str) -> float:
-        return float(self._values[name])
+        if self._function == "TEMP" or self._model.family == "keithley 2000":
+            return f'"{self._function}"'
+        return f'"{self._function} {write_real(self.number("range_v"))},{write_real(self._resolution_v)}"'

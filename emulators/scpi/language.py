@@ -24,6 +24,7 @@ MESSAGES: Mapping[int, str] = {
     -211: "Trigger ignored",
     -213: "Init ignored",
     -214: "Trigger deadlock",
+    -221: "Settings conflict",
     -222: "Data out of range",
     -224: "Illegal parameter value",
     -230: "Data corrupt or stale",

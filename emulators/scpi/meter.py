@@ -1,4 +1,4 @@
-"""A 6½-digit multimeter at the terminals of the simulated unit."""
+"""A multimeter at the terminals of the simulated unit."""
 
 from collections.abc import Callable, Generator
 from functools import partial
@@ -7,12 +7,15 @@ from typing import Final
 from emulators.faults import Faults
 from emulators.scpi.command import Command, Reply
 from emulators.scpi.configuration import LINE_HZ, Configuration
-from emulators.scpi.language import ScpiError, Tree, number, units
-from emulators.scpi.settings import MODELS, write_real
+from emulators.scpi.families import Families, written
+from emulators.scpi.language import ScpiError, Tree, Unit, number, units
+from emulators.scpi.models import MODELS, Messages
 from emulators.scpi.status import Status
 from emulators.scpi.triggering import Triggering
 from emulators.world import SharedWorld
 
+ALWAYS: Final = ("*", "SYST", "CMDS")
+"""How what is known in every language of a Rigol meter begins."""
 OTHER_SERIAL: Final = "MY57299999"
 """Serial number of the unit that takes its place with the fault `swapped`."""
 
@@ -30,13 +33,20 @@ class Multimeter:
     faults
         What shall go wrong in it: nan, overload, error_queued, swapped, power_loss.
     model
-        One of `settings.MODELS`.
+        One of `models.MODELS`.
     serial
         Serial number.
+    messages
+        What comes of several queries in one message, where that is not what the model does.
     """
 
     def __init__(
-        self, world: SharedWorld, faults: Faults | None = None, model: str = "34461A", serial: str = "MY57200001"
+        self,
+        world: SharedWorld,
+        faults: Faults | None = None,
+        model: str = "34461A",
+        serial: str = "MY57200001",
+        messages: Messages | None = None,
     ) -> None:
         self.lock = world.lock
         """Held by whoever lets it work."""
@@ -44,8 +54,22 @@ class Multimeter:
         self._faults = faults or Faults()
         self._name, self._model, self._serial = model, MODELS[model], serial
         self._configuration = Configuration(self._model)
+        self._messages = messages or self._model.messages
         self._triggering = Triggering(world, self._faults)
-        self._commands = Tree(self._common() | self._system() | self._measuring() | self._configuration.commands())
+        self._families = Families(self._model, self._configuration, self._triggering, self.status)
+        every = self._common() | self._system() | self._measuring()
+        every |= self._configuration.commands() | self._families.commands()
+        self._commands = Tree({header: command for header, command in every.items() if self._has(header)})
+
+    @property
+    def deaf(self) -> bool:
+        """Whether it reads nothing but ABORt at the moment."""
+        return self._model.deaf and self._triggering.busy
+
+    def abort(self) -> None:
+        """End the measurement."""
+        with self.lock:
+            self._triggering.abort()
 
     def execute(self, message: str) -> Generator[None, None, str]:
         """Carry out a message; yields while a query waits for readings, and returns the answers, separated by ";".
@@ -56,10 +80,15 @@ class Multimeter:
         answers: list[str] = []
         last = False
         try:
+            self._check(message)
             for unit in units(message):
-                command = self._commands.find(unit.header)
+                while self.deaf and not unit.header.startswith("ABOR"):
+                    yield
+                command = self._found(unit)
                 if last and unit.header.endswith("?"):
                     raise ScpiError(-440)
+                if answers and unit.header.endswith("?") and self._messages == "first":
+                    raise ScpiError(-410)
                 last = last or command.last
                 reply = self._attempt(partial(command.perform, unit.parameters))
                 while callable(reply):
@@ -73,7 +102,27 @@ class Multimeter:
             self.status.report(error)
         if self._faults.take("error_queued"):
             self.status.report(ScpiError(-310))
-        return ";".join(answers)
+        return ("\n" if self._messages == "lines" else ";").join(answers)
+
+    def _check(self, message: str) -> None:
+        """Raises `ScpiError` where it takes no such message as a whole."""
+        if self._messages == "one" and message.count("?") > 1:
+            raise ScpiError(-113)
+
+    def _found(self, unit: Unit) -> Command:
+        """The command of a header. Raises `ScpiError` where it is not known, or not now."""
+        if self._configuration.word("command_set") in ("RIGOL", "FLUKE") and not unit.header.startswith(ALWAYS):
+            raise ScpiError(-113)
+        command = self._commands.find(unit.header)
+        changes = not unit.header.endswith("?") and not unit.header.startswith(("*", "ABOR", "INIT"))
+        if self._model.family == "siglent" and self._triggering.busy and changes:
+            raise ScpiError(-221)
+        return command
+
+    def _has(self, header: str) -> bool:
+        """Whether the model knows a command."""
+        name = header.removesuffix("?")
+        return name not in self._model.lacks and (not self._model.only or name in self._model.only)
 
     def _attempt(self, act: Callable[[], Reply]) -> Reply:
         """Do something; report what cannot be done. Raises `ScpiError` for what cannot be understood."""
@@ -103,6 +152,8 @@ class Multimeter:
             "*CLS": Command(act=status.clear),
             "*ESE": Command(act=self._enable, least=1, most=1),
             "*ESE?": Command(act=lambda: f"{status.enabled:+d}"),
+            "*SRE": Command(act=self._request, least=1, most=1),
+            "*SRE?": Command(act=lambda: f"{status.requests:+d}"),
             "*ESR?": Command(act=lambda: f"{status.take_events():+d}"),
             "*STB?": Command(act=lambda: f"{status.byte:+d}"),
             "*OPC": Command(act=status.complete),
@@ -114,7 +165,7 @@ class Multimeter:
 
     def _system(self) -> dict[str, Command]:
         return {
-            "SYSTem:ERRor[:NEXT]?": Command(act=self.status.take_error),
+            "SYSTem:ERRor[:NEXT]?": Command(act=self._error),
             "SYSTem:VERSion?": Command(act=lambda: "1994.0"),
             "SYSTem:LFRequency?": Command(act=lambda: f"{LINE_HZ:+.0f}"),
             "SYSTem:LICense:CATalog?": Command(act=lambda: '""'),
@@ -156,23 +207,36 @@ class Multimeter:
         return self._fetch
 
     def _initiate(self) -> None:
-        self._triggering.initiate(self._configuration.measurement)
+        self._triggering.initiate(self._families.measurement())
+        self._families.measured()
 
     def _fetch(self) -> str:
-        return ",".join(map(write_real, self._triggering.fetch().tolist()))
+        return written(self._triggering.fetch())
+
+    def _error(self) -> str:
+        entry = self.status.take_error()
+        return self._model.no_error if entry == str(ScpiError(0)) else entry
 
     def _reset(self) -> None:
         self._configuration.reset()
         self._triggering.forget()
 
     def _identity(self) -> str:
-        return f"{self._model.maker},{self._name},{self._serial},{self._model.firmware}"
+        return f"{self._model.maker},{self._model.name or self._name},{self._serial},{self._model.firmware}"
 
     def _enable(self, mask: str) -> None:
-        value = number(mask)
-        if not 0 <= value <= 255:
-            raise ScpiError(-222)
-        self.status.enabled = round(value)
+        self.status.enabled = _mask(mask) & self._model.enable_mask
+
+    def _request(self, mask: str) -> None:
+        self.status.requests = _mask(mask)
+
+
+def _mask(text: str) -> int:
+    """The bits of a register. Raises `ScpiError`."""
+    value = number(text)
+    if not 0 <= value <= 255:
+        raise ScpiError(-222)
+    return round(value)
 
 
 def _stay() -> None:

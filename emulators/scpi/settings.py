@@ -1,184 +1,24 @@
-"""What can be set at the multimeter, within which bounds, and how it is written in an answer."""
+"""What can be set at the multimeter, by model."""
 
-import math
-from collections.abc import Mapping
-from dataclasses import dataclass, field
-from typing import Protocol
-
-from emulators.scpi.language import ScpiError, number, quoted, word
-
-Value = float | str
-"""A number, also for switches (0 and 1), or a word."""
-
-
-class Kind(Protocol):
-    """How the values of a setting are read and written."""
-
-    @property
-    def default(self) -> Value:
-        """Value after `*RST`."""
-        ...
-
-    def read(self, text: str) -> Value:
-        """Value of a parameter. Raises `ScpiError`."""
-        ...
-
-    def write(self, value: Value) -> str:
-        """The value as an answer."""
-        ...
-
-
-@dataclass(frozen=True, kw_only=True)
-class Quantity:
-    """A number with bounds; with `steps` it is rounded up to the next of them. Fits `Kind`."""
-
-    low: float
-    high: float
-    default: float
-    unit: str = ""
-    steps: tuple[float, ...] = ()
-    unlimited: bool = False
-    """Whether INF is allowed."""
-
-    def read(self, text: str) -> float:
-        """A number, MIN, MAX, DEF, or INF where it is allowed."""
-        names = {"MINimum": self.low, "MAXimum": self.high, "DEFault": self.default}
-        if self.unlimited:
-            names["INFinity"] = math.inf
-        if text[:1].isalpha():
-            meant = word(text, tuple(names))
-            return next(value for name, value in names.items() if name.startswith(meant))
-        value = number(text, self.unit)
-        if not self.low <= value <= self.high:
-            raise ScpiError(-222)
-        return next((step for step in self.steps if step >= value * (1.0 - 1e-9)), value)
-
-    def write(self, value: Value) -> str:
-        """As the instrument writes a reading."""
-        return write_real(float(value))
-
-
-@dataclass(frozen=True, kw_only=True)
-class Count(Quantity):
-    """A whole number. Fits `Kind`."""
-
-    def read(self, text: str) -> float:
-        """A number, rounded."""
-        value = super().read(text)
-        return float(round(value)) if math.isfinite(value) else value
-
-    def write(self, value: Value) -> str:
-        """Without a decimal point, as NR1."""
-        return f"{int(value):+d}" if math.isfinite(float(value)) else write_real(float(value))
-
-
-@dataclass(frozen=True, kw_only=True)
-class Switch:
-    """On or off; ONCE does its work and leaves it off. Fits `Kind`."""
-
-    default: float
-
-    def read(self, text: str) -> float:
-        """ON, OFF, ONCE or a number, of which all but 0 mean on."""
-        if text[:1].isalpha():
-            return float(word(text, ("ON", "OFF", "ONCE")) == "ON")
-        return float(round(number(text)) != 0)
-
-    def write(self, value: Value) -> str:
-        """As 0 or 1."""
-        return str(int(value))
-
-
-@dataclass(frozen=True, kw_only=True)
-class Choice:
-    """One of several words. Fits `Kind`."""
-
-    choices: tuple[str, ...]
-    default: str
-
-    def read(self, text: str) -> str:
-        """The word in its short form."""
-        return word(text, self.choices)
-
-    def write(self, value: Value) -> str:
-        """The short form."""
-        return str(value)
-
-
-@dataclass(frozen=True, kw_only=True)
-class Text:
-    """Any text in quotation marks. Fits `Kind`."""
-
-    default: str = ""
-
-    def read(self, text: str) -> str:
-        """What stands between the marks."""
-        return quoted(text)
-
-    def write(self, value: Value) -> str:
-        """In quotation marks."""
-        return f'"{value}"'
-
-
-@dataclass(frozen=True, kw_only=True)
-class Setting:
-    """Something that can be set and asked."""
-
-    header: str
-    kind: Kind
-    also: Mapping[str, float] = field(default_factory=dict)
-    """Other settings that change with it."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Model:
-    """What differs from one model to the next: data sheets, DC voltage."""
-
-    maker: str
-    firmware: str
-    nplc: tuple[float, ...]
-    """Integration times in power-line cycles that can be chosen."""
-    resolution: tuple[float, ...]
-    """Resolution at each of them, as a fraction of the range."""
-    voltage_function: str = "VOLT"
-    """How it names DC voltage when asked for its function."""
-
-
-_TRUEVOLT = "A.02.17-02.40-02.17-00.52-04-02"
-_KEYSIGHT, _AGILENT = "Keysight Technologies", "Agilent Technologies"
-_SLOW = (0.02, 0.06, 0.2, 1.0, 10.0, 100.0)
-
-MODELS: Mapping[str, Model] = {
-    "34461A": Model(
-        maker=_KEYSIGHT,
-        firmware=_TRUEVOLT,
-        nplc=(0.02, 0.2, 1.0, 10.0, 100.0),
-        resolution=(1e-4, 1e-5, 3e-6, 1e-6, 3e-7),
-    ),
-    "34465A": Model(maker=_KEYSIGHT, firmware=_TRUEVOLT, nplc=_SLOW, resolution=(3e-6, 1.5e-6, 7e-7, 3e-7, 1e-7, 3e-8)),
-    "34410A": Model(
-        maker=_AGILENT,
-        firmware="2.35-2.35-0.09-46-09",
-        nplc=(0.006, 0.02, 0.06, 0.2, 1.0, 2.0, 10.0, 100.0),
-        resolution=(6e-6, 3e-6, 1.5e-6, 7e-7, 3e-7, 2e-7, 1e-7, 3e-8),
-    ),
-    "MODEL DMM6500": Model(
-        maker="KEITHLEY INSTRUMENTS",
-        firmware="1.7.12b",
-        nplc=(0.0005, 0.001, 0.01, 0.1, 1.0, 10.0, 15.0),
-        resolution=(1e-4, 3e-5, 1e-5, 3e-6, 1e-6, 3e-7, 2e-7),
-        voltage_function="VOLT:DC",
-    ),
-}
+from emulators.scpi.kinds import Choice, Count, Quantity, Setting, Switch, Text
+from emulators.scpi.models import Model
 
 _SENSE = "[SENSe]:VOLTage[:DC]"
-RANGES_V = (0.1, 1.0, 10.0, 100.0, 1000.0)
 
 
 def settings_of(model: Model) -> dict[str, Setting]:
     """Every setting of a model by a short name."""
+    everybodys = _everybodys(model)
+    more = {"keithley 2000": _keithley_2000, "dmm6500": _dmm6500, "siglent": _siglent, "rigol": _rigol}
+    return everybodys | (more[model.family]() if model.family in more else {})
+
+
+def _everybodys(model: Model) -> dict[str, Setting]:
+    """Those of the Truevolt series, which others share."""
     nplc = Quantity(low=model.nplc[0], high=model.nplc[-1], default=10.0, steps=model.nplc)
-    volts = Quantity(low=RANGES_V[0], high=RANGES_V[-1], default=10.0, unit="V", steps=RANGES_V)
+    volts = Quantity(
+        low=model.ranges_v[0], high=model.ranges_v[-1], default=model.ranges_v[2], unit="V", steps=model.ranges_v
+    )
     seconds = Quantity(low=0.0, high=3600.0, default=0.0, unit="S")
     on, off = Switch(default=1.0), Switch(default=0.0)
     return {
@@ -210,10 +50,51 @@ def settings_of(model: Model) -> dict[str, Setting]:
     }
 
 
-def write_real(value: float) -> str:
-    """A number as these instruments write it: infinity and NaN as in SCPI-1999, volume 1, 7.2.1.5."""
-    if math.isnan(value):
-        value = 9.91e37
-    elif math.isinf(value):
-        value = math.copysign(9.9e37, value)
-    return f"{value:+.8E}"
+def _keithley_2000() -> dict[str, Setting]:
+    """Model 2000 Multimeter User's Manual, 5: SENSe, SYSTem, FORMat, TRACe and TRIGger subsystems."""
+    on, off = Switch(default=1.0), Switch(default=0.0)
+    sources = ("IMMediate", "BUS", "EXTernal", "TIMer", "MANual")
+    seconds = Quantity(low=0.0, high=999_999.999, default=0.0, unit="S")
+    return {
+        "autozero": Setting(header="SYSTem:AZERo:STATe", kind=on),
+        "average": Setting(header=f"{_SENSE}:AVERage:STATe", kind=on),
+        "digits": Setting(header=f"{_SENSE}:DIGits", kind=Count(low=4.0, high=7.0, default=7.0)),
+        "continuous": Setting(header="INITiate:CONTinuous", kind=off),
+        "trigger_source": Setting(header="TRIGger:SOURce", kind=Choice(choices=sources, default="IMM")),
+        "delay_s": Setting(header="TRIGger[:SEQuence]:DELay", kind=seconds, also={"auto_delay": 0.0}),
+        "timer_s": Setting(header="TRIGger:TIMer", kind=Quantity(low=1e-3, high=999_999.999, default=0.1)),
+        "format": Setting(header="FORMat[:DATA]", kind=Choice(choices=("ASCii", "SREal", "DREal"), default="ASC")),
+        "elements": Setting(
+            header="FORMat:ELEMents", kind=Choice(choices=("READing", "CHANnel", "UNITs"), default="READ")
+        ),
+        "points": Setting(header="TRACe:POINts", kind=Count(low=2.0, high=1024.0, default=100.0)),
+        "feed": Setting(header="TRACe:FEED", kind=Choice(choices=("SENSe", "CALCulate", "NONE"), default="CALC")),
+        "feed_control": Setting(header="TRACe:FEED:CONTrol", kind=Choice(choices=("NEVer", "NEXT"), default="NEV")),
+        "measurement_mask": Setting(header="STATus:MEASurement:ENABle", kind=Count(low=0.0, high=65535.0, default=0.0)),
+        "beeper": Setting(header="SYSTem:BEEPer:STATe", kind=off),
+    }
+
+
+def _dmm6500() -> dict[str, Setting]:
+    """Model DMM6500 Reference Manual, 12."""
+    return {
+        "autozero": Setting(header=f"{_SENSE}:AZERo[:STATe]", kind=Switch(default=1.0)),
+        "average": Setting(header=f"{_SENSE}:AVERage[:STATe]", kind=Switch(default=0.0)),
+        "format": Setting(header="FORMat[:DATA]", kind=Choice(choices=("ASCii", "REAL", "SREal"), default="ASC")),
+    }
+
+
+def _siglent() -> dict[str, Setting]:
+    """SDM Series Programming Guide, 6.6.9 and 6.6.10."""
+    return {
+        "autozero": Setting(header=f"{_SENSE}:AZ[:STATe]", kind=Switch(default=0.0)),
+        "filter": Setting(header=f"{_SENSE}:FILTer[:STATe]", kind=Switch(default=1.0)),
+    }
+
+
+def _rigol() -> dict[str, Setting]:
+    """Programming Guide for DM3058/DM3058E, 1 and 4."""
+    return {
+        "autozero": Setting(header="[SENSe]:ZERO:AUTO", kind=Switch(default=1.0)),
+        "command_set": Setting(header="CMDSet", kind=Choice(choices=("RIGOL", "AGILENT", "FLUKE"), default="RIGOL")),
+    }

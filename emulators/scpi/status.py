@@ -20,6 +20,10 @@ class Status:
         self._events = _POWER_ON
         self.enabled = 0
         """`*ESE`."""
+        self.requests = 0
+        """`*SRE`."""
+        self.buffer_full = False
+        """Summary of measurement events (bit 0 of the status byte of Keithley instruments)."""
 
     def power_on(self) -> None:
         """Begin anew."""
@@ -49,10 +53,15 @@ class Status:
 
     @property
     def byte(self) -> int:
-        """Status byte: error queue not empty (bit 2), enabled event (bit 5) (SCPI-1999, volume 1, 9)."""
-        return (1 << 2 if self._errors else 0) | (1 << 5 if self._events & self.enabled else 0)
+        """Status byte: error queue not empty (bit 2), enabled event (bit 5) (SCPI-1999, volume 1, 9), buffer full (bit
+        0), and whether any of these requests service (bit 6).
+        """
+        event = 1 << 5 if self._events & self.enabled else 0
+        bits = int(self.buffer_full) | (1 << 2 if self._errors else 0) | event
+        return bits | (1 << 6 if bits & self.requests else 0)
 
     def clear(self) -> None:
         """Forget errors and events."""
         self._errors.clear()
         self._events = 0
+        self.buffer_full = False

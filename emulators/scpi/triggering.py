@@ -53,7 +53,7 @@ class Triggering:
         if self.busy or self._waiting:
             raise ScpiError(-213)
         self._readings = None
-        if measurement.source == "IMM":
+        if measurement.source in ("IMM", "TIM"):
             self._measure(measurement)
         else:
             self._waiting = measurement
@@ -71,6 +71,12 @@ class Triggering:
         if self._readings is None:
             raise ScpiError(-230)
         return self._readings
+
+    def take_out(self, most: int) -> FloatArray:
+        """The oldest readings that are there, so many at most; they do not stay."""
+        held = self._readings if self._readings is not None and not self.busy else np.empty(0)
+        self._readings = held[most:] if len(held) > most else None
+        return held[:most]
 
     def abort(self) -> None:
         """Become idle; readings that were not complete are lost."""

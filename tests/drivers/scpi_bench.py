@@ -7,14 +7,17 @@ from drivers.errors import LinkLostError, NoReplyError
 from drivers.simulated import Simulated, build
 from emulators.faults import Faults, FaultScript
 from emulators.scpi import Multimeter, ScpiSession
+from emulators.scpi.models import Messages
 from emulators.world import SharedWorld
 
 Spoil = Callable[[bytes], bytes]
-PATIENCE = 10_000
+PATIENCE = 1_000
 
 
 class EmulatedLink:
     """Fits `drivers.scpi.meter.ReopenableLink`; answers and commands are spoilt by their number."""
+
+    checksummed = True
 
     def __init__(self, session: ScpiSession, faults: Faults, clock: VirtualClock) -> None:
         self.session = session
@@ -63,9 +66,15 @@ class EmulatedLink:
 
 
 def emulated(
-    settings: Simulated | None = None, faults: FaultScript | None = None, model: str = "34461A"
+    settings: Simulated | None = None,
+    faults: FaultScript | None = None,
+    model: str = "34461A",
+    messages: Messages | None = None,
+    checksummed: bool = True,
 ) -> tuple[EmulatedLink, VirtualClock]:
     clock = VirtualClock()
     world = SharedWorld(build(settings or Simulated(), clock=clock))
     due = Faults(faults, "daq", clock, lambda: world.world.counts.dwells)
-    return EmulatedLink(ScpiSession(Multimeter(world, due, model=model)), due, clock), clock
+    link = EmulatedLink(ScpiSession(Multimeter(world, due, model=model, messages=messages)), due, clock)
+    link.checksummed = checksummed
+    return link, clock

@@ -3,6 +3,7 @@ from zaber_stage import Stage, once
 
 from drivers.errors import DeviceError, LimitError, NoReplyError
 from drivers.protocols import Identity
+from drivers.zaber.codec import lrc
 
 STALL = {"kind": "stall", "at": {"command": 1, "containing": "move"}}
 POWER_LOSS = {"kind": "power_loss", "at": {"time_s": 1.0}}
@@ -281,3 +282,46 @@ def test_a_wrong_answer_to_the_only_question_without_a_checksum_does_no_harm(spo
     stage.link.spoil = once("get comm.checksum", spoilt)
     assert stage.head.identify().serial == "51234"
     assert "set comm.checksum 1" in stage.link.heard
+
+
+def test_a_list_of_warnings_shorter_than_its_count_is_asked_for_again():
+    stage = Stage(STALL).homed()
+    stage.head.start_move(90.0)
+    lists = []
+
+    def shortened(command, answer):
+        if command != "warnings":
+            return answer
+        lists.append(answer)
+        return with_data(answer, b"02 WR") if len(lists) == 1 else answer
+
+    stage.link.spoil = shortened
+    with pytest.raises(DeviceError, match="stalled and stopped"):
+        stage.settle()
+
+    assert len(lists) == 2
+
+
+@pytest.mark.parametrize("data", [b"02 WR", b"01 WR WH", b"00 WR", b"1 WR", b"WR", b"01 XX", b"99", b"01 wr"])
+def test_a_list_of_warnings_that_stays_wrong_is_told(data):
+    stage = Stage()
+    stage.link.spoil = lambda command, answer: with_data(answer, data) if command == "warnings" else answer
+
+    with pytest.raises(DeviceError, match="no list of warnings that can be believed in 3 attempts"):
+        stage.head.status()
+
+
+def test_a_stall_in_the_reply_counts_even_where_the_list_leaves_it_out():
+    stage = Stage(STALL).homed()
+    stage.head.start_move(90.0)
+    stage.link.spoil = lambda command, answer: with_data(answer, b"00") if command == "warnings" else answer
+
+    with pytest.raises(DeviceError, match="stalled and stopped"):
+        stage.settle()
+
+
+def with_data(answer, data):
+    """The answer with other data and the checksum that belongs to it."""
+    words = answer.split(b":")[0].split()
+    text = b" ".join([*words[:6], data])
+    return text + b":%02X\r\n" % lrc(text[1:])

@@ -17,7 +17,9 @@ from emulators.world import SharedWorld
 with warnings.catch_warnings():
     warnings.simplefilter("ignore")
     from pymeasure.instruments.agilent import Agilent34410A
-    from pymeasure.instruments.keithley import KeithleyDMM6500
+    from pymeasure.instruments.keithley import Keithley2000, KeithleyDMM6500
+    from qcodes.instrument_drivers.Keithley import Keithley2000 as QcodesKeithley2000
+    from qcodes.instrument_drivers.Keithley import Keithley6500
     from qcodes.instrument_drivers.Keysight import Keysight34465A
 
 pytestmark = pytest.mark.filterwarnings("ignore")
@@ -71,6 +73,68 @@ def test_pymeasure_takes_it_for_a_dmm6500():
         assert meter.line_frequency == 50
         assert meter.voltage == U0
         assert meter.check_errors() == []
+
+
+def test_pymeasure_fills_the_buffer_of_a_keithley_2000():
+    with resource("MODEL 2000") as name, pymeasure(Keithley2000, name) as meter:
+        meter.measure_voltage(max_voltage=10)
+        meter.voltage_nplc = 0.1
+        meter.config_buffer(points=20, delay=0.01)
+        meter.start_buffer()
+        meter.wait_for_buffer(timeout=5, interval=0.01)
+
+        assert meter.mode == "voltage"
+        assert meter.voltage_range == 10
+        assert meter.voltage_nplc == 0.1
+        assert meter.buffer_data.shape == (20,)
+        np.testing.assert_allclose(meter.buffer_data, 2.5, atol=0.05)
+        assert meter.check_errors() == []
+
+
+def test_pymeasure_reads_a_keithley_2000():
+    with resource("MODEL 2000") as name, pymeasure(Keithley2000, name) as meter:
+        meter.measure_voltage(max_voltage=10)
+
+        assert meter.id == "KEITHLEY INSTRUMENTS INC.,MODEL 2000,MY57200001,A20 /A02"
+        assert [meter.voltage for _ in range(3)] == [U0] * 3
+        assert meter.check_errors() == []
+
+
+@contextmanager
+def qcodes(cls, model):
+    with resource(model) as name:
+        meter = cls(f"meter_{model.split()[-1]}", name, visalib="@py", terminator="\n")
+        try:
+            yield meter
+        finally:
+            meter.close()
+
+
+def test_qcodes_drives_a_keithley_2000():
+    with qcodes(QcodesKeithley2000, "MODEL 2000") as meter:
+        meter.mode("dc voltage")
+        meter.range(10)
+        meter.nplc(0.1)
+        meter.averaging_enabled(False)
+        meter.trigger_continuous(False)
+        meter.trigger_count(1)
+        meter.trigger_source("timer")
+        meter.trigger_timer(0.01)
+        meter.trigger()
+
+        assert meter.amplitude() == U0
+        assert meter.mode() == "dc voltage"
+        assert (meter.range(), meter.nplc(), meter.trigger_timer()) == (10.0, 0.1, 0.01)
+        assert not meter.averaging_enabled()
+        assert meter.ask("SYST:ERR?") == '0,"No error"'
+
+
+def test_qcodes_reads_a_dmm6500():  # it knows functions without quotation marks only, and so sets nothing here
+    with qcodes(Keithley6500, "MODEL DMM6500") as meter:
+        meter.mode("dc voltage")
+
+        assert meter.amplitude() == U0
+        assert meter.ask("SYST:ERR?") == '0,"No error;0;0 0"'
 
 
 @pytest.fixture

@@ -1,0 +1,143 @@
+"""Taking a block of readings: set up, begin, read back, fetch; a block that goes wrong is taken anew, as a whole."""
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from typing import Final, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from drivers.clock import Clock
+from drivers.errors import DeviceError, LinkLostError, NoReplyError
+from drivers.scpi.codec import CorruptReplyError, parse_number, parse_readings
+from drivers.scpi.exchange import ATTEMPTS, Exchange
+from drivers.scpi.measurement import TOLERANCE, Measurement
+from drivers.scpi.plain import PlainExchange
+
+REMEDY: Final = "check the settings of the stand file"
+
+Taken = TypeVar("Taken")
+
+
+def perform(exchange: Exchange, clock: Clock, measurement: Measurement, transfer_s: float) -> NDArray[np.float64]:
+    """Take a block; one that goes wrong is taken anew, as a whole.
+
+    Parameters
+    ----------
+    transfer_s
+        How long the readings may be on their way, in real seconds.
+
+    Raises
+    ------
+    DeviceError
+        It went wrong `ATTEMPTS` times.
+    NoReplyError, LinkLostError
+        The meter or the way to it is gone.
+    """
+    return _insisted(exchange, measurement, lambda: _taken(exchange, clock, measurement, transfer_s))
+
+
+def perform_singly(
+    exchange: Exchange, clock: Clock, measurement: Measurement, count: int, rate_hz: float
+) -> tuple[NDArray[np.float64], float]:
+    """Take readings one by one, each when its time has come.
+
+    Returns the readings, and the rate in Hz at which they were taken, which is less than `rate_hz` where meter and wire
+    need longer. Raises as `perform`.
+    """
+    return _insisted(exchange, measurement, lambda: _taken_singly(exchange, clock, measurement, count, rate_hz))
+
+
+def _insisted(exchange: Exchange, measurement: Measurement, take: Callable[[], Taken]) -> Taken:
+    happened = ""
+    for _ in range(ATTEMPTS):
+        try:
+            return take()
+        except LinkLostError:
+            raise
+        except NoReplyError as error:
+            if not (isinstance(exchange, PlainExchange) and exchange.answers()):
+                raise
+            happened = f"it answers, though not to {measurement.fetch} ({error.happened})"
+        except DeviceError as error:
+            happened = error.happened
+    raise DeviceError(
+        "multimeter", f"failed to measure {ATTEMPTS} times: {happened}", "look at its display, then resume the run"
+    )
+
+
+def same(value: float | str, answer: str) -> bool:
+    """Whether a setting that is read back is what was set."""
+    if isinstance(value, str):
+        return answer.strip('"').casefold() == value.casefold()
+    try:
+        return math.isclose(parse_number(answer), value, rel_tol=TOLERANCE, abs_tol=1e-6)
+    except CorruptReplyError:
+        return False
+
+
+def _taken(exchange: Exchange, clock: Clock, measurement: Measurement, transfer_s: float) -> NDArray[np.float64]:
+    if exchange.asks_all_at_once:
+        _set_up(exchange, measurement, (*measurement.preparation, *measurement.begin))
+        clock.sleep(measurement.duration_s)
+        return _readings(_fetched(exchange, measurement, transfer_s), measurement.count)
+    _set_up(exchange, measurement, measurement.preparation)
+    exchange.say(*measurement.begin)  # some listen to nothing else until the last reading is there
+    if measurement.begin:
+        clock.sleep(measurement.duration_s)
+    readings = _readings(_fetched(exchange, measurement, transfer_s), measurement.count)
+    _complain(map(str, exchange.errors()))
+    return readings
+
+
+def _taken_singly(
+    exchange: Exchange, clock: Clock, measurement: Measurement, count: int, rate_hz: float
+) -> tuple[NDArray[np.float64], float]:
+    _set_up(exchange, measurement, measurement.preparation)
+    began_s = clock.monotonic_s()
+    readings = np.empty(count)
+    for taken in range(count):
+        clock.sleep(began_s + taken / rate_hz - clock.monotonic_s())
+        exchange.say(*measurement.begin)
+        readings[taken] = _readings(_fetched(exchange, measurement, 0.0), 1)[0]
+    lasted_s = clock.monotonic_s() - began_s
+    _complain(map(str, exchange.errors()))
+    return readings, min(rate_hz, count / lasted_s) if lasted_s > 0.0 else rate_hz
+
+
+def _set_up(exchange: Exchange, measurement: Measurement, commands: Sequence[str]) -> None:
+    """Configure, read everything back. Raises `DeviceError` where the meter is not set as it was told."""
+    answers = list(exchange.ask(*measurement.questions, commands=commands))
+    complaints = [str(entry) for entry in exchange.errors()]
+    if measurement.function and (function := answers.pop(0)).strip('"') not in measurement.functions:
+        complaints.append(f"it measures {function}")
+    for (header, value), answer in zip(measurement.settings, answers, strict=True):
+        if not same(value, answer):
+            complaints.append(f"{header} is {answer} instead of {value}")
+    _complain(complaints)
+
+
+def _complain(complaints: Iterable[str]) -> None:
+    if said := ", ".join(complaints):
+        raise DeviceError("multimeter", said, REMEDY)
+
+
+def _fetched(exchange: Exchange, measurement: Measurement, transfer_s: float) -> str:
+    if measurement.begin or not isinstance(exchange, PlainExchange):
+        return exchange.ask(measurement.fetch, extra_s=measurement.extra_s + transfer_s)[0]
+    extra_s = measurement.duration_s + measurement.extra_s + transfer_s
+    try:
+        return exchange.ask_once(measurement.fetch, extra_s)
+    except CorruptReplyError as error:
+        raise DeviceError("multimeter", f"gave readings that came to harm ({error})", "check the cable") from error
+
+
+def _readings(field: str, count: int) -> NDArray[np.float64]:
+    try:
+        readings = parse_readings(field)
+    except CorruptReplyError as error:
+        raise DeviceError("multimeter", f"gave readings that are none ({error})", "check its language") from error
+    if len(readings) != count:
+        happened = f"gave {len(readings)} of {count} readings"
+        raise DeviceError("multimeter", happened, "check that nobody else talks to it")
+    return readings

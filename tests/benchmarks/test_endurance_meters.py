@@ -1,0 +1,100 @@
+"""A whole short programme with every family of meters, over sockets and pseudo-terminals."""
+
+import os
+from contextlib import ExitStack
+
+import numpy as np
+import pytest
+
+from app.running import Job, run
+from app.stand import load_stand
+from app.wiring import connect
+from drivers.simulated import HeadOptions, Simulated, build
+from emulators.emulation import Wanted, emulate
+from emulators.speed import FasterClock
+from emulators.world import SharedWorld
+from procedures.programme import programme_from_text
+from procedures.recording.observations import observations
+from procedures.recording.reader import read_recording
+
+PROGRAMME = """\
+name = "short"
+settle_s = 0.05
+dwell_s = 0.2
+
+[[procedure]]
+kind = "sweep"
+mount = "face-up"
+step_deg = 90.0
+points = 3
+"""
+STAND = """\
+name = "emulated"
+[head]
+driver = "zaber"
+url = "{head}"
+limits_deg = [-180.0, 760.0]
+speed_deg_s = 90.0
+[daq]
+driver = "scpi"
+url = "{daq}"
+samples = 10
+rate_hz = 50.0
+"""
+posix = pytest.mark.skipif(os.name == "nt", reason="Windows has no pseudo-terminals")
+
+
+METERS = [
+    ("34461A", "one", ""),
+    ("MODEL 2000", None, ""),
+    ("MODEL DMM6500", None, ""),
+    ("SDM3055", None, ""),
+    ("DM3068", None, ""),
+    ("PLAIN-5", None, 'dialect = "common"'),
+]
+AT_TERMINALS = [("MODEL 2000", None, ""), ("READ-ONCE", None, 'dialect = "common"')]
+
+
+@pytest.mark.parametrize(
+    ("model", "messages", "more", "terminals"),
+    [(*meter, False) for meter in METERS] + [pytest.param(*meter, True, marks=posix) for meter in AT_TERMINALS],
+)
+def test_a_whole_programme_comes_through(model, messages, more, terminals, tmp_path):
+    clock = FasterClock(20.0)
+    shared = SharedWorld(build(Simulated(seed=3), clock=clock, head=HeadOptions(speed_deg_s=90.0)))
+    file, recording = tmp_path / "stand.toml", tmp_path / "run.mcap"
+    anywhere = dict.fromkeys(("head", "daq"), "socket://127.0.0.1:0")
+    file.write_text(STAND.format(**anywhere) + more)
+    tables = load_stand(file).file
+    with ExitStack() as stack:
+        wanted = Wanted(head=tables.head, daq=tables.daq, meter=model, meter_messages=messages, ptys=terminals)
+        where = emulate(stack, shared, wanted)
+        suffix = "_pty" if terminals else ""
+        file.write_text(STAND.format(**{name: where[f"{name}{suffix}"] for name in anywhere}) + more)
+        job = Job(stand=load_stand(file), programme=programme_from_text(PROGRAMME, "short"), serial_number="E-1")
+        connected = connect(job.stand, clock=clock)
+        stack.callback(connected.links.close)
+
+        outcome = run(job, connected, recording)
+
+    rows = observations(read_recording(recording))
+    assert len(outcome.points) == len(rows.row) == 3
+    np.testing.assert_allclose(rows.voltage_v, [2.5, 1.5, 2.5], atol=0.1)
+
+
+def test_what_a_meter_cannot_is_recorded_with_the_run(tmp_path):
+    clock = FasterClock(20.0)
+    shared = SharedWorld(build(Simulated(seed=3), clock=clock, head=HeadOptions(speed_deg_s=90.0)))
+    file, recording = tmp_path / "stand.toml", tmp_path / "run.mcap"
+    file.write_text(STAND.format(head="socket://127.0.0.1:0", daq="socket://127.0.0.1:0"))
+    tables = load_stand(file).file
+    with ExitStack() as stack:
+        where = emulate(stack, shared, Wanted(head=tables.head, daq=tables.daq, meter="SDM3065X"))
+        file.write_text(STAND.format(**where))
+        job = Job(stand=load_stand(file), programme=programme_from_text(PROGRAMME, "short"), serial_number="E-1")
+        connected = connect(job.stand, clock=clock)
+        stack.callback(connected.links.close)
+        run(job, connected, recording)
+
+    said = [event.message for event in read_recording(recording).events if hasattr(event, "message")]
+    assert "DAQ: does not know VOLT:DC:FILT, which is left as it is" in said
