@@ -10,7 +10,8 @@ from rich.table import Column, Table
 from app.commands import options
 from app.console import results
 from app.exits import Exit
-from app.recall import open_store, verify_record
+from app.recall import open_store, unprotected
+from app.verifying import Finding, leftovers, verified_record
 from calibrations.quantities import format_concise
 from calibrations.records.compare import compare
 from calibrations.records.export import document
@@ -77,7 +78,8 @@ def _listing(found: tuple[Record, ...]) -> Table:
 @options.store
 def show(record_id: str, folder: Path) -> None:
     """Show a record, by the beginning of its id."""
-    record = open_store(folder).get(record_id)
+    store = open_store(folder)
+    record = store.get(record_id)
     origin = record.provenance
     click.echo(f"record     {record.id}, revision {record.revision}, {record.verdict}")
     if record.supersedes:
@@ -87,6 +89,8 @@ def show(record_id: str, folder: Path) -> None:
     click.echo(
         f"program    {origin.program_version} {origin.git_commit[:12]}{' (changed)' if origin.git_dirty else ''}"
     )
+    if old := unprotected(store.raw_file(record)):
+        click.echo(old)
     effects = [effect["name"] for effect in record.result.get("loop", {}).get("effects", [])]
     _show_parameters(record.models["declared"])
     if effects:
@@ -129,16 +133,28 @@ def export(record_id: str, folder: Path, json_path: Path) -> None:
 @click.argument("record_ids", nargs=-1)
 @options.store
 def verify(record_ids: tuple[str, ...], folder: Path) -> None:
-    """Verify records, or all that stand: hash the raw files again, fit again, say whether the numbers come back."""
+    """Verify records, or all that stand: hash the raw files again, fit again, say whether the numbers come back.
+
+    Without an id, what in the folder belongs to no record is named too.
+    """
     store = open_store(folder)
-    records = [store.get(record_id) for record_id in record_ids] or list(store.find())
-    failed = 0
-    for record in records:
-        verification = verify_record(store, record)
-        failed += not verification.verified
-        click.echo(f"{record.id}: {'verified' if verification.verified else 'NOT VERIFIED'}")
-        for sentence in verification.sentences:
-            click.echo(f"  {sentence}")
-    click.echo(f"{len(records) - failed} of {len(records)} records agree with their raw files")
-    if failed:
+    ids = [store.resolve(record_id) for record_id in record_ids] or store.standing()
+    records = [_told(verified_record(store, record_id), "verified", "NOT VERIFIED") for record_id in ids]
+    others = () if record_ids else leftovers(store)
+    sound = [_told(finding, "no record", "NO RECORD") for finding in others]
+    summary = f"{sum(records)} of {len(records)} records agree with their raw files"
+    more = (
+        f"; {len(sound)} more finding{'s' if len(sound) > 1 else ''}, {sound.count(False)} of them wrong"
+        if sound
+        else ""
+    )
+    click.echo(summary + more)
+    if not all([*records, *sound]):
         raise SystemExit(int(Exit.BAD_INPUT))
+
+
+def _told(finding: Finding, good: str, bad: str) -> bool:
+    click.echo(f"{finding.name}: {good if finding.verified else bad}")
+    for sentence in finding.sentences:
+        click.echo(f"  {sentence}")
+    return finding.verified

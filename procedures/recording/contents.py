@@ -150,6 +150,8 @@ class _Reading:
         if metadata.name != HEADER_METADATA or self.begun:
             yield self._damage(f"the record at byte {frame.place} is not one that a recording has")
             return
+        if self._programme is None:
+            yield self._damage("the programme in it is missing")
         header = _header(self._path, metadata.metadata, self._programme or b"")
         self.begun, self._protected = True, header.protected
         yield header

@@ -7,8 +7,8 @@ from dataclasses import MISSING, dataclass, fields
 from typing import Any
 
 FORMAT_VERSION = 3
-"""1 had neither `job` nor the identification of instruments, nor runs that were resumed; 2 had no checksum of the header
-and none of the data as a whole. All of them are read."""
+"""1 had neither `job` nor the identification of instruments, nor runs that were resumed; 2 had no checksum of its
+header, and none of its data as a whole. All of them are read."""
 PROTECTED_SINCE = 3
 """From this version on damage to a header is noticed."""
 _SHA256 = "header_sha256"

@@ -104,6 +104,11 @@ def read_recording(path: Path) -> Recording:
     )
 
 
+def read_header(path: Path) -> Header:
+    """Read what a recording says of itself, and no further. Raises `RecordingError` as `read_recording`."""
+    return next(entry for entry in contents(path, ()) if isinstance(entry, Header))
+
+
 def leading(recording: Recording) -> Recording:
     """The recording without the points behind the first that is missing: what a run can go on from."""
     if not recording.missing:
