@@ -123,7 +123,7 @@ def compare_records(first: str, second: str, folder: Path) -> None:
 @command.command("export")
 @click.argument("record_id")
 @options.store
-@click.option("--json", "json_path", type=options.EXISTING, default=Path("-"), help="File; standard output without.")
+@click.option("--json", "json_path", type=options.RECORD, default=Path("-"), help="File; standard output without.")
 def export(record_id: str, folder: Path, json_path: Path) -> None:
     """Export a record as JSON (tumble.record/2)."""
     options.write_json(document(open_store(folder).get(record_id)), json_path)

@@ -96,7 +96,7 @@ class Store:
         """Return the id that begins so, the record itself unread. Raises `RecordError` where none does, or several."""
         query = select(RECORDS.c.id).where(RECORDS.c.id.startswith(id_prefix, autoescape=True))
         with storage_errors(self.path), self._engine.connect() as connection:
-            found = connection.execute(query.order_by(RECORDS.c.id).limit(5)).scalars().all()
+            found: Sequence[str] = connection.execute(query.order_by(RECORDS.c.id).limit(5)).scalars().all()
         if not found:
             raise RecordError(f"{self.path}: no record has an id that begins with {id_prefix!r}; list the records")
         if len(found) > 1:
