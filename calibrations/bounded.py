@@ -1,4 +1,4 @@
-"""Files that are read whole, and that somebody may get wrong: a device without an end, a disk image, a dump of years."""
+"""Files that are read whole, within bounds: what is named may be a device without an end, or the image of a disk."""
 
 import errno
 import stat
@@ -12,7 +12,7 @@ MOST_ROWS: Final = 2_000_000
 
 
 def check_bounded(path: Path, most_bytes: int = LARGEST_TABLE) -> None:
-    """Raise `OSError`, in words, where a file is no file or holds more than `most_bytes`; a folder is left to others."""
+    """Raise `OSError`, in words, for a device or a pipe, and for a file of more than `most_bytes`."""
     there = path.stat()
     if not (stat.S_ISREG(there.st_mode) or stat.S_ISDIR(there.st_mode)):
         raise OSError(errno.EINVAL, "no file but a device or a pipe, which may have no end")

@@ -39,9 +39,9 @@ def monte_carlo(
     """Simulate the rows anew and refit the full nonlinear model to each.
 
     `nodes_deg` are values of alpha0 that span what it can be; `scatter` is that of a row of weight 1, with few degrees
-    of freedom a Student distribution (JCGM 101, 6.4.9); `errors_v`, shape (10 + terms, n), are the independent errors of
-    type B as they show in the rotated voltages, one standard uncertainty each. Work is done on those, where white noise
-    stays white. Many errors are drawn as their sum is distributed: normal, with their covariance.
+    of freedom a Student distribution (JCGM 101, 6.4.9); `errors_v`, shape (10 + terms, n), are the independent errors
+    of type B as they show in the rotated voltages, one standard uncertainty each. Work is done on those, where white
+    noise stays white. Many errors are drawn as their sum is distributed: normal, with their covariance.
     """
     generator = np.random.default_rng(SEED)
     effect = errors_v if errors_v.shape[1] <= _DRAWN_EACH else _root(errors_v @ errors_v.T)
