@@ -254,3 +254,16 @@ def test_a_replaced_result_keeps_its_rights(write):
 def test_text_that_is_no_result_is_written_over_nothing(write):
     with pytest.raises(InputError, match="is written over nothing else"):
         write_text(write("out.json", RESULT), "plain")
+
+
+@pytest.mark.parametrize("left", [1000, 0], ids=["half", "none"])
+def test_a_report_that_an_earlier_version_left_half_is_written_anew(copied, left):
+    (report,) = (copied.store / "reports").glob("*.html")
+    whole = report.read_bytes()
+    report.write_bytes(whole[:left])
+
+    ran = tumble("resume", copied.recording)
+
+    assert ran.status == 0
+    assert "only its report was missing" in ran.err
+    assert report.read_bytes().rstrip().endswith(b"</html>")
