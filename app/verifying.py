@@ -51,6 +51,7 @@ def leftovers(store: Store) -> tuple[Finding, ...]:
     return (
         *(_fault(store.path, fault) for fault in inventory.faults),
         *(_removed(record_id) for record_id in inventory.removed),
+        *_gaps(store.path, inventory),
         *_reports(store.folder, inventory),
         *_recordings(store.folder, inventory),
     )
@@ -65,6 +66,13 @@ def _fault(path: Path, fault: str) -> Finding:
 def _removed(record_id: str) -> Finding:
     lost = "It is not in the store, although other rows name it: it was removed; restore the store from a backup."
     return Finding(name=record_id, verified=False, sentences=(lost,))
+
+
+def _gaps(path: Path, inventory: Inventory) -> Iterator[Finding]:
+    if lost := inventory.numbers_without_record:
+        records = "A record was" if lost == 1 else f"{lost} records were"
+        words = f"{records} deleted from the database; restore it from a backup."
+        yield Finding(name=str(path), verified=False, sentences=(words,))
 
 
 def _reports(folder: Path, inventory: Inventory) -> Iterator[Finding]:

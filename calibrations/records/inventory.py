@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from sqlalchemy import Connection, select
+from sqlalchemy import Connection, Integer, func, literal_column, select
 
 from calibrations.records.schema import PARAMETERS, RECORDS
 
@@ -17,6 +17,8 @@ class Inventory:
     """Of their raw files, as records hold them; those of a record of several files stand in one text."""
     named: frozenset[str]
     """Ids that other rows name."""
+    numbers_without_record: int
+    """How many of SQLite's own row numbers, given in turn, have no row: it was deleted. The last one leaves no gap."""
     faults: tuple[str, ...]
     """What SQLite finds wrong with the file; empty where it is sound."""
 
@@ -34,8 +36,17 @@ def inventory(connection: Connection) -> Inventory:
         ids=frozenset(row.id for row in rows),
         raw_paths=frozenset(row.raw_path for row in rows),
         named=frozenset((*(row.supersedes for row in rows if row.supersedes), *of_parameters)),
+        numbers_without_record=_numbers_without_row(connection),
         faults=_faults(connection),
     )
+
+
+def _numbers_without_row(connection: Connection) -> int:
+    rowid = literal_column("rowid", Integer)
+    last = connection.execute(
+        select(func.coalesce(func.max(rowid), 0) - func.count()).select_from(RECORDS)
+    ).scalar_one()
+    return int(last)
 
 
 def _faults(connection: Connection) -> tuple[str, ...]:

@@ -57,6 +57,25 @@ def test_a_record_that_was_removed_is_noticed_by_its_parameters(copied):
     assert "It is not in the store, although other rows name it" in said_of(ran, copied.document["record"])[1]
 
 
+def test_a_record_of_a_file_elsewhere_that_was_removed_leaves_a_gap(copied, write):
+    table = write("t.csv", "angle_deg,voltage_V\n" + "".join(f"{angle},{angle % 7}\n" for angle in range(0, 360, 10)))
+    assert tumble("fit", table, "--store", copied.store).status == 0
+    assert tumble("fit", copied.recording, "--store", copied.store).status == 0
+    past_the_triggers(
+        copied.store,
+        "DELETE FROM parameters WHERE record_id IN (SELECT id FROM records WHERE serial_number = 't')",
+        "DELETE FROM records WHERE serial_number = 't'",
+    )
+
+    ran = verified(copied.store)
+
+    assert ran.status == 2
+    assert said_of(ran, copied.store / "records.sqlite") == [
+        f"{copied.store / 'records.sqlite'}: NO RECORD",
+        "A record was deleted from the database; restore it from a backup.",
+    ]
+
+
 def test_a_damaged_record_does_not_stop_the_check_of_the_others(copied):
     other = tumble(
         "run", "--programme", "quick", "--serial", "SN-8", "--store", copied.store, "--out", copied.store / "x.mcap"
