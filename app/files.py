@@ -39,21 +39,8 @@ def check_result(path: Path, kind: Kind | None) -> None:
     _refuse_names_of_raw_data(path)
     with _storage(path):
         place = _place(path)
-        try:
-            there = place.stat()
-        except FileNotFoundError:
-            _check_folder(path, place.parent)
-            return
-        if not stat.S_ISREG(there.st_mode):
-            raise InputError(f"{path}: is no file but a folder or a device; name a file to be written")
-        if there.st_size and (kind is None or _kind_of_file(place) is not kind):
-            written = f"a {kind}" if kind else "this"
-            raise InputError(
-                f"{path}: is there already and is no earlier result of the same kind, and {written} is written over "
-                "nothing else; choose another name, or move the file away"
-            )
-        if not there.st_mode & 0o222 or not os.access(place, os.W_OK):
-            raise JobError(f"{path}: is write-protected; choose another name", Exit.STORAGE)
+        with suppress(FileNotFoundError):
+            _check_earlier(path, place, place.stat(), kind)
         _check_folder(path, place.parent)
 
 
@@ -88,6 +75,20 @@ def write_text(path: Path, text: str) -> None:
     """Write a text file with its folder, UTF-8. Raises as `replacing`."""
     with replacing(path, kind_of(text[:BEGINNING_BYTES].encode())) as begun:
         begun.write_text(text, encoding="utf-8", newline="\n")
+
+
+def _check_earlier(path: Path, place: Path, there: os.stat_result, kind: Kind | None) -> None:
+    """Refuse to write over what is there, but for an earlier result of the same kind, or nothing at all in a file."""
+    if not stat.S_ISREG(there.st_mode):
+        raise InputError(f"{path}: is no file but a folder or a device; name a file to be written")
+    if there.st_size and (kind is None or _kind_of_file(place) is not kind):
+        written = f"a {kind}" if kind else "this"
+        raise InputError(
+            f"{path}: is there already and is no earlier result of the same kind, and {written} is written over "
+            "nothing else; choose another name, or move the file away"
+        )
+    if not there.st_mode & 0o222 or not os.access(place, os.W_OK):
+        raise JobError(f"{path}: is write-protected; choose another name", Exit.STORAGE)
 
 
 def _refuse_names_of_raw_data(path: Path) -> None:

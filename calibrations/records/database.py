@@ -41,6 +41,8 @@ def open_database(path: Path, busy_timeout_s: float) -> Engine:
     with storage_errors(path):
         if not path.exists():
             _make(path, busy_timeout_s)
+        elif not (path.is_file() or path.is_dir()):
+            raise StoreError(path, "this is no file but a device or a pipe", "choose another store")
         elif path.is_file() and not path.stat().st_size:
             raise StoreError(path, "this file is empty and no store", "restore it from a backup, or remove it")
     engine = _engine(path, busy_timeout_s)
