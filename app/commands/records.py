@@ -139,22 +139,22 @@ def verify(record_ids: tuple[str, ...], folder: Path) -> None:
     """
     store = open_store(folder)
     ids = [store.resolve(record_id) for record_id in record_ids] or store.standing()
-    records = [_told(verified_record(store, record_id), "verified", "NOT VERIFIED") for record_id in ids]
-    others = () if record_ids else leftovers(store)
-    sound = [_told(finding, "no record", "NO RECORD") for finding in others]
-    summary = f"{sum(records)} of {len(records)} records agree with their raw files"
-    more = (
-        f"; {len(sound)} more finding{'s' if len(sound) > 1 else ''}, {sound.count(False)} of them wrong"
-        if sound
-        else ""
-    )
-    click.echo(summary + more)
-    if not all([*records, *sound]):
+    records = [_told(verified_record(store, record_id)) for record_id in ids]
+    others = [_told(finding) for finding in (() if record_ids else leftovers(store))]
+    click.echo(f"{sum(records)} of {len(records)} records agree with their raw files{_more(others)}")
+    if not all([*records, *others]):
         raise SystemExit(int(Exit.BAD_INPUT))
 
 
-def _told(finding: Finding, good: str, bad: str) -> bool:
-    click.echo(f"{finding.name}: {good if finding.verified else bad}")
+def _told(finding: Finding) -> bool:
+    """Print a finding; return whether it is a good one."""
+    click.echo(f"{finding.name}: {finding.judgement}")
     for sentence in finding.sentences:
         click.echo(f"  {sentence}")
-    return finding.verified
+    return finding.good
+
+
+def _more(others: list[bool]) -> str:
+    if not others:
+        return ""
+    return f"; {len(others)} more finding{'s' if len(others) > 1 else ''}, {others.count(False)} of them wrong"

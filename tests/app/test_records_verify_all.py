@@ -71,7 +71,7 @@ def test_a_record_of_a_file_elsewhere_that_was_removed_leaves_a_gap(copied, writ
 
     assert ran.status == 2
     assert said_of(ran, copied.store / "records.sqlite") == [
-        f"{copied.store / 'records.sqlite'}: NO RECORD",
+        f"{copied.store / 'records.sqlite'}: RECORDS REMOVED",
         "A record was deleted from the database; restore it from a backup.",
     ]
 
