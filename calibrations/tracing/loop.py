@@ -91,6 +91,9 @@ def explain(
     declared = fit_jointly(observations)
     if obstacle := _obstacle(asked):
         calibration = assess(declared, uncertainty, trials=0)
+        if asked.answerable:  # else its question is a warning already
+            said = f"{observations.source}: nothing was traced: {obstacle}"
+            calibration = replace(calibration, warnings=(*calibration.warnings, said))
         unanswered = Loop(
             declared=calibration,
             augmented=calibration,

@@ -57,7 +57,9 @@ def test_a_table_too_long_to_be_traced_says_so(monkeypatch):
     loop, explained = explain(table(sweep("face-up"), realisations=2))
 
     assert explained is None
-    assert loop.not_traced == "its 160 rows are more than the 100 that are traced at once; give means or a part of them"
+    said = "its 160 rows are more than the 100 that are traced at once; give means or a part of them"
+    assert loop.not_traced == said
+    assert loop.augmented.warnings[-1] == f"table: nothing was traced: {said}"
     assert loop.declared.parameters["kx"].value == pytest.approx(1.0, abs=1e-3)
 
 
