@@ -13,7 +13,7 @@ help:
 	@echo "make gui    open the operator's window"
 	@echo "make test   style, types, import contracts and all tests"
 	@echo "make test-screen   tests of the window on a real X11 screen that nobody sees (needs xvfb)"
-	@echo "make endurance   kills, cuts, runs through the wire, faults at every step, a soak, mutated frames (two hours)"
+	@echo "make endurance   kills, cuts, flips, runs through the wire, faults at every step, a soak, mutated frames (two hours)"
 	@echo "make texts  collect the texts of the window for its translators"
 	@echo "make lock   pin the dependencies anew"
 
@@ -50,6 +50,7 @@ check: setup
 
 endurance: setup
 	$(BIN)/python -m benchmarks.endurance.cuts
+	$(BIN)/python -m benchmarks.endurance.flips
 	$(BIN)/python -m benchmarks.endurance.kills
 	$(BIN)/python -m benchmarks.endurance.peers
 	$(BIN)/python -m benchmarks.endurance.pairs

@@ -60,6 +60,11 @@ def report_path(folder: Path, record: Record) -> Path:
     return folder / "reports" / f"{record.id}.html"
 
 
+def has_report(path: Path) -> bool:
+    """Whether a report is there to its end; the first version left half of one where the disk was full."""
+    return path.is_file() and path.read_bytes().rstrip().endswith(b"</html>")
+
+
 def write_report(
     traced: Traced, path: Path, record_id: str = "", revision: int = 1, chain: Chain | None = None
 ) -> None:

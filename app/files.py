@@ -1,11 +1,24 @@
-"""Files that a user asked for."""
+"""Files that a user asked for: the one way in which a result reaches the disk.
 
+A result is written beside its place and put there at once when it is whole: a full disk leaves what was there before.
+It takes the place of an earlier result of the same kind only, and of nothing else: not of an input of the command, a
+table, a store, a recording, a programme or a stand file, by whatever name or link it is called.
+"""
+
+import os
+import secrets
+import stat
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from app.exits import Exit, JobError
+from app.kinds import BEGINNING_BYTES, Kind, kind_of
 from procedures.errors import InputError
+from procedures.recording.file import synchronise_folder
 
 RECORDING_SUFFIX = ".mcap"
+_STORE_SUFFIX = ".sqlite"
 
 
 def is_recording(path: Path) -> bool:
@@ -13,18 +26,111 @@ def is_recording(path: Path) -> bool:
     return path.suffix.lower() == RECORDING_SUFFIX
 
 
-def refuse_recording(path: Path) -> None:
-    """Keep results from being written over raw data. Raises `InputError`."""
-    if is_recording(path):
-        raise InputError(f"{path}: has the name of a recording, and those are never overwritten; choose another name")
+def check_result(path: Path, kind: Kind | None) -> None:
+    """Find out whether a result of a kind may be written, before anything is done for it.
+
+    Raises
+    ------
+    InputError
+        It has the name of a recording or a store, or something else than an earlier result of its kind is there.
+    JobError
+        The place is write-protected, or cannot be looked at.
+    """
+    _refuse_names_of_raw_data(path)
+    with _storage(path):
+        place = _place(path)
+        with suppress(FileNotFoundError):
+            _check_earlier(path, place, place.stat(), kind)
+        _check_folder(path, place.parent)
+
+
+@contextmanager
+def replacing(path: Path, kind: Kind | None) -> Iterator[Path]:
+    """Give a place to write a result to, and put it where it belongs when it is whole.
+
+    Raises
+    ------
+    InputError, JobError
+        As `check_result`; `JobError` too where it cannot be written. What was there stays as it was.
+    """
+    check_result(path, kind)
+    with _storage(path):
+        place = _place(path)
+        place.parent.mkdir(parents=True, exist_ok=True)
+        begun = place.with_name(f".tumble-{secrets.token_hex(8)}.tmp")
+        try:
+            begun.touch(exist_ok=False)
+            yield begun
+            _make_durable(begun)
+            if place.exists():
+                begun.chmod(stat.S_IMODE(place.stat().st_mode))
+            os.replace(begun, place)  # noqa: PTH105  # the same; named as the systems' manuals do
+        finally:
+            with suppress(OSError):
+                begun.unlink(missing_ok=True)
+        synchronise_folder(place.parent)
 
 
 def write_text(path: Path, text: str) -> None:
-    """Write a text file with its folder, UTF-8. Raises `JobError`, and `InputError` where it would be a recording."""
-    refuse_recording(path)
+    """Write a text file with its folder, UTF-8. Raises as `replacing`."""
+    with replacing(path, kind_of(text[:BEGINNING_BYTES].encode())) as begun:
+        begun.write_text(text, encoding="utf-8", newline="\n")
+
+
+def _check_earlier(path: Path, place: Path, there: os.stat_result, kind: Kind | None) -> None:
+    """Refuse to write over what is there, but for an earlier result of the same kind, or nothing at all in a file."""
+    if not stat.S_ISREG(there.st_mode):
+        raise InputError(f"{path}: is no file but a folder or a device; name a file to be written")
+    if there.st_size and (kind is None or _kind_of_file(place) is not kind):
+        written = f"a {kind}" if kind else "this"
+        raise InputError(
+            f"{path}: is there already and is no earlier result of the same kind, and {written} is written over "
+            "nothing else; choose another name, or move the file away"
+        )
+    if not there.st_mode & 0o222 or not os.access(place, os.W_OK):
+        raise JobError(f"{path}: is write-protected; choose another name", Exit.STORAGE)
+
+
+def _refuse_names_of_raw_data(path: Path) -> None:
+    if is_recording(path):
+        raise InputError(f"{path}: has the name of a recording, and those are never overwritten; choose another name")
+    if path.suffix.lower() == _STORE_SUFFIX:
+        raise InputError(f"{path}: has the name of a store, and those are never overwritten; choose another name")
+
+
+def _place(path: Path) -> Path:
+    """Where a file lies, links followed: what is written takes the place of the file, not of the link."""
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text, encoding="utf-8", newline="\n")
+        return path.resolve()
+    except RuntimeError as error:
+        raise OSError(0, "links that lead in a circle") from error
+
+
+def _kind_of_file(path: Path) -> Kind | None:
+    with path.open("rb") as file:
+        return kind_of(file.read(BEGINNING_BYTES))
+
+
+def _check_folder(path: Path, folder: Path) -> None:
+    """See whether a file can be made in a folder, or in the nearest above it that is there."""
+    while not folder.exists() and folder != folder.parent:
+        folder = folder.parent
+    if not folder.is_dir():
+        raise NotADirectoryError(0, f"{folder} is no folder")
+    if not os.access(folder, os.W_OK):
+        raise JobError(f"{path}: cannot be written ({folder} is write-protected); choose another place", Exit.STORAGE)
+
+
+def _make_durable(path: Path) -> None:
+    with path.open("r+b") as file:
+        os.fsync(file.fileno())
+
+
+@contextmanager
+def _storage(path: Path) -> Iterator[None]:
+    """Say in a sentence what the disk refuses."""
+    try:
+        yield
     except OSError as error:
-        sentence = f"{path}: cannot be written ({error.strerror}); make room or choose another place"
+        sentence = f"{path}: cannot be written ({error.strerror or error}); make room or choose another place"
         raise JobError(sentence, Exit.STORAGE) from error

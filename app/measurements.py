@@ -9,6 +9,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from app.files import is_recording
+from app.header_checks import check_header
 from app.identity import program_identity
 from app.stand import RecordedStand, Site
 from calibrations.budget import StandUncertainty
@@ -118,6 +119,7 @@ def _read_recording(path: Path, stand: Mapping[str, Any] | None) -> Measurement:
     except RecordingError as error:
         raise InputError(str(error)) from error
     header = recording.header
+    check_header(path, header, stand)
     return Measurement(
         path=path,
         sha256=file_sha256(path),

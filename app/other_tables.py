@@ -6,6 +6,7 @@ from typing import Any
 
 from app.files import is_recording, write_text
 from app.other_console import show_changes, show_head, show_temperature
+from calibrations.bounded import check_bounded
 from calibrations.reference.changes import changes, changes_json
 from calibrations.reference.document import document as head_document
 from calibrations.reference.loop import close_reference_loop
@@ -43,6 +44,10 @@ def _kind(path: Path) -> str:
     """What a file is a table of; empty for that of an accelerometer, or a recording."""
     if is_recording(path):
         return ""
+    try:
+        check_bounded(path)
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read ({error.strerror}); check the name and the rights") from error
     if holds_runs(path):
         return "temperature"
     table = read_table(path)

@@ -6,6 +6,7 @@ from typing import Any
 
 from app.analysing import fit, trace
 from app.calibrating import report_path, standing_record, write_report
+from app.files import is_recording
 from app.identity import program_identity
 from app.measurements import Measurement, read_measurement
 from app.stand_records import corrected_by
@@ -16,6 +17,7 @@ from calibrations.records.store import Store
 from calibrations.records.verify import Verification, verify
 from calibrations.stand_records.store import StandRecords
 from procedures.errors import InputError
+from procedures.recording.errors import RecordingError
 
 
 def open_store(folder: Path) -> Store:
@@ -59,6 +61,24 @@ def verify_record(store: Store, record: Record) -> Verification:
         return trace(fit(measurement, trials=0)).as_json()
 
     return verify(record, store, refit, program_identity().version)
+
+
+def unprotected(raw_file: Path) -> str:
+    """A sentence where the raw file of a record is a recording of an older format; nothing else is to be said."""
+    if not (is_recording(raw_file) and raw_file.is_file()):
+        return ""
+    from procedures.recording.reader import read_header  # MCAP only where there is a recording
+
+    try:
+        header = read_header(raw_file)
+    except RecordingError:
+        return ""
+    if header.protected:
+        return ""
+    return (
+        f"The recording is of format {header.format_version}, in which the header has no checksum: damage to it from "
+        "before the record was made would not be noticed."
+    )
 
 
 def _as_corrected(measurement: Measurement, record: Record, folder: Path) -> Measurement:

@@ -25,7 +25,7 @@ from procedures.programme import Programme, programme_from_text
 from procedures.recording.contents import Said
 from procedures.recording.errors import RecordingError
 from procedures.recording.header import FORMAT_VERSION
-from procedures.recording.reader import Recording, complete_messages, monotonic_s, read_recording
+from procedures.recording.reader import Recording, complete_messages, leading, monotonic_s, read_recording
 
 _CUT = re.compile(r"(?P<run>.+)\.cut-(?P<number>\d+)")
 
@@ -86,7 +86,7 @@ def find(path: Path) -> Unfinished:
             failure = failure or error
     if not found:
         raise InputError(str(failure))
-    best = max(found, key=_completeness)
+    best = max(map(leading, found), key=_completeness)
     *_, last = (None, *complete_messages(best))
     return Unfinished(path=run, recording=best, last=last)
 

@@ -94,7 +94,7 @@ def _doubts(fitted: Joint) -> tuple[str, ...]:
 
 def _spread(fitted: Joint, source: Source) -> FloatArray:
     """Covariance of the parameters from one source of type B (GUM 5.1.2, with the errors of the rows as inputs)."""
-    shift = fitted.fit.inverse @ (fitted.compressed.rotation.T @ source.errors_v)
+    shift = fitted.fit.inverse @ source.turned(fitted.compressed.rotation)
     return np.asarray(shift @ shift.T)
 
 
@@ -183,7 +183,8 @@ def _budget(
 
 
 def _simulate(fitted: Joint, listed: tuple[Source, ...], trials: int) -> MonteCarlo:
-    errors = np.column_stack([np.zeros((len(fitted.observations), 1)), *(source.errors_v for source in listed)])
+    rotation = fitted.compressed.rotation
+    errors = np.column_stack([np.zeros((rotation.shape[1], 1)), *(source.turned(rotation) for source in listed)])
     nodes = fitted.profile.nodes_deg(float(fitted.fit.theta[ALPHA0]))
     return monte_carlo(fitted.compressed, fitted.fit, nodes, fitted.noise, errors, trials)
 

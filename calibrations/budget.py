@@ -40,7 +40,19 @@ class Source:
     symbol: str
     """What is uncertain, as a short text with its unit and size."""
     errors_v: FloatArray
-    """One column per independent error, shape (rows, errors): what one standard uncertainty of it does to each row."""
+    """What one standard uncertainty does to each row: of one independent error per column, shape (rows, errors)."""
+    shared_by: NDArray[np.int64] | None = None
+    """Where each group of rows has an error of its own: the number of the group of each row. `errors_v` then has one
+    column, in which they all stand: as a table of a column per group, a million rows would take tens of gigabytes."""
+
+    def turned(self, rotation: FloatArray) -> FloatArray:
+        """What each independent error does to the rotated voltages, shape (rotated, errors).
+
+        `rotation` has the shape (rows, rotated), see `compression.Compressed`.
+        """
+        if self.shared_by is None:
+            return np.asarray(rotation.T @ self.errors_v)
+        return np.stack([np.bincount(self.shared_by, column * self.errors_v[:, 0]) for column in rotation.T])
 
 
 def sources(scene: Scene, stand: StandUncertainty) -> tuple[Source, ...]:
@@ -51,12 +63,14 @@ def sources(scene: Scene, stand: StandUncertainty) -> tuple[Source, ...]:
         Source(
             name="head reading",
             symbol=f"{stand.head_accuracy_arcsec:g}″ at every setting",
-            errors_v=_shared(slope_v_per_deg * stand.head_accuracy_arcsec * _ARCSEC_DEG, settled),
+            errors_v=(slope_v_per_deg * stand.head_accuracy_arcsec * _ARCSEC_DEG)[:, None],
+            shared_by=settled,
         ),
         Source(
             name="seating",
             symbol=f"{stand.seating_arcsec:g}″ at every mounting",
-            errors_v=_shared(slope_v_per_deg * stand.seating_arcsec * _ARCSEC_DEG, mountings(observations)),
+            errors_v=(slope_v_per_deg * stand.seating_arcsec * _ARCSEC_DEG)[:, None],
+            shared_by=mountings(observations),
         ),
         Source(
             name="DAQ gain",
@@ -83,13 +97,6 @@ def _recorded(scene: Scene, record: StandRecord) -> Source:
         symbol=f"{len(corrections.values)} coefficients of {len(corrections.terms)} terms, correlated",
         errors_v=corrections.columns_v(scene) @ independent,
     )
-
-
-def _shared(errors_v: FloatArray, groups: NDArray[np.int64]) -> FloatArray:
-    """Errors that the rows of a group share, one column per group."""
-    columns = np.zeros((len(errors_v), groups.max(initial=0) + 1))
-    columns[np.arange(len(errors_v)), groups] = errors_v
-    return columns
 
 
 def effective_freedom(contributions: list[tuple[float, float]]) -> float:

@@ -13,6 +13,8 @@ from calibrations.model import coefficients, design, parameter_vector
 
 TRIALS = 20_000
 SEED = 20081
+_DRAWN_EACH = 1000
+"""Up to so many errors are drawn one by one; 20,000 trials of a million would be 160 gigabytes."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -37,11 +39,12 @@ def monte_carlo(
     """Simulate the rows anew and refit the full nonlinear model to each.
 
     `nodes_deg` are values of alpha0 that span what it can be; `scatter` is that of a row of weight 1, with few degrees
-    of freedom a Student distribution (JCGM 101, 6.4.9); `errors_v`, shape (rows, n), are the independent errors of
-    type B, one standard uncertainty each. Work is done on the rotated voltages, where white noise stays white.
+    of freedom a Student distribution (JCGM 101, 6.4.9); `errors_v`, shape (10 + terms, n), are the independent errors
+    of type B as they show in the rotated voltages, one standard uncertainty each. Work is done on those, where white
+    noise stays white. Many errors are drawn as their sum is distributed: normal, with their covariance.
     """
     generator = np.random.default_rng(SEED)
-    effect = compressed.rotation.T @ errors_v
+    effect = errors_v if errors_v.shape[1] <= _DRAWN_EACH else _root(errors_v @ errors_v.T)
     centre = compressed.r @ coefficients(fit.theta)
     freedom = max(scatter.used_degrees_of_freedom, 1)
     ruler_v = scatter.used_v * np.sqrt(freedom / generator.chisquare(freedom, size=(trials, 1)))
@@ -54,6 +57,12 @@ def monte_carlo(
         standard_uncertainty=np.sqrt(np.mean((theta - fit.theta) ** 2, axis=0)),
         interval_95=np.column_stack([low, high]),
     )
+
+
+def _root(covariance: FloatArray) -> FloatArray:
+    """Independent columns that give a covariance."""
+    values, vectors = np.linalg.eigh(covariance)
+    return np.asarray(vectors * np.sqrt(np.maximum(values, 0.0)))
 
 
 def _refit(compressed: Compressed, fit: JointFit, nodes_deg: FloatArray, z: FloatArray) -> FloatArray:

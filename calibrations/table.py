@@ -7,6 +7,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from calibrations.bounded import MOST_ROWS, read_bounded
 from calibrations.cells import Line, TableError, is_missing, number, read_cells, shown
 from calibrations.geometry import MOUNTS
 from calibrations.observations import Observations, SetAside
@@ -88,9 +89,13 @@ def write_table(observations: Observations, path: Path) -> None:
 
 def _read_text(path: Path) -> tuple[str, tuple[str, ...]]:
     try:
-        raw = path.read_bytes()
+        raw = read_bounded(path)
     except OSError as error:
         raise TableError(f"{path}: cannot be read ({error.strerror}); check the name and the rights") from error
+    if (rows := raw.count(b"\n")) > MOST_ROWS:
+        raise TableError(
+            f"{path}: holds {rows:,} lines, and at most {MOST_ROWS:,} are read; cut it into several tables"
+        )
     try:
         text = raw.decode("utf-8-sig")
     except UnicodeDecodeError as error:

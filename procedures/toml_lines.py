@@ -9,6 +9,7 @@ from typing import Any, TypeAlias, TypeVar
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
+from calibrations.bounded import read_bounded
 from procedures.errors import InputError
 
 Location: TypeAlias = tuple[str | int, ...]
@@ -22,6 +23,8 @@ _HEADER = re.compile(rf"^\s*(\[\[?)\s*({_NAME})\s*\]")
 _KEY = re.compile(rf"^\s*({_NAME})\s*=")
 _AT_LINE = re.compile(r" \(at line (\d+), column \d+\)$")
 
+_LARGEST = 4 * 2**20
+"""Bytes; a programme of a thousand procedures has some 100,000."""
 _REMEDY = {"missing": "add it", "extra_forbidden": "correct its spelling or take it out"}
 
 
@@ -39,7 +42,7 @@ def load_toml(path: Path, model: type[Model]) -> Model:
 def read_text(path: Path) -> str:
     """Text of a UTF-8 file with its line ends as they are. Raises `InputError`."""
     try:
-        return path.read_bytes().decode("utf-8")
+        return read_bounded(path, _LARGEST).decode("utf-8")
     except OSError as error:
         raise InputError(f"{path}: {error.strerror}; give a file that can be read") from error
     except UnicodeDecodeError as error:

@@ -44,7 +44,7 @@ from procedures.programme import load_programme
 )
 @options.store
 @options.json_out
-@click.option("--report", "page", type=options.EXISTING, help="Write the report (HTML) here.")
+@click.option("--report", "page", type=options.REPORT, help="Write the report (HTML) here.")
 def command(
     wanted: Wanted,
     files: tuple[Path, ...],

@@ -6,8 +6,8 @@ import click
 
 from app.commands import options
 from app.console import warn
-from app.exits import Exit, JobError
-from app.files import RECORDING_SUFFIX, is_recording, refuse_recording
+from app.files import RECORDING_SUFFIX, check_result, is_recording, replacing
+from app.kinds import Kind
 from app.measurements import read_measurement
 from calibrations.table import write_table
 from procedures.errors import InputError
@@ -15,19 +15,15 @@ from procedures.errors import InputError
 
 @click.command("export")
 @click.argument("recording", type=options.EXISTING)
-@click.option("--out", type=options.EXISTING, help="Table to write; the recording's name with .csv without.")
+@click.option("--out", type=options.TABLE, help="Table to write; the recording's name with .csv without.")
 def command(recording: Path, out: Path | None) -> None:
     """Write the observation table (CSV) of a recording: one row per dwell."""
     if not is_recording(recording):
         raise InputError(f"{recording}: is no recording; name a file that ends in {RECORDING_SUFFIX}")
     table = out or recording.with_suffix(".csv")
-    refuse_recording(table)
+    check_result(table, Kind.TABLE)
     measurement = read_measurement(recording)
-    try:
-        write_table(measurement.observations, table)
-    except OSError as error:
-        raise JobError(
-            f"{table}: cannot be written ({error.strerror}); make room or choose another", Exit.STORAGE
-        ) from error
+    with replacing(table, Kind.TABLE) as begun:
+        write_table(measurement.observations, begun)
     warn(measurement.observations.warnings)
     click.echo(f"{len(measurement.observations)} rows in {table}", err=True)

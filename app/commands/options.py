@@ -2,14 +2,37 @@
 
 import json
 import math
+import os
 from pathlib import Path
 from typing import Any
 
 import click
 
-from app.files import write_text
+from app.files import check_result, write_text
+from app.kinds import Kind
+
+
+class Output(click.Path):
+    """A file to be written: refused before anything is done for it where it may not be. See `app.files`."""
+
+    def __init__(self, kind: Kind) -> None:
+        super().__init__(path_type=Path)
+        self._kind = kind
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:  # noqa: ANN401
+        """Check the place; `-` is standard output. Raises `InputError`, `JobError`."""
+        path = Path(os.fsdecode(super().convert(value, param, ctx)))
+        if str(path) == "-":
+            return path
+        check_result(path, self._kind)
+        others = ctx.meta.setdefault(__name__, {}) if ctx else {}
+        if others.setdefault(path.resolve(), param) is not param:
+            self.fail(f"{path} is wanted for another result of this command too.", param, ctx)
+        return path
+
 
 EXISTING = click.Path(path_type=Path)
+RESULT, RECORD, REPORT, TABLE = (Output(kind) for kind in (Kind.RESULT, Kind.RECORD, Kind.REPORT, Kind.TABLE))
 STORE = Path("tumble-store")
 
 stand = click.option("--stand", "stand_path", type=EXISTING, help="Stand file; the built-in simulated stand without.")
@@ -17,7 +40,7 @@ store = click.option(
     "--store", "folder", type=EXISTING, default=STORE, show_default=True, help="Folder of the records."
 )
 stand_store = click.option("--store", "folder", type=EXISTING, help="Folder that holds the stand record to be applied.")
-json_out = click.option("--json", "json_path", type=EXISTING, help="Write the result as JSON; - for standard output.")
+json_out = click.option("--json", "json_path", type=RESULT, help="Write the result as JSON; - for standard output.")
 
 serial = click.option("--serial", "serial_number", default="", help="Serial number of the unit.")
 serial_needed = click.option("--serial", "serial_number", required=True, help="Serial number of the unit.")
@@ -39,7 +62,8 @@ def write_json(document: dict[str, Any], path: Path | None) -> None:
     """Write a document where `--json` says; nowhere without it. Raises `JobError`."""
     if path is None:
         return
-    text = json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    known = {"schema": document["schema"], **document}  # in front, where `app.kinds` looks for it
+    text = json.dumps(known, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
     if str(path) == "-":
         click.echo(text, nl=False)
     else:

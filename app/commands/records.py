@@ -10,7 +10,8 @@ from rich.table import Column, Table
 from app.commands import options
 from app.console import results
 from app.exits import Exit
-from app.recall import open_store, verify_record
+from app.recall import open_store, unprotected
+from app.verifying import Finding, leftovers, verified_record
 from calibrations.quantities import format_concise
 from calibrations.records.compare import compare
 from calibrations.records.export import document
@@ -77,7 +78,8 @@ def _listing(found: tuple[Record, ...]) -> Table:
 @options.store
 def show(record_id: str, folder: Path) -> None:
     """Show a record, by the beginning of its id."""
-    record = open_store(folder).get(record_id)
+    store = open_store(folder)
+    record = store.get(record_id)
     origin = record.provenance
     click.echo(f"record     {record.id}, revision {record.revision}, {record.verdict}")
     if record.supersedes:
@@ -87,6 +89,8 @@ def show(record_id: str, folder: Path) -> None:
     click.echo(
         f"program    {origin.program_version} {origin.git_commit[:12]}{' (changed)' if origin.git_dirty else ''}"
     )
+    if old := unprotected(store.raw_file(record)):
+        click.echo(old)
     effects = [effect["name"] for effect in record.result.get("loop", {}).get("effects", [])]
     _show_parameters(record.models["declared"])
     if effects:
@@ -119,7 +123,7 @@ def compare_records(first: str, second: str, folder: Path) -> None:
 @command.command("export")
 @click.argument("record_id")
 @options.store
-@click.option("--json", "json_path", type=options.EXISTING, default=Path("-"), help="File; standard output without.")
+@click.option("--json", "json_path", type=options.RECORD, default=Path("-"), help="File; standard output without.")
 def export(record_id: str, folder: Path, json_path: Path) -> None:
     """Export a record as JSON (tumble.record/2)."""
     options.write_json(document(open_store(folder).get(record_id)), json_path)
@@ -129,16 +133,28 @@ def export(record_id: str, folder: Path, json_path: Path) -> None:
 @click.argument("record_ids", nargs=-1)
 @options.store
 def verify(record_ids: tuple[str, ...], folder: Path) -> None:
-    """Verify records, or all that stand: hash the raw files again, fit again, say whether the numbers come back."""
+    """Verify records, or all that stand: hash the raw files again, fit again, say whether the numbers come back.
+
+    Without an id, what in the folder belongs to no record is named too.
+    """
     store = open_store(folder)
-    records = [store.get(record_id) for record_id in record_ids] or list(store.find())
-    failed = 0
-    for record in records:
-        verification = verify_record(store, record)
-        failed += not verification.verified
-        click.echo(f"{record.id}: {'verified' if verification.verified else 'NOT VERIFIED'}")
-        for sentence in verification.sentences:
-            click.echo(f"  {sentence}")
-    click.echo(f"{len(records) - failed} of {len(records)} records agree with their raw files")
-    if failed:
+    ids = [store.resolve(record_id) for record_id in record_ids] or store.standing()
+    records = [_told(verified_record(store, record_id)) for record_id in ids]
+    others = [_told(finding) for finding in (() if record_ids else leftovers(store))]
+    click.echo(f"{sum(records)} of {len(records)} records agree with their raw files{_more(others)}")
+    if not all([*records, *others]):
         raise SystemExit(int(Exit.BAD_INPUT))
+
+
+def _told(finding: Finding) -> bool:
+    """Print a finding; return whether it is a good one."""
+    click.echo(f"{finding.name}: {finding.judgement}")
+    for sentence in finding.sentences:
+        click.echo(f"  {sentence}")
+    return finding.good
+
+
+def _more(others: list[bool]) -> str:
+    if not others:
+        return ""
+    return f"; {len(others)} more finding{'s' if len(others) > 1 else ''}, {others.count(False)} of them wrong"

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from app.calibrating import Calibrated, report_path
+from app.calibrating import Calibrated, has_report, report_path
 from app.commands.options import write_json
 from app.console import messages, show_result, warn
 from app.exits import Exit
@@ -39,7 +39,7 @@ def tell_recorded(recording: Path, record: Record, folder: Path, json_path: Path
     """
     report = report_path(folder, record)
     done = "nothing was done"
-    if not report.is_file():
+    if not has_report(report):
         report_again(folder, record.id)
         done = "only its report was missing"
     messages().print(f"{recording} is complete, and record {record.id} of it exists: {done}", soft_wrap=True)

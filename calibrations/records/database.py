@@ -1,8 +1,10 @@
 """The SQLite database of a store: how it is opened, and what its errors mean."""
 
+import secrets
 import sqlite3
+import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from json import JSONDecodeError
 from pathlib import Path
 
@@ -27,22 +29,25 @@ _CAUSES = (
 
 
 def open_database(path: Path, busy_timeout_s: float) -> Engine:
-    """Open the database, or make one with its tables, all or nothing.
+    """Open the database; make one with its tables where there is no file.
 
     The journal stays SQLite's default, a file beside the database: write-ahead logs do not work on network drives.
 
     Raises
     ------
     StoreError
-        Not possible, not a store, or a store of a newer version.
+        Not possible, not a store (an empty file is none), or a store of a newer version.
     """
-    engine = _engine(path, busy_timeout_s)
     with storage_errors(path):
-        with engine.connect() as connection:
-            version = _version(connection, path)
-        if version is None:
-            with writing(engine) as connection:
-                version = _version(connection, path) or _create(connection)
+        if not path.exists():
+            _make(path, busy_timeout_s)
+        elif not (path.is_file() or path.is_dir()):
+            raise StoreError(path, "this is no file but a device or a pipe", "choose another store")
+        elif path.is_file() and not path.stat().st_size:
+            raise StoreError(path, "this file is empty and no store", "restore it from a backup, or remove it")
+    engine = _engine(path, busy_timeout_s)
+    with storage_errors(path), engine.connect() as connection:
+        version = _version(connection, path)
     if version > STORE_VERSION:
         raise StoreError(
             path,
@@ -50,6 +55,32 @@ def open_database(path: Path, busy_timeout_s: float) -> Engine:
             "update the program",
         )
     return engine
+
+
+def _make(path: Path, busy_timeout_s: float) -> None:
+    """Make a database with its tables and then give it its name: nobody ever sees one that is not whole."""
+    begun = path.with_name(f".{path.name}.{secrets.token_hex(4)}")
+    try:
+        with writing(_engine(begun, busy_timeout_s)) as connection:
+            METADATA.create_all(connection)
+            connection.execute(insert(STORE).values(version=STORE_VERSION))
+        with suppress(FileExistsError):  # another process was faster: its store is as good
+            _name(begun, path)
+    finally:
+        begun.unlink(missing_ok=True)
+
+
+def _name(file: Path, name: Path) -> None:
+    """Give a file a name that is not taken. Raises `FileExistsError`."""
+    if sys.platform == "win32":
+        file.rename(name)  # refuses a name that is taken
+        return
+    try:
+        name.hardlink_to(file)
+    except FileExistsError:
+        raise
+    except OSError:  # a file system without links
+        file.rename(name)
 
 
 @contextmanager
@@ -102,18 +133,11 @@ def _begin(connection: Connection) -> None:
     connection.exec_driver_sql(connection.get_execution_options().get("tumble_begin", "BEGIN"))
 
 
-def _version(connection: Connection, path: Path) -> int | None:
-    """Version of the store; None where there are no tables yet."""
-    tables = inspect(connection).get_table_names()
-    if not tables:
-        return None
-    if STORE.name not in tables:
+def _version(connection: Connection, path: Path) -> int:
+    """Version of the store. Raises `StoreError` where the database is none."""
+    if STORE.name not in inspect(connection).get_table_names():
         raise StoreError(path, "this database holds something else", "move the file away, or choose another store")
-    version: int = connection.execute(select(STORE.c.version)).scalar_one()
+    version: int | None = connection.execute(select(STORE.c.version)).scalar_one_or_none()
+    if version is None:
+        raise StoreError(path, "this store does not say its version: it is damaged", "restore it from a backup")
     return version
-
-
-def _create(connection: Connection) -> int:
-    METADATA.create_all(connection)
-    connection.execute(insert(STORE).values(version=STORE_VERSION))
-    return STORE_VERSION

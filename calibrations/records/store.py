@@ -14,6 +14,7 @@ from calibrations.records.canonical import canonical_sha256, plain
 from calibrations.records.database import open_database, storage_errors, writing
 from calibrations.records.errors import RecordError, StoreError
 from calibrations.records.export import content, flat
+from calibrations.records.inventory import Inventory, inventory
 from calibrations.records.raw import resolved_path, stored_path
 from calibrations.records.record import FORMAT_VERSION, Record, Verdict, verdict_of
 from calibrations.records.rows import parameter_rows, record_from_row, record_row
@@ -89,14 +90,19 @@ class Store:
 
     def get(self, id_prefix: str) -> Record:
         """Return the record whose id begins so. Raises `RecordError` where none does, or several do."""
-        found = self._records(
-            select(RECORDS).where(RECORDS.c.id.startswith(id_prefix, autoescape=True)).order_by(RECORDS.c.id).limit(5)
-        )
+        return self._records(select(RECORDS).where(RECORDS.c.id == self.resolve(id_prefix)))[0]
+
+    def resolve(self, id_prefix: str) -> str:
+        """Return the id that begins so, the record itself unread. Raises `RecordError` where none does, or several."""
+        query = select(RECORDS.c.id).where(RECORDS.c.id.startswith(id_prefix, autoescape=True))
+        with storage_errors(self.path), self._engine.connect() as connection:
+            found: Sequence[str] = connection.execute(query.order_by(RECORDS.c.id).limit(5)).scalars().all()
         if not found:
             raise RecordError(f"{self.path}: no record has an id that begins with {id_prefix!r}; list the records")
         if len(found) > 1:
-            listed = ", ".join(record.id for record in found)
-            raise RecordError(f"{self.path}: {id_prefix!r} fits several records ({listed}); give more of the id")
+            raise RecordError(
+                f"{self.path}: {id_prefix!r} fits several records ({', '.join(found)}); give more of the id"
+            )
         return found[0]
 
     def find(
@@ -121,6 +127,12 @@ class Store:
         ]
         given: list[ColumnElement[bool]] = [condition for condition in conditions if condition is not None]
         return self._records(select(RECORDS).where(_STANDS, *given).order_by(_MEASURED_AT, RECORDS.c.id))
+
+    def standing(self) -> tuple[str, ...]:
+        """Ids of the records that stand, in the order of measurement; damaged ones too."""
+        query = select(RECORDS.c.id).where(_STANDS).order_by(_MEASURED_AT, RECORDS.c.id)
+        with storage_errors(self.path), self._engine.connect() as connection:
+            return tuple(connection.execute(query).scalars())
 
     def latest(self, serial_number: str) -> Record | None:
         """Return the record of a unit that was measured last, in its last revision."""
@@ -150,9 +162,21 @@ class Store:
             parameters = connection.execute(select(PARAMETERS).where(PARAMETERS.c.record_id == record.id)).mappings()
             return dict(row), [dict(parameter) for parameter in parameters]
 
+    def inventory(self) -> Inventory:
+        """What the tables hold, to be compared with the folder."""
+        with storage_errors(self.path), self._engine.connect() as connection:
+            return inventory(connection)
+
     def _records(self, query: Select[Any]) -> tuple[Record, ...]:
         with storage_errors(self.path), self._engine.connect() as connection:
-            return tuple(record_from_row(dict(row)) for row in connection.execute(query).mappings())
+            return tuple(self._record(dict(row)) for row in connection.execute(query).mappings())
+
+    def _record(self, row: Mapping[str, Any]) -> Record:
+        try:
+            return record_from_row(row)
+        except (AttributeError, KeyError, TypeError, ValueError) as error:
+            happened = f"record {row['id']} is damaged ({type(error).__name__}: {error})"
+            raise StoreError(self.path, happened, "restore the file from a backup") from error
 
     def _revisable(self, connection: Connection, record_id: str, provenance: Provenance) -> Record:
         row = connection.execute(select(RECORDS).where(RECORDS.c.id == record_id)).mappings().one_or_none()

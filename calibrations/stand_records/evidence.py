@@ -122,7 +122,7 @@ class Run:
     def _of_the_stand(self, joint: Joint) -> FloatArray:
         """Covariance of all parameters from what the stand file says of seat and voltmeter."""
         listed = sources(joint.scene, replace(self.uncertainty, head_accuracy_arcsec=0.0, record=None))
-        shifts = [joint.fit.inverse @ (joint.compressed.rotation.T @ source.errors_v) for source in listed]
+        shifts = [joint.fit.inverse @ source.turned(joint.compressed.rotation) for source in listed]
         size = len(joint.fit.theta)
         return np.asarray(sum((shift @ shift.T for shift in shifts), start=np.zeros((size, size))))
 

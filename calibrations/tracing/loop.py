@@ -26,7 +26,7 @@ from calibrations.tracing.fitting_noise import with_likely_flicker
 from calibrations.tracing.ground import Ground, ground, scene_of, seen_anew
 from calibrations.tracing.held_out import held_out_rms
 from calibrations.tracing.misreading import Misreading, misreadings
-from calibrations.tracing.questions import questioned
+from calibrations.tracing.questions import Questioned, questioned
 from calibrations.tracing.rivals import CLOSE, Rival, with_best_names
 from calibrations.tracing.taken_back import without_courses, without_rivals
 from calibrations.tracing.trace import Trace, Tracer, trace_price
@@ -92,15 +92,18 @@ def explain(
     asked = questioned(observations, reference_temperature_degc)
     observations = asked.observations
     declared = fit_jointly(observations)
-    if not asked.answerable:
+    if obstacle := _obstacle(asked):
         calibration = assess(declared, uncertainty, trials=0)
+        if asked.answerable:  # else its question is a warning already
+            said = f"{observations.source}: nothing was traced: {obstacle}"
+            calibration = replace(calibration, warnings=(*calibration.warnings, said))
         unanswered = Loop(
             declared=calibration,
             augmented=calibration,
             effects=(),
             unexplained=None,
             misread=(),
-            not_traced="the table contradicts its own description; answer the question first",
+            not_traced=obstacle,
         )
         return unanswered, None
     explained = _explained(declared, effects, reference_temperature_degc)
@@ -129,6 +132,20 @@ def explain(
     return loop, explained
 
 
+def _obstacle(asked: Questioned) -> str:
+    """Why a table is not traced; empty where it is."""
+    rows = len(asked.observations)
+    if not asked.answerable:
+        return "the table contradicts its own description; answer the question first"
+    if rows > MOST_TRACED:
+        return (
+            f"its {rows:,} rows are more than the {MOST_TRACED:,} that are traced at once; give means or a part of them"
+        )
+    return ""
+
+
+MOST_TRACED = 30_000
+"""Rows. Tracing holds thousands of numbers of each: so many take 2 to 3 GB, and a minute or two."""
 _ROUNDS = 3
 """How often a table is looked at anew once effects are known."""
 _MOVED_DEG = 0.02

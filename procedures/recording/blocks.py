@@ -38,7 +38,7 @@ def split(event: SamplesAcquired) -> Iterator[Fields]:
 
 
 def join(parts: Iterable[Fields]) -> Iterator[SamplesAcquired]:
-    """Put blocks together from their messages in the order of `split`; one that lacks its last message is left out.
+    """Put blocks together from their messages in the order of `split`; one that lacks a message is left out.
 
     Holds one block at a time.
 
@@ -47,14 +47,18 @@ def join(parts: Iterable[Fields]) -> Iterator[SamplesAcquired]:
     KeyError, TypeError, ValueError
         Where a field is missing or is not what it should be.
     """
-    voltage_v = np.empty((0, 0))
+    voltage_v, come, point = np.empty((0, 0)), 0, None
     for part in parts:
         channel, first = part["channel"], part["first_sample"]
         if channel == 0 and first == 0:
-            voltage_v = np.empty((part["channels"], part["samples"]))
+            voltage_v, come, point = np.empty((part["channels"], part["samples"])), 0, part["point"]
+        if part["point"] != point:  # its first message is missing
+            continue
         stretch = np.array(part["voltage_v"], dtype=np.float64)
         voltage_v[channel, first : first + len(stretch)] = stretch
-        if channel == part["channels"] - 1 and first + len(stretch) == part["samples"]:
+        come += len(stretch)
+        last = channel == part["channels"] - 1 and first + len(stretch) == part["samples"]
+        if last and come == voltage_v.size:
             yield _joined(part, voltage_v)
 
 

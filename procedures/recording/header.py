@@ -1,12 +1,17 @@
 """What a recording says of itself before the first point."""
 
+import hashlib
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import MISSING, dataclass, fields
 from typing import Any
 
-FORMAT_VERSION = 2
-"""1 had neither `job` nor the identification of instruments, nor runs that were resumed."""
+FORMAT_VERSION = 3
+"""1 had neither `job` nor the identification of instruments, nor runs that were resumed; 2 had no checksum of its
+header, and none of its data as a whole. All of them are read."""
+PROTECTED_SINCE = 3
+"""From this version on damage to a header is noticed."""
+_SHA256 = "header_sha256"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -47,6 +52,11 @@ class Header:
     """Recordings that were made before on the same connection, in their order."""
     format_version: int = FORMAT_VERSION
 
+    @property
+    def protected(self) -> bool:
+        """Whether damage to it would have been noticed."""
+        return self.format_version >= PROTECTED_SINCE
+
     def __post_init__(self) -> None:
         object.__setattr__(self, "follows", tuple(self.follows))  # a list in a recording
         if "simulated" in self.stand:
@@ -54,12 +64,29 @@ class Header:
 
 
 def header_to_strings(header: Header) -> dict[str, str]:
-    """Give every field but `programme_text` as a string, the way an MCAP metadata record wants it.
+    """Give every field but `programme_text` as a string, the way an MCAP metadata record wants it, and their hash.
 
     What is not a string is written as JSON, dates and times inside the stand file as ISO 8601 strings.
     """
     values = {field.name: getattr(header, field.name) for field in fields(Header) if field.name != "programme_text"}
-    return {name: value if isinstance(value, str) else _to_json(value) for name, value in values.items()}
+    strings = {name: value if isinstance(value, str) else _to_json(value) for name, value in values.items()}
+    return strings | {_SHA256: _sha256(strings, header.programme_text)}
+
+
+def is_intact(strings: Mapping[str, str], programme_text: str) -> bool:
+    """Whether strings and programme are those that `header_to_strings` gave; true where they are older than the hash.
+
+    The hash is that of the JSON of the strings, sorted by name, and the programme. It protects against damage, not
+    against somebody who reckons it anew.
+    """
+    rest = {name: text for name, text in strings.items() if name != _SHA256}
+    if _SHA256 not in strings:
+        return int(strings.get("format_version", FORMAT_VERSION)) < PROTECTED_SINCE
+    return strings[_SHA256] == _sha256(rest, programme_text)
+
+
+def _sha256(strings: Mapping[str, str], programme_text: str) -> str:
+    return hashlib.sha256(json.dumps([sorted(strings.items()), programme_text]).encode()).hexdigest()
 
 
 def header_from_strings(strings: Mapping[str, str], programme_text: str) -> Header:

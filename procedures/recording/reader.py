@@ -1,7 +1,7 @@
 """Reading a recording, whole or cut off."""
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TypeVar
 
@@ -9,13 +9,17 @@ import orjson
 
 from procedures.events import FinishReason, MountAnswered, ReadingAnswered, RunFinished, SamplesAcquired
 from procedures.recording.blocks import join
-from procedures.recording.contents import Closed, Said, contents, understood
+from procedures.recording.contents import Closed, Content, Damage, Said, contents, understood
+from procedures.recording.errors import RecordingError
 from procedures.recording.header import Header
-from procedures.recording.messages import JOURNAL, Announcement, from_message
-from procedures.recording.schemas import HEAD, SAMPLES, TEMPERATURE, TOPICS
+from procedures.recording.messages import JOURNAL, Announcement, Entry, from_message
+from procedures.recording.schemas import HEAD, POINT, SAMPLES, TEMPERATURE, TOPICS
 from procedures.steps import Dwell, Mounting, Point, Step
 
-_OF_POINTS = (SAMPLES, HEAD, TEMPERATURE)
+_POINT_FIELDS = {SAMPLES: "point", HEAD: "point", TEMPERATURE: "point", POINT: "index"}
+"""In which field a message says to which point it belongs, by topic."""
+_LARGEST_JOURNAL = 512 * 2**20
+"""Bytes of messages, samples left out; a point takes some 400 of them."""
 _Kind = TypeVar("_Kind")
 
 
@@ -34,6 +38,17 @@ class Recording:
     """States, prompts, warnings and the end, in order."""
     closed: bool
     """Whether the file is whole, footer included; false where it was cut off or damaged."""
+    damage: tuple[str, ...] = ()
+    """What in it is not as it was written, as clauses; a file that was merely cut off has none."""
+
+    @property
+    def missing(self) -> tuple[int, ...]:
+        """Numbers of points that are not there although later ones are: they were lost, for none is left out."""
+        return (
+            tuple(sorted(set(range(self.points[-1].index)) - {point.index for point in self.points}))
+            if self.points
+            else ()
+        )
 
     @property
     def ending(self) -> RunFinished | None:
@@ -49,7 +64,8 @@ class Recording:
     @property
     def complete(self) -> bool:
         """Whether the file is whole and the run carried out its programme to the last step."""
-        return self.closed and self.ending is not None and self.ending.reason is FinishReason.COMPLETED
+        ended = self.ending is not None and self.ending.reason is FinishReason.COMPLETED
+        return self.closed and ended and not self.missing
 
 
 def read_recording(path: Path) -> Recording:
@@ -60,20 +76,56 @@ def read_recording(path: Path) -> Recording:
     RecordingError
         Where the file cannot be opened, is no recording, lacks a whole header, or has a newer format.
     """
-    found = list(contents(path, JOURNAL))
-    with understood(path):
-        journal = [from_message(said.topic, said.data) for said in _only(Said, found)]
+    header, closed = [], False
+    journal: list[Entry] = []
+    damage: dict[str, None] = {}
+    for entry in _bounded(path, contents(path, JOURNAL)):
+        match entry:
+            case Header():
+                header.append(entry)
+            case Said():
+                with understood(path):
+                    journal.append(from_message(entry.topic, entry.data))
+            case Damage(what=what):
+                damage[what] = None
+            case Closed():
+                closed = True
     # A point stands for good once it is recorded: were it to come twice, the first would count.
     points = {point.index: point for point in reversed(_only(Point, journal))}
     return Recording(
         path=path,
-        header=_only(Header, found)[0],
+        header=header[0],
         points=tuple(points[index] for index in sorted(points)),
         steps=tuple(entry for entry in journal if isinstance(entry, Mounting | Dwell)),
         answers=tuple(entry for entry in journal if isinstance(entry, MountAnswered | ReadingAnswered)),
         events=tuple(entry for entry in journal if isinstance(entry, Announcement)),
-        closed=bool(_only(Closed, found)),
+        closed=closed,
+        damage=tuple(damage),
     )
+
+
+def read_header(path: Path) -> Header:
+    """Read what a recording says of itself, and no further. Raises `RecordingError` as `read_recording`."""
+    return next(entry for entry in contents(path, ()) if isinstance(entry, Header))
+
+
+def leading(recording: Recording) -> Recording:
+    """The recording without the points behind the first that is missing: what a run can go on from."""
+    if not recording.missing:
+        return recording
+    first = recording.missing[0]
+    return replace(recording, points=tuple(point for point in recording.points if point.index < first))
+
+
+def _bounded(path: Path, found: Iterator[Content]) -> Iterator[Content]:
+    """Pass on what is to be kept in memory, up to a bound that a run of a million points does not reach."""
+    size = 0
+    for entry in found:
+        size += len(entry.data) if isinstance(entry, Said) else 0
+        if size > _LARGEST_JOURNAL:
+            happened = f"says more than {_LARGEST_JOURNAL / 2**20:.0f} MiB of its run, samples left out"
+            raise RecordingError(path, happened, "no run of this program does: leave the file alone")
+        yield entry
 
 
 def iter_samples(path: Path) -> Iterator[SamplesAcquired]:
@@ -97,10 +149,16 @@ def complete_messages(recording: Recording) -> Iterator[Said]:
     RecordingError
         As `read_recording`.
     """
-    completed = {point.index for point in recording.points}
+    wanted = {None, *(point.index for point in recording.points)}
     for said in contents(recording.path, TOPICS):
-        if isinstance(said, Said) and (said.topic not in _OF_POINTS or orjson.loads(said.data)["point"] in completed):
+        if isinstance(said, Said) and _point_of(said) in wanted:
             yield said
+
+
+def _point_of(said: Said) -> int | None:
+    """Number of the point to which a message belongs; None where it belongs to none."""
+    field = _POINT_FIELDS.get(said.topic)
+    return None if field is None else int(orjson.loads(said.data)[field])
 
 
 def monotonic_s(said: Said) -> float:

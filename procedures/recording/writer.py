@@ -66,7 +66,7 @@ class Recorder:
             ) from error
         except OSError as error:
             raise _storage_error(path, error) from error
-        self._writer = Writer(self._stream)  # type: ignore[arg-type]  # it wants no more than there is
+        self._writer = Writer(self._stream, enable_data_crcs=True)  # type: ignore[arg-type]  # it wants no more than there is
         self._channels: dict[str, int] = {}
         with self._storage():
             self._begin(header)

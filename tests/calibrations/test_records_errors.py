@@ -1,5 +1,6 @@
 """A store that cannot be used: one sentence, and nothing half-written."""
 
+import os
 import sqlite3
 from contextlib import closing, contextmanager
 
@@ -7,6 +8,7 @@ import pytest
 from records_examples import calibration, provenance
 from sqlalchemy import Engine, event
 
+from calibrations.records import database
 from calibrations.records.errors import StoreError
 from calibrations.records.store import DATABASE, Store
 
@@ -149,3 +151,42 @@ def test_opening_to_read_makes_no_store(tmp_path):
     with refused("there is no records.sqlite in this folder"):
         Store.existing(tmp_path / "mistyped")
     assert not (tmp_path / "mistyped").exists()
+
+
+def test_an_empty_file_is_no_store_and_stays_as_it_is(tmp_path):
+    (tmp_path / DATABASE).touch()
+    with refused("this file is empty and no store; restore it from a backup, or remove it"):
+        Store(tmp_path)
+    assert (tmp_path / DATABASE).read_bytes() == b""
+
+
+def test_a_database_without_tables_is_no_store(tmp_path):
+    with closing(sqlite3.connect(tmp_path / DATABASE)) as connection:
+        connection.execute("PRAGMA user_version = 7")
+        connection.commit()
+    with refused("this database holds something else"):
+        Store(tmp_path)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="pipes of POSIX")
+def test_a_pipe_is_no_store(tmp_path):
+    os.mkfifo(tmp_path / DATABASE)
+    with refused("this is no file but a device or a pipe"):
+        Store(tmp_path)
+
+
+def test_two_that_make_one_store_at_once_have_the_same(tmp_path, monkeypatch):
+    give_name = database._name
+    others = []
+
+    def slower(file, name):
+        monkeypatch.setattr(database, "_name", give_name)
+        others.append(Store(tmp_path))
+        others[0].add(calibration(), provenance())
+        give_name(file, name)
+
+    monkeypatch.setattr(database, "_name", slower)
+    store = Store(tmp_path)
+
+    assert len(store.find()) == len(others[0].find()) == 1
+    assert [path.name for path in tmp_path.iterdir()] == [DATABASE]

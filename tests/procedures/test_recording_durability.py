@@ -253,9 +253,9 @@ def test_a_file_that_is_not_there_is_said(tmp_path):
 
 
 def test_a_recording_of_a_newer_format_is_refused(tmp_path):
-    path = record(tmp_path / "run.mcap", [], header=replace(HEADER, format_version=3, program_version="9.1"))
+    path = record(tmp_path / "run.mcap", [], header=replace(HEADER, format_version=4, program_version="9.1"))
 
-    with pytest.raises(RecordingError, match=r"format version 3, .* up to 2; read it with tumble 9\.1 or newer"):
+    with pytest.raises(RecordingError, match=r"format version 4, .* up to 3; read it with tumble 9\.1 or newer"):
         read_recording(path)
 
 

@@ -39,6 +39,7 @@ class _Printing(QThread):
 
 def _print(html: str, path: Path) -> None:
     writer = QPdfWriter(str(path))
+    writer.setCreator("tumble")
     writer.setPageSize(QPageSize(QPageSize.PageSizeId.A4))
     writer.setPageMargins(QMarginsF(*[_MARGIN_MM] * 4), QPageLayout.Unit.Millimeter)
     writer.setResolution(_DPI)

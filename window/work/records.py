@@ -7,10 +7,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
 from app.exits import Exit, JobError
-from app.files import refuse_recording, write_text
+from app.files import check_result, replacing, write_text
+from app.kinds import Kind
 from app.running import Job
 from calibrations.records.record import Record, Verdict
 from window.work.activity import Concluded, Resumption
@@ -152,20 +154,17 @@ def _write_rows(folder: Path, record_id: str, path: Path) -> None:
     from app.recall import recall
     from calibrations.table import write_table
 
-    refuse_recording(path)
+    check_result(path, Kind.TABLE)
     _, measurement = recall(folder, record_id)
-    try:
-        write_table(measurement.observations, path)
-    except OSError as error:
-        raise JobError(f"{path}: cannot be written ({error.strerror}); choose another place", Exit.STORAGE) from error
+    with replacing(path, Kind.TABLE) as begun:
+        write_table(measurement.observations, begun)
 
 
 def _write_pdf(folder: Path, record_id: str, path: Path) -> None:
     from app.recall import report_again
     from window.work.printing import print_page
 
-    page = report_again(folder, record_id, path.with_suffix(".print.html"))
-    try:
-        print_page(page.read_text(encoding="utf-8"), path)
-    finally:
-        page.unlink()
+    check_result(path, Kind.PDF)
+    with TemporaryDirectory() as aside, replacing(path, Kind.PDF) as begun:
+        page = report_again(folder, record_id, Path(aside) / "report.html")
+        print_page(page.read_text(encoding="utf-8"), begun)

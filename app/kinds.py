@@ -1,0 +1,45 @@
+"""Kinds of results, each known by how its files begin."""
+
+import re
+from enum import StrEnum
+from typing import Final
+
+BEGINNING_BYTES: Final = 4096
+"""So much of a file says what it is."""
+
+
+class Kind(StrEnum):
+    """What a command or the window writes."""
+
+    RESULT = "result (JSON)"
+    RECORD = "record (JSON)"
+    REPORT = "report (HTML)"
+    TABLE = "table of a recording (CSV)"
+    PDF = "report (PDF)"
+
+
+_PAGE: Final = (
+    rb'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
+    rb'(<meta name="generator" content="tumble">\n'
+    rb'|<meta name="viewport" content="width=device-width, initial-scale=1">\n<title>Calibration of )'  # before 0.2
+)
+_COLUMNS: Final = (
+    rb"time_s,realisation,procedure,mount,angle_deg,direction,(temperature_degC,)?voltage_V,voltage_sd_V,samples\n"
+)
+_CREATOR: Final = re.escape("tumble".encode("utf-16-be"))
+_BEGINNINGS: Final = {
+    Kind.RECORD: rb'\{"content_sha256":"[0-9a-f]{64}"|\{\s*"schema":\s*"tumble\.record/',
+    Kind.RESULT: rb'\{\s*"schema":\s*"tumble\.[a-z-]+/\d',
+    Kind.REPORT: _PAGE,
+    Kind.TABLE: _COLUMNS,
+    Kind.PDF: rb"%PDF-.{,1000}/Creator \(\xfe\xff" + _CREATOR + rb"\)",
+}
+"""Of two that fit, the first counts. The table of a recording has all columns that a recording gives, in its order."""
+
+
+def kind_of(beginning: bytes) -> Kind | None:
+    """Which result it is that begins so; None for anything else."""
+    for kind, pattern in _BEGINNINGS.items():
+        if re.match(pattern, beginning, re.DOTALL):
+            return kind
+    return None

@@ -1,0 +1,141 @@
+"""A store held against its folder: every record verified, and what has no record named."""
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import StrEnum
+from pathlib import Path
+
+from app.exits import JobError
+from app.files import RECORDING_SUFFIX
+from app.recall import unprotected, verify_record
+from app.resuming import is_set_aside
+from calibrations.records.errors import RecordError, StoreError
+from calibrations.records.inventory import Inventory
+from calibrations.records.raw import resolved_path
+from calibrations.records.store import Store
+from procedures.errors import InputError
+from procedures.recording.errors import RecordingError
+
+_ID = re.compile(r"\d{8}-\d{6}-[0-9a-f]{6}")
+
+
+class Judgement(StrEnum):
+    """What is said of a thing in a word or two; in capitals where something is wrong."""
+
+    VERIFIED = "verified"
+    UNRECORDED = "no record"
+    """A recording that needs none."""
+    NOT_VERIFIED = "NOT VERIFIED"
+    RECORD_LOST = "NO RECORD"
+    """A recording or a report of which there must have been one."""
+    REMOVED = "REMOVED"
+    RECORDS_REMOVED = "RECORDS REMOVED"
+    DAMAGED = "DAMAGED"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Finding:
+    """What verifying found of one thing: a record, a file, or the database."""
+
+    name: str
+    judgement: Judgement
+    sentences: tuple[str, ...]
+
+    @property
+    def good(self) -> bool:
+        """Whether nothing is wrong."""
+        return self.judgement in (Judgement.VERIFIED, Judgement.UNRECORDED)
+
+
+def verified_record(store: Store, record_id: str) -> Finding:
+    """Verify one record; what keeps that from being done is a finding like another."""
+    try:
+        record = store.get(record_id)
+        found = verify_record(store, record)
+    except (StoreError, RecordError, InputError, JobError) as error:
+        return Finding(name=record_id, judgement=Judgement.NOT_VERIFIED, sentences=(f"{error}.",))
+    except (AttributeError, KeyError, TypeError, ValueError) as error:  # whatever was put into its JSON
+        damaged = f"The record is damaged ({type(error).__name__}: {error}); restore {store.path} from a backup."
+        return Finding(name=record_id, judgement=Judgement.NOT_VERIFIED, sentences=(damaged,))
+    old = unprotected(store.raw_file(record))
+    judgement = Judgement.VERIFIED if found.verified else Judgement.NOT_VERIFIED
+    return Finding(name=record.id, judgement=judgement, sentences=(*found.sentences, *([old] if old else [])))
+
+
+def leftovers(store: Store) -> tuple[Finding, ...]:
+    """What in a store's folder and tables belongs to no record, and what SQLite finds wrong with the file.
+
+    A run that was to be calibrated has a record once it is complete; one that was only measured (`tumble run`, an
+    experiment of a loop) may have none, and is named without a doubt of it.
+    """
+    inventory = store.inventory()
+    return (
+        *(_fault(store.path, fault) for fault in inventory.faults),
+        *(_removed(record_id) for record_id in inventory.removed),
+        *_gaps(store.path, inventory),
+        *_reports(store.folder, inventory),
+        *_recordings(store.folder, inventory),
+    )
+
+
+def _fault(path: Path, fault: str) -> Finding:
+    damaged = f"The database is damaged ({fault}); restore it from a backup."
+    return Finding(name=str(path), judgement=Judgement.DAMAGED, sentences=(damaged,))
+
+
+def _removed(record_id: str) -> Finding:
+    lost = "It is not in the store, although other rows name it: it was removed; restore the store from a backup."
+    return Finding(name=record_id, judgement=Judgement.REMOVED, sentences=(lost,))
+
+
+def _gaps(path: Path, inventory: Inventory) -> Iterator[Finding]:
+    if lost := inventory.numbers_without_record:
+        records = "A record was" if lost == 1 else f"{lost} records were"
+        words = f"{records} deleted from the database; restore it from a backup."
+        yield Finding(name=str(path), judgement=Judgement.RECORDS_REMOVED, sentences=(words,))
+
+
+def _reports(folder: Path, inventory: Inventory) -> Iterator[Finding]:
+    for path in sorted((folder / "reports").glob("*.html")):
+        if _ID.fullmatch(path.stem) and path.stem not in inventory.ids:
+            lost = "This report has no record: that was removed from the store; restore it from a backup."
+            yield Finding(name=str(path), judgement=Judgement.RECORD_LOST, sentences=(lost,))
+
+
+def _recordings(folder: Path, inventory: Inventory) -> Iterator[Finding]:
+    recorded = {
+        resolved_path(folder, part).resolve()
+        for text in inventory.raw_paths
+        for part in (text, *text.split(", "))  # a record of several files has their paths in one text
+    }
+    for path in sorted((folder / "recordings").rglob(f"*{RECORDING_SUFFIX}")):
+        if path.resolve() not in recorded and not is_set_aside(path):
+            yield _without_record(path)
+
+
+def _without_record(path: Path) -> Finding:
+    from procedures.recording.reader import read_recording  # MCAP only where there is a recording
+
+    try:
+        recording = read_recording(path)
+    except RecordingError as error:
+        judgement, words = Judgement.RECORD_LOST, f"It has no record, and cannot be read: {error}."
+    else:
+        judgement, words = _why_without(recording.header.job, recording.complete)
+    return Finding(name=str(path), judgement=judgement, sentences=(words,))
+
+
+def _why_without(job: str, complete: bool) -> tuple[Judgement, str]:
+    """What it means that a recording has no record."""
+    if job != "calibrate":
+        return (
+            Judgement.UNRECORDED,
+            "It has no record: it was measured and never calibrated, or its record was removed.",
+        )
+    if not complete:
+        return Judgement.UNRECORDED, "It has no record: the run did not come to its end; tumble resume goes on with it."
+    return (
+        Judgement.RECORD_LOST,
+        "It has no record: that was removed from the store, or never came; tumble resume makes it anew.",
+    )
