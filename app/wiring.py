@@ -7,10 +7,9 @@ from functools import cache, partial
 from pathlib import Path
 from typing import Final
 
-import click
-
 from app.simulation import Hand, Past, TurningEyepiece, simulation, switching_on
 from app.stand import LoadedStand
+from app.terminal import say
 from drivers.clock import Clock, ReleasedClock, SystemClock
 from drivers.driver import Bench
 from drivers.links.opened import Links
@@ -156,7 +155,7 @@ def _attendant(answers: Path | None, attended: bool) -> Attendant:
     if answers is not None:
         return Attendant(operator=partial(ScriptedOperator.from_file, answers), speed=speed)
     if attended:
-        console = partial(ConsoleOperator, sys.stdin, show=partial(click.echo, err=True))
+        console = partial(ConsoleOperator, sys.stdin, show=partial(say, err=True))
         return Attendant(operator=console, speed=speed)
     return Attendant(operator=obliging_operator, imagined=True)
 

@@ -9,6 +9,7 @@ from app.console import warn
 from app.exits import Exit, JobError
 from app.files import RECORDING_SUFFIX, is_recording, refuse_recording
 from app.measurements import read_measurement
+from app.terminal import say
 from calibrations.table import write_table
 from procedures.errors import InputError
 
@@ -30,4 +31,4 @@ def command(recording: Path, out: Path | None) -> None:
             f"{table}: cannot be written ({error.strerror}); make room or choose another", Exit.STORAGE
         ) from error
     warn(measurement.observations.warnings)
-    click.echo(f"{len(measurement.observations)} rows in {table}", err=True)
+    say(f"{len(measurement.observations)} rows in {table}", err=True)

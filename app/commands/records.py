@@ -11,6 +11,7 @@ from app.commands import options
 from app.console import results
 from app.exits import Exit
 from app.recall import open_store, verify_record
+from app.terminal import say
 from calibrations.quantities import format_concise
 from calibrations.records.compare import compare
 from calibrations.records.export import document
@@ -79,30 +80,26 @@ def show(record_id: str, folder: Path) -> None:
     """Show a record, by the beginning of its id."""
     record = open_store(folder).get(record_id)
     origin = record.provenance
-    click.echo(f"record     {record.id}, revision {record.revision}, {record.verdict}")
+    say(f"record     {record.id}, revision {record.revision}, {record.verdict}")
     if record.supersedes:
-        click.echo(f"supersedes {record.supersedes}")
-    click.echo(f"unit       {origin.serial_number}\nprogramme  {origin.programme_name} {origin.programme_sha256[:12]}")
-    click.echo(f"measured   {origin.measured_at}\nraw file   {origin.raw_path} {origin.raw_sha256[:12]}")
-    click.echo(
-        f"program    {origin.program_version} {origin.git_commit[:12]}{' (changed)' if origin.git_dirty else ''}"
-    )
+        say(f"supersedes {record.supersedes}")
+    say(f"unit       {origin.serial_number}", f"programme  {origin.programme_name} {origin.programme_sha256[:12]}")
+    say(f"measured   {origin.measured_at}", f"raw file   {origin.raw_path} {origin.raw_sha256[:12]}")
+    say(f"program    {origin.program_version} {origin.git_commit[:12]}{' (changed)' if origin.git_dirty else ''}")
     effects = [effect["name"] for effect in record.result.get("loop", {}).get("effects", [])]
     _show_parameters(record.models["declared"])
     if effects:
-        click.echo(f"with {', '.join(effects)}")
+        say(f"with {', '.join(effects)}")
         _show_parameters(record.models["augmented"])
 
 
 def _show_parameters(parameters: Mapping[str, Parameter]) -> None:
     for name, parameter in parameters.items():
         if parameter.value is None:
-            click.echo(f"  {name:7s}cannot be told: {parameter.reason}")
+            say(f"  {name:7s}cannot be told: {parameter.reason}")
         else:
             given = "" if parameter.given_alpha0_deg is None else f"  given alpha0 = {parameter.given_alpha0_deg:g}°"
-            click.echo(
-                f"  {name:7s}{format_concise(parameter.value, parameter.standard_uncertainty, parameter.unit)}{given}"
-            )
+            say(f"  {name:7s}{format_concise(parameter.value, parameter.standard_uncertainty, parameter.unit)}{given}")
 
 
 @command.command("compare")
@@ -113,7 +110,7 @@ def compare_records(first: str, second: str, folder: Path) -> None:
     """Compare two records: the difference of every parameter and whether it is significant."""
     store = open_store(folder)
     for difference in compare(store.get(first), store.get(second)):
-        click.echo(difference.sentence)
+        say(difference.sentence)
 
 
 @command.command("export")
@@ -136,9 +133,8 @@ def verify(record_ids: tuple[str, ...], folder: Path) -> None:
     for record in records:
         verification = verify_record(store, record)
         failed += not verification.verified
-        click.echo(f"{record.id}: {'verified' if verification.verified else 'NOT VERIFIED'}")
-        for sentence in verification.sentences:
-            click.echo(f"  {sentence}")
-    click.echo(f"{len(records) - failed} of {len(records)} records agree with their raw files")
+        say(f"{record.id}: {'verified' if verification.verified else 'NOT VERIFIED'}")
+        say(*(f"  {sentence}" for sentence in verification.sentences))
+    say(f"{len(records) - failed} of {len(records)} records agree with their raw files")
     if failed:
         raise SystemExit(int(Exit.BAD_INPUT))

@@ -9,24 +9,25 @@ from app.calibrating import write_report
 from app.commands import options
 from app.measurements import read_measurement
 from app.recall import report_again
-from app.stand import load_stand
+from app.stand import read_stand
 from app.stand_records import with_stand_record
+from app.terminal import say
 
 
 @click.command("report")
 @click.argument("file_or_record")
 @click.option("--out", type=options.EXISTING, help="Page to write; beside the file, or in the store, without.")
 @click.option("--stand", "stand_path", type=options.EXISTING, help="Stand file for the budget of a table.")
-@click.option("--serial", "serial_number", default="", help="Serial number of the unit, where the file does not say.")
+@options.serial_of_file
 @options.store
 def command(file_or_record: str, out: Path | None, stand_path: Path | None, serial_number: str, folder: Path) -> None:
     """Write the report (HTML) of a recording, an observation table, or a stored record by its id."""
     path = Path(file_or_record)
     if path.is_file() or path.suffix:  # an id has none
-        measurement = read_measurement(path, load_stand(stand_path).recorded if stand_path else None)
+        measurement = read_measurement(path, read_stand(stand_path).recorded if stand_path else None)
         measurement = with_stand_record(measurement, folder)
         page = out or path.with_suffix(".html")
         write_report(trace(fit(measurement, serial_number)), page)
     else:
         page = report_again(folder, file_or_record, out)
-    click.echo(f"report {page}")
+    say(f"report {page}")
