@@ -40,15 +40,7 @@ if TYPE_CHECKING:
     from procedures.recording.writer import Recorder
 
 _LONGEST_NAME = 60
-_RESERVED = {
-    "CON",
-    "CONIN$",
-    "CONOUT$",
-    "PRN",
-    "AUX",
-    "NUL",
-    *(f"{port}{n}" for port in ("COM", "LPT") for n in range(10)),
-}
+_RESERVED = {"CON", "PRN", "AUX", "NUL", *(f"{port}{n}" for port in ("COM", "LPT") for n in range(10))}
 """Names of devices on Windows."""
 
 

@@ -47,7 +47,7 @@ def hash_of_file(reference: str, base_path: Path) -> str:
 
 
 def is_remote(path: str) -> bool:
-    r"""Whether a path leads to another computer by how it is written: `\\\\SERVER\\SHARE`, `//SERVER/SHARE`, or a URL."""
+    r"""Whether a path leads to another computer, as written: `\\SERVER\SHARE`, `//SERVER/SHARE`, or a URL."""
     return _REMOTE.match(path) is not None
 
 

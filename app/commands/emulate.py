@@ -53,6 +53,8 @@ def command(
     The first line on standard output says where, as JSON.
     """
     loaded = read_stand(stand_path)
+    if loaded.file.simulated is None:
+        raise InputError(f"{loaded.path}: has no table [simulated], so that it is no stand to be emulated; add one")
     head, daq = loaded.file.head, loaded.file.daq
     clock = FasterClock(speed)
     wanted = Wanted(
@@ -71,7 +73,8 @@ def command(
         except ValueError as error:
             raise InputError(f"{loaded.path}: {error}") from error
         except OSError as error:
-            raise InputError(f"the emulated stand cannot be served ({error}); choose other ports") from error
+            remedy = "choose other ports" if error.filename is None else "make room for it there"
+            raise InputError(f"the emulated stand cannot be served ({error}); {remedy}") from error
         say(json.dumps(addresses))
         _until_stopped()
 

@@ -10,7 +10,6 @@ from drivers.candaq.declaration import CAN
 from drivers.scpi.declaration import SCPI
 from drivers.simulated import HeadOptions, Simulated, build
 from drivers.tables import DaqTable, HeadTable
-from emulators import backstage
 from emulators.emulation import Wanted, emulate
 from emulators.speed import FasterClock
 from emulators.world import SharedWorld
@@ -47,14 +46,17 @@ def test_a_speed_that_is_no_number_is_refused(speed):
 @pytest.fixture
 def emulated(write, monkeypatch, tmp_path):
     """A stand file that names an emulated stand."""
-    monkeypatch.setattr(backstage.tempfile, "gettempdir", lambda: str(tmp_path))
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
+    monkeypatch.setenv("LOCALAPPDATA", str(tmp_path))
     limits = {"limits_deg": (-180.0, 760.0)}
     shared = SharedWorld(build(Simulated(), clock=FasterClock(50.0), head=HeadOptions(**limits)))
     wanted = Wanted(head=HeadTable(driver="simulated", **limits), daq=DaqTable(driver="simulated"))
     with ExitStack() as stack:
         at = emulate(stack, shared, wanted)
         head = f'[head]\ndriver = "zaber"\nurl = "{at["head"]}"\nlimits_deg = [-180.0, 760.0]\n'
-        yield write("emulated.toml", f'name = "emulated"\n{head}[daq]\ndriver = "scpi"\nurl = "{at["daq"]}"\n')
+        yield write(
+            "emulated.toml", f'name = "emulated"\n{head}[daq]\ndriver = "scpi"\nurl = "{at["daq"]}"\n[simulated]\n'
+        )
 
 
 def test_it_is_said_that_nobody_is_asked_for_mounts_at_an_emulated_stand(emulated, write):

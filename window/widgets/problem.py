@@ -7,7 +7,7 @@ from pathlib import Path
 from PySide6.QtWidgets import QMessageBox, QWidget
 
 from app.exits import status_of
-from app.stand_lock import state_folder
+from drivers.private_files import state_folder
 from window.look.sentences import in_language
 
 
