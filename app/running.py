@@ -179,8 +179,11 @@ def recording_path(folder: Path, serial_number: str, programme: str, clock: Cloc
 def _safe(text: str) -> str:
     """Text as a file name on any system: what had to be changed gets a hash, so that no two texts share a name."""
     plain = re.sub(r"[^A-Za-z0-9._-]+", "_", text).strip("._")[:_LONGEST_NAME]
-    if plain == text and plain.split(".")[0].upper() not in _RESERVED:
+    reserved = plain.split(".")[0].upper() in _RESERVED
+    if plain == text and not reserved:
         return plain
+    if reserved:
+        plain = plain.replace(".", "_")  # Windows looks at what stands before the first one
     return f"{plain or 'unit'}-{sha256(text.encode('utf-8', 'surrogatepass')).hexdigest()[:8]}"
 
 

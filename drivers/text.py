@@ -27,10 +27,15 @@ def visible(text: str, most: int | None = None) -> str:
     most
         Characters, of which the middle gives way; all without it.
     """
-    if most is not None and len(text) > most:
-        ending = most // 3
-        text = f"{text[: most - ending]} … {text[-ending:]}"
-    return _UNSEEN.sub(_escape, text)
+    shown = _UNSEEN.sub(_escape, _shortened(text, most))
+    return _shortened(shown, most)
+
+
+def _shortened(text: str, most: int | None) -> str:
+    if most is None or len(text) <= most:
+        return text
+    ending = most // 3
+    return f"{text[: most - ending]} … {text[-ending:]}"
 
 
 def check_name(text: str) -> str:

@@ -24,7 +24,7 @@ _TOKEN: Final = re.compile(
     """,
     re.VERBOSE | re.DOTALL,
 )
-_AT_LINE: Final = re.compile(r" \(at line (\d+), column \d+\)$")
+_PLACE: Final = re.compile(r" \(at (?:line (\d+), column \d+|end of document)\)$")
 
 
 def read_toml(text: str, source: str) -> dict[str, Any]:
@@ -42,7 +42,7 @@ def read_toml(text: str, source: str) -> dict[str, Any]:
     try:
         return tomllib.loads(content)
     except tomllib.TOMLDecodeError as error:
-        raise InputError(_syntax_complaint(str(error), source)) from error
+        raise InputError(_syntax_complaint(str(error), content, source)) from error
     except (ValueError, RecursionError) as error:
         raise InputError(f"{source}: not TOML that can be read ({error}); correct it") from error
 
@@ -67,7 +67,8 @@ def _beyond_measure(text: str) -> Iterator[tuple[int, str]]:
             yield token.start(), f"a number of {len(token[0])} characters"
 
 
-def _syntax_complaint(message: str, source: str) -> str:
-    at_line = _AT_LINE.search(message)
-    where = f"{source}, line {at_line[1]}" if at_line else source
-    return f"{where}: not TOML: {_AT_LINE.sub('', message)}; correct it"
+def _syntax_complaint(message: str, text: str, source: str) -> str:
+    place = _PLACE.search(message)
+    last = text.rstrip("\n").count("\n") + 1
+    where = f"{source}, line {place[1] or last}" if place else source
+    return f"{where}: not TOML: {_PLACE.sub('', message)}; correct it"

@@ -82,3 +82,24 @@ def test_an_entry_that_is_no_entry_is_passed_over(tmp_path):
         for text in ("", "{}", json.dumps({"port": 1, "pace": {"factor": -1.0}})):
             entry.write_text(text)
             assert find_backstage((ADDRESS,)) is None
+
+
+def test_an_entry_of_a_process_that_is_gone_is_passed_over(tmp_path):
+    with found(VirtualClock()):
+        (entry,) = tmp_path.glob("tumble/emulated/*.json")
+        known = json.loads(entry.read_text())
+        for changed in ({"started": "1"}, {"process": 2**22 + 1}, {"started": ""}):
+            entry.write_text(json.dumps(known | changed))
+            assert find_backstage((ADDRESS,)) is None
+        entry.write_text(json.dumps(known))
+        assert find_backstage((ADDRESS,)) is not None
+
+
+def test_an_entry_in_the_temporary_folder_is_nobodys(tmp_path, monkeypatch):
+    with found(VirtualClock()):
+        (entry,) = tmp_path.glob("tumble/emulated/*.json")
+        anybody = tmp_path / "tumble-emulated-operator"
+        anybody.mkdir()
+        entry.rename(anybody / entry.name)
+        monkeypatch.setenv("TMPDIR", str(tmp_path))
+        assert find_backstage((ADDRESS,)) is None
