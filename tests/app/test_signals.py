@@ -1,6 +1,7 @@
 """A signal ends every command, in whatever phase it is, with status 4 and a sentence."""
 
 import signal
+from contextlib import suppress
 
 import pytest
 from app_jobs import STAND, tumble
@@ -30,24 +31,25 @@ def test_every_signal_ends_a_command(monkeypatch, number):
     assert signal.getsignal(number) == before
 
 
+RUN = ["run", "--programme", "T", "--serial", "A"]
 PHASES = {
     "planning": ("app.running.plan", ["plan", "quick"]),
-    "reading a programme": ("app.commands.measuring.load_programme", ["run", "--programme", "T", "--serial", "A"]),
-    "loading the stand": ("app.commands.measuring.load_stand", ["run", "--programme", "T", "--serial", "A"]),
-    "connecting": ("app.commands.measuring.connect", ["run", "--programme", "T", "--serial", "A"]),
+    "reading a programme": ("app.commands.measuring.load_programme", RUN),
+    "loading the stand": ("app.commands.measuring.load_stand", RUN),
+    "connecting": ("app.commands.measuring.connect", RUN),
     "opening the recording": (
         "app.running.begin_recording",
-        ["run", "--programme", "T", "--serial", "A", "--store", "s"],
+        [*RUN, "--store", "s"],
     ),
     "reading a table": ("app.commands.fit.read_measurement", ["fit", "t.csv"]),
-    "fitting": ("calibrations.analysis.calibrate", ["fit", "t.csv"]),
+    "fitting": ("app.commands.fit.fit", ["fit", "t.csv"]),
     "Monte Carlo": ("calibrations.analysis.monte_carlo", ["fit", "t.csv"]),
     "tracing": ("app.commands.close_loop.trace", ["close-loop", "t.csv"]),
     "fitting a calibration": (
         "app.calibrating.fit",
-        ["calibrate", "--programme", "T", "--serial", "A", "--store", "s"],
+        ["calibrate", *RUN[1:], "--store", "s"],
     ),
-    "storing": ("app.calibrating.store", ["calibrate", "--programme", "T", "--serial", "A", "--store", "s"]),
+    "storing": ("app.calibrating.store", ["calibrate", *RUN[1:], "--store", "s"]),
     "reporting": ("app.commands.report.write_report", ["report", "t.csv", "--store", "s"]),
     "writing a result": ("app.commands.options.write_text", ["plan", "quick", "--json", "p.json"]),
     "exporting": ("app.commands.export.write_table", ["export", "RECORDING", "--out", "o.csv"]),
@@ -105,8 +107,5 @@ def test_a_second_interrupt_from_the_keyboard_does():
 
 
 def test_an_interrupt_that_somebody_swallowed_is_told_at_the_end():
-    with pytest.raises(Interrupted), interrupting():
-        try:
-            signal.raise_signal(signal.SIGTERM)
-        except KeyboardInterrupt:
-            pass
+    with pytest.raises(Interrupted), interrupting(), suppress(KeyboardInterrupt):
+        signal.raise_signal(signal.SIGTERM)
