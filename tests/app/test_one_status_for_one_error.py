@@ -154,7 +154,7 @@ def test_a_stand_that_is_in_use_is_a_fault_of_the_instrument(stand, arguments):
     assert f"the stand at {stand.resolve()} is in use by process" in complaint
 
 
-COMMANDS = "fit plan run emulate resume export report calibrate close-loop records stand".split()
+COMMANDS = [
     "fit",
     "plan",
     "run",

@@ -16,4 +16,4 @@ class PlainLabel(QLabel):
 
 def as_tooltip(text: str) -> str:
     """Text for a tooltip, which knows no other way to be told that text is no markup."""
-    return f"<p>{escape(text)}</p>" if Qt.mightBeRichText(text) else text
+    return f"<p>{escape(text)}</p>" if "<" in text else text
