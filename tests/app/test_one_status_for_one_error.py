@@ -98,7 +98,6 @@ WRITING = {
     "run --out": ["run", "--programme", "tiny.toml", "--serial", "A", "--out", "OUT.mcap"],
     "run --store": ["run", "--programme", "tiny.toml", "--serial", "A", "--store", "OUT"],
     "calibrate --store": ["calibrate", "--programme", "tiny.toml", "--serial", "A", "--store", "OUT"],
-    "fit --store": ["fit", "t.csv", "--store", "OUT"],
 }
 
 
@@ -136,7 +135,7 @@ def test_a_store_that_is_not_there_is_bad_input(arguments):
     assert told(tumble(*arguments, "--store", "none"), 2).startswith("none: ")
 
 
-@pytest.mark.parametrize("arguments", [*STORES.values(), ["fit", "t.csv"]], ids=[*STORES, "fit"])
+@pytest.mark.parametrize("arguments", STORES.values(), ids=STORES)
 def test_a_store_that_is_none_is_a_matter_of_storage(folder, arguments):
     (folder / "s").mkdir()
     (folder / "s" / "records.sqlite").write_bytes(b"garbage" * 1000)
