@@ -8,6 +8,10 @@ from importlib import import_module
 
 import click
 
+from app.signals import interrupting
+from app.terminal import LONGEST_COMPLAINT, flush, lead_nowhere, prepare_streams, say
+from drivers.errors import Interrupted
+
 _COMMANDS = {
     "calibrate": "Run a programme, fit, close the loop, store and report: the whole job.",
     "gui": "Open the operator's window.",
@@ -55,33 +59,21 @@ def cli() -> None:
 
 def main() -> None:
     """Entry point of `tumble`: one sentence for every error that a user can act on."""
-    _redirect_as_utf_8()
+    prepare_streams()
     limit_blas_threads()
     try:
-        with cli.make_context("tumble", sys.argv[1:]) as context:
-            cli.invoke(context)
-        sys.stdout.flush()
-    except click.exceptions.Exit as leaving:
-        if leaving.exit_code:
-            sys.exit(leaving.exit_code)
-    except (click.Abort, KeyboardInterrupt):
-        click.echo("tumble: interrupted; a recording keeps its complete points", err=True)
-        sys.exit(4)
-    except BrokenPipeError:  # whoever read the output has seen enough
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        with interrupting():
+            status = _carry_out(sys.argv[1:])
+    except (click.Abort, KeyboardInterrupt) as stopped:
+        by = f" by {stopped}" if isinstance(stopped, Interrupted) else ""
+        _complain(f"interrupted{by}; a recording keeps its complete points")
+        status = 4
     except click.ClickException as error:
-        error.show()
-        sys.exit(error.exit_code)
+        status = _wrong_usage(error)
     except Exception as error:
-        from app.exits import Exit, status_of  # only when something went wrong
-
-        status = status_of(error)
-        if status is None:
-            traceback.print_exc()
-            click.echo("tumble: a fault of the program; report it with the lines above", err=True)
-            sys.exit(int(Exit.INTERNAL))
-        click.echo(f"tumble: {error}", err=True)
-        sys.exit(int(status))
+        status = _failed(error)
+    if status:
+        sys.exit(status)
 
 
 def limit_blas_threads() -> None:
@@ -98,3 +90,53 @@ def _redirect_as_utf_8() -> None:
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper) and not stream.isatty():
             stream.reconfigure(encoding="utf-8")
+
+
+def _carry_out(arguments: list[str]) -> int:
+    """Call the command that the arguments name; return its exit status."""
+    check_text(arguments)
+    try:
+        with cli.make_context("tumble", arguments) as context:
+            cli.invoke(context)
+    except click.exceptions.Exit as leaving:
+        status = leaving.exit_code
+    except SystemExit as leaving:
+        status = leaving.code if isinstance(leaving.code, int) else 0
+    else:
+        status = 0
+    flush(sys.stdout)
+    return status
+
+
+def check_text(arguments: list[str]) -> None:
+    """Make sure that arguments are text: what is none can be neither recorded nor shown. Raises `UsageError`."""
+    for argument in arguments:
+        if any("\ud800" <= character <= "\udfff" for character in argument):
+            raise click.UsageError(f"{argument} is no text in the encoding of this system; rename it or write it anew")
+
+
+def _wrong_usage(error: click.ClickException) -> int:
+    """Say what click says."""
+    told = io.StringIO()
+    error.show(told)
+    say(*told.getvalue().splitlines(), err=True, most=LONGEST_COMPLAINT)
+    return error.exit_code
+
+
+def _failed(error: Exception) -> int:
+    """Say what happened; return the exit status."""
+    from app.exits import Exit, sentence_of, status_of  # only when something went wrong
+
+    if isinstance(error, OSError) and error.filename is None:  # of a stream, which would fail again at the end
+        lead_nowhere(sys.stdout)
+    status = status_of(error)
+    if status is not None:
+        _complain(sentence_of(error))
+        return int(status)
+    say(*traceback.format_exc().splitlines(), err=True, most=LONGEST_COMPLAINT)
+    _complain("a fault of the program; report it with the lines above")
+    return int(Exit.INTERNAL)
+
+
+def _complain(sentence: str) -> None:
+    say(f"tumble: {sentence}", err=True, most=LONGEST_COMPLAINT)

@@ -1,19 +1,22 @@
 """What a person sees on the terminal: a progress bar while something runs, the result when it is there."""
 
-import os
 import sys
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
+from typing import Any
 
 from rich.console import Console
 from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn
 from rich.table import Table
+from rich.text import Text
 
 from app.analysing import Analysed
+from app.terminal import LONGEST_LINE, lead_nowhere
 from calibrations.quantities import format_concise, format_freedom, format_interval, format_number, format_probability
 from calibrations.result import Calibration, Parameter
 from calibrations.support import series, support
 from drivers.clock import Clock
+from drivers.text import visible
 from procedures.announcer import Listener
 from procedures.events import (
     Event,
@@ -34,22 +37,32 @@ _PIPED_WIDTH = 120
 
 
 class _Console(Console):
-    """Whoever reads may leave early: the rest goes nowhere, and the command ends as it would have."""
+    """Text is text: nothing in it is markup or a sign by its name, and what cannot be seen is shown as an escape.
+
+    Whoever reads may leave early: the rest goes nowhere, and the command ends as it would have.
+    """
+
+    def __init__(self, *, stderr: bool = False, width: int | None = None) -> None:
+        super().__init__(stderr=stderr, width=width, markup=False, emoji=False, highlight=False)
+
+    def render_str(self, text: str, **how: Any) -> Text:  # noqa: ANN401  # as rich has them
+        """Everything that is printed comes through here, the cells and titles of tables too."""
+        return super().render_str(visible(text, LONGEST_LINE), **how | {"markup": False, "emoji": False})
 
     def on_broken_pipe(self) -> None:
         """Say nothing more; rich itself would exit with status 1, which says that a unit is outside its limits."""
         self.quiet = True
-        os.dup2(os.open(os.devnull, os.O_WRONLY), self.file.fileno())
+        lead_nowhere(self.file)
 
 
 def results() -> Console:
     """Where results go: standard output."""
-    return _Console(highlight=False, width=None if sys.stdout.isatty() else _PIPED_WIDTH)
+    return _Console(width=None if sys.stdout.isatty() else _PIPED_WIDTH)
 
 
 def messages() -> Console:
     """Where progress and warnings go: standard error, so that standard output stays clean for results."""
-    return _Console(stderr=True, highlight=False)
+    return _Console(stderr=True)
 
 
 def warn(sentences: Iterable[str]) -> None:
@@ -65,7 +78,7 @@ def run_display(plan: Plan, clock: Clock, console: Console, points_done: int = 0
     It is taken away while a question is open, lest it wipe what is being typed.
     """
     counted = RunProgress(plan, clock, points_done)
-    columns = (SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), TextColumn("{task.fields[left]}"))
+    columns = (SpinnerColumn(), _text("{task.description}"), BarColumn(), _text("{task.fields[left]}"))
     with Progress(*columns, console=console, disable=not console.is_terminal) as bar:
         task = bar.add_task("measuring", total=counted.total, left="")
 
@@ -86,6 +99,10 @@ def run_display(plan: Plan, clock: Clock, console: Console, points_done: int = 0
                 bar.console.print(f"warning: {event.message}", markup=False, soft_wrap=True)
 
         yield listen
+
+
+def _text(template: str) -> TextColumn:
+    return TextColumn(template, markup=False)
 
 
 def _take_away(bar: Progress) -> None:

@@ -42,7 +42,17 @@ FINISHED = {
 """Exit status of a run by the reason why it ended."""
 
 
-_NO_ROOM = {errno.ENOSPC, errno.EDQUOT, errno.EROFS}
+_NO_ROOM = {errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EFBIG, errno.EIO}
+_NO_SUCH_FILE = {
+    errno.ENOENT,
+    errno.EACCES,
+    errno.EPERM,
+    errno.EISDIR,
+    errno.ENOTDIR,
+    errno.ENAMETOOLONG,
+    errno.ELOOP,
+    errno.EINVAL,
+}
 
 
 def status_of(error: Exception) -> Exit | None:
@@ -56,6 +66,21 @@ def status_of(error: Exception) -> Exit | None:
     ]
     if isinstance(error, JobError):
         return error.status
-    if isinstance(error, OSError) and error.errno in _NO_ROOM:
-        return Exit.STORAGE
+    if isinstance(error, OSError):
+        return _status_of_system(error)
     return next((status for kind, status in kinds if isinstance(error, kind)), None)
+
+
+def sentence_of(error: Exception) -> str:
+    """What an exception says; one of the system says which file it is about, and what to do."""
+    if not isinstance(error, OSError):
+        return str(error)
+    where = "standard output" if error.filename is None else str(error.filename)
+    remedy = "make room or choose another" if error.errno in _NO_ROOM else "give a file that can be used"
+    return f"{where}: {error.strerror or error}; {remedy}"
+
+
+def _status_of_system(error: OSError) -> Exit | None:
+    if error.errno in _NO_ROOM:
+        return Exit.STORAGE
+    return Exit.BAD_INPUT if error.filename is not None and error.errno in _NO_SUCH_FILE else None

@@ -13,7 +13,7 @@ from app.stand_records import corrected_by
 from calibrations.records.errors import RecordError, StoreError
 from calibrations.records.raw import file_sha256
 from calibrations.records.record import Record
-from calibrations.records.store import Store
+from calibrations.records.store import DATABASE, Store
 from calibrations.records.verify import Verification, verify
 from calibrations.stand_records.store import StandRecords
 from procedures.errors import InputError
@@ -21,10 +21,12 @@ from procedures.recording.errors import RecordingError
 
 
 def open_store(folder: Path) -> Store:
-    """Open a store for reading. Raises `InputError` where there is none."""
+    """Open a store for reading. Raises `InputError` where there is none, `StoreError` where it cannot be used."""
     try:
         return Store.existing(folder)
     except StoreError as error:
+        if (folder / DATABASE).exists():
+            raise
         raise InputError(str(error)) from error
 
 

@@ -14,7 +14,7 @@ from pathlib import Path
 from app.exits import Exit, JobError
 from app.running import Job, begin_recording, carry_out
 from app.simulation import Past
-from app.stand import LoadedStand, load_stand
+from app.stand import LoadedStand
 from app.wiring import Connected
 from drivers.protocols import Identity
 from procedures.announcer import Listener
@@ -94,18 +94,6 @@ def find(path: Path) -> Unfinished:
 def is_set_aside(path: Path) -> bool:
     """Whether a file is what was set aside of a run, by its name."""
     return _CUT.fullmatch(path.stem) is not None
-
-
-def load_same_stand(recording: Recording, path: Path | None = None) -> LoadedStand:
-    """The stand file of a run, from where it was or from `path`. Raises `InputError` where it is another by now."""
-    header = recording.header
-    loaded = load_stand(path or (Path(header.stand_path) if header.stand_path else None))
-    if loaded.sha256 != header.stand_sha256:
-        raise InputError(
-            f"{loaded.path or 'the built-in stand'}: is not the stand file with which {recording.path} was begun (its "
-            "SHA-256 differs); give the unchanged one with --stand, or begin a new run"
-        )
-    return loaded
 
 
 def lived_through(paths: Sequence[Path], stand: LoadedStand, now: Recording | None = None) -> list[Past]:

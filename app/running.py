@@ -17,10 +17,12 @@ from typing import TYPE_CHECKING
 
 from app.exits import FINISHED, Exit, JobError
 from app.identity import program_identity
-from app.stand import LoadedStand
+from app.signals import handled_by
+from app.stand import LoadedStand, WrittenStand
 from app.stand_lock import holding_recording
 from app.wiring import Connected
 from drivers.clock import Clock
+from drivers.errors import Interrupted
 from procedures.acquisition import Acquisition
 from procedures.announcer import Listener
 from procedures.engine import Engine
@@ -37,24 +39,17 @@ if TYPE_CHECKING:
     from procedures.recording.contents import Said
     from procedures.recording.writer import Recorder
 
-STOPPING_SIGNALS = [signal.SIGINT, signal.SIGTERM]
-if sys.platform == "win32":
-    STOPPING_SIGNALS.append(signal.SIGBREAK)  # sent there where the window of the terminal is closed
-elif signal.getsignal(signal.SIGHUP) is not signal.SIG_IGN:  # nohup wants it ignored
-    STOPPING_SIGNALS.append(signal.SIGHUP)  # sent where the terminal is closed, or the connection to it lost
 _LONGEST_NAME = 60
-_RESERVED = {"CON", "PRN", "AUX", "NUL", *(f"{port}{n}" for port in ("COM", "LPT") for n in range(1, 10))}
+_RESERVED = {"CON", "PRN", "AUX", "NUL", *(f"{port}{n}" for port in ("COM", "LPT") for n in range(10))}
 """Names of devices on Windows."""
 
 
 @dataclass(frozen=True, kw_only=True)
-class Job:
-    """What is to be measured."""
+class Outline:
+    """A programme at a stand: what can be said of it before anything is run."""
 
-    stand: LoadedStand
+    stand: WrittenStand
     programme: Programme
-    serial_number: str
-    operator: str = ""
 
     @property
     def acquisition(self) -> Acquisition:
@@ -70,6 +65,15 @@ class Job:
         check_limits(planned, head.limits_deg)
         check_cable(planned, head.turns)
         return planned
+
+
+@dataclass(frozen=True, kw_only=True)
+class Job(Outline):
+    """What is to be measured."""
+
+    stand: LoadedStand
+    serial_number: str
+    operator: str = ""
 
     def check(self, points: Iterable[Point]) -> None:
         """Make sure that recorded points are the beginning of the programme. Raises `JournalError`."""
@@ -175,9 +179,12 @@ def recording_path(folder: Path, serial_number: str, programme: str, clock: Cloc
 def _safe(text: str) -> str:
     """Text as a file name on any system: what had to be changed gets a hash, so that no two texts share a name."""
     plain = re.sub(r"[^A-Za-z0-9._-]+", "_", text).strip("._")[:_LONGEST_NAME]
-    if plain == text and plain.split(".")[0].upper() not in _RESERVED:
+    reserved = plain.split(".")[0].upper() in _RESERVED
+    if plain == text and not reserved:
         return plain
-    return f"{plain or 'unit'}-{sha256(text.encode()).hexdigest()[:8]}"
+    if reserved:
+        plain = plain.replace(".", "_")  # Windows looks at what stands before the first one
+    return f"{plain or 'unit'}-{sha256(text.encode('utf-8', 'surrogatepass')).hexdigest()[:8]}"
 
 
 def _header(job: Job, clock: Clock, purpose: str) -> Header:
@@ -190,6 +197,7 @@ def _header(job: Job, clock: Clock, purpose: str) -> Header:
         stand=job.stand.recorded,
         stand_path=str(job.stand.path.resolve()) if job.stand.path else "",
         stand_sha256=job.stand.sha256,
+        stand_code_sha256=job.stand.code_sha256,
         program_version=program.version,
         git_commit=program.git_commit,
         git_dirty=program.git_dirty,
@@ -218,20 +226,13 @@ def _stopping_on_signals(engine: Engine) -> Iterator[None]:
     def stop(number: int, _frame: FrameType | None) -> None:
         nonlocal asked
         if asked and number == signal.SIGINT and engine.state not in (State.STOPPING, State.STANDSTILL):
-            raise KeyboardInterrupt
+            raise Interrupted(signal.Signals(number).name)
         asked = True
         engine.control.stop()
         _leave_lost_terminal()
 
-    try:
-        previous = {number: signal.signal(number, stop) for number in STOPPING_SIGNALS}
-    except ValueError:  # not the main thread: whoever runs it there handles signals
-        previous = {}
-    try:
+    with handled_by(stop):
         yield
-    finally:
-        for number, handler in previous.items():
-            signal.signal(number, handler)
 
 
 def _leave_lost_terminal() -> None:

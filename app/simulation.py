@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from functools import reduce
 from typing import Protocol
 
-from app.stand import LoadedStand
+from app.stand import WrittenStand
 from drivers.clock import Clock
 from drivers.manual import Eyepiece
 from drivers.protocols import Stand
@@ -82,7 +82,7 @@ class Simulation:
         return replace(self, lived_s=moments_s[0] - began_s, listeners=(*self.listeners, putting_back))
 
 
-def simulation(loaded: LoadedStand, clock: Clock) -> Simulation:
+def simulation(loaded: WrittenStand, clock: Clock) -> Simulation:
     """Make the simulated stand of a stand file, at the beginning of its time.
 
     Raises

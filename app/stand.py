@@ -1,6 +1,5 @@
-"""Stand files: what stands where, how well it is known, and how to reach it."""
+"""Reading stand files, without and with the code that they name."""
 
-import tomllib
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -8,125 +7,34 @@ from datetime import date
 from hashlib import sha256
 from importlib.resources import files
 from pathlib import Path
-from typing import Any, Self
+from typing import Any, Final, Self
 
-from pydantic import BaseModel, ConfigDict, Field, create_model, model_validator
-
-from calibrations.budget import StandUncertainty
-from calibrations.gravity import Gravity, normal_gravity
+from app.stand_file import RecordedDaq, RecordedHead, RecordedStand, Site, StandFile, stand_file_with
 from drivers.driver import SIMULATED, DaqDriver, HeadDriver, find_daq, find_head
-from drivers.simulated import Simulated
+from drivers.own_file import hash_of_file, is_own_file
 from drivers.tables import DaqTable, HeadTable
 from procedures.errors import InputError
 from procedures.toml_lines import parse_toml, place_of, read_text
+from procedures.toml_text import read_toml
 
-_STRICT = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+__all__ = ["LoadedStand", "RecordedStand", "Site", "StandFile", "WrittenStand", "load_stand", "read_stand"]
 
-
-class Site(BaseModel):
-    """Where the stand is: latitude and height, or a measured gravity."""
-
-    model_config = _STRICT
-
-    latitude_deg: float | None = Field(default=None, ge=-90.0, le=90.0)
-    height_m: float = Field(default=0.0, ge=-500.0, le=9000.0)
-    gravity_m_s2: float | None = Field(default=None, gt=9.7, lt=9.9)
-    gravity_uncertainty_m_s2: float = Field(default=1e-5, ge=0.0)
-    """Standard uncertainty of a typed gravity."""
-    reference_temperature_degc: float = Field(default=23.0, alias="reference_temperature_degC")
-
-    @model_validator(mode="after")
-    def _one_way(self) -> Self:
-        if self.latitude_deg is not None and self.gravity_m_s2 is not None:
-            raise ValueError("latitude_deg and gravity_m_s2 both given: say where the stand is in one of the two ways")
-        return self
-
-    @property
-    def gravity(self) -> Gravity | None:
-        """Local gravity; None where the file says neither of the two."""
-        if self.gravity_m_s2 is not None:
-            return Gravity(value_m_s2=self.gravity_m_s2, standard_uncertainty_m_s2=self.gravity_uncertainty_m_s2)
-        return None if self.latitude_deg is None else normal_gravity(self.latitude_deg, self.height_m)
-
-
-class StandRecordTable(BaseModel):
-    """Whether stored corrections of the stand are applied."""
-
-    model_config = _STRICT
-
-    use: bool = False
-
-
-class StandFile(BaseModel):
-    """A stand file as written."""
-
-    model_config = _STRICT
-
-    name: str = Field(min_length=1)
-    site: Site = Site()
-    head: HeadTable
-    daq: DaqTable
-    simulated: Simulated | None = None
-    stand_record: StandRecordTable = StandRecordTable()
-
-    @property
-    def simulates(self) -> bool:
-        """Whether the unit exists in this process only."""
-        return self.daq.driver == SIMULATED
-
-    @property
-    def uncertainty(self) -> StandUncertainty:
-        """What the stand adds to the budget."""
-        return StandUncertainty(
-            head_accuracy_arcsec=self.head.accuracy_arcsec,
-            seating_arcsec=self.head.seating_arcsec,
-            daq_gain=self.daq.gain_uncertainty,
-            daq_offset_v=self.daq.offset_uncertainty_v,
-            gravity=self.site.gravity,
-        )
-
-    def expired(self, today: date) -> list[str]:
-        """A sentence for every instrument whose calibration is overdue."""
-        instruments = {"head": self.head, "daq": self.daq}
-        return [
-            f"stand {self.name}: the calibration of the {name} was due on {due.isoformat()}; have it done"
-            for name, table in instruments.items()
-            if (due := table.calibration_due) is not None and due < today
-        ]
-
-
-class _RecordedHead(HeadTable):
-    model_config = ConfigDict(extra="ignore")
-
-
-class _RecordedDaq(DaqTable):
-    model_config = ConfigDict(extra="ignore")
-
-
-class RecordedStand(StandFile):
-    """What every driver's stand file says alike: an analysis needs no driver, and the driver may be elsewhere."""
-
-    model_config = ConfigDict(extra="ignore")
-
-    head: _RecordedHead
-    daq: _RecordedDaq
+_APART: Final = "a simulated head and a simulated daq belong together: a real one does not see the other"
 
 
 @dataclass(frozen=True, kw_only=True)
-class LoadedStand:
-    """A stand file with where it came from, and the drivers that it names."""
+class WrittenStand:
+    """A stand file with where it came from; nothing that it names has been run."""
 
     file: StandFile
-    head_driver: HeadDriver | None
-    """None for the simulated head."""
-    daq_driver: DaqDriver | None
-    """None for the simulated DAQ."""
     path: Path | None
     """None for the stand that is built in."""
     sha256: str
     """Of the whole file."""
     recorded: Mapping[str, Any]
     """The file as data without its `simulated` table: what may be recorded."""
+    code_sha256: Mapping[str, str]
+    """SHA-256 of every Python file that it names, by `FILE.py:NAME`; empty where there is no such file."""
 
     @property
     def folder(self) -> Path:
@@ -134,56 +42,125 @@ class LoadedStand:
         return self.path.parent if self.path else Path()
 
 
-def load_stand(path: Path | None = None) -> LoadedStand:
-    """Read a stand file, or the built-in simulated stand where there is no path.
+@dataclass(frozen=True, kw_only=True)
+class LoadedStand(WrittenStand):
+    """A stand file with the drivers that it names."""
+
+    head_driver: HeadDriver | None
+    """None for the simulated head."""
+    daq_driver: DaqDriver | None
+    """None for the simulated DAQ."""
+
+
+def read_stand(path: Path | None = None) -> WrittenStand:
+    """Read a stand file, or the built-in simulated stand where there is no path, and run no file that it names.
+
+    The keys of a driver in such a file are not checked: only the file says what they are.
 
     Raises
     ------
     InputError
         Unreadable or invalid: file, line, what is wrong and what to do.
     """
-    text = (files("app") / "stands" / "simulated.toml").read_text("utf-8") if path is None else read_text(path)
-    source = "the built-in stand" if path is None else str(path)
-    folder = path.parent if path else Path()
-    named = parse_toml(text, RecordedStand, source)
-    with _blaming("head", text, source):
-        head_driver = find_head(named.head.driver, folder)
-    with _blaming("daq", text, source):
-        daq_driver = find_daq(named.daq.driver, folder)
-    file = parse_toml(text, _model(head_driver, daq_driver), source)
-    if SIMULATED in (file.head.driver, file.daq.driver) and not (file.simulates and _seen(file.head)):
-        happened = "a simulated head and a simulated daq belong together: a real one does not see the other"
-        raise InputError(f"{source}: {happened}; correct it")
-    return LoadedStand(
-        file=file,
-        head_driver=head_driver,
-        daq_driver=daq_driver,
-        path=path,
-        sha256=sha256(text.encode()).hexdigest(),
-        recorded=without_simulated(tomllib.loads(text)),
-    )
+    return _Text.at(path).written()
 
 
-def _model(head: HeadDriver | None, daq: DaqDriver | None) -> type[StandFile]:
-    """A stand file with the keys of its drivers."""
-    head_table = head.table if head else HeadTable
-    daq_table = daq.table if daq else DaqTable
-    return create_model("StandFile", __base__=StandFile, head=(head_table, ...), daq=(daq_table, ...))
+def load_stand(path: Path | None = None) -> LoadedStand:
+    """Read a stand file likewise, and load the drivers that it names, which runs their files.
+
+    Raises
+    ------
+    InputError
+        Unreadable or invalid, or a driver cannot be loaded: file, line, what is wrong and what to do.
+    """
+    text = _Text.at(path)
+    written = text.written()
+    head = text.head_driver(written.file.head.driver)
+    daq = text.daq_driver(written.file.daq.driver)
+    file = text.checked(head.table if head else HeadTable, daq.table if daq else DaqTable)
+    return LoadedStand(**vars(written) | {"file": file}, head_driver=head, daq_driver=daq)
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Text:
+    """The text of a stand file."""
+
+    text: str
+    source: str
+    path: Path | None
+
+    @classmethod
+    def at(cls, path: Path | None) -> Self:
+        if path is None:
+            built_in = (files("app") / "stands" / "simulated.toml").read_text("utf-8")
+            return cls(text=built_in, source="the built-in stand", path=None)
+        return cls(text=read_text(path), source=str(path), path=path)
+
+    @property
+    def folder(self) -> Path:
+        return self.path.parent if self.path else Path()
+
+    def written(self) -> WrittenStand:
+        named = parse_toml(self.text, RecordedStand, self.source)
+        return WrittenStand(
+            file=self.checked(self._head_table(named.head.driver), self._daq_table(named.daq.driver)),
+            path=self.path,
+            sha256=sha256(self.text.encode()).hexdigest(),
+            recorded=without_simulated(read_toml(self.text, self.source)),
+            code_sha256={name: hash_of_file(name, self.folder) for name in sorted(_code_of(named))},
+        )
+
+    def checked(self, head: type[HeadTable], daq: type[DaqTable]) -> StandFile:
+        file = parse_toml(self.text, stand_file_with(head, daq), self.source)
+        if SIMULATED in (file.head.driver, file.daq.driver) and not (file.simulates and _seen(file.head)):
+            raise InputError(f"{self.source}: {_APART}; correct it")
+        return file
+
+    def head_driver(self, name: str) -> HeadDriver | None:
+        with self._blaming("head"):
+            return find_head(name, self.folder)
+
+    def daq_driver(self, name: str) -> DaqDriver | None:
+        with self._blaming("daq"):
+            return find_daq(name, self.folder)
+
+    def _head_table(self, driver: str) -> type[HeadTable]:
+        """Keys of the head's table, as far as they are known without running a file."""
+        if is_own_file(driver):
+            return RecordedHead
+        found = self.head_driver(driver)
+        return found.table if found else HeadTable
+
+    def _daq_table(self, driver: str) -> type[DaqTable]:
+        if is_own_file(driver):
+            return RecordedDaq
+        found = self.daq_driver(driver)
+        return found.table if found else DaqTable
+
+    @contextmanager
+    def _blaming(self, table: str) -> Iterator[None]:
+        """Tell of a driver that cannot be used with the line that names it."""
+        try:
+            yield
+        except ValueError as error:
+            where = place_of(self.source, self.text, (table, "driver"))
+            raise InputError(f"{where}: {table}: driver: {error}; correct it") from error
+
+
+def _code_of(file: StandFile) -> set[str]:
+    """The Python files that a stand file names, as `FILE.py:NAME`."""
+    simulated = file.simulated
+    physics = (simulated.response, simulated.head_error) if simulated else ()
+    drivers = (name for name in (file.head.driver, file.daq.driver) if is_own_file(name))
+    return {*drivers, *filter(None, physics)}
 
 
 def _seen(head: HeadTable) -> bool:
-    """Whether a simulated DAQ sees what the head does: it is simulated too, or a person turns the simulated one."""
-    return head.driver == SIMULATED or head.by_hand
+    """Whether a simulated DAQ sees what the head does: it is simulated too, or a person turns the simulated one.
 
-
-@contextmanager
-def _blaming(table: str, text: str, source: str) -> Iterator[None]:
-    """Tell of a driver that cannot be used with the line that names it."""
-    try:
-        yield
-    except ValueError as error:
-        where = place_of(source, text, (table, "driver"))
-        raise InputError(f"{where}: {table}: driver: {error}; correct it") from error
+    Whether a person turns the head of a file that was not run is not known.
+    """
+    return head.driver == SIMULATED or head.by_hand or isinstance(head, RecordedHead)
 
 
 def without_simulated(data: Mapping[str, Any]) -> dict[str, Any]:

@@ -1,15 +1,14 @@
 """One stand, one process, and one recording: a second one is refused with the name of the first.
 
-For every address of an instrument, for the stand file and for the recording there is a small file in the user's own
-state folder. It is locked by the operating system for as long as the run lasts, so that a process that dies leaves
-nothing locked; what is written in it only says who has it.
+For every address of an instrument, for the stand file and for the recording there is a small file in a folder that all
+users of the computer share, see `app.shared_lock_files`. It is locked by the operating system for as long as the run
+lasts, so that a process that dies leaves nothing locked; what is written in it only says who has it.
 """
 
 import json
 import os
 import socket
 import sys
-import tempfile
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager, suppress
 from datetime import UTC, datetime
@@ -18,12 +17,14 @@ from pathlib import Path
 from typing import IO, Any
 
 from app.exits import Exit, JobError
+from app.shared_lock_files import lock_folder, open_shared
 from app.stand import LoadedStand
 from drivers.links.places import one_name
 
 _BEHIND = 1 << 20
 """Place of the locked byte: Windows lets nobody read what is locked, and the words in front of it shall be read."""
 _ATTEMPTS = 100
+_LONGEST_WORDS = 2_000
 
 
 @contextmanager
@@ -48,13 +49,6 @@ def holding_recording(path: Path, serial_number: str) -> Iterator[None]:
         yield
 
 
-def state_folder() -> Path:
-    """Where a program keeps what is neither a setting nor data (XDG Base Directory Specification; Windows likewise)."""
-    if sys.platform == "win32":
-        return Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local") / "tumble"
-    return Path(os.environ.get("XDG_STATE_HOME") or Path.home() / ".local" / "state") / "tumble"
-
-
 def _addresses(loaded: LoadedStand) -> dict[str, str]:
     """What is held, as it is written, by the one name that it has."""
     file = str(loaded.path.resolve()) if loaded.path else ""
@@ -62,36 +56,32 @@ def _addresses(loaded: LoadedStand) -> dict[str, str]:
     return {name: address for name, address in ({file: file} | instruments).items() if address}
 
 
-def _lock_path(place: str) -> Path:
-    name = sha256(f"{socket.gethostname()} {place}".encode()).hexdigest()[:32] + ".lock"
-    try:
-        folder = state_folder() / "stands"
-        folder.mkdir(parents=True, exist_ok=True)
-    except (OSError, RuntimeError):  # no home, or one that cannot be written
-        folder = Path(tempfile.gettempdir()) / "tumble-stands"
-        folder.mkdir(parents=True, exist_ok=True)
-    return folder / name
-
-
 @contextmanager
 def _holding(place: str, what: str, serial_number: str) -> Iterator[None]:
-    path = _lock_path(place)
+    path = lock_folder() / f"tumble-{sha256(place.encode('utf-8', 'surrogatepass')).hexdigest()[:32]}.lock"
     with _locked(path, what) as stream:
-        stream.seek(0)
-        stream.truncate()
-        stream.write(json.dumps(_ourselves(serial_number)).encode())
-        stream.flush()
+        with suppress(OSError):  # of another user, on Windows: it says who had it before
+            stream.seek(0)
+            stream.truncate()
+            stream.write(json.dumps(_ourselves(serial_number)).encode())
+            stream.flush()
         try:
             yield
         finally:
-            with suppress(OSError):  # Windows keeps a file that is open; it is then taken over as it is
+            with suppress(OSError):  # another user's, or open on Windows; it is then taken over as it is
                 path.unlink()
 
 
 @contextmanager
 def _locked(path: Path, what: str) -> Iterator[IO[bytes]]:
     for _ in range(_ATTEMPTS):
-        with path.open("a+b") as stream:
+        try:
+            opened = open_shared(path)
+        except FileExistsError:
+            continue  # somebody was quicker
+        except OSError as error:
+            raise JobError(_taken(path, what, error.strerror or str(error)), Exit.DEVICE_FAULT) from error
+        with opened as stream:
             if not _lock(stream):
                 raise JobError(_sentence(stream, what), Exit.DEVICE_FAULT)
             if _is_still(path, stream):
@@ -103,9 +93,16 @@ def _locked(path: Path, what: str) -> Iterator[IO[bytes]]:
 def _is_still(path: Path, stream: IO[bytes]) -> bool:
     """Whether the file that was opened has not been taken away by the one who had it before."""
     try:
-        return os.path.samestat(path.stat(), os.fstat(stream.fileno()))
+        return os.path.samestat(path.lstat(), os.fstat(stream.fileno()))
     except FileNotFoundError:
         return False
+
+
+def _taken(path: Path, what: str, reason: str) -> str:
+    return (
+        f"{what} cannot be had to oneself: {path}, where all users lock it, cannot be used ({reason}); "
+        "make sure that nobody measures there, and have its owner or an administrator take it away"
+    )
 
 
 if sys.platform == "win32":
@@ -138,8 +135,8 @@ def _ourselves(serial_number: str) -> dict[str, Any]:
 def _sentence(stream: IO[bytes], what: str) -> str:
     try:
         stream.seek(0)
-        other = json.loads(stream.read(_BEHIND - 1))
+        other = json.loads(stream.read(_LONGEST_WORDS))
         who = "process {pid} on {host}, which measures {serial_number} since {since}".format(**other)
-    except (OSError, ValueError, KeyError, TypeError):  # it has only just begun
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):  # it has only just begun, or is no word of ours
         who = "another process"
     return f"{what} is in use by {who}; wait until it is done, or stop it"

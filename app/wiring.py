@@ -7,12 +7,12 @@ from functools import cache, partial
 from pathlib import Path
 from typing import Final
 
-import click
-
+from app.guarding import DAQ_NEEDS, HEAD_NEEDS, connected
 from app.simulation import Hand, Past, TurningEyepiece, simulation, switching_on
 from app.stand import LoadedStand
+from app.terminal import say
 from drivers.clock import Clock, ReleasedClock, SystemClock
-from drivers.driver import Bench
+from drivers.driver import Bench, DaqDriver, HeadDriver
 from drivers.links.opened import Links
 from drivers.manual import Eyepiece
 from drivers.protocols import Daq, DividingHead, HeadStatus, Stand
@@ -89,7 +89,7 @@ def connect(
     """
     if loaded.file.simulates:
         return _simulated(loaded, attendant or _attendant(answers, attended), past)
-    backstage, links = find_backstage((loaded.file.head.address, loaded.file.daq.address)), Links()
+    backstage, links = _backstage(loaded), Links()
     clock = clock or (backstage.clock if backstage else SystemClock())
     attendant = attendant or _attendant(answers, attended or backstage is None)
     operator = cache(attendant.operator)
@@ -119,6 +119,13 @@ def connect(
     return _behind_the_scenes(connected, backstage) if backstage else connected
 
 
+def _backstage(loaded: LoadedStand) -> Backstage | None:
+    """Where the stand is emulated, its backstage; never of a stand whose file has no table `simulated`."""
+    if loaded.file.simulated is None:
+        return None
+    return find_backstage((loaded.file.head.address, loaded.file.daq.address))
+
+
 def _behind_the_scenes(connected: Connected, backstage: Backstage) -> Connected:
     """An emulated stand, where nobody seats the unit but who emulates it."""
     operator = SeatingOperator(connected.operator, backstage.seat)
@@ -135,7 +142,7 @@ def _simulated(loaded: LoadedStand, attendant: Attendant, past: Sequence[Past]) 
     stand = simulated.stand
     if loaded.head_driver is not None:
         bench = Bench(clock=clock, links=Links(), folder=loaded.folder, eyepiece=person.at_the_head)
-        stand = replace(stand, head=loaded.head_driver.connect(loaded.file.head, bench))
+        stand = replace(stand, head=_connected_head(loaded, loaded.head_driver, bench))
     return Connected(
         stand=stand,
         operator=operator,
@@ -156,7 +163,7 @@ def _attendant(answers: Path | None, attended: bool) -> Attendant:
     if answers is not None:
         return Attendant(operator=partial(ScriptedOperator.from_file, answers), speed=speed)
     if attended:
-        console = partial(ConsoleOperator, sys.stdin, show=partial(click.echo, err=True))
+        console = partial(ConsoleOperator, sys.stdin, show=partial(say, err=True))
         return Attendant(operator=console, speed=speed)
     return Attendant(operator=obliging_operator, imagined=True)
 
@@ -180,7 +187,17 @@ def _instruments(loaded: LoadedStand, bench: Bench) -> tuple[DividingHead, Daq]:
     """Head and DAQ of a stand that is not simulated. Raises `InputError`, `DeviceError`."""
     assert loaded.head_driver is not None and loaded.daq_driver is not None, "load_stand sees to that"
     try:
-        daq = loaded.daq_driver.connect(loaded.file.daq, bench)  # first: it never needs a person
-        return loaded.head_driver.connect(loaded.file.head, bench), daq
+        daq = _connected_daq(loaded, loaded.daq_driver, bench)  # first: it never needs a person
+        return _connected_head(loaded, loaded.head_driver, bench), daq
     except ValueError as error:
         raise InputError(f"{loaded.path}: {error}") from error
+
+
+def _connected_head(loaded: LoadedStand, driver: HeadDriver, bench: Bench) -> DividingHead:
+    table = loaded.file.head
+    return connected(lambda: driver.connect(table, bench), table.driver, "dividing head", HEAD_NEEDS)
+
+
+def _connected_daq(loaded: LoadedStand, driver: DaqDriver, bench: Bench) -> Daq:
+    table = loaded.file.daq
+    return connected(lambda: driver.connect(table, bench), table.driver, "DAQ", DAQ_NEEDS)

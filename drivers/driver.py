@@ -21,7 +21,7 @@ from typing import Any, Final, Generic, TypeVar
 from drivers.clock import Clock
 from drivers.links.opened import Links
 from drivers.manual.head import Eyepiece
-from drivers.own_file import load_from_file
+from drivers.own_file import is_own_file, load_from_file
 from drivers.protocols import Daq, DividingHead
 from drivers.tables import DaqTable, HeadTable, Instrument
 
@@ -76,7 +76,7 @@ def find_daq(name: str, folder: Path) -> DaqDriver | None:
 def _find(name: str, folder: Path, group: str, kind: type[Instrument]) -> Driver[Any, Any] | None:
     if name == SIMULATED:
         return None
-    found = load_from_file(name, folder) if ":" in name else _installed(name, group)
+    found = load_from_file(name, folder) if is_own_file(name) else _installed(name, group)
     if not (isinstance(found, Driver) and issubclass(found.table, kind)):
         raise ValueError(f"{name} is no driver whose table is a {kind.__name__}; name the value made with Driver(...)")
     return found

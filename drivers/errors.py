@@ -31,3 +31,7 @@ class LinkLostError(DeviceError):
 
 class NoReplyError(DeviceError):
     """The link stands, but no answer came in time."""
+
+
+class Interrupted(KeyboardInterrupt):  # named as what it is a kind of
+    """The program was told to stop, by the signal that it names: nothing that a driver or its file did."""

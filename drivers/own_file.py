@@ -1,9 +1,20 @@
-"""What somebody else wrote in a Python file that a stand file names."""
+"""What somebody else wrote in a Python file that a stand file names, and the hash of that file.
 
-import importlib.util
+What is run is the text of the file, as it was hashed: no compiled copy that lies beside it.
+"""
+
+import re
 import sys
+from hashlib import sha256
 from pathlib import Path
 from types import ModuleType
+from typing import Final
+
+from drivers.errors import Interrupted
+from drivers.text import visible
+
+_REMOTE: Final = re.compile(r"[\\/]{2}|[A-Za-z][A-Za-z0-9+.-]+:[\\/]{1,2}")
+_LONGEST_REASON: Final = 300
 
 
 def load_from_file(reference: str, base_path: Path) -> object:
@@ -14,9 +25,7 @@ def load_from_file(reference: str, base_path: Path) -> object:
     ValueError
         Where the reference is malformed, the file cannot be loaded, or holds no such name.
     """
-    file_name, _, name = reference.rpartition(":")
-    if not file_name or not name.isidentifier():
-        raise ValueError(f"{reference!r} names nothing in a file; write FILE.py:NAME")
+    file_name, name = _parts(reference)
     path = base_path / file_name
     module = _load_module(path)
     if not hasattr(module, name):
@@ -24,13 +33,44 @@ def load_from_file(reference: str, base_path: Path) -> object:
     return getattr(module, name)
 
 
-def _load_module(path: Path) -> ModuleType:
-    spec = importlib.util.spec_from_file_location(f"own_file_{path.stem}", path)
-    if spec is None or spec.loader is None:
-        raise ValueError(f"{path} is no Python file; name one that ends in .py")
-    module = sys.modules[spec.name] = importlib.util.module_from_spec(spec)  # dataclasses look themselves up there
+def is_own_file(reference: str) -> bool:
+    """Whether a driver is named by a file, and not by the name under which it is installed."""
+    return ":" in reference
+
+
+def hash_of_file(reference: str, base_path: Path) -> str:
+    """SHA-256 of the file in `FILE.py:NAME`, hexadecimal; empty where there is none that can be read."""
     try:
-        spec.loader.exec_module(module)
-    except Exception as error:  # whatever another's file raises, the operator needs to know which file it was
-        raise ValueError(f"{path} could not be loaded ({type(error).__name__}: {error}); correct it") from error
+        return sha256((base_path / _parts(reference)[0]).read_bytes()).hexdigest()
+    except (OSError, ValueError):
+        return ""
+
+
+def is_remote(path: str) -> bool:
+    r"""Whether a path leads to another computer, as written: `\\SERVER\SHARE`, `//SERVER/SHARE`, or a URL."""
+    return _REMOTE.match(path) is not None
+
+
+def _parts(reference: str) -> tuple[str, str]:
+    file_name, _, name = reference.rpartition(":")
+    if not file_name or not name.isidentifier():
+        raise ValueError(f"{reference!r} names nothing in a file; write FILE.py:NAME")
+    if is_remote(file_name):
+        raise ValueError(f"{reference!r} leads to another computer, whose code is not run; copy the file to this one")
+    return file_name, name
+
+
+def _load_module(path: Path) -> ModuleType:
+    if path.suffix != ".py":
+        raise ValueError(f"{path} is no Python file; name one that ends in .py")
+    module = ModuleType(f"own_file_{path.stem}")
+    module.__file__ = str(path)
+    sys.modules[module.__name__] = module  # dataclasses look themselves up there
+    try:
+        exec(compile(path.read_bytes(), str(path), "exec"), module.__dict__)
+    except Interrupted:
+        raise
+    except BaseException as error:  # whatever another's file raises, the operator needs to know which file it was
+        reason = visible(f"{type(error).__name__}: {error}", _LONGEST_REASON)
+        raise ValueError(f"{path} could not be loaded ({reason}); correct it") from error
     return module

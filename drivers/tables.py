@@ -10,6 +10,7 @@ from pydantic import BaseModel, ConfigDict, Field, field_validator, model_valida
 
 from drivers.links.can_address import CanAddress, Option
 from drivers.links.places import check_network, check_scheme, check_server
+from drivers.names import Name
 
 MOST_SAMPLES: Final = 10_000_000
 """More in one dwell is a slip of the pen."""
@@ -25,8 +26,8 @@ class Instrument(BaseModel):
     driver: str
     """Name of a driver that is installed, or `FILE.py:NAME`, the file being relative to the stand file."""
     url: str = ""
-    serial: str = ""
-    certificate: str = ""
+    serial: Name = ""
+    certificate: Name = ""
     calibration_due: date | None = None
 
     @field_validator("url")

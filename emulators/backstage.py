@@ -1,30 +1,31 @@
 """What people do at an emulated stand: seat the unit, switch it off and on, turn a head that has no motor.
 
 No protocol of an instrument has words for that. A program that drives an emulated stand finds its backstage by the
-address of an instrument, through a small file in the folder for temporary files, and tells it what a person would have
-done. The same file says how fast time goes there.
+address of an instrument, through a small file in the user's state folder, and tells it what a person would have done.
+The file says how fast time goes there, and which process serves the stand: a file that another user wrote, or whose
+process is gone, is no backstage.
 """
 
-import getpass
 import json
 import os
 import socket
-import tempfile
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from hashlib import sha256
-from pathlib import Path
 from typing import Final
 
 from drivers.clock import Clock, SystemClock
 from drivers.errors import DeviceError
 from drivers.links.places import one_name
+from drivers.private_files import private_folder, read_private, write_private
+from drivers.processes import started
 from emulators.faults import Faults
 from emulators.serving import serve_tcp
 from emulators.speed import FasterClock
 from emulators.world import SharedWorld
 
 _TIMEOUT_S: Final = 5.0
+_FOLDER: Final = "emulated"
 _DONE: Final = "done"
 _TURNING: Final = "turning"
 
@@ -128,12 +129,13 @@ def backstage_of(shared: SharedWorld, addresses: Sequence[str], faults: Faults |
     of_operator = faults or Faults()
     with serve_tcp(lambda: BackstageSession(shared, of_operator), terminators=b"\n") as server:
         pace = shared.clock.pace if isinstance(shared.clock, FasterClock) else None
-        known = json.dumps({"port": server.port, "process": os.getpid(), "pace": pace})
-        entries = [_entry(address) for address in addresses]
-        for entry in entries:
-            entry.parent.mkdir(parents=True, exist_ok=True)
-            entry.write_text(known, "utf-8")
+        process = os.getpid()
+        known = {"port": server.port, "process": process, "started": started(process), "pace": pace}
+        folder = private_folder(_FOLDER)
+        entries = [folder / _entry(address) for address in addresses]
         try:
+            for entry in entries:
+                write_private(entry, json.dumps(known))
             yield
         finally:
             for entry in entries:
@@ -144,17 +146,23 @@ def find_backstage(addresses: Sequence[str]) -> Backstage | None:
     """The backstage of the emulated stand to which an instrument with one of these addresses belongs, if any."""
     for address in addresses:
         try:
-            known = json.loads(_entry(address).read_text("utf-8"))
+            known = json.loads(read_private(private_folder(_FOLDER) / _entry(address)))
             clock = FasterClock(**known["pace"]) if known["pace"] else SystemClock()
             backstage = Backstage(int(known["port"]), clock)
-        except (OSError, ValueError, KeyError, TypeError):
+            running = known["started"] and started(int(known["process"])) == known["started"]
+        except (
+            OSError,
+            ValueError,
+            KeyError,
+            TypeError,
+            RuntimeError,
+        ):  # the last: deep nesting, no home
             continue
-        if backstage.alive():
+        if running and backstage.alive():
             return backstage
     return None
 
 
-def _entry(address: str) -> Path:
-    """The file that says where the backstage of an instrument is."""
-    folder = Path(tempfile.gettempdir()) / f"tumble-emulated-{getpass.getuser()}"
-    return folder / f"{sha256(one_name(address).encode()).hexdigest()[:24]}.json"
+def _entry(address: str) -> str:
+    """Name of the file that says where the backstage of an instrument is."""
+    return f"{sha256(one_name(address).encode()).hexdigest()[:24]}.json"

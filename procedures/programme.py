@@ -8,6 +8,7 @@ from typing import Annotated, Final, Literal, TypeAlias
 
 from pydantic import BaseModel, ConfigDict, Field, PrivateAttr, model_validator
 
+from drivers.names import GivenName
 from drivers.tables import MOST_SAMPLES
 from procedures.acquisition import Acquisition
 from procedures.approach import Approach
@@ -50,7 +51,7 @@ class Programme(BaseModel):
 
     model_config = _STRICT
 
-    name: str = Field(min_length=1)
+    name: GivenName
     realisations: int = Field(default=1, ge=1, le=10_000)
     dwell_s: float | None = Field(default=None, gt=0.0, le=86_400.0)
     """Duration of a dwell; samples = duration times the DAQ's rate, rounded."""

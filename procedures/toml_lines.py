@@ -1,7 +1,6 @@
 """TOML files that a user wrote, checked against a model; every complaint names the line."""
 
 import re
-import tomllib
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, TypeAlias, TypeVar
@@ -9,22 +8,23 @@ from typing import Any, TypeAlias, TypeVar
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
-from calibrations.bounded import read_bounded
+from calibrations.bounded import check_bounded
 from procedures.errors import InputError
+from procedures.toml_text import read_toml, without_mark
 
 Location: TypeAlias = tuple[str | int, ...]
 """Where a value stands: keys, and places in an array counted from 0, as in `("procedure", 1, "step_deg")`."""
 
 Model = TypeVar("Model", bound=BaseModel)
 
+MOST_BYTES = 1_000_000
+"""Nobody writes more by hand."""
+
 _PART = r"""[A-Za-z0-9_-]+|"[^"]*"|'[^']*'"""
 _NAME = rf"(?:{_PART})(?:\s*\.\s*(?:{_PART}))*"
 _HEADER = re.compile(rf"^\s*(\[\[?)\s*({_NAME})\s*\]")
 _KEY = re.compile(rf"^\s*({_NAME})\s*=")
-_AT_LINE = re.compile(r" \(at line (\d+), column \d+\)$")
 
-_LARGEST = 4 * 2**20
-"""Bytes; a programme of a thousand procedures has some 100,000."""
 _REMEDY = {"missing": "add it", "extra_forbidden": "correct its spelling or take it out"}
 
 
@@ -42,19 +42,23 @@ def load_toml(path: Path, model: type[Model]) -> Model:
 def read_text(path: Path) -> str:
     """Text of a UTF-8 file with its line ends as they are. Raises `InputError`."""
     try:
-        return read_bounded(path, _LARGEST).decode("utf-8")
-    except OSError as error:
-        raise InputError(f"{path}: {error.strerror}; give a file that can be read") from error
+        check_bounded(path)
+        with path.open("rb") as stream:
+            content = stream.read(MOST_BYTES + 1)
+    except (OSError, ValueError) as error:  # the latter where the name itself is impossible
+        reason = error.strerror if isinstance(error, OSError) else error
+        raise InputError(f"{path}: {reason}; give a file that can be read") from error
+    if len(content) > MOST_BYTES:
+        raise InputError(f"{path}: more than {MOST_BYTES:,} bytes are no such file; give the right one")
+    try:
+        return content.decode("utf-8")
     except UnicodeDecodeError as error:
         raise InputError(f"{path}: byte {error.start} is not UTF-8; save the file as UTF-8") from error
 
 
 def parse_toml(text: str, model: type[Model], source: str) -> Model:
     """Like `load_toml`, for text that was already read; messages call it `source`."""
-    try:
-        data = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(_syntax_complaint(str(error), source)) from error
+    data = read_toml(text, source)
     try:
         return model.model_validate(data)
     except ValidationError as error:
@@ -96,7 +100,7 @@ def _written(text: str) -> list[tuple[list[str | int], int]]:
     table: list[str | int] = []
     counts: dict[str, int] = {}
     found: list[tuple[list[str | int], int]] = []
-    for line, content in enumerate(text.splitlines(), start=1):
+    for line, content in enumerate(without_mark(text).split("\n"), start=1):
         if header := _HEADER.match(content):
             table = list(_parts(header[2]))
             if header[1] == "[[":
@@ -110,12 +114,6 @@ def _written(text: str) -> list[tuple[list[str | int], int]]:
 
 def _parts(name: str) -> list[str]:
     return [part.strip("\"'") for part in re.findall(_PART, name)]
-
-
-def _syntax_complaint(message: str, source: str) -> str:
-    at_line = _AT_LINE.search(message)
-    where = f"{source}, line {at_line[1]}" if at_line else source
-    return f"{where}: not TOML: {_AT_LINE.sub('', message)}; correct it"
 
 
 def _complaint(errors: Sequence[ErrorDetails], text: str, data: dict[str, Any], source: str) -> str:

@@ -99,7 +99,7 @@ def application() -> QApplication:
 
 def show(store: Path) -> int:
     """Open the window, and return its exit status once it is closed."""
-    from app.running import STOPPING_SIGNALS
+    from app.signals import STOPPING_SIGNALS
 
     qt = application()
     running = Application(qt, store)

@@ -23,8 +23,9 @@ from app.loop_console import show_loop, tell_closing
 from app.measurements import read_measurement
 from app.other_tables import close_other_loop
 from app.running import Job
-from app.stand import load_stand
+from app.stand import read_stand
 from app.stand_records import with_stand_record
+from app.terminal import say
 from calibrations.montecarlo import TRIALS
 from calibrations.tracing.chain import Chain
 from calibrations.tracing.document import document
@@ -73,8 +74,7 @@ def command(
         return
     closing = _closed(wanted, files, MOST_EXPERIMENTS if most is None else most, folder)
     traced = closing.traced
-    for sentence in learn(traced, folder).sentences:
-        messages().print(sentence, markup=False, soft_wrap=True)
+    say(*learn(traced, folder).sentences, err=True)
     if page:
         calibration = fit(traced.measurement, wanted.serial_number, TRIALS).calibration
         traced = replace(traced, calibration=calibration)
@@ -83,7 +83,7 @@ def command(
 
 def _traced(files: tuple[Path, ...], wanted: Wanted, folder: Path, page: Path | None) -> Traced:
     """What files say, without a stand to ask."""
-    stand = load_stand(wanted.stand_path).recorded if wanted.stand_path else None
+    stand = read_stand(wanted.stand_path).recorded if wanted.stand_path else None
     measurement = with_stand_record(read_together(files, stand), folder)
     return trace(fit(measurement, wanted.serial_number, trials=TRIALS if page else 0))
 
@@ -124,8 +124,8 @@ def _saying_how_to_go_on(wanted: Wanted, files: Sequence[Path], ran: Sequence[Pa
             goes_on = f"the loop goes on from what was measured with: tumble close-loop {words}"
             if cut := [path for path in kept if not read_measurement(path).observations.complete]:
                 first = f"first complete what was cut off: tumble resume {shlex.join(map(str, cut))}"
-                messages().print(first, markup=False, soft_wrap=True)
-            messages().print(goes_on, markup=False, soft_wrap=True)
+                say(first, err=True)
+            say(goes_on, err=True)
         raise
 
 
@@ -146,6 +146,6 @@ def _tell(traced: Traced, chain: Chain | None, json_path: Path | None, page: Pat
     options.write_json(document(traced.loop) | (chain.as_json() if chain else {}), json_path)
     if page is not None:
         write_report(traced, page, chain=chain)
-        messages().print(f"report {page}", soft_wrap=True)
+        say(f"report {page}", err=True)
     if not traced.inside:
         raise SystemExit(int(Exit.OUTSIDE_LIMITS))

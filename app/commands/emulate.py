@@ -1,9 +1,7 @@
 """`tumble emulate`: serve the simulated world of a stand file through the protocols of real instruments."""
 
 import json
-import signal
-import sys
-import threading
+import time
 from contextlib import ExitStack
 from pathlib import Path
 from urllib.parse import urlsplit
@@ -11,9 +9,9 @@ from urllib.parse import urlsplit
 import click
 
 from app.commands import options
-from app.running import STOPPING_SIGNALS
 from app.simulation import simulation
-from app.stand import load_stand
+from app.stand import read_stand
+from app.terminal import say
 from drivers.links.places import LOOPBACK, one_host
 from drivers.simulated import SimulatedStand
 from drivers.tables import Instrument, OnCan
@@ -54,7 +52,9 @@ def command(
 
     The first line on standard output says where, as JSON.
     """
-    loaded = load_stand(stand_path)
+    loaded = read_stand(stand_path)
+    if loaded.file.simulated is None:
+        raise InputError(f"{loaded.path}: has no table [simulated], so that it is no stand to be emulated; add one")
     head, daq = loaded.file.head, loaded.file.daq
     clock = FasterClock(speed)
     wanted = Wanted(
@@ -74,9 +74,9 @@ def command(
         except ValueError as error:
             raise InputError(f"{loaded.path}: {error}") from error
         except OSError as error:
-            raise InputError(f"the emulated stand cannot be served ({error}); choose other ports") from error
-        click.echo(json.dumps(addresses))
-        sys.stdout.flush()
+            remedy = "choose other ports" if error.filename is None else "make room for it there"
+            raise InputError(f"the emulated stand cannot be served ({error}); {remedy}") from error
+        say(json.dumps(addresses))
         _until_stopped()
 
 
@@ -96,9 +96,6 @@ def _read(path: Path | None) -> FaultScript | None:
 
 
 def _until_stopped() -> None:
-    """Wait to be told to stop, in short waits: on Windows a long one is not interrupted."""
-    stopped = threading.Event()
-    for number in STOPPING_SIGNALS:
-        signal.signal(number, lambda *_: stopped.set())
-    while not stopped.wait(0.2):
-        pass
+    """Wait to be interrupted, in short waits: on Windows a long one is not."""
+    while True:
+        time.sleep(0.2)

@@ -9,6 +9,7 @@ from app.console import warn
 from app.files import RECORDING_SUFFIX, check_result, is_recording, replacing
 from app.kinds import Kind
 from app.measurements import read_measurement
+from app.terminal import say
 from calibrations.table import write_table
 from procedures.errors import InputError
 
@@ -26,4 +27,4 @@ def command(recording: Path, out: Path | None) -> None:
     with replacing(table, Kind.TABLE) as begun:
         write_table(measurement.observations, begun)
     warn(measurement.observations.warnings)
-    click.echo(f"{len(measurement.observations)} rows in {table}", err=True)
+    say(f"{len(measurement.observations)} rows in {table}", err=True)

@@ -17,10 +17,9 @@ from app.running import Job
 from app.stand import LoadedStand, load_stand
 from app.stand_lock import holding
 from app.wiring import Connected, connect
+from drivers.text import LONGEST_NAME
 from procedures.errors import InputError
 from procedures.programme import load_programme
-
-_LONGEST_SERIAL = 100
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -36,8 +35,8 @@ class Wanted:
 
     def stand(self) -> LoadedStand:
         """The stand file, once the serial number is seen to be one. Warns of what is overdue. Raises `InputError`."""
-        if not self.serial_number.strip() or len(self.serial_number) > _LONGEST_SERIAL:
-            raise InputError(f"--serial: give the unit's serial number, 1 to {_LONGEST_SERIAL} characters")
+        if not self.serial_number.strip():
+            raise InputError(f"--serial: give the unit's serial number, 1 to {LONGEST_NAME} characters")
         loaded = load_stand(self.stand_path)
         warn(loaded.file.expired(datetime.now(tz=UTC).date()))
         return loaded

@@ -1,6 +1,5 @@
 """Options that several commands share."""
 
-import json
 import math
 import os
 from pathlib import Path
@@ -10,6 +9,9 @@ import click
 
 from app.files import check_result, write_text
 from app.kinds import Kind
+from app.terminal import as_json, say_document
+from drivers.text import check_name
+from procedures.errors import InputError
 
 
 class Output(click.Path):
@@ -42,9 +44,27 @@ store = click.option(
 stand_store = click.option("--store", "folder", type=EXISTING, help="Folder that holds the stand record to be applied.")
 json_out = click.option("--json", "json_path", type=RESULT, help="Write the result as JSON; - for standard output.")
 
-serial = click.option("--serial", "serial_number", default="", help="Serial number of the unit.")
-serial_needed = click.option("--serial", "serial_number", required=True, help="Serial number of the unit.")
-operator = click.option("--operator", default="", help="Who is at the stand; recorded.")
+
+def name(_context: click.Context, parameter: click.Parameter, value: str) -> str:
+    """Refuse what cannot serve as a name. Raises `InputError`."""
+    try:
+        return check_name(value)
+    except ValueError as error:
+        raise InputError(f"{parameter.opts[0]}: {error}") from error
+
+
+serial = click.option("--serial", "serial_number", default="", callback=name, help="Serial number of the unit.")
+serial_needed = click.option(
+    "--serial", "serial_number", required=True, callback=name, help="Serial number of the unit."
+)
+serial_of_file = click.option(
+    "--serial",
+    "serial_number",
+    default="",
+    callback=name,
+    help="Serial number of the unit, where the file does not say.",
+)
+operator = click.option("--operator", default="", callback=name, help="Who is at the stand; recorded.")
 answers = click.option("--answers", type=EXISTING, help="Answers to prompts, for a run that nobody attends (TOML).")
 attended = click.option(
     "--attended", is_flag=True, help="Ask for mounts on the terminal; a simulated stand then runs in real time."
@@ -63,8 +83,7 @@ def write_json(document: dict[str, Any], path: Path | None) -> None:
     if path is None:
         return
     known = {"schema": document["schema"], **document}  # in front, where `app.kinds` looks for it
-    text = json.dumps(known, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
     if str(path) == "-":
-        click.echo(text, nl=False)
+        say_document(known)
     else:
-        write_text(path, text)
+        write_text(path, as_json(known))

@@ -7,8 +7,9 @@ from typing import Any
 import click
 
 from app.commands import options
-from app.running import Job
-from app.stand import load_stand
+from app.running import Outline
+from app.stand import read_stand
+from app.terminal import say
 from procedures.plan import Plan, PlannedStep
 from procedures.programme import load_programme
 from procedures.steps import Mounting
@@ -20,9 +21,9 @@ from procedures.steps import Mounting
 @options.json_out
 def command(programme: str, stand_path: Path | None, json_path: Path | None) -> None:
     """Print every step of a programme and its duration, without moving anything."""
-    planned = Job(stand=load_stand(stand_path), programme=load_programme(programme), serial_number="").plan()
+    planned = Outline(stand=read_stand(stand_path), programme=load_programme(programme)).plan()
     if str(json_path) != "-":
-        click.echo("\n".join(_lines(planned)))
+        say(*_lines(planned))
     options.write_json(_document(planned), json_path)
 
 

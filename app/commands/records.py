@@ -11,6 +11,7 @@ from app.commands import options
 from app.console import results
 from app.exits import Exit
 from app.recall import open_store, unprotected
+from app.terminal import say
 from app.verifying import Finding, leftovers, verified_record
 from calibrations.quantities import format_concise
 from calibrations.records.compare import compare
@@ -81,32 +82,28 @@ def show(record_id: str, folder: Path) -> None:
     store = open_store(folder)
     record = store.get(record_id)
     origin = record.provenance
-    click.echo(f"record     {record.id}, revision {record.revision}, {record.verdict}")
+    say(f"record     {record.id}, revision {record.revision}, {record.verdict}")
     if record.supersedes:
-        click.echo(f"supersedes {record.supersedes}")
-    click.echo(f"unit       {origin.serial_number}\nprogramme  {origin.programme_name} {origin.programme_sha256[:12]}")
-    click.echo(f"measured   {origin.measured_at}\nraw file   {origin.raw_path} {origin.raw_sha256[:12]}")
-    click.echo(
-        f"program    {origin.program_version} {origin.git_commit[:12]}{' (changed)' if origin.git_dirty else ''}"
-    )
+        say(f"supersedes {record.supersedes}")
+    say(f"unit       {origin.serial_number}", f"programme  {origin.programme_name} {origin.programme_sha256[:12]}")
+    say(f"measured   {origin.measured_at}", f"raw file   {origin.raw_path} {origin.raw_sha256[:12]}")
+    say(f"program    {origin.program_version} {origin.git_commit[:12]}{' (changed)' if origin.git_dirty else ''}")
     if old := unprotected(store.raw_file(record)):
-        click.echo(old)
+        say(old)
     effects = [effect["name"] for effect in record.result.get("loop", {}).get("effects", [])]
     _show_parameters(record.models["declared"])
     if effects:
-        click.echo(f"with {', '.join(effects)}")
+        say(f"with {', '.join(effects)}")
         _show_parameters(record.models["augmented"])
 
 
 def _show_parameters(parameters: Mapping[str, Parameter]) -> None:
     for name, parameter in parameters.items():
         if parameter.value is None:
-            click.echo(f"  {name:7s}cannot be told: {parameter.reason}")
+            say(f"  {name:7s}cannot be told: {parameter.reason}")
         else:
             given = "" if parameter.given_alpha0_deg is None else f"  given alpha0 = {parameter.given_alpha0_deg:g}°"
-            click.echo(
-                f"  {name:7s}{format_concise(parameter.value, parameter.standard_uncertainty, parameter.unit)}{given}"
-            )
+            say(f"  {name:7s}{format_concise(parameter.value, parameter.standard_uncertainty, parameter.unit)}{given}")
 
 
 @command.command("compare")
@@ -117,7 +114,7 @@ def compare_records(first: str, second: str, folder: Path) -> None:
     """Compare two records: the difference of every parameter and whether it is significant."""
     store = open_store(folder)
     for difference in compare(store.get(first), store.get(second)):
-        click.echo(difference.sentence)
+        say(difference.sentence)
 
 
 @command.command("export")
@@ -141,16 +138,16 @@ def verify(record_ids: tuple[str, ...], folder: Path) -> None:
     ids = [store.resolve(record_id) for record_id in record_ids] or store.standing()
     records = [_told(verified_record(store, record_id)) for record_id in ids]
     others = [_told(finding) for finding in (() if record_ids else leftovers(store))]
-    click.echo(f"{sum(records)} of {len(records)} records agree with their raw files{_more(others)}")
+    say(f"{sum(records)} of {len(records)} records agree with their raw files{_more(others)}")
     if not all([*records, *others]):
         raise SystemExit(int(Exit.BAD_INPUT))
 
 
 def _told(finding: Finding) -> bool:
     """Print a finding; return whether it is a good one."""
-    click.echo(f"{finding.name}: {finding.judgement}")
+    say(f"{finding.name}: {finding.judgement}")
     for sentence in finding.sentences:
-        click.echo(f"  {sentence}")
+        say(f"  {sentence}")
     return finding.good
 
 

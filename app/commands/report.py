@@ -11,15 +11,16 @@ from app.files import check_result
 from app.kinds import Kind
 from app.measurements import read_measurement
 from app.recall import report_again
-from app.stand import load_stand
+from app.stand import read_stand
 from app.stand_records import with_stand_record
+from app.terminal import say
 
 
 @click.command("report")
 @click.argument("file_or_record")
 @click.option("--out", type=options.REPORT, help="Page to write; beside the file, or in the store, without.")
 @click.option("--stand", "stand_path", type=options.EXISTING, help="Stand file for the budget of a table.")
-@click.option("--serial", "serial_number", default="", help="Serial number of the unit, where the file does not say.")
+@options.serial_of_file
 @options.store
 def command(file_or_record: str, out: Path | None, stand_path: Path | None, serial_number: str, folder: Path) -> None:
     """Write the report (HTML) of a recording, an observation table, or a stored record by its id."""
@@ -27,9 +28,9 @@ def command(file_or_record: str, out: Path | None, stand_path: Path | None, seri
     if path.is_file() or path.suffix:  # an id has none
         page = out or path.with_suffix(".html")
         check_result(page, Kind.REPORT)
-        measurement = read_measurement(path, load_stand(stand_path).recorded if stand_path else None)
+        measurement = read_measurement(path, read_stand(stand_path).recorded if stand_path else None)
         measurement = with_stand_record(measurement, folder)
         write_report(trace(fit(measurement, serial_number)), page)
     else:
         page = report_again(folder, file_or_record, out)
-    click.echo(f"report {page}")
+    say(f"report {page}")

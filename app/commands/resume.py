@@ -1,6 +1,7 @@
 """`tumble resume`: go on with a run that was cut off."""
 
 from datetime import UTC, datetime
+from functools import partial
 from pathlib import Path
 
 import click
@@ -10,9 +11,11 @@ from app.commands import options
 from app.commands.telling import tell_calibrated, tell_recorded, tell_run
 from app.console import messages, run_display, warn
 from app.recall import record_of
-from app.resuming import Unfinished, find, lived_through, load_same_stand, resume
+from app.resuming import Unfinished, find, lived_through, resume
 from app.running import Job, failure
+from app.same_stand import followed, load_same_stand
 from app.stand_lock import holding, holding_recording
+from app.terminal import say
 from app.wiring import connect
 from procedures.errors import InputError
 
@@ -82,7 +85,7 @@ def _go_on(
 ) -> int:
     """Carry out what is left; return the number of points."""
     header = unfinished.recording.header
-    loaded = load_same_stand(unfinished.recording, stand_path)
+    loaded = load_same_stand(unfinished.recording, stand_path, partial(say, err=True))
     warn(loaded.file.expired(datetime.now(tz=UTC).date()))
     job = Job(
         stand=loaded, programme=unfinished.programme, serial_number=header.serial_number, operator=header.operator
@@ -92,7 +95,7 @@ def _go_on(
     if store is not None:
         make_ready(store)
     with holding(loaded, header.serial_number):
-        past = lived_through([Path(path) for path in header.follows], loaded, unfinished.recording)
+        past = lived_through(followed(unfinished.recording), loaded, unfinished.recording)
         connected = connect(loaded, answers, attended, past)
         try:
             warn(connected.warnings)

@@ -14,8 +14,9 @@ from app.learning import learn
 from app.measurements import read_measurement
 from app.rederiving import Rederivation
 from app.referencing import is_reference, learn_from_reference
-from app.stand import load_stand
+from app.stand import read_stand
 from app.stand_records import list_stand_records
+from app.terminal import say
 from calibrations.quantities import format_number
 from calibrations.records.verify import TOLERANCE
 from calibrations.stand_records.corrections import Corrections
@@ -66,7 +67,7 @@ def show(name: str, version: int | None, folder: Path, json_path: Path | None) -
         raise InputError(f"{folder}: there is {which} of {name}; list them with tumble stand list")
     record = max(found, key=lambda each: each.created_at)
     if str(json_path) != "-":
-        click.echo("\n".join(_lines(record)))
+        say(*_lines(record))
     options.write_json(document(record), json_path)
 
 
@@ -100,7 +101,7 @@ def _map_lines(head_map: HeadMap) -> list[str]:
 @command.command("learn")
 @click.argument("files", metavar="FILE...", nargs=-1, required=True, type=options.EXISTING)
 @click.option("--stand", "stand_path", type=options.EXISTING, help="Stand file, for tables.")
-@click.option("--serial", "serial_number", default="", help="Serial number of the unit, where a file does not say.")
+@options.serial_of_file
 @options.store
 def learn_command(files: tuple[Path, ...], stand_path: Path | None, serial_number: str, folder: Path) -> None:
     """Hold recordings or tables, each of one unit, one after the other against what is known of their stand.
@@ -108,7 +109,7 @@ def learn_command(files: tuple[Path, ...], stand_path: Path | None, serial_numbe
     A first unit gives a provisional record. Once a second one agrees, both give a record in force. A table of the head
     against a reference gives one at once.
     """
-    stand = load_stand(stand_path).recorded if stand_path else None
+    stand = read_stand(stand_path).recorded if stand_path else None
     for file in files:
         measurement = read_measurement(file, stand)
         if not measurement.stand:
@@ -116,12 +117,11 @@ def learn_command(files: tuple[Path, ...], stand_path: Path | None, serial_numbe
         if is_reference(measurement):
             record = learn_from_reference(file, measurement.stand, folder)
             name, version = record.identity.stand, record.version
-            click.echo(f"stand {name}: the reference gives a head map: stand record {version} is in force")
+            say(f"stand {name}: the reference gives a head map: stand record {version} is in force")
             continue
         traced = trace(fit(measurement, serial_number, trials=0, folder=folder))
         learned = learn(traced, folder)
-        for sentence in learned.sentences or (f"{file}: nothing of its stand is to be learned that is not known",):
-            click.echo(sentence)
+        say(*learned.sentences or (f"{file}: nothing of its stand is to be learned that is not known",))
 
 
 @command.command("verify")
@@ -139,8 +139,8 @@ def verify(names: tuple[str, ...], folder: Path) -> None:
         problem = _problem(record, again)
         failed += bool(problem)
         words = f"NOT VERIFIED: {problem}" if problem else "verified"
-        click.echo(f"{record.identity.stand} {record.version} ({record.id}): {words}")
-    click.echo(f"{len(records) - failed} of {len(records)} stand records come back from their raw files")
+        say(f"{record.identity.stand} {record.version} ({record.id}): {words}")
+    say(f"{len(records) - failed} of {len(records)} stand records come back from their raw files")
     if failed:
         raise SystemExit(int(Exit.BAD_INPUT))
 

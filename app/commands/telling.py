@@ -4,16 +4,17 @@ from pathlib import Path
 
 from app.calibrating import Calibrated, has_report, report_path
 from app.commands.options import write_json
-from app.console import messages, show_result, warn
+from app.console import show_result, warn
 from app.exits import Exit
 from app.loop_console import show_loop
 from app.recall import report_again
+from app.terminal import say
 from calibrations.records.record import Record, Verdict
 
 
 def tell_run(recording: Path, points: int, json_path: Path | None) -> None:
     """Say that a run has left a recording."""
-    messages().print(f"recording {recording}", soft_wrap=True)
+    say(f"recording {recording}", err=True)
     write_json({"schema": "tumble.run/1", "recording": str(recording), "points": points}, json_path)
 
 
@@ -23,9 +24,8 @@ def tell_calibrated(done: Calibrated, json_path: Path | None) -> None:
     if str(json_path) != "-":
         show_result(done.analysed)
         show_loop(done.analysed.loop)
-    messages().print(f"recording {done.recording}\nrecord    {done.record.id}\nreport    {done.report}", soft_wrap=True)
-    for sentence in done.learned.sentences:
-        messages().print(sentence, markup=False, soft_wrap=True)
+    say(f"recording {done.recording}", f"record    {done.record.id}", f"report    {done.report}", err=True)
+    say(*done.learned.sentences, err=True)
     left = {"record": done.record.id, "recording": str(done.recording), "report": str(done.report)}
     write_json(done.analysed.as_json() | left, json_path)
     if not done.analysed.inside:
@@ -42,7 +42,7 @@ def tell_recorded(recording: Path, record: Record, folder: Path, json_path: Path
     if not has_report(report):
         report_again(folder, record.id)
         done = "only its report was missing"
-    messages().print(f"{recording} is complete, and record {record.id} of it exists: {done}", soft_wrap=True)
+    say(f"{recording} is complete, and record {record.id} of it exists: {done}", err=True)
     left = {"record": record.id, "recording": str(recording), "report": str(report)}
     write_json({**record.result, **left}, json_path)
     if record.verdict is Verdict.OUTSIDE:

@@ -108,5 +108,6 @@ def _stand(folder: Path, pair: Pair, where: Mapping[str, str]) -> LoadedStand:
     file.write_text(
         f'name = "emulated"\n[head]\ndriver = "{head}"\nurl = "{where["head"]}"\nlimits_deg = [-180.0, 760.0]\n'
         f'speed_deg_s = {SPEED_DEG_S}\n[daq]\ndriver = "{daq}"\nurl = "{where["daq"]}"\nsamples = {SAMPLES}\n'
+        "[simulated]\n"
     )
     return load_stand(file)

@@ -35,6 +35,7 @@ _STYLE: Final[dict[Any, Any]] = {
     "svg.hashsalt": "tumble",
     "font.family": "DejaVu Sans",
     "font.size": 8.5,
+    "text.parse_math": False,  # a name with two dollar signs is no formula
     "axes.edgecolor": "#666666",
     "axes.labelcolor": INK,
     "axes.linewidth": 0.7,

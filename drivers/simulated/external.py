@@ -2,19 +2,36 @@
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import Final, TypeAlias
 
+from drivers.errors import DeviceError, Interrupted
 from drivers.own_file import load_from_file
+from drivers.text import visible
 
 Response: TypeAlias = Callable[[float, float, float, float, float], float]
 """`response(ax_g, ay_g, az_g, temperature_degC, time_s) -> volts`, noise-free."""
 HeadError: TypeAlias = Callable[[float, int, float], float]
 """`head_error(angle_deg, direction, time_s) -> degrees`; true angle = reported + error."""
 
+_LONGEST_REASON: Final = 300
 
-def load_function(reference: str, base_path: Path) -> Callable[..., Any]:
-    """Load the function that `FILE.py:FUNCTION` names. Raises `ValueError`, as `load_from_file` does."""
+
+def load_function(reference: str, base_path: Path) -> Callable[..., float]:
+    """Load the function that `FILE.py:FUNCTION` names. Raises `ValueError`, as `load_from_file` does.
+
+    Whatever the function raises is a `DeviceError`: it is the instrument that fails.
+    """
     function = load_from_file(reference, base_path)
     if not callable(function):
         raise ValueError(f"{reference} is no function; name one, or correct the stand file")
-    return function
+
+    def call(*given: float) -> float:
+        try:
+            return float(function(*given))
+        except (DeviceError, Interrupted):
+            raise
+        except BaseException as error:
+            reason = visible(f"{type(error).__name__}: {error}", _LONGEST_REASON)
+            raise DeviceError("simulated stand", f"{reference} failed ({reason})", "correct it, then resume") from error
+
+    return call

@@ -50,6 +50,8 @@ class Header:
     """What was asked for: `run`, or `calibrate` where a fit, a record and a report shall follow."""
     follows: Sequence[str] = ()
     """Recordings that were made before on the same connection, in their order."""
+    stand_code_sha256: Mapping[str, str] | None = None
+    """SHA-256 of every Python file that the stand file names, by `FILE.py:NAME`; None where that was not recorded."""
     format_version: int = FORMAT_VERSION
 
     @property

@@ -7,10 +7,10 @@ from app.commands.emulate import _port
 from app.stand import load_stand
 from app.wiring import connect
 from drivers.candaq.declaration import CAN
+from drivers.clock import SystemClock
 from drivers.scpi.declaration import SCPI
 from drivers.simulated import HeadOptions, Simulated, build
 from drivers.tables import DaqTable, HeadTable
-from emulators import backstage
 from emulators.emulation import Wanted, emulate
 from emulators.speed import FasterClock
 from emulators.world import SharedWorld
@@ -47,14 +47,37 @@ def test_a_speed_that_is_no_number_is_refused(speed):
 @pytest.fixture
 def emulated(write, monkeypatch, tmp_path):
     """A stand file that names an emulated stand."""
-    monkeypatch.setattr(backstage.tempfile, "gettempdir", lambda: str(tmp_path))
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
+    monkeypatch.setenv("LOCALAPPDATA", str(tmp_path))
     limits = {"limits_deg": (-180.0, 760.0)}
     shared = SharedWorld(build(Simulated(), clock=FasterClock(50.0), head=HeadOptions(**limits)))
     wanted = Wanted(head=HeadTable(driver="simulated", **limits), daq=DaqTable(driver="simulated"))
     with ExitStack() as stack:
         at = emulate(stack, shared, wanted)
         head = f'[head]\ndriver = "zaber"\nurl = "{at["head"]}"\nlimits_deg = [-180.0, 760.0]\n'
-        yield write("emulated.toml", f'name = "emulated"\n{head}[daq]\ndriver = "scpi"\nurl = "{at["daq"]}"\n')
+        yield write(
+            "emulated.toml", f'name = "emulated"\n{head}[daq]\ndriver = "scpi"\nurl = "{at["daq"]}"\n[simulated]\n'
+        )
+
+
+def test_a_stand_without_simulated_is_never_taken_for_an_emulated_one(emulated, write):
+    real = load_stand(write("real.toml", emulated.read_text().replace("[simulated]\n", "")))
+    clocks = []
+    for stand in (real, load_stand(emulated)):
+        connected = connect(stand, write("answers.toml", '[mounts]\ndefault = "yes"\n'))
+        connected.links.close()
+        clocks.append(type(connected.stand.clock))
+
+    assert clocks == [SystemClock, FasterClock]
+
+
+def test_only_a_stand_with_simulated_is_emulated(write):
+    head = '[head]\ndriver = "zaber"\nurl = "socket://127.0.0.1:1"\nlimits_deg = [0.0, 1.0]\n'
+    stand = write("real.toml", f'name = "r"\n{head}[daq]\ndriver = "scpi"\nurl = "socket://127.0.0.1:2"\n')
+    ran = tumble("emulate", "--stand", stand)
+
+    assert ran.status == 2
+    assert ran.complaint == f"{stand}: has no table [simulated], so that it is no stand to be emulated; add one"
 
 
 def test_it_is_said_that_nobody_is_asked_for_mounts_at_an_emulated_stand(emulated, write):

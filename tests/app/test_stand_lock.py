@@ -7,10 +7,11 @@ from pathlib import Path
 import pytest
 from app_jobs import tumble
 
+from app import shared_lock_files
 from app.exits import JobError
 from app.running import Job, run
 from app.stand import load_stand
-from app.stand_lock import holding, state_folder
+from app.stand_lock import holding
 from app.wiring import connect
 from procedures.events import PointCompleted
 from procedures.programme import load_programme
@@ -27,11 +28,14 @@ with holding(load_stand(Path(sys.argv[1])), "SN-9"):
 """
 
 
-@pytest.fixture(autouse=True)
-def own_state(tmp_path, monkeypatch):
-    """No lock of these tests is anybody else's."""
-    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
-    monkeypatch.setenv("LOCALAPPDATA", str(tmp_path / "state"))
+@pytest.fixture
+def locks(tmp_path, monkeypatch):
+    """A folder for all users in which no lock is anybody else's."""
+    folder = tmp_path / "locks"
+    folder.mkdir()
+    folder.chmod(0o1777)
+    monkeypatch.setattr(shared_lock_files, "FOLDERS", (str(tmp_path / "none"), str(tmp_path), str(folder)))
+    return folder
 
 
 @pytest.fixture
@@ -64,15 +68,70 @@ def test_the_lock_of_a_dead_process_is_taken_over(other, stand):
     other.kill()
     other.wait(10.0)
     with holding(load_stand(stand), "A"):
-        (lock,) = (state_folder() / "stands").iterdir()
-        held = json.loads(lock.read_text())
-        assert (held["pid"], held["serial_number"]) == (os.getpid(), "A")
+        refused(stand, f"process {os.getpid()} on .*, which measures A since")
 
 
-def test_a_lock_that_was_given_back_leaves_no_file(stand):
+def test_what_a_dead_process_left_is_taken_over(locks, stand):
+    with holding(load_stand(stand), "A"):
+        (lock,) = locks.iterdir()
+        left = lock.read_bytes()
+    lock.write_bytes(left)
+    with holding(load_stand(stand), "B"):
+        assert json.loads(lock.read_text())["serial_number"] == "B"
+
+
+def test_a_lock_that_was_given_back_leaves_no_file(locks, stand):
     with holding(load_stand(stand), "A"):
         refused(stand, f"process {os.getpid()} on")
-    assert list((state_folder() / "stands").iterdir()) == []
+    assert list(locks.iterdir()) == []
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="ProgramData has access lists")
+def test_a_lock_is_open_to_all_users_whatever_the_mask(locks, stand):
+    mask = os.umask(0o077)
+    try:
+        with holding(load_stand(stand), "A"):
+            (lock,) = locks.iterdir()
+            assert lock.stat().st_mode & 0o777 == 0o666
+    finally:
+        os.umask(mask)
+
+
+def put_link(lock, elsewhere):
+    elsewhere.write_text("precious")
+    lock.symlink_to(elsewhere)
+
+
+def put_second_name(lock, elsewhere):
+    elsewhere.write_text("precious")
+    lock.hardlink_to(elsewhere)
+
+
+def put_folder(lock, _elsewhere):
+    lock.mkdir()
+
+
+def put_pipe(lock, _elsewhere):
+    os.mkfifo(lock)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="ProgramData has access lists")
+@pytest.mark.parametrize("put", [put_link, put_second_name, put_folder, put_pipe])
+def test_what_somebody_put_in_the_place_of_a_lock_is_told_and_no_way_round_it(locks, stand, tmp_path, put):
+    with holding(load_stand(stand), "A"):
+        (lock,) = locks.iterdir()
+    elsewhere = tmp_path / "elsewhere"
+    put(lock, elsewhere)
+    refused(stand, rf"the stand at .* cannot be had to oneself: {lock}, where all users lock it, cannot be used")
+    assert not elsewhere.exists() or elsewhere.read_text() == "precious"
+
+
+@pytest.mark.parametrize("words", ["{", "[" * 1900, "[]", '"x"', "\0"])
+def test_what_somebody_wrote_into_a_lock_is_not_believed(locks, stand, words):
+    with holding(load_stand(stand), "A"):
+        (lock,) = locks.iterdir()
+        lock.write_text(words)
+        refused(stand, "is in use by another process; wait until it is done, or stop it")
 
 
 def test_two_stand_files_with_the_same_instrument_are_one_stand(write):
@@ -83,26 +142,24 @@ def test_two_stand_files_with_the_same_instrument_are_one_stand(write):
         refused(second, "the stand at COM7 is in use by process")
 
 
-def test_the_stand_that_is_built_in_is_everybodys():
+def test_the_stand_that_is_built_in_is_everybodys(locks):
     with holding(load_stand(), "A"), holding(load_stand(), "B"):
-        assert not state_folder().exists()
+        assert list(locks.iterdir()) == []
 
 
-def test_without_a_home_the_lock_lies_in_the_temporary_folder(stand, tmp_path, monkeypatch):
-    blocked = tmp_path / "file"
-    blocked.write_text("")
-    monkeypatch.setenv("XDG_STATE_HOME", str(blocked))
-    monkeypatch.setenv("LOCALAPPDATA", str(blocked))
-    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+@pytest.mark.parametrize("home", ["file", "absent"])
+def test_it_takes_no_home_to_lock_a_stand(locks, stand, tmp_path, monkeypatch, home):
+    (tmp_path / "file").write_text("")
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / home))
+    monkeypatch.setenv("TMPDIR", str(tmp_path / home))
     with holding(load_stand(stand), "A"):
-        assert len(list((tmp_path / "tumble-stands").iterdir())) == 1
+        assert len(list(locks.iterdir())) == 1
 
 
-def test_a_lock_whose_words_cannot_be_read_is_still_one(stand):
-    with holding(load_stand(stand), "A"):
-        (lock,) = (state_folder() / "stands").iterdir()
-        lock.write_text("{")
-        refused(stand, "is in use by another process; wait until it is done, or stop it")
+@pytest.mark.skipif(sys.platform == "win32", reason="ProgramData is there")
+def test_without_a_folder_for_all_users_no_lock_is_taken_for_one(stand, tmp_path, monkeypatch):
+    monkeypatch.setattr(shared_lock_files, "FOLDERS", (str(tmp_path),))
+    refused(stand, "is a folder that all users may write to")
 
 
 def test_instruments_at_the_same_place_by_other_names_are_one_stand(write):

@@ -6,7 +6,6 @@ import pytest
 from drivers.clock import SystemClock, VirtualClock
 from drivers.errors import DeviceError
 from drivers.simulated import HeadOptions, Simulated, build
-from emulators import backstage
 from emulators.backstage import backstage_of, find_backstage
 from emulators.speed import FasterClock
 from emulators.world import SharedWorld
@@ -16,7 +15,8 @@ ADDRESS = "socket://127.0.0.1:1"
 
 @pytest.fixture(autouse=True)
 def _own_folder(monkeypatch, tmp_path):
-    monkeypatch.setattr(backstage.tempfile, "gettempdir", lambda: str(tmp_path))
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
+    monkeypatch.setenv("LOCALAPPDATA", str(tmp_path))
 
 
 @contextmanager
@@ -78,7 +78,28 @@ def test_what_cannot_be_done_is_told(line):
 
 def test_an_entry_that_is_no_entry_is_passed_over(tmp_path):
     with found(VirtualClock()):
-        (entry,) = tmp_path.glob("*/*.json")
+        (entry,) = tmp_path.glob("tumble/emulated/*.json")
         for text in ("", "{}", json.dumps({"port": 1, "pace": {"factor": -1.0}})):
             entry.write_text(text)
             assert find_backstage((ADDRESS,)) is None
+
+
+def test_an_entry_of_a_process_that_is_gone_is_passed_over(tmp_path):
+    with found(VirtualClock()):
+        (entry,) = tmp_path.glob("tumble/emulated/*.json")
+        known = json.loads(entry.read_text())
+        for changed in ({"started": "1"}, {"process": 2**22 + 1}, {"started": ""}):
+            entry.write_text(json.dumps(known | changed))
+            assert find_backstage((ADDRESS,)) is None
+        entry.write_text(json.dumps(known))
+        assert find_backstage((ADDRESS,)) is not None
+
+
+def test_an_entry_in_the_temporary_folder_is_nobodys(tmp_path, monkeypatch):
+    with found(VirtualClock()):
+        (entry,) = tmp_path.glob("tumble/emulated/*.json")
+        anybody = tmp_path / "tumble-emulated-operator"
+        anybody.mkdir()
+        entry.rename(anybody / entry.name)
+        monkeypatch.setenv("TMPDIR", str(tmp_path))
+        assert find_backstage((ADDRESS,)) is None

@@ -7,6 +7,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QLabel, QListWidget, QVBoxLayout, QWidget
 
 from window.look.numbers import local, minutes
+from window.look.plain import PlainLabel
 from window.look.sentences import in_language
 from window.widgets.motion_button import MotionButton
 from window.widgets.table import Table
@@ -129,6 +130,6 @@ class LoopView(QWidget):
 
 
 def _wrapped() -> QLabel:
-    label = QLabel()
+    label = PlainLabel()
     label.setWordWrap(True)
     return label

@@ -6,12 +6,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLabel, QPushButton, QTabWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QPushButton, QTabWidget, QVBoxLayout, QWidget
 
 from calibrations.quantities import format_concise
 from calibrations.records.record import Record, Verdict
 from procedures.errors import InputError
 from window.look.numbers import local
+from window.look.plain import PlainLabel
 from window.look.sentences import in_language
 from window.screens.cut_off_view import CutOffView
 from window.screens.stand_records import StandRecords
@@ -56,7 +57,7 @@ class RecordsScreen(QWidget):
                 self.tr("record"),
             )
         )
-        self.said = QLabel()
+        self.said = PlainLabel()
         self.tabs = QTabWidget()
         self.open_button = self._button(self.tr("&Open"), self._open)
         self.compare_button = self._button(self.tr("&Compare two"), self._compare)

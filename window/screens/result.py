@@ -5,13 +5,14 @@ from pathlib import Path
 
 from PySide6.QtCore import QUrl, Signal
 from PySide6.QtGui import QDesktopServices
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QTabWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QPushButton, QTabWidget, QVBoxLayout, QWidget
 
 from app.running import Job
 from app.stand import LoadedStand
 from calibrations.records.record import Verdict
 from procedures.errors import InputError
 from procedures.programme import load_programme
+from window.look.plain import PlainLabel
 from window.look.sentences import in_language
 from window.look.theme import colours
 from window.screens.loop_view import LoopView
@@ -37,7 +38,7 @@ class ResultScreen(QWidget):
         self._stand: LoadedStand | None = None
         self._store = Path()
         self.presentation: Presentation | None = None
-        self.verdict, self._subject, self._notices = QLabel(), QLabel(), QLabel()
+        self.verdict, self._subject, self._notices = PlainLabel(), PlainLabel(), PlainLabel()
         self.report_button = QPushButton(self.tr("Open the &report"))
         self.table = Table(
             (

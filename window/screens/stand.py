@@ -1,5 +1,6 @@
 """The screen Stand: what is connected, where the head is, and turning it."""
 
+from html import escape
 from pathlib import Path
 
 from PySide6.QtCore import QSettings, Qt, Signal
@@ -8,6 +9,7 @@ from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLabel, QPushButton, QVB
 from app.stand import LoadedStand, load_stand
 from app.wiring import Attendant
 from procedures.errors import InputError
+from window.look.plain import PlainLabel
 from window.look.sentences import in_language
 from window.widgets.dial import Dial
 from window.widgets.instrument_table import InstrumentTable
@@ -40,7 +42,7 @@ class StandScreen(QWidget):
             QPushButton(self.tr("&Connect")),
             QPushButton(self.tr("&Disconnect")),
         )
-        self._name, self._notice = QLabel(), QLabel()
+        self._name, self._notice = QLabel(), PlainLabel()
         self._lay_out()
         self._connect(bridge)
         self.use(self._remembered())
@@ -56,7 +58,7 @@ class StandScreen(QWidget):
         self._worker.disconnect_from()
         self.loaded = loaded
         place = str(loaded.path) if loaded.path else self.tr("the simulated stand that is built in")
-        self._name.setText(f"<b>{loaded.file.name}</b><br>{place}")
+        self._name.setText(f"<b>{escape(loaded.file.name)}</b><br>{escape(place)}")
         self.table.show_stand(loaded)
         self.simulation.setVisible(loaded.file.simulates)
         QSettings().setValue("stand/path", str(loaded.path) if loaded.path else "")

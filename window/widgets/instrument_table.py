@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
 from app.stand import LoadedStand
 from drivers.protocols import Identity
 from drivers.tables import Instrument
+from window.look.plain import PlainLabel
 
 _SOON: Final = timedelta(days=30)
 
@@ -61,7 +62,7 @@ class InstrumentTable(QFrame):
         return self._cells[key, name].text()
 
     def _cell(self, row: int, column: int) -> QLabel:
-        label = QLabel()
+        label = PlainLabel()
         label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._grid.addWidget(label, row, column)
         return label

@@ -4,10 +4,11 @@ import traceback
 from datetime import UTC, datetime
 from pathlib import Path
 
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMessageBox, QWidget
 
 from app.exits import status_of
-from app.stand_lock import state_folder
+from drivers.private_files import state_folder
 from window.look.sentences import in_language
 
 
@@ -17,6 +18,7 @@ class ProblemDialog(QMessageBox):
     def __init__(self, error: BaseException, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setWindowTitle(self.tr("Something went wrong"))
+        self.setTextFormat(Qt.TextFormat.PlainText)
         known = isinstance(error, Exception) and status_of(error) is not None
         if known:
             self.setIcon(QMessageBox.Icon.Warning)

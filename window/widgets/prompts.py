@@ -5,6 +5,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QLineEdit, QVBoxLayou
 
 from procedures.eyepiece import on_the_circle
 from window.look.numbers import local
+from window.look.plain import PlainLabel
 from window.look.sentences import in_language
 from window.widgets.huge_label import HugeLabel
 from window.widgets.motion_button import MotionButton
@@ -53,7 +54,7 @@ class ReadingPrompt(QFrame):
         self.setObjectName("card")
         self.setting = HugeLabel()
         self.setting.setMinimumHeight(110)
-        self._prompt = QLabel()
+        self._prompt = PlainLabel()
         self._prompt.setWordWrap(True)
         self._prompt.setObjectName("heading")
         self.field = QLineEdit()

@@ -10,6 +10,7 @@ from app.stand import LoadedStand
 from procedures.errors import InputError
 from procedures.programme import load_programme, shipped_programmes
 from window.look.numbers import local, minutes
+from window.look.plain import PlainLabel
 from window.look.sentences import in_language
 
 _LONGEST_SERIAL = 100
@@ -35,7 +36,7 @@ class RunForm(QWidget):
         self.operator.setText(str(QSettings().value("run/operator", "")))
         self._browse = QPushButton(self.tr("File…"))
         self._browse.clicked.connect(self._choose_file)
-        self.summary = QLabel()
+        self.summary = PlainLabel()
         self.summary.setWordWrap(True)
         self._stand: LoadedStand | None = None
         self._lay_out()

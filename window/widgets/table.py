@@ -6,6 +6,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QBrush, QColor
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem, QWidget
 
+from window.look.plain import as_tooltip
+
 
 class Table(QTableWidget):
     """Read, selected by rows, copied by the keyboard; columns as wide as their texts, which wrap in the last one."""
@@ -33,7 +35,7 @@ class Table(QTableWidget):
             colour = colours[number] if number < len(colours) else None
             for column, text in enumerate(row):
                 item = QTableWidgetItem(text)
-                item.setToolTip(text)
+                item.setToolTip(as_tooltip(text))
                 if colour:
                     item.setForeground(QBrush(QColor(colour)))
                 self.setItem(number, column, item)

@@ -87,9 +87,10 @@ class Resumption:
     def past(self) -> Sequence[Past]:
         """The runs before it, and this one up to the break."""
         from app.resuming import lived_through
+        from app.same_stand import followed
 
         recording = self.unfinished.recording
-        return lived_through([Path(path) for path in recording.header.follows], self.job.stand, recording)
+        return lived_through(followed(recording), self.job.stand, recording)
 
     def carry_out(self, connected: Connected, listeners: Sequence[Listener], tell: Tell) -> Concluded:
         """Do it."""

@@ -115,7 +115,8 @@ def verify_all(folder: Path, record_ids: Sequence[str]) -> "tuple[Verification, 
 
 def resumption(folder: Path, path: Path) -> Resumption:
     """What there is to go on with a run that was cut off."""
-    from app.resuming import find, load_same_stand
+    from app.resuming import find
+    from app.same_stand import load_same_stand
 
     unfinished = find(path)
     header = unfinished.recording.header
