@@ -1,0 +1,172 @@
+"""The verdict: how a unit stands against the limits of its programme, by numbers that the analysis itself believes.
+
+Decision rule: simple acceptance (JCGM 106:2012, 8.2). A value inside its limits conforms, one at a limit too,
+provided that the measurement is fit to tell: its capability index C_m = T/(2U) (JCGM 106:2012, 7.6) is no less than 1, so
+that the 95% interval is no wider than the tolerance T, or else that the whole interval lies on one side of the limits.
+Where only one limit is given, its distance from zero stands for T/2. What has no value, or only one that rests on
+something that was not measured, or one of a model that the data contradicts, decides nothing.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import TYPE_CHECKING, Any
+
+from calibrations.doubts import Doubt, condition, contradiction, missing
+from calibrations.provenance import LimitCheck
+from calibrations.quantities import format_interval, format_limits, format_number
+from calibrations.result import Calibration, Parameter
+from calibrations.usable import Model, usable
+
+if TYPE_CHECKING:
+    from calibrations.tracing.loop import Loop
+
+DECISION_RULE = "simple acceptance"
+
+
+class Outcome(StrEnum):
+    """What is decided, of one parameter or of all; the first outranks the others."""
+
+    FAIL = "fail"
+    NOT_DECIDED = "not_decided"
+    PASS = "pass"
+    NO_LIMITS = "no_limits"
+    """The programme states none."""
+
+    @property
+    def words(self) -> str:
+        """The same for a reader."""
+        return self.value.replace("_", " ")
+
+    @property
+    def good(self) -> bool:
+        """Whether nothing is left to be done: exit status 0."""
+        return self in (Outcome.PASS, Outcome.NO_LIMITS)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Judgement:
+    """One parameter against its limits."""
+
+    name: str
+    outcome: Outcome
+    reason: str
+    """Why, in words that go after a colon."""
+    remedy: str = ""
+    """What would decide, or what to do; empty where there is nothing to say."""
+
+    @property
+    def sentence(self) -> str:
+        """`ky not decided: it rests on kxy alone; one sweep in face-down would settle it`."""
+        said = f"{self.name} {self.outcome.words}: {self.reason}"
+        return f"{said}; {self.remedy}" if self.remedy else said
+
+
+@dataclass(frozen=True, kw_only=True)
+class Verdict:
+    """All limited parameters, and the model that was judged."""
+
+    judged: Model
+    parameters: tuple[Judgement, ...]
+
+    @property
+    def outcome(self) -> Outcome:
+        """The gravest of the parameters' outcomes."""
+        found = {judgement.outcome for judgement in self.parameters}
+        return next((outcome for outcome in Outcome if outcome in found), Outcome.NO_LIMITS)
+
+    def named(self, outcome: Outcome) -> tuple[str, ...]:
+        """The parameters with an outcome."""
+        return tuple(judgement.name for judgement in self.parameters if judgement.outcome is outcome)
+
+    def of(self, name: str) -> Judgement | None:
+        """What is said of a parameter; None where it has no limits."""
+        return next((judgement for judgement in self.parameters if judgement.name == name), None)
+
+    def as_json(self) -> dict[str, Any]:
+        """The verdict as the result formats have it."""
+        return {
+            "outcome": str(self.outcome),
+            "judged": str(self.judged),
+            "decision_rule": DECISION_RULE,
+            "parameters": [
+                {"name": each.name, "outcome": str(each.outcome), "reason": each.reason, "remedy": each.remedy}
+                for each in self.parameters
+            ],
+        }
+
+
+def verdict_from_json(content: Mapping[str, Any]) -> Verdict:
+    """Undo `Verdict.as_json`."""
+    return Verdict(
+        judged=Model(content["judged"]),
+        parameters=tuple(
+            Judgement(**{**each, "outcome": Outcome(each["outcome"])}) for each in content["parameters"]
+        ),
+    )
+
+
+def judge(declared: Calibration, limits: Sequence[LimitCheck], loop: "Loop | None" = None) -> Verdict:
+    """Hold the values to use against the limits.
+
+    Parameters
+    ----------
+    declared
+        The fit of the declared model.
+    limits
+        Limits by parameter; none gives `no_limits`.
+    loop
+        The loop closed on the same rows; without it the declared model is judged by its own tests alone.
+    """
+    use = usable(declared, loop)
+    general = contradiction(use.calibration, loop)
+    return Verdict(
+        judged=use.model,
+        parameters=tuple(_judged(use.calibration.parameters[each.name], each, general, loop) for each in limits),
+    )
+
+
+def _judged(parameter: Parameter, limits: LimitCheck, general: Doubt | None, loop: "Loop | None") -> Judgement:
+    doubt = missing(parameter, loop) or condition(parameter) or general or _incapable(parameter, limits)
+    if doubt is not None:
+        return Judgement(
+            name=parameter.name, outcome=Outcome.NOT_DECIDED, reason=doubt.reason, remedy=doubt.remedy
+        )
+    assert parameter.value is not None, "what is missing was asked first"
+    outcome = Outcome.PASS if inside(parameter.value, limits) else Outcome.FAIL
+    where = "inside" if outcome is Outcome.PASS else "outside"
+    value = format_number(parameter.value, parameter.unit, 6)
+    return Judgement(name=parameter.name, outcome=outcome, reason=f"{value} lies {where} {_text(parameter, limits)}")
+
+
+def inside(value: float, limits: LimitCheck) -> bool:
+    """Whether a value lies inside its limits; a limit itself does."""
+    above = limits.minimum is None or value >= limits.minimum
+    return above and (limits.maximum is None or value <= limits.maximum)
+
+
+def _incapable(parameter: Parameter, limits: LimitCheck) -> Doubt | None:
+    """Whether the uncertainty is too large for these limits to be told apart."""
+    assert parameter.interval_95 is not None, "what is missing was asked first"
+    low, high = parameter.interval_95
+    spanned = (limits.minimum is not None and low < limits.minimum <= high) or (
+        limits.maximum is not None and low <= limits.maximum < high
+    )
+    if not spanned or high - low <= _tolerance(limits):
+        return None
+    interval = format_interval(low, high, parameter.unit)
+    return Doubt(
+        reason=f"the uncertainty is too large for {_text(parameter, limits)}: the 95% interval is {interval}",
+        remedy="measure with more realisations or less noise, or state better the uncertainties of the stand",
+    )
+
+
+def _tolerance(limits: LimitCheck) -> float:
+    if limits.minimum is not None and limits.maximum is not None:
+        return limits.maximum - limits.minimum
+    only = limits.maximum if limits.minimum is None else limits.minimum
+    return 2.0 * abs(only or 0.0)
+
+
+def _text(parameter: Parameter, limits: LimitCheck) -> str:
+    return format_limits(limits.minimum, limits.maximum, parameter.unit)
