@@ -40,9 +40,7 @@ def usable(declared: Calibration, loop: "Loop | None" = None) -> Usable:
     return Usable(model=Model.DECLARED, calibration=_consistent(replace(declared, parameters=parameters)))
 
 
-def without_withheld(
-    declared: Mapping[str, Parameter], augmented: Mapping[str, Parameter]
-) -> dict[str, Parameter]:
+def without_withheld(declared: Mapping[str, Parameter], augmented: Mapping[str, Parameter]) -> dict[str, Parameter]:
     """The parameters of the declared model; those to which the augmented one gives no value have none, and why."""
     return {
         name: augmented[name] if name in augmented and augmented[name].value is None else parameter

@@ -1,10 +1,10 @@
 """The verdict: how a unit stands against the limits of its programme, by numbers that the analysis itself believes.
 
-Decision rule: simple acceptance (JCGM 106:2012, 8.2). A value inside its limits conforms, one at a limit too,
-provided that the measurement is fit to tell: its capability index C_m = T/(2U) (JCGM 106:2012, 7.6) is no less than 1, so
-that the 95% interval is no wider than the tolerance T, or else that the whole interval lies on one side of the limits.
-Where only one limit is given, its distance from zero stands for T/2. What has no value, or only one that rests on
-something that was not measured, or one of a model that the data contradicts, decides nothing.
+Decision rule: simple acceptance (JCGM 106:2012, 8.2). A value inside its limits conforms, one at a limit too, provided
+that the measurement can tell: its capability index C_m = T/(2U) (JCGM 106:2012, 7.6) is no less than 1, so that the 95%
+interval is no wider than the tolerance T; or that the whole interval lies on one side of every limit. Where only one
+limit is given, its distance from zero stands for T/2. What has no value, or one that rests on something that was not
+measured, or that is of a model which the data contradicts, decides nothing.
 """
 
 from collections.abc import Mapping, Sequence
@@ -36,7 +36,7 @@ class Outcome(StrEnum):
     @property
     def words(self) -> str:
         """The same for a reader."""
-        return self.value.replace("_", " ")
+        return "not judged" if self is Outcome.NO_LIMITS else self.value.replace("_", " ")
 
     @property
     def good(self) -> bool:
@@ -100,9 +100,7 @@ def verdict_from_json(content: Mapping[str, Any]) -> Verdict:
     """Undo `Verdict.as_json`."""
     return Verdict(
         judged=Model(content["judged"]),
-        parameters=tuple(
-            Judgement(**{**each, "outcome": Outcome(each["outcome"])}) for each in content["parameters"]
-        ),
+        parameters=tuple(Judgement(**{**each, "outcome": Outcome(each["outcome"])}) for each in content["parameters"]),
     )
 
 
@@ -129,9 +127,7 @@ def judge(declared: Calibration, limits: Sequence[LimitCheck], loop: "Loop | Non
 def _judged(parameter: Parameter, limits: LimitCheck, general: Doubt | None, loop: "Loop | None") -> Judgement:
     doubt = missing(parameter, loop) or condition(parameter) or general or _incapable(parameter, limits)
     if doubt is not None:
-        return Judgement(
-            name=parameter.name, outcome=Outcome.NOT_DECIDED, reason=doubt.reason, remedy=doubt.remedy
-        )
+        return Judgement(name=parameter.name, outcome=Outcome.NOT_DECIDED, reason=doubt.reason, remedy=doubt.remedy)
     assert parameter.value is not None, "what is missing was asked first"
     outcome = Outcome.PASS if inside(parameter.value, limits) else Outcome.FAIL
     where = "inside" if outcome is Outcome.PASS else "outside"

@@ -6,6 +6,8 @@ from calibrations.provenance import LimitCheck, Provenance
 from calibrations.result import Calibration, Parameter
 from calibrations.tracing.chain import Chain
 from calibrations.tracing.loop import Loop
+from calibrations.usable import Usable, usable
+from calibrations.verdict import Verdict, judge
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -13,6 +15,7 @@ class Subject:
     """Everything that a section of the page may draw on."""
 
     calibration: Calibration
+    """The fit of the declared model."""
     provenance: Provenance
     limits: tuple[LimitCheck, ...] = ()
     record_id: str = ""
@@ -26,6 +29,16 @@ class Subject:
     """Where the loop contradicts the stand record that was applied."""
 
     @property
+    def use(self) -> Usable:
+        """The values to use, by what the loop found."""
+        return usable(self.calibration, self.loop)
+
+    @property
+    def verdict(self) -> Verdict:
+        """How the unit stands against the limits of its programme."""
+        return judge(self.calibration, self.limits, self.loop)
+
+    @property
     def told(self) -> tuple[Parameter, ...]:
-        """The parameters that have a value."""
-        return tuple(parameter for parameter in self.calibration.parameters.values() if parameter.value is not None)
+        """The parameters that have a value that may be used."""
+        return tuple(parameter for parameter in self.use.calibration.parameters.values() if parameter.value is not None)

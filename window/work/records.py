@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING
 from app.exits import Exit, JobError
 from app.files import refuse_recording, write_text
 from app.running import Job
-from calibrations.records.record import Record, Verdict
+from calibrations.records.record import Record
+from calibrations.verdict import Outcome
 from window.work.activity import Concluded, Resumption
 
 if TYPE_CHECKING:
@@ -29,7 +30,7 @@ class Search:
     serial_number: str = ""
     """A part of it is enough."""
     programme_name: str = ""
-    verdict: Verdict | None = None
+    verdict: Outcome | None = None
     since: datetime | None = None
     until: datetime | None = None
 
