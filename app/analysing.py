@@ -1,6 +1,7 @@
 """A raw file analysed: fitted, and what is left traced."""
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -50,12 +51,12 @@ class Traced(Analysed):
     explained: Explained | None
     """What the loop rests on; None where nothing was traced."""
 
-    @property
+    @cached_property
     def usable(self) -> Usable:
         """The values to use, by what the loop found."""
         return usable(self.calibration, self.loop)
 
-    @property
+    @cached_property
     def verdict(self) -> Verdict:
         """How the unit stands against the limits of its programme, by what the loop found."""
         return judge(self.calibration, self.limits, self.loop)

@@ -22,7 +22,7 @@ from calibrations.records.times import utc_now, utc_text
 from calibrations.result import Calibration
 from calibrations.tracing.document import result_document
 from calibrations.tracing.loop import Loop
-from calibrations.verdict import Outcome, judge
+from calibrations.verdict import Outcome, Verdict, judge
 
 DATABASE = "records.sqlite"
 
@@ -69,19 +69,20 @@ class Store:
         limits: Sequence[LimitCheck] = (),
         supersedes: str | None = None,
         loop: Loop | None = None,
+        verdict: Verdict | None = None,
     ) -> Record:
         """Record a calibration, in one transaction.
 
         `supersedes` is the id of the record that this one, another analysis of the same raw file, takes the place of.
-        With `loop`, closed on the same raw file, the record holds the augmented model beside the declared one, and the
-        verdict is on the one that is to be used.
+        With `loop`, closed on the same raw file, the record holds the augmented model beside the declared one.
+        Without `verdict` the values to use are judged here.
 
         Raises
         ------
         RecordError
             `supersedes` names no record, one that is superseded already, or one of another raw file.
         """
-        result = plain(result_document(calibration, loop, judge(calibration, limits, loop)))
+        result = plain(result_document(calibration, loop, verdict or judge(calibration, limits, loop)))
         with storage_errors(self.path), writing(self._engine) as connection:
             old = self._revisable(connection, supersedes, provenance) if supersedes else None
             record = _new_record(result, provenance, limits, old, self._now())

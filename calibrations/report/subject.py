@@ -1,6 +1,7 @@
 """What a report is about."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 from calibrations.provenance import LimitCheck, Provenance
 from calibrations.result import Calibration, Parameter
@@ -25,18 +26,20 @@ class Subject:
     """None where the loop was not closed."""
     chain: Chain | None = None
     """None where nothing was run to close it."""
+    decided: Verdict | None = None
+    """The verdict, where it is known already."""
     contradictions: tuple[str, ...] = ()
     """Where the loop contradicts the stand record that was applied."""
 
-    @property
+    @cached_property
     def use(self) -> Usable:
         """The values to use, by what the loop found."""
         return usable(self.calibration, self.loop)
 
-    @property
+    @cached_property
     def verdict(self) -> Verdict:
         """How the unit stands against the limits of its programme."""
-        return judge(self.calibration, self.limits, self.loop)
+        return self.decided or judge(self.calibration, self.limits, self.loop)
 
     @property
     def told(self) -> tuple[Parameter, ...]:

@@ -64,7 +64,13 @@ def present(concluded: Concluded) -> Presentation:
 
     traced = concluded.traced
     use, loop = traced.usable, traced.loop
-    subject = Subject(calibration=traced.calibration, provenance=traced.provenance, limits=traced.limits, loop=loop)
+    subject = Subject(
+        calibration=traced.calibration,
+        provenance=traced.provenance,
+        limits=traced.limits,
+        loop=loop,
+        decided=traced.verdict,
+    )
     models = {"declared": rows_of(traced.calibration)}
     if loop.effects or loop.unexplained:
         models["augmented"] = rows_of(loop.augmented)
