@@ -7,6 +7,7 @@ from typing import Any
 
 from app.measurements import Measurement, check_limits, provenance
 from calibrations.analysis import analyse
+from calibrations.judging import judge
 from calibrations.montecarlo import TRIALS
 from calibrations.provenance import LimitCheck, Provenance
 from calibrations.result import Calibration
@@ -14,7 +15,7 @@ from calibrations.tracing.document import document, result_document
 from calibrations.tracing.loop import Explained, Loop, asked_next, explain
 from calibrations.tracing.questions import questioned
 from calibrations.usable import Usable, usable
-from calibrations.verdict import Verdict, judge
+from calibrations.verdict import Verdict
 from procedures.errors import InputError
 
 

@@ -9,6 +9,7 @@ from typing import Any
 
 from sqlalchemy import ColumnElement, Connection, Select, exists, func, insert, select
 
+from calibrations.judging import judge
 from calibrations.provenance import LimitCheck, Provenance
 from calibrations.records.canonical import canonical_sha256, plain
 from calibrations.records.database import open_database, storage_errors, writing
@@ -22,7 +23,7 @@ from calibrations.records.times import utc_now, utc_text
 from calibrations.result import Calibration
 from calibrations.tracing.document import result_document
 from calibrations.tracing.loop import Loop
-from calibrations.verdict import Outcome, Verdict, judge
+from calibrations.verdict import Outcome, Verdict
 
 DATABASE = "records.sqlite"
 

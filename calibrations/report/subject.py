@@ -3,12 +3,13 @@
 from dataclasses import dataclass
 from functools import cached_property
 
+from calibrations.judging import judge
 from calibrations.provenance import LimitCheck, Provenance
 from calibrations.result import Calibration, Parameter
 from calibrations.tracing.chain import Chain
 from calibrations.tracing.loop import Loop
 from calibrations.usable import Usable, usable
-from calibrations.verdict import Verdict, judge
+from calibrations.verdict import Verdict
 
 
 @dataclass(frozen=True, kw_only=True)
