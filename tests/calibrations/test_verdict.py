@@ -58,6 +58,9 @@ UNDECLARED = {
     "second harmonic": of_the_head(0.1, 2, 0.0),
 }
 
+HIDDEN = list(zip(UNDECLARED, (0.0098, 0.06, 0.06, 0.06, 0.0098, 0.0098), strict=True))
+"""Each with a good or a bad unit."""
+
 
 @cache
 def loop_of(design, effect="", ky=0.0098, seed=1):
@@ -109,7 +112,7 @@ def test_a_good_unit_does_not_fail_by_a_value_that_the_loop_withdraws():
     assert judgement.remedy.startswith("tumble run --programme probe-")
 
 
-@pytest.mark.parametrize(("effect", "ky"), zip(UNDECLARED, (0.0098, 0.06, 0.06, 0.06, 0.0098, 0.0098), strict=True))
+@pytest.mark.parametrize(("effect", "ky"), HIDDEN)
 @pytest.mark.parametrize("design", DESIGNS)
 def test_no_undeclared_effect_turns_a_verdict(design, effect, ky):
     truth = dict(UNIT, ky=ky)
