@@ -63,7 +63,7 @@ class Verdict:
 
     def named(self, outcome: Outcome) -> tuple[str, ...]:
         """The parameters with an outcome."""
-        return tuple(judgement.name for judgement in self.parameters if judgement.outcome is outcome)
+        return tuple(judgement.name for judgement in self.parameters if judgement.outcome == outcome)
 
     def of(self, name: str) -> Judgement | None:
         """What is said of a parameter; None where it has no limits."""

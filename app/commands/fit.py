@@ -8,7 +8,7 @@ from app.analysing import fit, trace
 from app.calibrating import store
 from app.commands import options
 from app.commands.telling import leave_by
-from app.console import messages, show_result, warn
+from app.console import messages, results, show_result, warn
 from app.loop_console import show_loop
 from app.measurements import read_measurement
 from app.stand import load_stand
@@ -37,7 +37,9 @@ def command(
     warn(result.calibration.warnings)
     if str(json_path) != "-":
         show_result(result)
-        if traced is not None:
+        if traced is None:
+            results().print("the values are those of the declared model alone; tumble close-loop traces what it leaves")
+        else:
             show_loop(traced.loop)
     document = result.as_json()
     if traced is not None and folder is not None:

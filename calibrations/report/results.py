@@ -169,9 +169,9 @@ def _note(parameter: Parameter) -> str:
 
 
 def _decided(parameter: Parameter, check: LimitCheck, judgement: Judgement) -> str:
-    """Inside or outside, and whether the 95% interval reaches over the limit; or why that is not decided."""
+    """Inside or outside, and whether the 95% interval reaches over the limit; or that it is not decided."""
     if judgement.outcome is Outcome.NOT_DECIDED or parameter.interval_95 is None:
-        return "not decided: no value" if parameter.value is None else f"not decided: {judgement.reason}"
+        return "not decided: no value" if parameter.value is None else "not decided"
     low, high = parameter.interval_95
     wholly = (check.minimum is None or low >= check.minimum) and (check.maximum is None or high <= check.maximum)
     beyond = (check.minimum is not None and high < check.minimum) or (check.maximum is not None and low > check.maximum)

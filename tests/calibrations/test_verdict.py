@@ -257,7 +257,7 @@ def test_one_limit_near_zero_is_decided_only_by_what_lies_wholly_on_one_side():
     judgement = only(loop, limit("ky", None, 0.002))
 
     assert judgement.outcome == "not_decided"
-    assert judgement.reason == "the uncertainty is too large for up to 2 mV/g: the 95% interval is -9.0 to 11.0 mV/g"
+    assert judgement.reason == "the uncertainty is too large for up to 2 mV/g: the 95% interval is -9 to 11 mV/g"
 
 
 def test_fail_outranks_not_decided_outranks_pass():

@@ -312,6 +312,10 @@
         <translation>поза межами</translation>
     </message>
     <message>
+        <source>not decided</source>
+        <translation>не вирішено</translation>
+    </message>
+    <message>
         <source>not decided: no value</source>
         <translation>не вирішено: немає значення</translation>
     </message>
