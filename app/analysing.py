@@ -1,17 +1,21 @@
 """A raw file analysed: fitted, and what is left traced."""
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 from app.measurements import Measurement, check_limits, provenance
 from calibrations.analysis import analyse
+from calibrations.judging import judge
 from calibrations.montecarlo import TRIALS
 from calibrations.provenance import LimitCheck, Provenance
 from calibrations.result import Calibration
-from calibrations.tracing.document import result_document
+from calibrations.tracing.document import document, result_document
 from calibrations.tracing.loop import Explained, Loop, asked_next, explain
 from calibrations.tracing.questions import questioned
+from calibrations.usable import Usable, usable
+from calibrations.verdict import Verdict
 from procedures.errors import InputError
 
 
@@ -23,11 +27,21 @@ class Analysed:
     calibration: Calibration
     provenance: Provenance
     limits: tuple[LimitCheck, ...]
+    """Of the values to use."""
 
     @property
-    def inside(self) -> bool:
-        """Whether every limited parameter lies inside its limits."""
-        return all(check.inside for check in self.limits)
+    def usable(self) -> Usable:
+        """The values to use."""
+        return usable(self.calibration)
+
+    @property
+    def verdict(self) -> Verdict:
+        """How the unit stands against the limits of its programme."""
+        return judge(self.calibration, self.limits)
+
+    def as_json(self) -> dict[str, Any]:
+        """The result as `tumble.fit/1`, with the verdict."""
+        return result_document(self.calibration, None, self.verdict)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -38,9 +52,23 @@ class Traced(Analysed):
     explained: Explained | None
     """What the loop rests on; None where nothing was traced."""
 
+    @cached_property
+    def usable(self) -> Usable:
+        """The values to use, by what the loop found."""
+        return usable(self.calibration, self.loop)
+
+    @cached_property
+    def verdict(self) -> Verdict:
+        """How the unit stands against the limits of its programme, by what the loop found."""
+        return judge(self.calibration, self.limits, self.loop)
+
     def as_json(self) -> dict[str, Any]:
-        """The result as `tumble.fit/1`, with the closed loop (`tumble.loop/1`) under `loop`."""
-        return result_document(self.calibration, self.loop)
+        """The result as `tumble.fit/1`, with verdict and closed loop (`tumble.loop/1`) under `verdict` and `loop`."""
+        return result_document(self.calibration, self.loop, self.verdict)
+
+    def loop_json(self) -> dict[str, Any]:
+        """The result as `tumble.loop/1`, with the verdict."""
+        return document(self.loop, self.verdict)
 
 
 def fit(
@@ -74,7 +102,7 @@ def fit(
         measurement=measurement,
         calibration=calibration,
         provenance=provenance(measurement, serial_number, folder),
-        limits=check_limits(calibration, measurement.programme),
+        limits=check_limits(calibration.parameters, measurement.programme),
     )
 
 
@@ -82,4 +110,10 @@ def trace(analysed: Analysed) -> Traced:
     """Close the loop on a raw file that was analysed."""
     measurement = analysed.measurement
     loop, explained = explain(measurement.observations, measurement.uncertainty, measurement.reference_temperature_degc)
-    return Traced(**vars(analysed), loop=asked_next(loop, explained), explained=explained)
+    return traced_with(analysed, asked_next(loop, explained), explained)
+
+
+def traced_with(analysed: Analysed, loop: Loop, explained: Explained | None) -> Traced:
+    """What was analysed, with a loop that was closed on it."""
+    limits = check_limits(usable(analysed.calibration, loop).calibration.parameters, analysed.measurement.programme)
+    return Traced(**{**vars(analysed), "limits": limits}, loop=loop, explained=explained)

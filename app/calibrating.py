@@ -31,6 +31,7 @@ def store(traced: Traced, folder: Path) -> Record:
             traced.limits,
             supersedes=before.id if before else None,
             loop=traced.loop,
+            verdict=traced.verdict,
         )
     except StoreError as error:
         raise JobError(f"{error}; the recording is kept in {traced.measurement.path}", Exit.STORAGE) from error

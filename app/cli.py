@@ -52,8 +52,9 @@ class _Commands(click.Group):
 def cli() -> None:
     """Calibrate accelerometers on a dividing head.
 
-    Exit status: 0 good; 1 outside the programme's limits; 2 bad input, wrong usage, an unanswered prompt or a
-    record that does not verify; 3 device fault; 4 stopped by the operator; 5 storage; 70 a fault of the program.
+    Exit status: 0 good; 1 a limit of the programme is not met, or not decided; 2 bad input, wrong usage, an unanswered
+    prompt or a record that does not verify; 3 device fault; 4 stopped by the operator; 5 storage; 70 a fault of the
+    program.
     """
 
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from app.acting import AtStand, DeclinedError, prepare, run_experiment
-from app.analysing import Traced, fit
+from app.analysing import Traced, fit, traced_with
 from app.available import Available, available, programme_of, warms
 from app.joining import read_together
 from app.measurements import Measurement, read_measurement
@@ -197,7 +197,7 @@ def _explained(measurement: Measurement, serial_number: str) -> tuple[Traced, Ex
     measurement = analysed.measurement
     uncertainty, reference_degc = measurement.uncertainty, measurement.reference_temperature_degc
     loop, explained = explain(measurement.observations, uncertainty, reference_degc)
-    return Traced(**vars(analysed), loop=loop, explained=explained), explained
+    return traced_with(analysed, loop, explained), explained
 
 
 def _with_plan(traced: Traced, planned: tuple[Experiment, ...]) -> Traced:

@@ -15,6 +15,8 @@ from app.terminal import LONGEST_LINE, lead_nowhere
 from calibrations.quantities import format_concise, format_freedom, format_interval, format_number, format_probability
 from calibrations.result import Calibration, Parameter
 from calibrations.support import series, support
+from calibrations.usable import Model
+from calibrations.verdict import Outcome, Verdict
 from drivers.clock import Clock
 from drivers.text import visible
 from procedures.announcer import Listener
@@ -32,6 +34,11 @@ from procedures.progress import Progress as RunProgress
 
 _LISTED = 20
 """Rows set aside that are listed on the terminal."""
+_DECIDED = {
+    Outcome.PASS: "inside limits",
+    Outcome.FAIL: "OUTSIDE LIMITS",
+    Outcome.NOT_DECIDED: "NOT DECIDED",
+}
 _PIPED_WIDTH = 120
 """Width of tables where the output is no terminal."""
 
@@ -122,10 +129,14 @@ def _minutes(duration_s: float) -> str:
 
 
 def show_result(analysed: Analysed, console: Console | None = None) -> None:
-    """Print parameters, adequacy and what the experiment supports."""
+    """Print verdict, the values to use, adequacy and what the experiment supports."""
     console = console or results()
-    calibration = analysed.calibration
+    use = analysed.usable
+    calibration = use.calibration
+    show_verdict(analysed.verdict, console)
     console.print(_parameter_table(analysed))
+    if use.model is Model.AUGMENTED:
+        console.print("values with what was found taken into account; the declared model's stand below", markup=False)
     if record := calibration.stand_record:
         on = f"{record.identity.stand}, learned from {series(record.units)}"
         console.print(f"corrected by stand record {record.version} of {on}", markup=False)
@@ -135,16 +146,26 @@ def show_result(analysed: Analysed, console: Console | None = None) -> None:
         console.print(f"- {statement.text}", markup=False)
 
 
+def show_verdict(verdict: Verdict, console: Console | None = None) -> None:
+    """Print what is decided, of which model, and of every limited parameter why; nothing without limits."""
+    if verdict.outcome is Outcome.NO_LIMITS:
+        return
+    console = console or results()
+    console.print(f"verdict: {verdict.outcome.words.upper()} (judged: the {verdict.judged} model)", markup=False)
+    for judgement in verdict.parameters:
+        console.print(f"- {judgement.sentence}", markup=False, soft_wrap=True)
+
+
 def _parameter_table(analysed: Analysed) -> Table:
     provenance = analysed.provenance
     table = Table(title=f"{provenance.serial_number} {provenance.programme_name}".strip(), title_justify="left")
     for heading in ("parameter", "value (standard uncertainty)", "95% interval", "dof", "remark"):
         table.add_column(heading, overflow="fold", no_wrap=heading != "remark")
-    limits = {check.name: check for check in analysed.limits}
-    for name, parameter in analysed.calibration.parameters.items():
-        check = limits.get(name)
-        verdict = "" if check is None else "inside limits" if check.inside else "OUTSIDE LIMITS"
-        table.add_row(name, *_cells(parameter), "; ".join(filter(None, (verdict, _remark(parameter)))))
+    verdict = analysed.verdict
+    for name, parameter in analysed.usable.calibration.parameters.items():
+        judgement = verdict.of(name)
+        decided = "" if judgement is None else _DECIDED[judgement.outcome]
+        table.add_row(name, *_cells(parameter), "; ".join(filter(None, (decided, _remark(parameter)))))
     return table
 
 
@@ -159,11 +180,7 @@ def _cells(parameter: Parameter) -> tuple[str, str, str]:
 
 
 def _remark(parameter: Parameter) -> str:
-    if parameter.value is None:
-        return parameter.reason
-    if parameter.given_alpha0_deg is not None:
-        return f"given alpha0 = {parameter.given_alpha0_deg:g}°"
-    return f"rests on {parameter.rests_on} alone" if parameter.rests_on else ""
+    return parameter.reason if parameter.value is None else parameter.condition
 
 
 def _adequacy_lines(calibration: Calibration) -> Iterator[str]:

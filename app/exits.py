@@ -13,7 +13,8 @@ class Exit(IntEnum):
     """Exit status of every command."""
 
     GOOD = 0
-    OUTSIDE_LIMITS = 1
+    LIMITS_NOT_MET = 1
+    """Or nothing could be decided of them."""
     BAD_INPUT = 2
     """Also wrong usage, and a prompt that nobody answered."""
     DEVICE_FAULT = 3

@@ -16,7 +16,7 @@ from calibrations.budget import StandUncertainty
 from calibrations.observations import Observations
 from calibrations.provenance import LimitCheck, Provenance
 from calibrations.records.raw import file_sha256, stored_path
-from calibrations.result import Calibration
+from calibrations.result import Parameter
 from calibrations.stand_records.record import StandRecord
 from calibrations.table import TableError, read_table
 from procedures.errors import InputError
@@ -152,11 +152,11 @@ def provenance(measurement: Measurement, serial_number: str = "", folder: Path |
     )
 
 
-def check_limits(calibration: Calibration, programme: Programme | None) -> tuple[LimitCheck, ...]:
-    """Hold the parameters against the programme's limits; what has no value is not inside."""
+def check_limits(parameters: Mapping[str, Parameter], programme: Programme | None) -> tuple[LimitCheck, ...]:
+    """Hold values against the programme's limits; what has no value is not inside. The verdict takes more than that."""
     checks = []
     for name, limit in (programme.limits if programme else {}).items():
-        value = calibration.parameters[name].value
+        value = parameters[name].value
         checks.append(
             LimitCheck(
                 name=name,

@@ -71,7 +71,7 @@ def assess(fitted: Joint, stand: StandUncertainty, trials: int = TRIALS) -> Cali
         budget=_budget(fitted, type_a, listed, type_b, told),
         monte_carlo=_by_name(_simulate(fitted, listed, trials), told) if trials else {},
         per_acceleration=_per_acceleration(parameters, stand.gravity) if stand.gravity else {},
-        warnings=(*fitted.observations.warnings, *_doubts(fitted)),
+        warnings=(*fitted.observations.warnings, *_doubts(fitted), *filter(None, [stand.left_out])),
         stand_record=stand.record,
     )
 

@@ -16,20 +16,42 @@ _ARCSEC_DEG = 1.0 / 3600.0
 
 @dataclass(frozen=True, kw_only=True)
 class StandUncertainty:
-    """Standard uncertainties (type B) that a stand file states; zero where it states nothing."""
+    """Standard uncertainties (type B) that a stand file states; None where it does not."""
 
-    head_accuracy_arcsec: float = 0.0
+    head_accuracy_arcsec: float | None = None
     """Reading of the head: one error for every setting, the same whenever it is set."""
-    seating_arcsec: float = 0.0
+    seating_arcsec: float | None = None
     """Repeatability of the unit in its seat: one error for every mounting."""
-    daq_gain: float = 0.0
+    daq_gain: float | None = None
     """Relative, common to all readings."""
-    daq_offset_v: float = 0.0
+    daq_offset_v: float | None = None
     """Common to all readings, in volts."""
     gravity: Gravity | None = None
     """Local gravity; it enters the coefficients per m/s² only."""
     record: StandRecord | None = None
     """What the rows were corrected by."""
+
+    @property
+    def left_out(self) -> str:
+        """That what the stand adds, or which part of it, is not in the stated uncertainty; empty where all of it is."""
+        stated = {
+            "accuracy_arcsec": self.head_accuracy_arcsec,
+            "seating_arcsec": self.seating_arcsec,
+            "gain_uncertainty": self.daq_gain,
+            "offset_uncertainty_v": self.daq_offset_v,
+        }
+        missing = [key for key, value in stated.items() if value is None]
+        if not missing:
+            return ""
+        if len(missing) == len(stated):
+            return (
+                "the stand's contribution is not included in the stated uncertainty: no stand file says what head, "
+                f"seat and DAQ add; state {', '.join(missing)} in one"
+            )
+        return (
+            "part of the stand's contribution is not included in the stated uncertainty: the stand file does not state "
+            f"{', '.join(missing)}; state it there, as 0 where it is negligible"
+        )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -58,29 +80,31 @@ class Source:
 def sources(scene: Scene, stand: StandUncertainty) -> tuple[Source, ...]:
     """Sources of type B with a size above zero, for the rows of a scene."""
     observations, slope_v_per_deg = scene.observations, scene.slope_v_per_deg
+    head_arcsec, seat_arcsec = stand.head_accuracy_arcsec or 0.0, stand.seating_arcsec or 0.0
+    gain, offset_v = stand.daq_gain or 0.0, stand.daq_offset_v or 0.0
     settled = settings(np.mod(observations.angle_deg, 360.0))
     listed = (
         Source(
             name="head reading",
-            symbol=f"{stand.head_accuracy_arcsec:g}″ at every setting",
-            errors_v=(slope_v_per_deg * stand.head_accuracy_arcsec * _ARCSEC_DEG)[:, None],
+            symbol=f"{head_arcsec:g}″ at every setting",
+            errors_v=(slope_v_per_deg * head_arcsec * _ARCSEC_DEG)[:, None],
             shared_by=settled,
         ),
         Source(
             name="seating",
-            symbol=f"{stand.seating_arcsec:g}″ at every mounting",
-            errors_v=(slope_v_per_deg * stand.seating_arcsec * _ARCSEC_DEG)[:, None],
+            symbol=f"{seat_arcsec:g}″ at every mounting",
+            errors_v=(slope_v_per_deg * seat_arcsec * _ARCSEC_DEG)[:, None],
             shared_by=mountings(observations),
         ),
         Source(
             name="DAQ gain",
-            symbol=f"{stand.daq_gain:g} relative",
-            errors_v=(observations.output_v * stand.daq_gain)[:, None],
+            symbol=f"{gain:g} relative",
+            errors_v=(observations.output_v * gain)[:, None],
         ),
         Source(
             name="DAQ offset",
-            symbol=f"{stand.daq_offset_v * 1e6:g} µV",
-            errors_v=np.full((len(observations), 1), stand.daq_offset_v),
+            symbol=f"{offset_v * 1e6:g} µV",
+            errors_v=np.full((len(observations), 1), offset_v),
         ),
         *((_recorded(scene, stand.record),) if stand.record else ()),
     )

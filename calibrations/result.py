@@ -45,6 +45,13 @@ class Parameter:
         """Whether zero lies outside the 95% interval."""
         return self.interval_95 is not None and not self.interval_95[0] <= 0.0 <= self.interval_95[1]
 
+    @property
+    def condition(self) -> str:
+        """On what the value stands though that was not measured; empty where it stands by itself."""
+        if self.given_alpha0_deg is not None:
+            return f"given alpha0 = {self.given_alpha0_deg:g}°"
+        return f"rests on {self.rests_on} alone" if self.rests_on else ""
+
     def as_json(self) -> dict[str, Any]:
         """The parameter as the result format has it; keys without content are left out."""
         optional = {

@@ -98,10 +98,10 @@ class HeadTable(Instrument):
     cable_turns: float | None = Field(default=None, gt=0.0)
     """Turns to either side of zero that the cable of the unit allows; without it, what the limits allow."""
     speed_deg_s: float = Field(default=20.0, ge=1e-3, le=1e4)
-    accuracy_arcsec: float = Field(default=0.0, ge=0.0)
-    """Standard uncertainty of the reading."""
-    seating_arcsec: float = Field(default=0.0, ge=0.0)
-    """Repeatability of the unit in its seat, per mounting."""
+    accuracy_arcsec: float | None = Field(default=None, ge=0.0)
+    """Standard uncertainty of the reading; None where nobody states it."""
+    seating_arcsec: float | None = Field(default=None, ge=0.0)
+    """Repeatability of the unit in its seat, per mounting; None where nobody states it."""
     mounts: tuple[Mount, ...] | None = Field(default=None, min_length=1)
     """Mounts that the seat allows; without it, all."""
     mounting_s: float = Field(default=60.0, ge=0.0, le=86_400.0)
@@ -128,5 +128,7 @@ class DaqTable(Instrument):
     samples: int = Field(default=100, ge=2, le=MOST_SAMPLES)
     """Per dwell, unless the programme says otherwise."""
     rate_hz: float = Field(default=100.0, ge=1e-2, le=1e6)
-    gain_uncertainty: float = Field(default=0.0, ge=0.0)
-    offset_uncertainty_v: float = Field(default=0.0, ge=0.0)
+    gain_uncertainty: float | None = Field(default=None, ge=0.0)
+    """Relative standard uncertainty; None where nobody states it."""
+    offset_uncertainty_v: float | None = Field(default=None, ge=0.0)
+    """Standard uncertainty; None where nobody states it."""

@@ -14,8 +14,8 @@ from app.calibrating import write_report
 from app.closing import MOST_EXPERIMENTS, Closing, act, begin
 from app.commands import options
 from app.commands.measuring import Wanted, may_measure
-from app.console import messages, run_display, warn
-from app.exits import Exit
+from app.commands.telling import leave_by
+from app.console import messages, run_display, show_verdict, warn
 from app.files import is_recording
 from app.joining import read_together
 from app.learning import contradictions_of, learn
@@ -28,7 +28,6 @@ from app.stand_records import with_stand_record
 from app.terminal import say
 from calibrations.montecarlo import TRIALS
 from calibrations.tracing.chain import Chain
-from calibrations.tracing.document import document
 from procedures.announcer import Listener
 from procedures.errors import InputError
 from procedures.programme import load_programme
@@ -138,14 +137,14 @@ def _has_rows(path: Path) -> bool:
 
 
 def _tell(traced: Traced, chain: Chain | None, json_path: Path | None, page: Path | None) -> None:
-    """Show the result where it is wanted. Raises `SystemExit` where a parameter lies outside its limits."""
+    """Show the result where it is wanted. Raises `SystemExit` where limits are not met or not decided."""
     warn(traced.loop.augmented.warnings)
     if str(json_path) != "-":
+        show_verdict(traced.verdict)
         show_loop(traced.loop)
     warn(contradictions_of(traced))
-    options.write_json(document(traced.loop) | (chain.as_json() if chain else {}), json_path)
+    options.write_json(traced.loop_json() | (chain.as_json() if chain else {}), json_path)
     if page is not None:
         write_report(traced, page, chain=chain)
         say(f"report {page}", err=True)
-    if not traced.inside:
-        raise SystemExit(int(Exit.OUTSIDE_LIMITS))
+    leave_by(traced.verdict)

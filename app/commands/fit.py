@@ -7,8 +7,9 @@ import click
 from app.analysing import fit, trace
 from app.calibrating import store
 from app.commands import options
-from app.console import show_result, warn
-from app.exits import Exit
+from app.commands.telling import leave_by
+from app.console import results, show_result, warn
+from app.loop_console import show_loop
 from app.measurements import read_measurement
 from app.stand import read_stand
 from app.stand_records import with_stand_record
@@ -24,17 +25,26 @@ from app.terminal import say
 def command(
     file: Path, json_path: Path | None, stand_path: Path | None, serial_number: str, folder: Path | None
 ) -> None:
-    """Fit a recording (.mcap) or an observation table (CSV)."""
+    """Fit a recording (.mcap) or an observation table (CSV).
+
+    Where the programme states limits, or the result is stored, the loop is closed as well: no verdict rests on the fit
+    alone.
+    """
     measurement = read_measurement(file, read_stand(stand_path).recorded if stand_path else None)
     measurement = with_stand_record(measurement, folder)
     analysed = fit(measurement, serial_number, folder=folder)
-    warn(analysed.calibration.warnings)
+    traced = trace(analysed) if analysed.limits or folder is not None else None
+    result = traced or analysed
+    warn(result.calibration.warnings)
     if str(json_path) != "-":
-        show_result(analysed)
-    document = analysed.calibration.as_json()
-    if folder is not None:
-        document["record"] = store(trace(analysed), folder).id
+        show_result(result)
+        if traced is None:
+            results().print("the values are those of the declared model alone; tumble close-loop traces what it leaves")
+        else:
+            show_loop(traced.loop)
+    document = result.as_json()
+    if traced is not None and folder is not None:
+        document["record"] = store(traced, folder).id
         say(f"record {document['record']}", err=True)
     options.write_json(document, json_path)
-    if not analysed.inside:
-        raise SystemExit(int(Exit.OUTSIDE_LIMITS))
+    leave_by(result.verdict)

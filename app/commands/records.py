@@ -16,8 +16,10 @@ from app.verifying import Finding, leftovers, verified_record
 from calibrations.quantities import format_concise
 from calibrations.records.compare import compare
 from calibrations.records.export import document
-from calibrations.records.record import Record, Verdict
+from calibrations.records.record import OLD_WORDS, Record
 from calibrations.result import Parameter
+from calibrations.usable import Model
+from calibrations.verdict import Outcome
 
 
 @click.group("records")
@@ -30,7 +32,11 @@ def command() -> None:
 @click.option("--programme", help="Only this programme.")
 @click.option("--since", type=click.DateTime(), help="Measured then or later (UTC).")
 @click.option("--until", type=click.DateTime(), help="Measured then or earlier (UTC).")
-@click.option("--verdict", type=click.Choice([str(verdict) for verdict in Verdict]), help="Only with this verdict.")
+@click.option(
+    "--verdict",
+    type=click.Choice([*map(str, Outcome), *OLD_WORDS.values()]),
+    help="Only with this verdict; the older words mean pass, fail and no_limits.",
+)
 @options.store
 @options.json_out
 def list_records(
@@ -48,17 +54,23 @@ def list_records(
         programme_name=programme,
         since=since.replace(tzinfo=UTC) if since else None,
         until=until.replace(tzinfo=UTC) if until else None,
-        verdict=Verdict(verdict) if verdict else None,
+        verdict=_outcome(verdict) if verdict else None,
     )
     if str(json_path) != "-":
         results().print(_listing(found))
     options.write_json({"schema": "tumble.records/1", "records": [document(record) for record in found]}, json_path)
 
 
+def _outcome(word: str) -> Outcome:
+    """The outcome that a word, new or old, stands for."""
+    old = {spelling: outcome for outcome, spelling in OLD_WORDS.items()}
+    return old.get(word) or Outcome(word)
+
+
 def _listing(found: tuple[Record, ...]) -> Table:
     table = Table(Column("record", no_wrap=True), "unit", "programme", "measured", "revision", "verdict", "kx")
     for record in found:
-        kx = record.parameters["kx"]
+        kx = record.values["kx"]
         value = "" if kx.value is None else format_concise(kx.value, kx.standard_uncertainty, kx.unit)
         origin = record.provenance
         measured = origin.measured_at or f"{record.created_at:%Y-%m-%d %H:%M}"
@@ -68,8 +80,8 @@ def _listing(found: tuple[Record, ...]) -> Table:
             origin.programme_name,
             measured,
             str(record.revision),
-            record.verdict,
-            value,
+            record.verdict.outcome.words,
+            "; ".join(filter(None, (value, kx.condition))),
         )
     return table
 
@@ -82,7 +94,9 @@ def show(record_id: str, folder: Path) -> None:
     store = open_store(folder)
     record = store.get(record_id)
     origin = record.provenance
-    say(f"record     {record.id}, revision {record.revision}, {record.verdict}")
+    say(f"record     {record.id}, revision {record.revision}, {record.verdict.outcome.words}")
+    for judgement in record.verdict.parameters:
+        say(f"  {judgement.sentence}")
     if record.supersedes:
         say(f"supersedes {record.supersedes}")
     say(f"unit       {origin.serial_number}", f"programme  {origin.programme_name} {origin.programme_sha256[:12]}")
@@ -91,10 +105,12 @@ def show(record_id: str, folder: Path) -> None:
     if old := unprotected(store.raw_file(record)):
         say(old)
     effects = [effect["name"] for effect in record.result.get("loop", {}).get("effects", [])]
-    _show_parameters(record.models["declared"])
     if effects:
         say(f"with {', '.join(effects)}")
-        _show_parameters(record.models["augmented"])
+    _show_parameters(record.values)
+    if record.model is Model.AUGMENTED:
+        say("of the declared model alone, which does not describe these data:")
+        _show_parameters(record.parameters)
 
 
 def _show_parameters(parameters: Mapping[str, Parameter]) -> None:
@@ -102,8 +118,8 @@ def _show_parameters(parameters: Mapping[str, Parameter]) -> None:
         if parameter.value is None:
             say(f"  {name:7s}cannot be told: {parameter.reason}")
         else:
-            given = "" if parameter.given_alpha0_deg is None else f"  given alpha0 = {parameter.given_alpha0_deg:g}°"
-            say(f"  {name:7s}{format_concise(parameter.value, parameter.standard_uncertainty, parameter.unit)}{given}")
+            value = format_concise(parameter.value, parameter.standard_uncertainty, parameter.unit)
+            say(f"  {name:7s}{value}{parameter.condition and f'  {parameter.condition}'}")
 
 
 @command.command("compare")
@@ -122,7 +138,7 @@ def compare_records(first: str, second: str, folder: Path) -> None:
 @options.store
 @click.option("--json", "json_path", type=options.RECORD, default=Path("-"), help="File; standard output without.")
 def export(record_id: str, folder: Path, json_path: Path) -> None:
-    """Export a record as JSON (tumble.record/2)."""
+    """Export a record as JSON (tumble.record/3)."""
     options.write_json(document(open_store(folder).get(record_id)), json_path)
 
 

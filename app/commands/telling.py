@@ -4,12 +4,13 @@ from pathlib import Path
 
 from app.calibrating import Calibrated, has_report, report_path
 from app.commands.options import write_json
-from app.console import show_result, warn
+from app.console import show_result, show_verdict, warn
 from app.exits import Exit
 from app.loop_console import show_loop
 from app.recall import report_again
 from app.terminal import say
-from calibrations.records.record import Record, Verdict
+from calibrations.records.record import Record
+from calibrations.verdict import Verdict
 
 
 def tell_run(recording: Path, points: int, json_path: Path | None) -> None:
@@ -19,7 +20,7 @@ def tell_run(recording: Path, points: int, json_path: Path | None) -> None:
 
 
 def tell_calibrated(done: Calibrated, json_path: Path | None) -> None:
-    """Show what a calibration gave. Raises `SystemExit` where a parameter lies outside its limits."""
+    """Show what a calibration gave. Raises `SystemExit` where limits are not met, or nothing is decided of them."""
     warn(done.analysed.calibration.warnings)
     if str(json_path) != "-":
         show_result(done.analysed)
@@ -28,14 +29,13 @@ def tell_calibrated(done: Calibrated, json_path: Path | None) -> None:
     say(*done.learned.sentences, err=True)
     left = {"record": done.record.id, "recording": str(done.recording), "report": str(done.report)}
     write_json(done.analysed.as_json() | left, json_path)
-    if not done.analysed.inside:
-        raise SystemExit(int(Exit.OUTSIDE_LIMITS))
+    leave_by(done.analysed.verdict)
 
 
 def tell_recorded(recording: Path, record: Record, folder: Path, json_path: Path | None) -> None:
     """Say that a run is complete and was calibrated; only a missing report is written.
 
-    Raises `SystemExit` where a parameter lies outside its limits.
+    Raises `SystemExit` where limits are not met, or nothing is decided of them.
     """
     report = report_path(folder, record)
     done = "nothing was done"
@@ -44,6 +44,13 @@ def tell_recorded(recording: Path, record: Record, folder: Path, json_path: Path
         done = "only its report was missing"
     say(f"{recording} is complete, and record {record.id} of it exists: {done}", err=True)
     left = {"record": record.id, "recording": str(recording), "report": str(report)}
-    write_json({**record.result, **left}, json_path)
-    if record.verdict is Verdict.OUTSIDE:
-        raise SystemExit(int(Exit.OUTSIDE_LIMITS))
+    if str(json_path) != "-":
+        show_verdict(record.verdict)
+    write_json({**record.result, "verdict": record.verdict.as_json(), **left}, json_path)
+    leave_by(record.verdict)
+
+
+def leave_by(verdict: Verdict) -> None:
+    """End with status 1 where limits are not met, or nothing is decided of them."""
+    if not verdict.outcome.good:
+        raise SystemExit(int(Exit.LIMITS_NOT_MET))

@@ -28,7 +28,7 @@ class Difference:
 
 
 def compare(first: Record, second: Record) -> tuple[Difference, ...]:
-    """Differences of all parameters, second minus first.
+    """Differences of the values to use, second minus first; what a loop withheld is not compared.
 
     The standard uncertainty is the root sum of squares (GUM 5.1.2), as if the two records were independent. What they
     share, the gain of one DAQ and the error of one head, moves both values alike and drops out of the difference: for
@@ -36,17 +36,17 @@ def compare(first: Record, second: Record) -> tuple[Difference, ...]:
     is far too large: there every difference comes from the analysis, and the sentence says so. An interval of alpha0
     that is not symmetric counts by its standard uncertainty.
     """
-    a, b = first.parameters, second.parameters
+    a, b = first.values, second.values
     same_file = first.provenance.raw_sha256 == second.provenance.raw_sha256
     return tuple(
-        _difference(a[name], b[name], same_file)
+        _difference(a[name], b[name], same_file, remark=_models(first, second) + _resting(a[name], b[name]))
         if name in a and name in b
         else _incomparable({**a, **b}[name], "only one of the records has it")
         for name in {**a, **b}
     )
 
 
-def _difference(a: Parameter, b: Parameter, same_file: bool) -> Difference:
+def _difference(a: Parameter, b: Parameter, same_file: bool, remark: str) -> Difference:
     obstacle = _obstacle(a, b)
     if obstacle or a.value is None or b.value is None:
         return _incomparable(a, obstacle)
@@ -60,8 +60,21 @@ def _difference(a: Parameter, b: Parameter, same_file: bool) -> Difference:
         standard_uncertainty=u,
         significance=significance,
         p_value=p_value,
-        sentence=_sentence(a, difference, u, p_value, same_file),
+        sentence=_sentence(a, difference, u, p_value, same_file) + remark,
     )
+
+
+def _models(first: Record, second: Record) -> str:
+    """Which models the values come from, where they are not the same."""
+    if first.model is second.model:
+        return ""
+    return f" The first value is of the {first.model} model, the second of the {second.model} one."
+
+
+def _resting(a: Parameter, b: Parameter) -> str:
+    """On what the values rest, where that was not measured."""
+    sides = [f"the {which} on {p.rests_on} alone" for which, p in (("first", a), ("second", b)) if p.rests_on]
+    return f" It rests in {' and in '.join(sides)}." if sides else ""
 
 
 def _incomparable(parameter: Parameter, obstacle: str) -> Difference:

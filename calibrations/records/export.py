@@ -1,4 +1,4 @@
-"""A record as one JSON document, `tumble.record/2`, that carries its own hash."""
+"""A record as one JSON document, `tumble.record/3`, that carries its own hash."""
 
 from collections.abc import Mapping
 from dataclasses import fields
@@ -6,7 +6,7 @@ from typing import Any
 
 from calibrations.provenance import LimitCheck, Provenance
 from calibrations.records.canonical import canonical_sha256, canonical_text, plain
-from calibrations.records.record import Record
+from calibrations.records.record import JUDGED_SINCE, OLD_WORDS, Record
 from calibrations.records.times import utc_text
 
 
@@ -34,11 +34,17 @@ def content(record: Record) -> dict[str, Any]:
         "revision": record.revision,
         "supersedes": record.supersedes,
         "created_at": utc_text(record.created_at),
-        "verdict": str(record.verdict),
+        "verdict": record.verdict.as_json() if record.format_version >= JUDGED_SINCE else spelling(record),
         "limits": [flat(check) for check in record.limits],
         "provenance": flat(record.provenance),
         "result": plain(record.result),
     }
+
+
+def spelling(record: Record) -> str:
+    """The outcome in one word, as records of its format spell it."""
+    outcome = record.verdict.outcome
+    return str(outcome) if record.format_version >= JUDGED_SINCE else OLD_WORDS[outcome]
 
 
 def flat(data: Provenance | LimitCheck) -> dict[str, Any]:

@@ -3,34 +3,40 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
-from enum import StrEnum
 from typing import Any
 
 from calibrations.model import PARAMETERS
 from calibrations.provenance import LimitCheck, Provenance
 from calibrations.result import Parameter
+from calibrations.usable import Model, without_withheld
+from calibrations.verdict import Judgement, Outcome, Verdict, verdict_from_json
 
-FORMAT_VERSION = 2
+FORMAT_VERSION = 3
 """Of the records that this program writes: what a record holds and how its hash is taken.
 
-1 had no closed loop. Records of every format are read.
+1 had no closed loop. Up to 2 the verdict was a word, on the declared model's values alone. Records of every format are
+read.
 """
+JUDGED_SINCE = 3
+"""The format from which on a record holds a verdict with its reasons."""
+OLD_WORDS = {Outcome.PASS: "inside", Outcome.FAIL: "outside", Outcome.NO_LIMITS: "not judged"}
+"""How older records spell what they decided."""
 
 
-class Verdict(StrEnum):
-    """How a calibration stands against the limits of its programme."""
-
-    INSIDE = "inside"
-    OUTSIDE = "outside"
-    NOT_JUDGED = "not judged"
-    """The programme states no limits."""
-
-
-def verdict_of(limits: Sequence[LimitCheck]) -> Verdict:
-    """Inside if every parameter with limits is."""
-    if not limits:
-        return Verdict.NOT_JUDGED
-    return Verdict.INSIDE if all(check.inside for check in limits) else Verdict.OUTSIDE
+def old_verdict(limits: Sequence[LimitCheck]) -> Verdict:
+    """What a record decided before there were reasons: the declared model's value, whatever it rested on."""
+    return Verdict(
+        judged=Model.DECLARED,
+        parameters=tuple(
+            Judgement(
+                name=check.name,
+                outcome=Outcome.PASS if check.inside else Outcome.FAIL,
+                reason="judged by an earlier version, by the value of the declared model alone",
+                remedy="analyse it again",
+            )
+            for check in limits
+        ),
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -46,11 +52,11 @@ class Record:
     """Id of the record that this one takes the place of."""
     created_at: datetime
     """When the record was made, UTC."""
-    verdict: Verdict
     limits: tuple[LimitCheck, ...]
     provenance: Provenance
     result: Mapping[str, Any]
-    """The calibration as `tumble.fit/1`, with the closed loop (`tumble.loop/1`) under `loop` where it was closed."""
+    """The calibration as `tumble.fit/1`, with the closed loop (`tumble.loop/1`) under `loop` where it was closed, and
+    the verdict under `verdict`."""
     content_sha256: str
     """Of everything above, see `export.document`."""
 
@@ -60,9 +66,29 @@ class Record:
         return bool(self.result["complete"])
 
     @property
+    def verdict(self) -> Verdict:
+        """How the unit stands against the limits of its programme."""
+        stored = self.result.get("verdict")
+        return verdict_from_json(stored) if stored else old_verdict(self.limits)
+
+    @property
     def parameters(self) -> Mapping[str, Parameter]:
         """The parameters of the declared model by name, as the calibration had them."""
-        return parameters_from_json(self.result)
+        return self.models["declared"]
+
+    @property
+    def model(self) -> Model:
+        """The model whose values are to be used: the augmented one where the loop found something."""
+        loop = self.result.get("loop", {})
+        return Model.AUGMENTED if loop.get("effects") or loop.get("unexplained") else Model.DECLARED
+
+    @property
+    def values(self) -> Mapping[str, Parameter]:
+        """The values to use, by name: what the loop withholds has none."""
+        models = self.models
+        if self.model is Model.AUGMENTED:
+            return models["augmented"]
+        return without_withheld(models["declared"], models.get("augmented", {}))
 
     @property
     def models(self) -> Mapping[str, Mapping[str, Parameter]]:
@@ -71,9 +97,14 @@ class Record:
 
 
 def models_from_json(result: Mapping[str, Any]) -> dict[str, Mapping[str, Parameter]]:
-    """Parameters of the model `declared` and, where the loop was closed, of the model `augmented`, by name."""
-    models: dict[str, Mapping[str, Parameter]] = {"declared": parameters_from_json(result)}
-    return models | ({"augmented": parameters_from_json(result["loop"]["augmented"])} if "loop" in result else {})
+    """Parameters of the model `declared` and, where the loop was closed, of the model `augmented`, by name.
+
+    Where a result says of which `model` its parameters are, the declared ones stand in its loop.
+    """
+    loop = result.get("loop")
+    declared = loop["declared"] if loop and "model" in result else result
+    models: dict[str, Mapping[str, Parameter]] = {"declared": parameters_from_json(declared)}
+    return models | ({"augmented": parameters_from_json(loop["augmented"])} if loop else {})
 
 
 def parameters_from_json(result: Mapping[str, Any]) -> dict[str, Parameter]:

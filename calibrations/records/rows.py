@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from calibrations.provenance import LimitCheck, Provenance
-from calibrations.records.export import content
-from calibrations.records.record import Record, Verdict
+from calibrations.records.export import content, spelling
+from calibrations.records.record import Record
 from calibrations.records.times import read_time, utc_text
 from calibrations.result import Parameter
 
@@ -22,7 +22,7 @@ _FROM_PROVENANCE = (
     "git_dirty",
 )
 
-_FROM_CONTENT = ("id", "revision", "supersedes", "created_at", "verdict", "limits", "provenance", "result")
+_FROM_CONTENT = ("id", "revision", "supersedes", "created_at", "limits", "provenance", "result")
 
 
 def record_row(record: Record) -> dict[str, Any]:
@@ -34,6 +34,7 @@ def record_row(record: Record) -> dict[str, Any]:
         **{name: document["provenance"][name] for name in _FROM_PROVENANCE},
         "measured_at": utc_text(read_time(measured_at)) if measured_at else None,
         "format_version": record.format_version,
+        "verdict": spelling(record),
         "complete": record.complete,
         "content_sha256": record.content_sha256,
     }
@@ -74,7 +75,6 @@ def record_from_row(row: Mapping[str, Any]) -> Record:
         revision=row["revision"],
         supersedes=row["supersedes"],
         created_at=read_time(row["created_at"]),
-        verdict=Verdict(row["verdict"]),
         limits=tuple(LimitCheck(**check) for check in row["limits"]),
         provenance=Provenance(**row["provenance"]),
         result=row["result"],

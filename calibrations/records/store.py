@@ -9,6 +9,7 @@ from typing import Any
 
 from sqlalchemy import ColumnElement, Connection, Select, exists, func, insert, select
 
+from calibrations.judging import judge
 from calibrations.provenance import LimitCheck, Provenance
 from calibrations.records.canonical import canonical_sha256, plain
 from calibrations.records.database import open_database, storage_errors, writing
@@ -16,13 +17,14 @@ from calibrations.records.errors import RecordError, StoreError
 from calibrations.records.export import content, flat
 from calibrations.records.inventory import Inventory, inventory
 from calibrations.records.raw import resolved_path, stored_path
-from calibrations.records.record import FORMAT_VERSION, Record, Verdict, verdict_of
+from calibrations.records.record import FORMAT_VERSION, OLD_WORDS, Record
 from calibrations.records.rows import parameter_rows, record_from_row, record_row
 from calibrations.records.schema import PARAMETERS, RECORDS
 from calibrations.records.times import utc_now, utc_text
 from calibrations.result import Calibration
 from calibrations.tracing.document import result_document
 from calibrations.tracing.loop import Loop
+from calibrations.verdict import Outcome, Verdict
 
 DATABASE = "records.sqlite"
 
@@ -69,18 +71,20 @@ class Store:
         limits: Sequence[LimitCheck] = (),
         supersedes: str | None = None,
         loop: Loop | None = None,
+        verdict: Verdict | None = None,
     ) -> Record:
         """Record a calibration, in one transaction.
 
         `supersedes` is the id of the record that this one, another analysis of the same raw file, takes the place of.
         With `loop`, closed on the same raw file, the record holds the augmented model beside the declared one.
+        Without `verdict` the values to use are judged here.
 
         Raises
         ------
         RecordError
             `supersedes` names no record, one that is superseded already, or one of another raw file.
         """
-        result = plain(result_document(calibration, loop))
+        result = plain(result_document(calibration, loop, verdict or judge(calibration, limits, loop)))
         with storage_errors(self.path), writing(self._engine) as connection:
             old = self._revisable(connection, supersedes, provenance) if supersedes else None
             record = _new_record(result, provenance, limits, old, self._now())
@@ -112,7 +116,7 @@ class Store:
         programme_name: str | None = None,
         since: datetime | None = None,
         until: datetime | None = None,
-        verdict: Verdict | None = None,
+        verdict: Outcome | None = None,
     ) -> tuple[Record, ...]:
         """Records that stand (no newer revision) and fit everything given, in the order of measurement.
 
@@ -123,7 +127,7 @@ class Store:
             RECORDS.c.programme_name == programme_name if programme_name is not None else None,
             utc_text(since) <= _MEASURED_AT if since else None,
             utc_text(until) >= _MEASURED_AT if until else None,
-            RECORDS.c.verdict == str(verdict) if verdict else None,
+            RECORDS.c.verdict.in_([str(verdict), OLD_WORDS.get(verdict)]) if verdict else None,
         ]
         given: list[ColumnElement[bool]] = [condition for condition in conditions if condition is not None]
         return self._records(select(RECORDS).where(_STANDS, *given).order_by(_MEASURED_AT, RECORDS.c.id))
@@ -203,7 +207,6 @@ def _new_record(
         revision=old.revision + 1 if old else 1,
         supersedes=old.id if old else None,
         created_at=created_at,
-        verdict=verdict_of(limits),
         limits=tuple(limits),
         provenance=Provenance(**flat(provenance)),
         result=result,

@@ -17,7 +17,7 @@ LISTED_ROWS = 50
 
 def supported(subject: Subject) -> dict[str, Any]:
     """The statements, each with the names it is about."""
-    return {"statements": support(subject.calibration)}
+    return {"statements": support(subject.use.calibration)}
 
 
 def fit(subject: Subject) -> dict[str, Any]:

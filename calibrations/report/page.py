@@ -71,7 +71,7 @@ def render_report(
     provenance
         Where it comes from.
     limits
-        Checks against the limits of the programme; without them there is no verdict.
+        Limits of the programme; without them there is no verdict.
     record_id
         Identifier in the store; empty where there is none.
     revision

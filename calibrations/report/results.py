@@ -19,6 +19,8 @@ from calibrations.report.subject import Subject
 from calibrations.result import Parameter
 from calibrations.support import equals, series
 from calibrations.tracing.words import found_sentences
+from calibrations.usable import Model
+from calibrations.verdict import Judgement, Outcome, Verdict
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -39,23 +41,35 @@ class ResultRow:
     remedy: str = ""
     limits: str = ""
     verdict: str = ""
-    inside: bool = True
+    outcome: Outcome = Outcome.NO_LIMITS
 
 
 def header(subject: Subject) -> dict[str, Any]:
     """Verdict and notices, for the head of the page."""
-    return {"verdict": _verdict(subject.limits), "failed": _outside(subject.limits), "notices": notices(subject)}
+    verdict = subject.verdict
+    return {
+        "verdict": headline(verdict),
+        "mark": _MARKS.get(verdict.outcome, ""),
+        "outcome": str(verdict.outcome),
+        "judged": str(verdict.judged),
+        "decided": [judgement.sentence for judgement in verdict.parameters],
+        "notices": notices(subject),
+    }
 
 
-def _outside(limits: tuple[LimitCheck, ...]) -> list[str]:
-    return [check.name for check in limits if not check.inside]
+_MARKS = {Outcome.PASS: "✓", Outcome.FAIL: "✗", Outcome.NOT_DECIDED: "?"}
 
 
-def _verdict(limits: tuple[LimitCheck, ...]) -> str:
-    if not limits:
-        return ""
-    outside = _outside(limits)
-    return f"Outside the limits: {series(outside)}" if outside else "Inside the limits"
+def headline(verdict: Verdict) -> str:
+    """What is decided, in a few words; empty where there are no limits."""
+    outside, undecided = verdict.named(Outcome.FAIL), verdict.named(Outcome.NOT_DECIDED)
+    if verdict.outcome is Outcome.PASS:
+        return "Inside the limits"
+    parts = [
+        f"Outside the limits: {series(outside)}" if outside else "",
+        f"{'not' if outside else 'Not'} decided: {series(undecided)}" if undecided else "",
+    ]
+    return "; ".join(filter(None, parts))
 
 
 def notices(subject: Subject) -> list[str]:
@@ -65,7 +79,7 @@ def notices(subject: Subject) -> list[str]:
     if not calibration.observations.complete:
         found.append("The recording is incomplete: the result rests on the rows before it was cut off.")
     found.extend(calibration.warnings)
-    untold = [name for name, parameter in calibration.parameters.items() if parameter.value is None]
+    untold = [name for name, parameter in subject.use.calibration.parameters.items() if parameter.value is None]
     if untold:
         found.append(f"This data cannot tell {series(untold, 'or')}; the table of results says why.")
     if calibration.lack_of_fit_p is not None and calibration.lack_of_fit_p < LACK_OF_FIT_P:
@@ -83,21 +97,23 @@ def notices(subject: Subject) -> list[str]:
 def results(subject: Subject) -> dict[str, Any]:
     """The result table and, where local gravity is known, the coefficients per m/s²."""
     checks = {check.name: check for check in subject.limits}
+    use, verdict = subject.use, subject.verdict
     return {
-        "rows": [_row(p, checks.get(p.name)) for p in subject.calibration.parameters.values()],
+        "rows": [_row(p, checks.get(p.name), verdict.of(p.name)) for p in use.calibration.parameters.values()],
         "has_limits": bool(checks),
+        "augmented": use.model is Model.AUGMENTED,
         "per_acceleration": [
             (name, format_concise(c.value, c.standard_uncertainty, c.unit))
-            for name, c in subject.calibration.per_acceleration.items()
+            for name, c in use.calibration.per_acceleration.items()
         ],
     }
 
 
-def _row(parameter: Parameter, check: LimitCheck | None) -> ResultRow:
+def _row(parameter: Parameter, check: LimitCheck | None, judgement: Judgement | None) -> ResultRow:
     cells: dict[str, Any] = {}
-    if check:
+    if check and judgement:
         limits = format_limits(check.minimum, check.maximum, parameter.unit)
-        cells = {"limits": limits, "verdict": _judge(parameter, check), "inside": check.inside}
+        cells = {"limits": limits, "verdict": _decided(parameter, check, judgement), "outcome": judgement.outcome}
     if parameter.value is None or parameter.interval_95 is None or parameter.standard_uncertainty is None:
         return ResultRow(
             name=parameter.name,
@@ -152,13 +168,13 @@ def _note(parameter: Parameter) -> str:
     return f"rests on {parameter.rests_on}" if parameter.rests_on else ""
 
 
-def _judge(parameter: Parameter, check: LimitCheck) -> str:
-    """Inside or outside, and whether the 95% interval reaches over the limit."""
-    if parameter.value is None or parameter.interval_95 is None:
-        return "outside: no value"
+def _decided(parameter: Parameter, check: LimitCheck, judgement: Judgement) -> str:
+    """Inside or outside, and whether the 95% interval reaches over the limit; or that it is not decided."""
+    if judgement.outcome is Outcome.NOT_DECIDED or parameter.interval_95 is None:
+        return "not decided: no value" if parameter.value is None else "not decided"
     low, high = parameter.interval_95
     wholly = (check.minimum is None or low >= check.minimum) and (check.maximum is None or high <= check.maximum)
     beyond = (check.minimum is not None and high < check.minimum) or (check.maximum is not None and low > check.maximum)
-    if check.inside:
+    if judgement.outcome is Outcome.PASS:
         return "inside" if wholly else "inside, but the interval reaches out"
     return "outside" if beyond else "outside, but the interval reaches in"

@@ -1,11 +1,15 @@
 """What a report is about."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
+from calibrations.judging import judge
 from calibrations.provenance import LimitCheck, Provenance
 from calibrations.result import Calibration, Parameter
 from calibrations.tracing.chain import Chain
 from calibrations.tracing.loop import Loop
+from calibrations.usable import Usable, usable
+from calibrations.verdict import Verdict
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -13,6 +17,7 @@ class Subject:
     """Everything that a section of the page may draw on."""
 
     calibration: Calibration
+    """The fit of the declared model."""
     provenance: Provenance
     limits: tuple[LimitCheck, ...] = ()
     record_id: str = ""
@@ -22,10 +27,22 @@ class Subject:
     """None where the loop was not closed."""
     chain: Chain | None = None
     """None where nothing was run to close it."""
+    decided: Verdict | None = None
+    """The verdict, where it is known already."""
     contradictions: tuple[str, ...] = ()
     """Where the loop contradicts the stand record that was applied."""
 
+    @cached_property
+    def use(self) -> Usable:
+        """The values to use, by what the loop found."""
+        return usable(self.calibration, self.loop)
+
+    @cached_property
+    def verdict(self) -> Verdict:
+        """How the unit stands against the limits of its programme."""
+        return self.decided or judge(self.calibration, self.limits, self.loop)
+
     @property
     def told(self) -> tuple[Parameter, ...]:
-        """The parameters that have a value."""
-        return tuple(parameter for parameter in self.calibration.parameters.values() if parameter.value is not None)
+        """The parameters that have a value that may be used."""
+        return tuple(parameter for parameter in self.use.calibration.parameters.values() if parameter.value is not None)

@@ -34,7 +34,7 @@ _WHY = {
 
 def budget(subject: Subject) -> dict[str, Any]:
     """Sources by parameters, what they come to, and the Monte Carlo check beside it."""
-    calibration, told = subject.calibration, subject.told
+    calibration, told = subject.use.calibration, subject.told
     columns = [_Column(parameter) for parameter in told]
     checks = [_comparison(p, *calibration.monte_carlo[p.name]) for p in told if p.name in calibration.monte_carlo]
     return {
@@ -116,9 +116,9 @@ def _why(parameter: Parameter) -> str:
 
 def correlation(subject: Subject) -> dict[str, Any]:
     """The lower triangle of the correlation matrix of the parameters that have a value."""
-    names = list(subject.calibration.parameters)
+    names = list(subject.use.calibration.parameters)
     told = [names.index(parameter.name) for parameter in subject.told]
-    matrix = subject.calibration.correlation
+    matrix = subject.use.calibration.correlation
     rows = [
         (names[i], [(format_correlation(float(matrix[i, j])), bool(abs(matrix[i, j]) > 0.9 and i != j))
                     for j in told[: place + 1]])
@@ -129,7 +129,7 @@ def correlation(subject: Subject) -> dict[str, Any]:
 
 def published(subject: Subject) -> dict[str, Any]:
     """Both methods side by side, and what the z flip of the published one leaves out."""
-    calibration = subject.calibration
+    calibration = subject.use.calibration
     return {
         "rows": [
             (
@@ -157,9 +157,9 @@ def _difference(parameter: Parameter, other: float | None) -> str:
 
 def _what_flips_leave_out(subject: Subject) -> str:
     """How far off kz of the published method may be, because its flip takes alpha0 as 0."""
-    parameters = subject.calibration.parameters
+    parameters = subject.use.calibration.parameters
     scale, angle = parameters["kx"].value, parameters["alpha0"].interval_95
-    other = subject.calibration.published.get("kz")
+    other = subject.use.calibration.published.get("kz")
     if scale is None or other is None or other.value is None:
         return ""
     reach_deg = 1.0 if angle is None else max(abs(angle[0]), abs(angle[1]))

@@ -10,15 +10,18 @@ from calibrations.tracing.experiments import Experiment
 from calibrations.tracing.findings import EffectFound, Unexplained
 from calibrations.tracing.loop import Loop
 from calibrations.tracing.misreading import Misreading
+from calibrations.usable import usable
+from calibrations.verdict import Verdict
 
 SCHEMA = "tumble.loop/1"
 
 
-def document(loop: Loop) -> dict[str, Any]:
-    """The result of closing the loop."""
+def document(loop: Loop, verdict: Verdict | None = None) -> dict[str, Any]:
+    """The result of closing the loop, with what was decided where that was asked."""
     noise = loop.augmented.noise
     return {
         "schema": SCHEMA,
+        **_verdict_json(verdict),
         "rows": rows_json(loop.augmented.observations),
         "noise": {"pure_error_V": noise.pure_error_v, "degrees_of_freedom": noise.degrees_of_freedom},
         "declared": model_json(loop.declared),
@@ -35,9 +38,30 @@ def experiment_json(experiment: Experiment) -> dict[str, Any]:
     return {"separates": list(experiment.separates), "why": experiment.why, "command": experiment.command}
 
 
-def result_document(calibration: Calibration, loop: Loop | None) -> dict[str, Any]:
-    """A calibration as `tumble.fit/1`, with the closed loop under `loop` where it was closed."""
-    return calibration.as_json() | ({} if loop is None else {"loop": document(loop)})
+def result_document(calibration: Calibration, loop: Loop | None, verdict: Verdict | None = None) -> dict[str, Any]:
+    """A calibration as `tumble.fit/1`, with the closed loop under `loop` where it was closed.
+
+    `parameters`, and what is computed from them, are the values to use, of the model that `model` names; whether the
+    declared model fits stays what it is. The declared model's own values are in the loop.
+    """
+    if loop is None:
+        return calibration.as_json() | _verdict_json(verdict)
+    use, declared = usable(calibration, loop), calibration.as_json()
+    adequacy = {key: declared[key] for key in _ADEQUACY}
+    return (
+        {"schema": declared["schema"], **_verdict_json(verdict), "model": str(use.model)}
+        | use.calibration.as_json()
+        | adequacy
+        | {"loop": document(loop)}
+    )
+
+
+_ADEQUACY = ("residual_rms_V", "held_out_rms_V", "lack_of_fit_p", "flip_closure")
+"""How well the declared model fits."""
+
+
+def _verdict_json(verdict: Verdict | None) -> dict[str, Any]:
+    return {} if verdict is None else {"verdict": verdict.as_json()}
 
 
 def model_json(calibration: Calibration) -> dict[str, Any]:

@@ -80,23 +80,23 @@ def test_a_parameter_inside_its_limits_is_good(write, tmp_path, no_report):
     ran, record = calibrate_with(write, tmp_path, "u0 = { min = 2.49, max = 2.51 }")
 
     assert ran.status == 0
-    assert record["verdict"] == "inside"
+    assert record["verdict"]["outcome"] == "pass"
 
 
 def test_a_parameter_outside_its_limits_is_status_1_and_the_record_says_so(write, tmp_path, no_report):
     ran, record = calibrate_with(write, tmp_path, "u0 = { min = 2.6, max = 2.7 }")
 
     assert ran.status == 1
-    assert record["verdict"] == "outside"
+    assert record["verdict"]["outcome"] == "fail"
     assert record["limits"] == [{"name": "u0", "minimum": 2.6, "maximum": 2.7, "inside": False}]
 
 
-def test_a_limited_parameter_that_cannot_be_told_is_outside(write, tmp_path, no_report):
+def test_a_limited_parameter_that_cannot_be_told_is_not_decided(write, tmp_path, no_report):
     ran, record = calibrate_with(write, tmp_path, "kz = { min = -1.0, max = 1.0 }")
 
     assert ran.status == 1
     assert json.loads(ran.out)["parameters"]["kz"]["value"] is None
-    assert record["verdict"] == "outside"
+    assert record["verdict"]["outcome"] == "not_decided"
 
 
 def test_the_terminal_marks_what_is_outside(write, tmp_path):

@@ -21,11 +21,11 @@ def record(tmp_path_factory):
 
 def test_a_document_says_what_it_is_and_holds_the_whole_chain(record):
     exported = document(record)
-    assert exported["schema"] == "tumble.record/2"
-    assert exported["result"] == calibration().as_json()
+    assert exported["schema"] == "tumble.record/3"
+    assert exported["result"] == calibration().as_json() | {"verdict": exported["verdict"]}
     assert exported["provenance"]["raw_sha256"] == record.provenance.raw_sha256
     assert exported["limits"] == [{"name": "kx", "minimum": 0.95, "maximum": 1.05, "inside": True}]
-    assert (exported["verdict"], exported["revision"], exported["supersedes"]) == ("inside", 1, None)
+    assert (exported["verdict"]["outcome"], exported["revision"], exported["supersedes"]) == ("pass", 1, None)
 
 
 def test_the_text_is_the_document_on_one_line(record):

@@ -10,9 +10,9 @@ from sqlalchemy import create_mock_engine
 
 from calibrations.records.database import open_database
 from calibrations.records.export import document, is_intact
-from calibrations.records.record import Verdict
 from calibrations.records.schema import METADATA
 from calibrations.records.store import DATABASE, Store
+from calibrations.verdict import Outcome
 
 FIXTURE = Path(__file__).parent / "fixtures" / "records_v1.sqlite"
 
@@ -95,7 +95,7 @@ def store_v1(tmp_path):
 def test_records_of_format_1_still_load(store_v1):
     (second,) = store_v1.find(serial_number="SN 17")
     first, _ = store_v1.revisions(second)
-    assert (first.format_version, first.revision, first.verdict) == (1, 1, Verdict.OUTSIDE)
+    assert (first.format_version, first.revision, first.verdict.outcome) == (1, 1, Outcome.FAIL)
     assert first.provenance.operator == "Олена"
     assert first.parameters["u0"].value == pytest.approx(2.5, abs=1e-4)
     assert second.parameters["kz"].value is None

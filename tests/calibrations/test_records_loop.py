@@ -15,6 +15,7 @@ from calibrations.records.store import DATABASE, Store
 from calibrations.records.verify import verify
 from calibrations.tracing.document import document as loop_document
 from calibrations.tracing.document import result_document
+from calibrations.verdict import Outcome
 
 FIXTURES = Path(__file__).parent / "fixtures"
 NAMES = ["u0", "kx", "ky", "kz", "kxy", "alpha0"]
@@ -64,9 +65,9 @@ def test_a_record_keeps_the_declared_and_the_augmented_model(store, record):
 
 
 def test_a_record_holds_the_whole_loop(record):
-    assert record.format_version == 2
+    assert record.format_version == 3
     assert record.result["loop"] == loop_document(with_k_xx())
-    assert document(record)["schema"] == "tumble.record/2"
+    assert document(record)["schema"] == "tumble.record/3"
     assert is_intact(document(record))
 
 
@@ -130,3 +131,36 @@ def test_records_of_format_2_still_load(store_v2):
 
 def test_the_hash_of_a_record_of_format_2_still_holds(store_v2):
     assert all(is_intact(document(record)) for record in store_v2.revisions(store_v2.find()[0]))
+
+
+@pytest.fixture
+def store_v3(tmp_path):
+    shutil.copy(FIXTURES / "records_v3.sqlite", tmp_path / DATABASE)
+    return Store.existing(tmp_path)
+
+
+def test_records_of_format_3_hold_the_verdict_with_its_reasons(store_v3):
+    (second,) = store_v3.find(serial_number="SN 17")
+    first, _ = store_v3.revisions(second)
+    assert [record.format_version for record in (first, second)] == [3, 3]
+    assert (first.verdict.outcome, first.verdict.named(Outcome.FAIL)) == (Outcome.FAIL, ("ky",))
+    assert second.verdict.outcome is Outcome.NO_LIMITS
+    assert all(is_intact(document(record)) for record in (first, second))
+
+
+def test_an_old_verdict_says_that_it_is_of_the_declared_model_alone(tmp_path):
+    shutil.copy(FIXTURES / "records_v2.sqlite", tmp_path / DATABASE)
+    store = Store.existing(tmp_path)
+    first, _ = store.revisions(store.find()[0])
+    (_, ky) = first.verdict.parameters
+    assert (ky.outcome, ky.reason) == (
+        Outcome.FAIL,
+        "judged by an earlier version, by the value of the declared model alone",
+    )
+    assert document(first)["verdict"] == "outside"
+
+
+def test_the_values_to_use_of_an_old_record_follow_from_its_loop(store_v2):
+    (second,) = store_v2.find()
+    assert second.model == "augmented"
+    assert second.values == second.models["augmented"]

@@ -10,8 +10,8 @@ import pytest
 from records_examples import KX_INSIDE, KY_OUTSIDE, calibration, minutes_pass, provenance, sweep_only
 
 from calibrations.records.errors import RecordError
-from calibrations.records.record import Verdict
 from calibrations.records.store import Store
+from calibrations.verdict import Outcome
 
 
 @pytest.fixture
@@ -96,10 +96,10 @@ def test_records_are_found_by_unit_programme_and_verdict(store):
     other = store.add(calibration(), provenance(serial_number="SN 18"))
     assert store.find(serial_number="SN 17") == (inside, outside)
     assert store.find(programme_name="quick") == (outside,)
-    assert store.find(verdict=Verdict.INSIDE) == (inside,)
-    assert store.find(verdict=Verdict.OUTSIDE) == (outside,)
-    assert store.find(verdict=Verdict.NOT_JUDGED) == (other,)
-    assert store.find(serial_number="SN 18", verdict=Verdict.INSIDE) == ()
+    assert store.find(verdict=Outcome.PASS) == (inside,)
+    assert store.find(verdict=Outcome.FAIL) == (outside,)
+    assert store.find(verdict=Outcome.NO_LIMITS) == (other,)
+    assert store.find(serial_number="SN 18", verdict=Outcome.PASS) == ()
 
 
 def test_records_are_found_by_the_time_of_measurement_whatever_its_time_zone(store):

@@ -91,7 +91,7 @@ def test_a_missing_raw_file_is_seen(store, record):
             {"content", "parameters"},
         ),
         ("records_no_update", "UPDATE records SET operator = 'somebody else'", {"column operator"}),
-        ("records_no_update", "UPDATE records SET verdict = 'outside'", {"content"}),
+        ("records_no_update", "UPDATE records SET verdict = 'fail'", {"column verdict"}),
         ("parameters_no_update", "UPDATE parameters SET value = 1.5 WHERE name = 'kx'", {"parameters"}),
         ("parameters_no_delete", "DELETE FROM parameters WHERE name = 'kx'", {"parameters"}),
     ],

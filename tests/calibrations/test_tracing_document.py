@@ -70,4 +70,7 @@ def test_a_parameter_taken_back_is_null_with_its_reason_and_a_conditional_one_sa
 def test_a_calibration_has_its_loop_under_a_key_of_its_own():
     calibration = clean().declared
     assert result_document(calibration, None) == calibration.as_json()
-    assert result_document(calibration, clean()) == calibration.as_json() | {"loop": document(clean())}
+    assert result_document(calibration, clean()) == calibration.as_json() | {
+        "model": "declared",
+        "loop": document(clean()),
+    }

@@ -43,7 +43,8 @@ ANALYSIS_CLAUSES: Final[tuple[str, ...]] = (  # type: ignore[assignment]  # the 
     # limits
     QT_TRANSLATE_NOOP("Clauses", "inside"),
     QT_TRANSLATE_NOOP("Clauses", "outside"),
-    QT_TRANSLATE_NOOP("Clauses", "outside: no value"),
+    QT_TRANSLATE_NOOP("Clauses", "not decided"),
+    QT_TRANSLATE_NOOP("Clauses", "not decided: no value"),
     QT_TRANSLATE_NOOP("Clauses", "inside, but the interval reaches out"),
     QT_TRANSLATE_NOOP("Clauses", "outside, but the interval reaches in"),
     # what cannot be told

@@ -9,7 +9,9 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QPushButton, QTabWidget, QVBoxLayout, QWidget
 
 from calibrations.quantities import format_concise
-from calibrations.records.record import Record, Verdict
+from calibrations.records.record import Record
+from calibrations.result import Parameter
+from calibrations.verdict import Outcome
 from procedures.errors import InputError
 from window.look.numbers import local
 from window.look.plain import PlainLabel
@@ -130,19 +132,20 @@ class RecordsScreen(QWidget):
         self._refresh_buttons()
 
     def _line(self, record: Record) -> tuple[str, ...]:
-        kx, origin = record.parameters["kx"], record.provenance
+        kx, origin = record.values["kx"], record.provenance
         verdicts = {
-            Verdict.INSIDE: self.tr("✓ inside"),
-            Verdict.OUTSIDE: self.tr("✗ outside"),
-            Verdict.NOT_JUDGED: self.tr("not judged"),
+            Outcome.PASS: self.tr("✓ inside"),
+            Outcome.FAIL: self.tr("✗ outside"),
+            Outcome.NOT_DECIDED: self.tr("? not decided"),
+            Outcome.NO_LIMITS: self.tr("not judged"),
         }
         return (
             origin.serial_number,
             origin.programme_name,
             (origin.measured_at or f"{record.created_at:%Y-%m-%dT%H:%M}").replace("T", " ")[:16],
             str(record.revision),
-            verdicts[record.verdict],
-            "" if kx.value is None else local(format_concise(kx.value, kx.standard_uncertainty, kx.unit)),
+            verdicts[record.verdict.outcome],
+            _value(kx),
             record.id,
         )
 
@@ -213,3 +216,11 @@ class RecordsScreen(QWidget):
             self.refused.emit(error)
             return
         self.resume_wanted.emit(resumption, resumption.unfinished.recording.points)
+
+
+def _value(parameter: Parameter) -> str:
+    """A value with the condition on which it stands; empty where there is none."""
+    if parameter.value is None:
+        return ""
+    value = local(format_concise(parameter.value, parameter.standard_uncertainty, parameter.unit))
+    return f"{value} ({in_language(parameter.condition)})" if parameter.condition else value

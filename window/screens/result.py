@@ -9,7 +9,8 @@ from PySide6.QtWidgets import QHBoxLayout, QPushButton, QTabWidget, QVBoxLayout,
 
 from app.running import Job
 from app.stand import LoadedStand
-from calibrations.records.record import Verdict
+from calibrations.usable import Model
+from calibrations.verdict import Outcome, Verdict
 from procedures.errors import InputError
 from procedures.programme import load_programme
 from window.look.plain import PlainLabel
@@ -89,22 +90,30 @@ class ResultScreen(QWidget):
     def _show_head(self, presentation: Presentation) -> None:
         concluded = presentation.concluded
         self.verdict.setObjectName(
-            {Verdict.INSIDE: "good", Verdict.OUTSIDE: "bad"}.get(presentation.verdict, "heading")
+            {Outcome.PASS: "good", Outcome.NO_LIMITS: "heading"}.get(presentation.verdict.outcome, "bad")
         )
         self.verdict.style().polish(self.verdict)
-        self.verdict.setText(
-            {
-                Verdict.INSIDE: self.tr("✓ Inside the limits"),
-                Verdict.OUTSIDE: self.tr("✗ Outside the limits: {names}").format(names=", ".join(presentation.outside)),
-                Verdict.NOT_JUDGED: self.tr("The programme states no limits"),
-            }[presentation.verdict]
-        )
+        self.verdict.setText(self._verdict_text(presentation.verdict))
         origin = concluded.traced.provenance
         parts = (origin.serial_number, origin.programme_name, origin.measured_at, origin.operator, concluded.record_id)
         self._subject.setText(" · ".join(part for part in parts if part))
-        self._notices.setText("\n".join(f"⚠ {in_language(notice)}" for notice in presentation.notices))
-        self._notices.setVisible(bool(presentation.notices))
+        undecided = [each for each in presentation.verdict.parameters if each.outcome is Outcome.NOT_DECIDED]
+        notices = [*(each.sentence for each in undecided), *presentation.notices]
+        self._notices.setText("\n".join(f"⚠ {in_language(notice)}" for notice in notices))
+        self._notices.setVisible(bool(notices))
         self.report_button.setEnabled(concluded.report is not None)
+
+    def _verdict_text(self, verdict: Verdict) -> str:
+        """What is decided, and of which model where that is not the declared one."""
+        failed, undecided = (", ".join(verdict.named(each)) for each in (Outcome.FAIL, Outcome.NOT_DECIDED))
+        parts = [
+            self.tr("The programme states no limits") if verdict.outcome is Outcome.NO_LIMITS else "",
+            self.tr("✓ Inside the limits") if verdict.outcome is Outcome.PASS else "",
+            self.tr("✗ Outside the limits: {names}").format(names=failed) if failed else "",
+            self.tr("? Not decided: {names}").format(names=undecided) if undecided else "",
+            self.tr("(with what was found)") if verdict.judged is Model.AUGMENTED else "",
+        ]
+        return " ".join(filter(None, parts))
 
     def _show_table(self, presentation: Presentation) -> None:
         shades = colours(self)
@@ -112,7 +121,7 @@ class ResultScreen(QWidget):
             (row.name, row.value or row.reason, row.interval, row.standard, row.limits, row.verdict, row.note)
             for row in presentation.table
         ]
-        unsettled = [shades.bad if row.limits and not row.inside else None for row in presentation.table]
+        unsettled = [None if row.outcome.good else shades.bad for row in presentation.table]
         self.table.fill([[in_language(text) for text in row] for row in told], unsettled)
         for number, row in enumerate(presentation.table):
             if row.reason and not row.limits:

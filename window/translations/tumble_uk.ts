@@ -312,8 +312,12 @@
         <translation>поза межами</translation>
     </message>
     <message>
-        <source>outside: no value</source>
-        <translation>поза межами: немає значення</translation>
+        <source>not decided</source>
+        <translation>не вирішено</translation>
+    </message>
+    <message>
+        <source>not decided: no value</source>
+        <translation>не вирішено: немає значення</translation>
     </message>
     <message>
         <source>inside, but the interval reaches out</source>
@@ -858,6 +862,10 @@ The details are in {place}.</source>
         <translation>поза межами</translation>
     </message>
     <message>
+        <source>not decided</source>
+        <translation>не вирішено</translation>
+    </message>
+    <message>
         <source>not judged</source>
         <translation>без оцінки</translation>
     </message>
@@ -947,6 +955,10 @@ The details are in {place}.</source>
     <message>
         <source>✗ outside</source>
         <translation>✗ поза межами</translation>
+    </message>
+    <message>
+        <source>? not decided</source>
+        <translation>? не вирішено</translation>
     </message>
     <message>
         <source>not judged</source>
@@ -1060,6 +1072,14 @@ The details are in {place}.</source>
     <message>
         <source>✗ Outside the limits: {names}</source>
         <translation>✗ Поза межами: {names}</translation>
+    </message>
+    <message>
+        <source>? Not decided: {names}</source>
+        <translation>? Не вирішено: {names}</translation>
+    </message>
+    <message>
+        <source>(with what was found)</source>
+        <translation>(з тим, що знайдено)</translation>
     </message>
     <message>
         <source>The programme states no limits</source>

@@ -5,7 +5,7 @@ from datetime import UTC, datetime, time
 from PySide6.QtCore import QDate, Signal
 from PySide6.QtWidgets import QComboBox, QDateEdit, QGridLayout, QLabel, QLineEdit, QWidget
 
-from calibrations.records.record import Verdict
+from calibrations.verdict import Outcome
 from window.work.records import Search
 
 
@@ -22,9 +22,10 @@ class RecordSearch(QWidget):
         self.programme.addItem(self.tr("any"), "")
         self.verdict.addItem(self.tr("any"), None)
         names = {
-            Verdict.INSIDE: self.tr("inside"),
-            Verdict.OUTSIDE: self.tr("outside"),
-            Verdict.NOT_JUDGED: self.tr("not judged"),
+            Outcome.PASS: self.tr("inside"),
+            Outcome.FAIL: self.tr("outside"),
+            Outcome.NOT_DECIDED: self.tr("not decided"),
+            Outcome.NO_LIMITS: self.tr("not judged"),
         }
         for verdict, name in names.items():
             self.verdict.addItem(name, verdict)

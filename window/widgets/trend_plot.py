@@ -14,7 +14,7 @@ from window.look.plots import LocalAxis, Plot
 
 
 class TrendPlot(QWidget):
-    """Values with their 95% intervals, of the records that were found; a record without a value is left out."""
+    """Values with their 95% intervals, of the records found; one without a value that may be used is left out."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -58,7 +58,7 @@ class TrendPlot(QWidget):
         told = [
             (record, parameter.value, parameter.interval_95)
             for record in self._records
-            if (parameter := record.parameters.get(name)) and parameter.value is not None and parameter.interval_95
+            if (parameter := record.values.get(name)) and parameter.value is not None and parameter.interval_95
         ]
         self.drawn = len(told)
         x = self._places([record for record, _, _ in told])

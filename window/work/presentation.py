@@ -8,8 +8,9 @@ import numpy as np
 
 from calibrations.geometry import FloatArray
 from calibrations.quantities import format_correlation
-from calibrations.records.record import Verdict, verdict_of
 from calibrations.result import Calibration
+from calibrations.usable import Model
+from calibrations.verdict import Verdict
 from window.work.activity import Concluded
 
 if TYPE_CHECKING:
@@ -38,7 +39,8 @@ class Presentation:
 
     concluded: Concluded
     verdict: Verdict
-    outside: tuple[str, ...]
+    model: Model
+    """Whose values the table holds."""
     notices: tuple[str, ...]
     table: tuple[Any, ...]
     """`calibrations.report.results.ResultRow`, one for each parameter."""
@@ -61,21 +63,26 @@ def present(concluded: Concluded) -> Presentation:
     from calibrations.tracing.words import comparisons, findings, headline, leaning, untold
 
     traced = concluded.traced
-    calibration, loop = traced.calibration, traced.loop
-    subject = Subject(calibration=calibration, provenance=traced.provenance, limits=traced.limits, loop=loop)
-    names = tuple(calibration.parameters)
-    models = {"declared": rows_of(calibration)}
+    use, loop = traced.usable, traced.loop
+    subject = Subject(
+        calibration=traced.calibration,
+        provenance=traced.provenance,
+        limits=traced.limits,
+        loop=loop,
+        decided=traced.verdict,
+    )
+    models = {"declared": rows_of(traced.calibration)}
     if loop.effects or loop.unexplained:
         models["augmented"] = rows_of(loop.augmented)
     return Presentation(
         concluded=concluded,
-        verdict=verdict_of(traced.limits),
-        outside=tuple(check.name for check in traced.limits if not check.inside),
+        verdict=traced.verdict,
+        model=use.model,
         notices=tuple(notices(subject)),
         table=tuple(results(subject)["rows"]),
-        names=names,
-        correlation=calibration.correlation,
-        correlation_texts=tuple(tuple(map(_coefficient, row)) for row in calibration.correlation),
+        names=tuple(use.calibration.parameters),
+        correlation=use.calibration.correlation,
+        correlation_texts=tuple(tuple(map(_coefficient, row)) for row in use.calibration.correlation),
         models=models,
         headline=headline(loop),
         findings=tuple(findings(loop.effects, loop.misread)),

@@ -14,7 +14,8 @@ from app.exits import Exit, JobError
 from app.files import check_result, replacing, write_text
 from app.kinds import Kind
 from app.running import Job
-from calibrations.records.record import Record, Verdict
+from calibrations.records.record import Record
+from calibrations.verdict import Outcome
 from window.work.activity import Concluded, Resumption
 
 if TYPE_CHECKING:
@@ -31,7 +32,7 @@ class Search:
     serial_number: str = ""
     """A part of it is enough."""
     programme_name: str = ""
-    verdict: Verdict | None = None
+    verdict: Outcome | None = None
     since: datetime | None = None
     until: datetime | None = None
 
