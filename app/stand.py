@@ -85,13 +85,13 @@ class StandFile(BaseModel):
             gravity=self.site.gravity,
         )
 
-    def expired(self, today: date) -> list[str]:
-        """A sentence for every instrument whose calibration is overdue."""
+    def expired(self, on: date) -> list[str]:
+        """A sentence for every instrument whose calibration is overdue on a day, see `Instrument.overdue`."""
         instruments = {"head": self.head, "daq": self.daq}
         return [
-            f"stand {self.name}: the calibration of the {name} was due on {due.isoformat()}; have it done"
+            f"stand {self.name}: the calibration of the {name} was due on {table.calibration_due}; have it done"
             for name, table in instruments.items()
-            if (due := table.calibration_due) is not None and due < today
+            if table.overdue(on)
         ]
 
 
@@ -162,6 +162,22 @@ def load_stand(path: Path | None = None) -> LoadedStand:
         sha256=sha256(text.encode()).hexdigest(),
         recorded=without_simulated(tomllib.loads(text)),
     )
+
+
+def same_instruments(recorded: Mapping[str, Any], loaded: LoadedStand) -> bool:
+    """Whether a stand file in a recording names the stand and the instruments of one that is loaded.
+
+    True where nothing was recorded, as for a table; due dates, limits and uncertainties may differ.
+    """
+    return not recorded or _instruments(recorded) == _instruments(loaded.recorded)
+
+
+def _instruments(data: Mapping[str, Any]) -> dict[str, Any]:
+    places = ("driver", "url", "interface", "channel", "serial")
+    tables = {name: data.get(name, {}) for name in ("head", "daq")}
+    return {"name": data.get("name")} | {
+        name: {place: table[place] for place in places if place in table} for name, table in tables.items()
+    }
 
 
 def _model(head: HeadDriver | None, daq: DaqDriver | None) -> type[StandFile]:

@@ -3,7 +3,8 @@
 A driver that has keys of its own derives its table from one of these; see `drivers.driver`.
 """
 
-from datetime import date
+import re
+from datetime import date, datetime
 from typing import ClassVar, Final, Literal, Self, TypeAlias
 
 from pydantic import BaseModel, ConfigDict, Field, field_validator, model_validator
@@ -13,6 +14,8 @@ from drivers.links.places import check_network, check_scheme, check_server
 
 MOST_SAMPLES: Final = 10_000_000
 """More in one dwell is a slip of the pen."""
+
+_DAY: Final = re.compile(r"\d{4}-\d{2}-\d{2}", re.ASCII)
 
 Mount: TypeAlias = Literal["face-up", "face-up-90", "face-down", "edge", "edge-back", "end"]
 
@@ -34,6 +37,20 @@ class Instrument(BaseModel):
     def _possible(cls, url: str) -> str:
         check_network(url)
         return url
+
+    @field_validator("calibration_due", mode="before")
+    @classmethod
+    def _day(cls, due: object) -> object:
+        """A day and nothing else: numbers would be taken for seconds since 1970."""
+        if due is None or (isinstance(due, date) and not isinstance(due, datetime)):
+            return due
+        if isinstance(due, str) and _DAY.fullmatch(due):
+            return date.fromisoformat(due)
+        raise ValueError(f"{due} is no day: write year, month and day, such as 2027-01-31")
+
+    def overdue(self, on: date) -> bool:
+        """Whether the calibration is past its due date on a day; on that date itself it still holds."""
+        return self.calibration_due is not None and self.calibration_due < on
 
     @property
     def address(self) -> str:

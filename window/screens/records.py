@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLabel, QPushButton, QTabWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QTabWidget, QVBoxLayout, QWidget
 
 from calibrations.quantities import format_concise
 from calibrations.records.record import Record, Verdict
@@ -15,6 +15,7 @@ from window.look.numbers import local
 from window.look.sentences import in_language
 from window.screens.cut_off_view import CutOffView
 from window.screens.stand_records import StandRecords
+from window.widgets.dialog import FileDialog, QuestionDialog
 from window.widgets.record_search import RecordSearch
 from window.widgets.splitter import Splitter
 from window.widgets.table import Table
@@ -37,6 +38,10 @@ class RecordsScreen(QWidget):
     """`Concluded`."""
     resume_wanted = Signal(object, object)
     """`Resumption`, and the points that are there."""
+    found_cut_off = Signal(object)
+    """Runs that came to no record, `CutOff` each, the newest last."""
+    dialog_wanted = Signal(object)
+    """`Dialog`."""
     refused = Signal(object)
     """An exception that the person must see."""
 
@@ -67,7 +72,7 @@ class RecordsScreen(QWidget):
         self.search.changed.connect(self.refresh)
         self.table.itemDoubleClicked.connect(lambda _: self._open())
         self.table.itemSelectionChanged.connect(self._refresh_buttons)
-        self.cut_off.resume_wanted.connect(self._resume)
+        self.cut_off.resume_wanted.connect(self.resume)
         self.refresh()
 
     def refresh(self) -> None:
@@ -123,6 +128,7 @@ class RecordsScreen(QWidget):
         self.search.offer(found.programmes)
         self.trend.show_records(found.records)
         self.cut_off.show_runs(found.cut_off)
+        self.found_cut_off.emit(found.cut_off)
         self.stands.show_records(found.stands)
         title = self.tr("Runs without a record")
         self.tabs.setTabText(1, f"{title} ({len(found.cut_off)})" if found.cut_off else title)
@@ -195,14 +201,23 @@ class RecordsScreen(QWidget):
         self.said.setText("\n".join(lines))
 
     def _choose_export(self) -> None:
-        chosen, _ = QFileDialog.getSaveFileName(self, self.tr("Export"), self._chosen()[0].id, _FORMATS)
-        if chosen:
-            self.export_to(Path(chosen))
+        dialog = FileDialog(self.tr("Export"), Path.home() / f"{self._chosen()[0].id}.json", _FORMATS, saving=True)
+        dialog.chosen.connect(self._export_unless_there)
+        self.dialog_wanted.emit(dialog)
+
+    def _export_unless_there(self, path: Path) -> None:
+        """Ask before a file is replaced."""
+        if not path.exists():
+            self.export_to(path)
+            return
+        title, text = self.tr("Export"), self.tr("{path} is there already. Replace it?").format(path=path)
+        self.dialog_wanted.emit(QuestionDialog(title, text, self.tr("Replace"), lambda: self.export_to(path)))
 
     def _say_exported(self, path: Path) -> None:
         self.said.setText(self.tr("Written: {path}").format(path=path))
 
-    def _resume(self, path: Path) -> None:
+    def resume(self, path: Path) -> None:
+        """Find out what there is to go on with, and ask for that."""
         self._background.start(partial(store.resumption, self._folder(), path), self._begin, self.refused.emit)
 
     def _begin(self, resumption: Resumption) -> None:

@@ -78,8 +78,8 @@ class RunView(QWidget):
         if sentence := sentence_of(event):
             self.log.say(sentence, warning=isinstance(event, WarningRaised))
 
-    def see(self, status: HeadStatus) -> None:
-        """Show where the head is."""
+    def see(self, status: HeadStatus | None) -> None:
+        """Show where the head is; None where nobody knows."""
         self.dial.show_status(status)
 
     def ask_mount(self, mount: str) -> None:
