@@ -1,6 +1,7 @@
 """The frame around the screens: navigation, dialogs, STOP, menus, and the way out."""
 
 from pathlib import Path
+from typing import Final
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QCloseEvent, QKeyEvent, QShowEvent
@@ -28,6 +29,10 @@ from window.work.operator import WindowOperator
 from window.work.stand_worker import StandWorker
 
 
+_GAPS: Final = 24
+"""Pixels between the parts of the window, together."""
+
+
 class MainWindow(QMainWindow):
     """Puts screens and threads together."""
 
@@ -50,7 +55,7 @@ class MainWindow(QMainWindow):
         )
         self.result = ResultScreen(self.background, lambda: self.worker.session.loaded)
         self.records = RecordsScreen(self.background, lambda: self.store)
-        self.stop_bar, self.dialogs = StopBar(), Dialogs()
+        self.stop_bar, self.dialogs = StopBar(), Dialogs(self._room)
         self.way_out = WayOut(self)
         self._guard = StopGuard(self.stop_bar.button, self)
         self._screens = QStackedWidget()
@@ -111,8 +116,16 @@ class MainWindow(QMainWindow):
         if event.key() != Qt.Key.Key_Escape:
             super().keyPressEvent(event)
         elif not self.dialogs.close_newest() and self.busy:
-            text = self.tr("Esc stops nothing: it closes dialogs. STOP is {key}.").format(key=STOP_KEYS[0])
-            self.dialogs.show_dialog(Dialog(self.tr("Not stopped"), text, "fault"))
+            self._say_what_stops()
+
+    def _say_what_stops(self) -> None:
+        text = self.tr("Esc stops nothing: it closes dialogs. STOP is {key}.").format(key=STOP_KEYS[0])
+        self.dialogs.show_dialog(Dialog(self.tr("Not stopped"), text, "fault"))
+
+    def _room(self) -> int:
+        """What navigation, menus and STOP leave of the height."""
+        kept = (self.menuBar(), self._navigation, self.stop_bar)
+        return max(self.height() - sum(part.minimumSizeHint().height() for part in kept) - _GAPS, 0)
 
     def _lay_out(self) -> None:
         for screen in self._in_order:
@@ -184,8 +197,8 @@ class MainWindow(QMainWindow):
             self.tr("Another stand"),
             text.format(its=its.file.name, path=place, shown=shown.loaded.file.name),
             self.tr("Take the stand {its}, and go on").format(its=its.file.name),
-            lambda: self._begin_there(activity, points),
         )
+        question.agreed.connect(lambda: self._begin_there(activity, points))
         self.dialogs.show_dialog(question)
 
     def _begin_there(self, activity: Activity, points: tuple[object, ...]) -> None:

@@ -91,10 +91,14 @@ def _scale(window: "MainWindow", way: int) -> None:
 def _speak(window: "MainWindow", choice: Language) -> None:
     QSettings().setValue("look/language", str(choice))
     if window.busy:
-        text = translate("Menus", "The language changes when the window is opened the next time: the stand is at work.")
-        window.dialogs.show_dialog(Dialog(translate("Menus", "Language"), text))
+        _tell_language_later(window)
     else:
         window.restart_wanted.emit()
+
+
+def _tell_language_later(window: "MainWindow") -> None:
+    text = translate("Menus", "The language changes when the window is opened the next time: the stand is at work.")
+    window.dialogs.show_dialog(Dialog(translate("Menus", "Language"), text))
 
 
 def _show_keys(window: "MainWindow") -> None:

@@ -66,6 +66,6 @@ class WayOut(QObject):
             self.tr("Leave"),
             self.tr("The stand is at work. Stop it at a standstill, and leave? Complete points are kept."),
             self.tr("Stop and leave"),
-            self.leave,
         )
+        question.agreed.connect(self.leave)
         self._window.dialogs.show_dialog(question)

@@ -201,7 +201,11 @@ class RecordsScreen(QWidget):
         self.said.setText("\n".join(lines))
 
     def _choose_export(self) -> None:
-        dialog = FileDialog(self.tr("Export"), Path.home() / f"{self._chosen()[0].id}.json", _FORMATS, saving=True)
+        for record in self._chosen()[:1]:
+            self._ask_for_export(record.id)
+
+    def _ask_for_export(self, record_id: str) -> None:
+        dialog = FileDialog(self.tr("Export"), Path.home() / f"{record_id}.json", _FORMATS, saving=True)
         dialog.chosen.connect(self._export_unless_there)
         self.dialog_wanted.emit(dialog)
 
@@ -211,7 +215,9 @@ class RecordsScreen(QWidget):
             self.export_to(path)
             return
         title, text = self.tr("Export"), self.tr("{path} is there already. Replace it?").format(path=path)
-        self.dialog_wanted.emit(QuestionDialog(title, text, self.tr("Replace"), lambda: self.export_to(path)))
+        question = QuestionDialog(title, text, self.tr("Replace"))
+        question.agreed.connect(lambda: self.export_to(path))
+        self.dialog_wanted.emit(question)
 
     def _say_exported(self, path: Path) -> None:
         self.said.setText(self.tr("Written: {path}").format(path=path))

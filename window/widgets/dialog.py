@@ -62,14 +62,16 @@ class Dialog(QFrame):
 
 
 class QuestionDialog(Dialog):
-    """Asks; what shall happen then happens by the mouse or by a function key, which no scanner types."""
+    """Asks; a yes comes by the mouse or by a function key, which no scanner types."""
 
-    def __init__(self, title: str, text: str, yes: str, then: Callable[[], object]) -> None:
+    agreed = Signal()
+
+    def __init__(self, title: str, text: str, yes: str) -> None:
         super().__init__(title, text, "question")
         self.yes = MotionButton(yes, YES_KEY)
         self.yes.setObjectName("primary")
         self.yes.clicked.connect(self.dismiss)
-        self.yes.clicked.connect(lambda: then())
+        self.yes.clicked.connect(self.agreed)
         self.add_button(self.yes)
 
 
@@ -101,10 +103,11 @@ class FileDialog(Dialog):
 
 
 class Dialogs(QScrollArea):
-    """Where dialogs are shown: the newest on top, scrolled where they take too much room."""
+    """Where dialogs are shown: the newest on top, scrolled where they take more than the `room`, in pixels."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, room: Callable[[], int], parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._room = room
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setWidgetResizable(True)
         self._all = QWidget()
@@ -139,10 +142,10 @@ class Dialogs(QScrollArea):
         return bool(shown)
 
     def minimumSizeHint(self) -> QSize:  # noqa: N802  # Qt's name
-        """As high as what is shown, up to a part of the window."""
+        """As high as what is shown, up to a part of the window, and no higher than its room."""
         width, needed = max(self.viewport().width(), 200), self._column
         high = needed.heightForWidth(width) if needed.hasHeightForWidth() else needed.sizeHint().height()
-        return QSize(0, min(high, round(_MOST * self.window().height())))
+        return QSize(0, min(high, round(_MOST * self.window().height()), self._room()))
 
     def sizeHint(self) -> QSize:  # noqa: N802  # Qt's name
         """No more than that."""

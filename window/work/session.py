@@ -31,7 +31,7 @@ class StandSession:
     """A stand from the moment it is chosen: its file, and its instruments while they are connected.
 
     There is one at a time, `StandWorker.session`: what is on screen, what a key moves and what a run measures on are
-    read from it, and another stand takes its place as a whole. Everything but `loaded` belongs to the thread of the stand.
+    read from it, and another stand takes its place as a whole. Everything but `loaded` belongs to the stand's thread.
     """
 
     def __init__(self, loaded: LoadedStand, look: Callable[[HeadStatus], None]) -> None:
