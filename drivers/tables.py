@@ -8,6 +8,7 @@ from datetime import date, datetime
 from typing import ClassVar, Final, Literal, Self, TypeAlias
 
 from pydantic import BaseModel, ConfigDict, Field, field_validator, model_validator
+from pydantic_core import PydanticCustomError
 
 from drivers.links.can_address import CanAddress, Option
 from drivers.links.places import check_network, check_scheme, check_server
@@ -46,7 +47,7 @@ class Instrument(BaseModel):
             return due
         if isinstance(due, str) and _DAY.fullmatch(due):
             return date.fromisoformat(due)
-        raise ValueError(f"{due} is no day: write year, month and day, such as 2027-01-31")
+        raise PydanticCustomError("day", "Input should be a valid date, such as 2027-01-31")
 
     def overdue(self, on: date) -> bool:
         """Whether the calibration is past its due date on a day; on that date itself it still holds."""

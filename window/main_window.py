@@ -28,7 +28,6 @@ from window.work.bridge import EventBridge
 from window.work.operator import WindowOperator
 from window.work.stand_worker import StandWorker
 
-
 _GAPS: Final = 24
 """Pixels between the parts of the window, together."""
 

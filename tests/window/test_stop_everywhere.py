@@ -11,8 +11,8 @@ from window_driver import STAND
 
 from window import menus
 from window.look.language import Language
-from window.widgets.dialog import Dialog
 from window.stop_guard import STOP_KEYS
+from window.widgets.dialog import Dialog
 
 MODAL = re.compile(r"Modal|WindowModality|\bexec\b")
 A_WINDOW_OF_ITS_OWN = re.compile(r"Q\w*Dialog|QMessageBox|QMenu|QWizard|\w*Dialogs?")

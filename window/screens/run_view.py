@@ -147,9 +147,11 @@ class RunView(QWidget):
         self.fit = fit
         self._stale |= {self._draw_residual: None, self._draw_curves: None}
 
-    def _without_fit(self, _error: Exception) -> None:
-        """Points from which nothing can be fitted yet: the analysis after the run says why."""
+    def _without_fit(self, error: Exception) -> None:
+        """Points from which nothing can be fitted yet: the analysis after the run says why. Other errors are told."""
         self._show_fit(None)
+        if not isinstance(error, ValueError | ArithmeticError):
+            self._background.failed.emit(error)
 
 
 def _volts(point: Point) -> float:
