@@ -72,7 +72,7 @@ def test_a_run_of_another_stand_asks_and_brings_its_stand_on_screen(driver, cut_
     assert "on screen is the stand A" in question.text()
     assert shown(driver) == {"A"}
     driver.press(Qt.Key.Key_F3)
-    assert shown(driver) == {"B"}
+    driver.wait(lambda: shown(driver) == {"B"})
     driver.wait_for_result()
     assert shown(driver) == {"B"}
     assert driver.window.worker.session.connected.stand.name == "B"

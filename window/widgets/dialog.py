@@ -21,6 +21,8 @@ _MOST: Final = 0.45
 class Dialog(QFrame):
     """A title, a text, whatever else is added, and buttons; the last one closes it, and Esc does."""
 
+    dismissed = Signal()
+
     def __init__(self, title: str, text: str, kind: str = "card", parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName(kind)
@@ -57,8 +59,8 @@ class Dialog(QFrame):
     def dismiss(self) -> None:
         """Close it."""
         self.hide()
-        self.setParent(None)
         self.deleteLater()
+        self.dismissed.emit()
 
 
 class QuestionDialog(Dialog):
@@ -119,8 +121,8 @@ class Dialogs(QScrollArea):
     @property
     def open(self) -> list[Dialog]:
         """Those that are shown, the newest first."""
-        shown = self._all.findChildren(Dialog, options=Qt.FindChildOption.FindDirectChildrenOnly)
-        return sorted(shown, key=self._column.indexOf)
+        there = self._all.findChildren(Dialog, options=Qt.FindChildOption.FindDirectChildrenOnly)
+        return sorted((dialog for dialog in there if not dialog.isHidden()), key=self._column.indexOf)
 
     def show_dialog(self, dialog: Dialog) -> None:
         """Show a dialog; one that says the same is there once, and one question at a time."""
@@ -128,7 +130,7 @@ class Dialogs(QScrollArea):
             if type(other) is type(dialog) and (other.text() == dialog.text() or isinstance(other, QuestionDialog)):
                 other.dismiss()
         self._column.insertWidget(0, dialog)
-        dialog.destroyed.connect(self._fit)
+        dialog.dismissed.connect(self._fit)
         dialog.show()
         self._fit()
         self.verticalScrollBar().setValue(0)
@@ -138,7 +140,6 @@ class Dialogs(QScrollArea):
         shown = self.open
         if shown:
             shown[0].dismiss()
-            self._fit()
         return bool(shown)
 
     def minimumSizeHint(self) -> QSize:  # noqa: N802  # Qt's name
@@ -151,6 +152,6 @@ class Dialogs(QScrollArea):
         """No more than that."""
         return self.minimumSizeHint()
 
-    def _fit(self, *_: object) -> None:
+    def _fit(self) -> None:
         self.setVisible(bool(self.open))
         self.updateGeometry()
