@@ -185,5 +185,3 @@ def test_instruments_are_reached_in_one_place():
         ("work/stand_worker.py", "StandSession"),
         ("main_window.py", "StandWorker"),
     }
-
-

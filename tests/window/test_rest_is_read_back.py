@@ -110,7 +110,7 @@ class Manager:
 
     cancelled = False
 
-    def allowsInteraction(self):
+    def allowsInteraction(self):  # noqa: N802  # Qt's name
         return True
 
     def cancel(self):

@@ -1,4 +1,4 @@
-"""A run that was stopped or broke off is offered on the screen Run, without a restart, and after a crash at the start."""
+"""A run that was stopped or broke off is offered on the screen Run, and after a crash at the start."""
 
 import pytest
 from PySide6.QtCore import Qt
@@ -6,7 +6,9 @@ from window_driver import TINY
 
 from drivers.errors import DeviceError
 from drivers.simulated.daq import SimulatedDaq
+from procedures.events import RunFinished
 from procedures.recording.reader import read_recording
+from procedures.recording.writer import Recorder
 
 
 @pytest.fixture
@@ -57,9 +59,19 @@ def test_a_run_that_was_stopped_is_offered_and_can_be_left(driver, write, tmp_pa
     assert not driver.run.offered.isVisible()
 
 
-def test_a_run_that_another_session_left_is_offered_at_the_start(interrupted):
+@pytest.fixture
+def without_end(monkeypatch):
+    """Leaves recordings as a program that was killed does."""
+    record = Recorder.record
+
+    def record_all_but_the_end(recorder, event):
+        return None if isinstance(event, RunFinished) else record(recorder, event)
+
+    monkeypatch.setattr(Recorder, "record", record_all_but_the_end)
+
+
+def test_a_run_that_another_session_left_is_offered_at_the_start(without_end, interrupted):
     driver, path = interrupted
-    path.write_bytes(path.read_bytes()[: -path.stat().st_size // 3])
     assert read_recording(path).ending is None
     before = driver.window
     driver.running._restart()

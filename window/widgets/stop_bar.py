@@ -17,7 +17,7 @@ class StopBar(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.state, self._angle, self._busy = QLabel(), QLabel(), QLabel()
-        self.button = QPushButton(f"{self.tr('⬢ STOP')}  [{STOP_KEYS[0]}]")
+        self.button = QPushButton(self.tr("⬢ STOP") + f"  [{STOP_KEYS[0]}]")
         self.button.setObjectName("stop")
         self.button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.button.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
