@@ -13,7 +13,8 @@ from window.menus import fill_menus
 from window.place import keep_on_screen, remember_place, restore_place
 from window.screens.records import RecordsScreen
 from window.screens.result import ResultScreen
-from window.screens.run import Phase, RunScreen
+from window.screens.run import RunScreen
+from window.screens.run_state import Phase
 from window.screens.stand import StandScreen, remembered_stand
 from window.stop_guard import STOP_KEYS, StopGuard
 from window.way_out import WayOut

@@ -1,7 +1,6 @@
 """The screen Run: a unit from its serial number to its record."""
 
 from collections.abc import Callable, Sequence
-from enum import Enum, auto
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,7 +16,8 @@ from procedures.events import Event, ReadingRequested, RunFinished, State, State
 from procedures.progress import TimeLeft
 from procedures.steps import Point
 from window.look.numbers import local, minutes
-from window.look.sentences import in_language, state_name
+from window.look.sentences import in_language
+from window.screens.run_state import Phase, RunState
 from window.screens.run_view import RunView
 from window.widgets.motion_button import MotionButton
 from window.widgets.prompts import ReadingPrompt
@@ -31,15 +31,6 @@ from window.work.stand_worker import StandWorker
 
 if TYPE_CHECKING:
     from app.cut_off import CutOff
-
-
-class Phase(Enum):
-    """What the screen is busy with."""
-
-    IDLE = auto()
-    RUNNING = auto()
-    CONCLUDING = auto()
-    """The head stands; what was measured is analysed and stored."""
 
 
 class RunScreen(QWidget):
@@ -70,9 +61,7 @@ class RunScreen(QWidget):
     ) -> None:
         super().__init__(parent)
         self._worker, self._operator, self._store, self._attendant = worker, operator, store, attendant
-        self.phase, self.state = Phase.IDLE, State.IDLE
-        self._pausing = self._restless = self._broken_off = False
-        self._declined: set[Path] = set()
+        self._now, self._broken_off = RunState(), False
         self._setting_deg = 0.0
         self.form, self.view, self.reading = (
             RunForm(lambda: worker.session.loaded),
@@ -88,6 +77,16 @@ class RunScreen(QWidget):
         self._connect(bridge)
         self._refresh()
 
+    @property
+    def phase(self) -> Phase:
+        """What the screen is busy with."""
+        return self._now.phase
+
+    @property
+    def state(self) -> State:
+        """Where the run stands."""
+        return self._now.state
+
     def show_stand(self) -> None:
         """Show what there is to do on the stand that is chosen now."""
         self.form.plan_anew()
@@ -96,10 +95,8 @@ class RunScreen(QWidget):
 
     def offer(self, runs: "Sequence[CutOff]") -> None:
         """Offer to go on with the run that ended here before its time, or with one that another session left."""
-        wanted = [run for run in runs if (self._broken_off or not run.ending) and run.path not in self._declined]
-        if wanted:
-            self.offered.show_run(wanted[-1])
-        self.offered.setVisible(bool(wanted) and self.phase is Phase.IDLE)
+        wanted = [run for run in runs if self._broken_off or not run.ending]
+        self.offered.offer(wanted if self.phase is Phase.IDLE else [])
 
     def start(self) -> None:
         """Begin what the form asks for."""
@@ -124,7 +121,7 @@ class RunScreen(QWidget):
         self.view.begin(plan, points)
         self._bar.setRange(0, plan.dwells)
         self._count(len(points), None)
-        self.phase, self._pausing, self._broken_off = Phase.RUNNING, False, False
+        self._now.phase, self._broken_off = Phase.RUNNING, False
         self.offered.hide()
         self._refresh()
         return True
@@ -140,7 +137,6 @@ class RunScreen(QWidget):
         self.pause_button.clicked.connect(self._pause)
         self.resume_button.clicked.connect(self._go_on)
         self.offered.wanted.connect(self.resume_wanted)
-        self.offered.declined.connect(self._decline)
         self.form.changed.connect(self._refresh)
         self.form.dialog_wanted.connect(self.dialog_wanted)
         self.view.mount_prompt.seated.connect(self._seated)
@@ -189,38 +185,32 @@ class RunScreen(QWidget):
                 self._setting_deg = setting_deg
             case RunFinished(at_standstill=at_standstill):
                 self._ask_nothing()
-                self._restless = not at_standstill
+                self._now.restless = not at_standstill
 
     def _pause(self) -> None:
-        self._pausing = True
+        self._now.pausing = True
         self._worker.pause()
         self._refresh()
 
     def _go_on(self) -> None:
-        self._pausing = False
+        self._now.pausing = False
         self._worker.resume()
         self._refresh()
 
-    def _decline(self, path: Path) -> None:
-        self._declined.add(path)
-        self.offered.hide()
-
     def _see_head(self, status: HeadStatus) -> None:
-        if self._restless and not status.moving:
+        if self._now.restless and not status.moving:
             self._see_rest()
 
     def _see_rest(self, *_: object) -> None:
-        self._restless = False
+        self._now.restless = False
         self._refresh()
 
     def _see_unrest(self) -> None:
-        self._restless = True
+        self._now.restless = True
         self._refresh()
 
     def _change(self, state: State) -> None:
-        self.state = state
-        if state is State.PAUSED:
-            self._pausing = False
+        self._now.change(state)
         if state not in (State.AWAITING_OPERATOR, State.RUNNING):
             self._ask_nothing()
         self._refresh()
@@ -245,7 +235,7 @@ class RunScreen(QWidget):
         self._left.setText(text.format(time=minutes(left.time_s), error=minutes(left.standard_error_s)) if left else "")
 
     def _conclude(self, stage: str) -> None:
-        self.phase = Phase.CONCLUDING
+        self._now.phase = Phase.CONCLUDING
         self._left.setText(
             {
                 "fitting": self.tr("Fitting…"),
@@ -264,14 +254,13 @@ class RunScreen(QWidget):
         self._end("")
         self._broken_off = True
         self.broke_off.emit()
-        if isinstance(error, JobError) and error.status is Exit.STOPPED and not self._restless:
+        if isinstance(error, JobError) and error.status is Exit.STOPPED and not self._now.restless:
             self.view.log.say(in_language(str(error)))
         else:
             self.refused.emit(error)
 
     def _end(self, text: str) -> None:
-        self.phase = Phase.IDLE
-        self.state, self._pausing = State.IDLE, False
+        self._now.end()
         self._ask_nothing()
         self._left.setText(text)
         self._refresh()
@@ -279,26 +268,12 @@ class RunScreen(QWidget):
 
     def _refresh(self) -> None:
         idle, running = self.phase is Phase.IDLE, self.phase is Phase.RUNNING
-        paused, free = running and self.state is State.PAUSED, idle and not self._worker.busy
+        paused, free = self._now.paused, idle and not self._worker.busy
         self.form.setEnabled(idle)
         self.start_button.setEnabled(free and bool(self.form.serial.text().strip()))
         self.offered.button.setEnabled(free)
-        self.pause_button.setEnabled(running and not paused and not self._pausing)
-        self.resume_button.setEnabled(paused or self._pausing)
-        text = self._state_text()
+        self.pause_button.setEnabled(running and not paused and not self._now.pausing)
+        self.resume_button.setEnabled(paused or self._now.pausing)
+        text = self._now.text
         self._state_label.setText(text)
-        self.state_changed.emit(local(text), self._restless)
-
-    def _state_text(self) -> str:
-        """What is known; that the head stands is said only where that was read back."""
-        if self._restless:
-            return self.tr("Fault: the head's standstill was not read back")
-        if self.phase is Phase.CONCLUDING:
-            return self.tr("Analysing")
-        if self._pausing and self.state is State.AWAITING_OPERATOR:
-            return self.tr("Waits for you, and pauses then")
-        if self._pausing:
-            return self.tr("Pausing…")
-        if self.phase is Phase.RUNNING and self.state is State.IDLE:
-            return self.tr("Getting ready")
-        return state_name(self.state)
+        self.state_changed.emit(local(text), self._now.restless)

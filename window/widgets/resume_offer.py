@@ -1,5 +1,7 @@
 """A run that came to no end, offered where the person stands."""
 
+from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, Signal
@@ -17,13 +19,12 @@ class ResumeOffer(QFrame):
 
     wanted = Signal(object)
     """Path of the recording."""
-    declined = Signal(object)
-    """Path of the recording."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("question")
         self._run: CutOff | None = None
+        self._declined: set[Path] = set()
         self._text = QLabel()
         self._text.setTextFormat(Qt.TextFormat.PlainText)
         self._text.setWordWrap(True)
@@ -42,8 +43,14 @@ class ResumeOffer(QFrame):
         """What it says."""
         return self._text.text()
 
-    def show_run(self, run: "CutOff") -> None:
-        """Offer a run."""
+    def offer(self, runs: "Sequence[CutOff]") -> None:
+        """Offer the newest of some runs, the last of them, unless it was declined; nothing where there is none."""
+        wanted = [run for run in runs if run.path not in self._declined]
+        if wanted:
+            self._show(wanted[-1])
+        self.setVisible(bool(wanted))
+
+    def _show(self, run: "CutOff") -> None:
         self._run = run
         text = self.tr(
             "Not at its end: unit {unit}, programme {programme}, {points} points done at the stand {stand}, "
@@ -62,7 +69,8 @@ class ResumeOffer(QFrame):
 
     def _decline(self) -> None:
         if self._run is not None:
-            self.declined.emit(self._run.path)
+            self._declined.add(self._run.path)
+        self.hide()
 
     def _want(self) -> None:
         if self._run is not None:
