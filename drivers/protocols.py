@@ -4,7 +4,7 @@ Adding an instrument means writing one class that fits one of these and declarin
 inherits from anything.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Protocol, runtime_checkable
 
@@ -116,6 +116,19 @@ class Resettable(Protocol):
         To be called only where somebody has seen to the cause: when a run begins. Raises `DeviceError` where the cause
         is still there.
         """
+        ...
+
+
+@runtime_checkable
+class Remarking(Protocol):
+    """An instrument that counts what it or its link put right: spoilt frames dropped, sendings tried again."""
+
+    def remarks(self) -> Sequence[str]:
+        """Sentences for whoever reads the result; what happens often is told again only now and then."""
+        ...
+
+    def last_remarks(self) -> Sequence[str]:
+        """Sentences on everything that has grown since it was told; asked when a run ends."""
         ...
 
 

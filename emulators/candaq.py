@@ -13,6 +13,7 @@ from drivers.links.can_link import BUS_OFF
 from drivers.protocols import SampleBlock
 from emulators.candaq_faults import spoilt
 from emulators.faults import WIRE, Faults
+from emulators.foreign_frames import foreign_frames
 from emulators.world import SharedWorld
 
 SERIAL: Final = 310001
@@ -78,11 +79,16 @@ class EmulatedCanDaq:
 
     def _suffer(self) -> None:
         """Have the fault happen that is due, if any."""
-        fault = self._faults.take("power_loss", "bus_off", "swapped")
+        fault = self._faults.take("power_loss", "bus_off", "swapped", "foreign_frames")
         if fault is None:
             return
         if fault.kind == "swapped":
             self._serial += 1
+            return
+        if fault.kind == "foreign_frames":
+            voltage_id, _ = self._frames.encode_voltage(0.0, 0, 0)
+            for message in foreign_frames(voltage_id):
+                self._bus.send(message)
             return
         if fault.kind == "bus_off":
             self._bus.send(can.Message(arbitration_id=BUS_OFF, is_error_frame=True, is_extended_id=True))

@@ -13,13 +13,22 @@ from drivers.cia402 import objects
 from emulators.cia402_axis import Axis
 from emulators.cia402_bus import DriveNetwork
 from emulators.cia402_drive import ERROR_REGISTER, OVERHEATED, Drive
+from emulators.cia402_habits import HABITS
 from emulators.faults import Fault, Faults, Kind
 from emulators.world import SharedWorld
 
 CYCLE_S: Final = 0.02
 """Time between two transmissions of the TPDOs: a master of the profile waits for them."""
 
-_KINDS: Final[tuple[Kind, ...]] = ("power_loss", "bus_off", "heartbeat_lost", "emergency", "swapped")
+_KINDS: Final[tuple[Kind, ...]] = (
+    "power_loss",
+    "bus_off",
+    "heartbeat_lost",
+    "emergency",
+    "swapped",
+    "foreign_frames",
+    *HABITS,
+)
 """Faults of the node; those of the axis are the axis's."""
 
 _RESET_NODE: Final = 129
@@ -55,6 +64,7 @@ class EmulatedDrive:
         steps_per_deg: float = 1000.0,
     ) -> None:
         self._faults = faults or Faults()
+        self._node_id = node_id
         self._struck: deque[Fault] = deque()
         """Faults that came with a command and have yet to happen."""
         self._drive = Drive(Axis(world, self._faults, steps_per_deg))
@@ -119,6 +129,10 @@ class EmulatedDrive:
             return
         if fault.kind == "swapped":
             self._drive.serial += 1
+        elif fault.kind in HABITS:
+            self._drive.habits.take_on(fault)
+        elif fault.kind == "foreign_frames":
+            self._network.send_foreign(self._node_id)
         elif fault.kind == "emergency":
             self._drive.fail(OVERHEATED)
         elif fault.kind == "heartbeat_lost":

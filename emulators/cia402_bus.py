@@ -9,8 +9,11 @@ import canopen
 
 from drivers.links.can_link import BUS_OFF
 from emulators.faults import WIRE, Fault, Faults
+from emulators.foreign_frames import foreign_frames
 
+_EMERGENCY: Final = 0x80
 _SDO_ANSWER: Final = 0x580
+_HEARTBEAT: Final = 0x700
 _FUNCTION: Final = 0x780
 
 Frame = tuple[int, bytes]
@@ -63,6 +66,14 @@ class DriveNetwork(canopen.Network):
         """Have every interface on the bus say what a controller says that has switched itself off."""
         if self.bus is not None:
             self.bus.send(can.Message(arbitration_id=BUS_OFF, is_error_frame=True, is_extended_id=True))
+
+    def send_foreign(self, node_id: int) -> None:
+        """Send what nobody can use, under the identifiers of a node's emergencies, SDO answers and heartbeat."""
+        if self.bus is not None:
+            for function in (_EMERGENCY, _SDO_ANSWER, _HEARTBEAT):
+                for message in foreign_frames(function + node_id):
+                    if function == _SDO_ANSWER or len(message.data) != 8:  # whole ones would say something
+                        self.bus.send(message)
 
     def _spoilt(self, frame: Frame, fault: Fault) -> list[Frame]:
         """What is sent at once in place of an answer."""

@@ -9,6 +9,7 @@ from canopen import SdoAbortedError
 from drivers.cia402 import objects, states
 from drivers.cia402.states import Mode, State
 from emulators.cia402_axis import Axis
+from emulators.cia402_habits import Habits
 from emulators.cia402_stage import PowerStage
 
 FOLLOWING_ERROR: Final = 0x8611
@@ -40,6 +41,7 @@ class Drive:
         self.emergencies: deque[int] = deque()
         """Emergency codes to be told, oldest first; 0 takes the last one back."""
         self.serial = SERIAL
+        self.habits = Habits()
         self._lock = threading.RLock()
         self.restart()
 
@@ -70,6 +72,7 @@ class Drive:
     def value(self, index: int, subindex: int) -> int | str | None:
         """Value of an object; None for one that is merely stored."""
         with self._lock:
+            self.habits.check_read(index, subindex)
             if index == objects.POSITION_LIMITS and subindex:
                 return self.axis.limits_counts[subindex - 1]
             if index == objects.IDENTITY and subindex:
@@ -79,8 +82,8 @@ class Drive:
                 objects.SOFTWARE_VERSION: SOFTWARE,
                 objects.ERROR_REGISTER: ERROR_REGISTER if self._error_code else 0,
                 objects.ERROR_CODE: self._error_code,
-                objects.STATUSWORD: self._statusword(),
-                objects.MODE_DISPLAY: self._mode,
+                objects.STATUSWORD: self.habits.said(self._statusword()) if index == objects.STATUSWORD else 0,
+                objects.MODE_DISPLAY: self.habits.shown(self._mode, self._stage.state is State.ENABLED),
                 objects.POSITION: self.axis.counts,
                 objects.VELOCITY: self.axis.counts_per_s,
             }
@@ -89,6 +92,7 @@ class Drive:
     def set_value(self, index: int, value: int) -> None:
         """Heed what was written into an object. Raises `SdoAbortedError` for what it refuses."""
         with self._lock:
+            self.habits.check_write(index)
             if index == objects.CONTROLWORD:
                 self._control(value)
             elif index == objects.TARGET_POSITION:
@@ -124,6 +128,7 @@ class Drive:
         self._target = counts
 
     def _control(self, word: int) -> None:
+        before = self._statusword()
         rising, self._word = word & ~self._word, word
         was_faulty = self._stage.state is State.FAULT
         self._stage.command(word, rising)
@@ -137,6 +142,7 @@ class Drive:
         if word & states.HALT:
             self.axis.stop()
         elif rising & states.START:
+            self.habits.begin(before)
             self._start()
 
     def _start(self) -> None:

@@ -3,6 +3,8 @@
 from collections.abc import Callable, Mapping
 from contextlib import ExitStack
 from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
 from uuid import uuid4
 
 from drivers.driver import SIMULATED
@@ -12,6 +14,9 @@ from emulators.faults import Faults
 from emulators.serving import Server, Session, serve_pty, serve_tcp
 from emulators.stand_faults import StandFaults
 from emulators.world import SharedWorld
+
+if TYPE_CHECKING:  # cantools is there only where a stand has a CAN DAQ
+    from drivers.candaq import DaqFrames
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -27,6 +32,8 @@ class Wanted:
     head_port: int = 0
     """TCP port; 0 for any that is free. Where head and DAQ share a CAN bus, that of the head serves both."""
     daq_port: int = 0
+    folder: Path = Path()
+    """Where relative paths of the stand file begin."""
     ptys: bool = False
     """Whether each is served on a pseudo-terminal too (not on Windows)."""
 
@@ -94,9 +101,19 @@ class _Emulation:
     def _candaq(self) -> dict[str, str]:
         from emulators.candaq import EmulatedCanDaq
 
-        daq = EmulatedCanDaq(self._shared, self._channel, self._daq_faults)
+        daq = EmulatedCanDaq(self._shared, self._channel, self._daq_faults, self._frames())
         self._stack.callback(daq.close)
         return self._bus("daq", self._wanted.daq_port)
+
+    def _frames(self) -> "DaqFrames | None":
+        """What the DBC file of the stand says, where it has one. Raises `ValueError`."""
+        from drivers.candaq.declaration import CanDaqTable, frames_of
+
+        table = self._wanted.daq
+        frames = frames_of(table, self._wanted.folder) if isinstance(table, CanDaqTable) else None
+        if frames is not None and frames.free_running:
+            raise ValueError("there is no emulator for a CAN DAQ that sends by itself; leave dbc and signals out")
+        return frames
 
     def _lines(self, name: str, session: Callable[[], Session], port: int, faults: Faults) -> dict[str, str]:
         """Serve a protocol of lines."""

@@ -33,16 +33,25 @@ DeviceKind = Literal[
     "emergency",
     "error_queued",
     "swapped",
+    "old_bits",
+    "flicker",
+    "without_options",
+    "mode_shown_late",
+    "foreign_frames",
 ]
 """What may happen in an instrument.
 
 `emergency`: a drive gets too hot, says so and goes into fault. `error_queued`: a multimeter has an error in its queue.
 `swapped`: another unit, with another serial number, stands in its place.
+`old_bits`, `flicker`, `without_options`, `mode_shown_late`: a CiA 402 drive has that habit from then on
+(`emulators.cia402_habits`). `foreign_frames`: frames that are cut, garbled or of another kind come under the
+identifiers of a device on CAN.
 """
 
-Kind = Literal[WireKind, "drop", DeviceKind, "not_seated"]
-"""Any fault. `drop`: the link vanishes and returns; the last command was heard, its answer was not. `not_seated`: the
-operator confirms a mount and leaves the unit as it sits."""
+Kind = Literal[WireKind, "drop", "noise", DeviceKind, "not_seated"]
+"""Any fault. `drop`: the link vanishes and returns; the last command was heard, its answer was not. `noise`: bytes that
+mean nothing come from the line, or from the adapter or server of a CAN bus. `not_seated`: the operator confirms a mount
+and leaves the unit as it sits."""
 
 WIRE: Final[tuple[WireKind, ...]] = ("late", "cut", "double", "garble", "reorder", "wrong_checksum")
 

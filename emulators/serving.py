@@ -24,6 +24,9 @@ BRISK_S: Final = 0.02
 REOPEN_S: Final = 0.1
 """Time between two attempts to come back to a port that somebody else has taken."""
 
+NOISE: Final = b"\xff\x00\x80t310\r< frame 31 >T1\r\a\xc0\xc1>\r\n"
+"""What means nothing in any protocol here."""
+
 LINE_ENDS: Final = b"\r\n"
 
 
@@ -83,6 +86,8 @@ class Server:
         if drop := self._faults.take("drop"):
             self._vanish(drop.lasts_s)
             return
+        if self._faults.take("noise"):
+            answers = [(channel, None if answer is None else NOISE + answer) for channel, answer in answers]
         for channel, answer in answers:
             if answer is None:
                 self._port.leave(channel)

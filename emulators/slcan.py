@@ -64,7 +64,7 @@ def _told(message: can.Message) -> bytes:
 def serve_slcan(channel: str, faults: Faults | None = None) -> Server:
     """Serve a virtual channel over a pseudo-terminal. Raises `OSError` on Windows, which has none.
 
-    Of the faults only `drop` has a meaning here; the others belong to the instruments on the bus.
+    Of the faults only `drop` and `noise` have a meaning here; the others belong to the instruments on the bus.
     """
     return serve_pty(lambda: SlcanSession(channel), faults, terminators=DONE)
 

@@ -70,7 +70,7 @@ def _told(message: can.Message) -> bytes:
 def serve_socketcand(channel: str, port: int = 0, faults: Faults | None = None) -> Server:
     """Serve a virtual channel over TCP on the loopback interface. Raises `OSError` where the port is taken.
 
-    Of the faults only `drop` has a meaning here; the others belong to the instruments on the bus.
+    Of the faults only `drop` and `noise` have a meaning here; the others belong to the instruments on the bus.
     """
     return serve_tcp(lambda: SocketcandSession(channel), port, faults, terminators=b">")
 

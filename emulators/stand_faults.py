@@ -32,7 +32,10 @@ class StandFaults:
         return self._of[device]
 
     def of_bus(self, devices: Sequence[str]) -> Faults:
-        """Those of a CAN bus that these share: frames are not commands, and of the faults only `drop` concerns it."""
+        """Those of a CAN bus that these share.
+
+        Frames are not commands, and of the faults only `drop` and `noise` concern the bus.
+        """
         bus = Faults(None, "", self._clock, self._points)
         self._buses.append((devices, bus))
         for fault in self._script.fault:
@@ -53,5 +56,5 @@ class StandFaults:
 
 
 def _add_to_bus(fault: Fault, devices: Sequence[str], bus: Faults) -> None:
-    if fault.kind == "drop" and fault.device in devices:
+    if fault.kind in ("drop", "noise") and fault.device in devices:
         bus.add(fault)

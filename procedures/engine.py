@@ -172,6 +172,7 @@ class Engine:
             self._checkpoint()
             self._announcer.announce(StepStarted(step=step))
             reply = self._seat(step) if isinstance(step, Mounting) else self._dwell(step)
+            self._recovery.tell_remarks()
             step = advance(procedure, reply)
         self._measuring.unwind()
 
@@ -253,6 +254,8 @@ class Engine:
             at_standstill = self._motion.standstill()
         if at_standstill:
             self._change_anyway(State.STANDSTILL, message_of(error))
+        for remark in self._recovery.last_remarks():
+            self._announcer.announce_anyway(WarningRaised(message=remark))
         outcome = outcome_of(error, self._points, at_standstill)
         try:
             self._announcer.store(outcome.finished)

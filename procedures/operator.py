@@ -16,6 +16,7 @@ from typing import Final, Literal, Protocol, TextIO
 from pydantic import BaseModel, ConfigDict, field_validator
 
 from drivers.manual.reading import parse_reading
+from procedures.errors import UnansweredError
 from procedures.toml_lines import load_toml
 
 _YES: Final = frozenset({"yes", "done", "seated"})
@@ -147,6 +148,7 @@ class ConsoleOperator:
         self._forget = lines.isatty()
         self._typed: Queue[str | None] = Queue(maxsize=100)
         self._at_end = False
+        self._trouble = ""
         Thread(target=self._read, args=(lines,), name="console", daemon=True).start()
 
     def ask_mount(self, mount: str, prompt: str) -> None:
@@ -161,8 +163,15 @@ class ConsoleOperator:
         self._put(prompt)
 
     def poll(self) -> Answer | None:
-        """Look at the next line; one that says nothing clear is asked for again."""
+        """Look at the next line; one that says nothing clear is asked for again.
+
+        Raises `UnansweredError` where lines cannot be read at all.
+        """
         line = self._next_line()
+        if line is None and self._at_end and self._trouble:
+            raise UnansweredError(
+                f"the answer could not be read ({self._trouble}); look at what is typed or piped, then resume the run"
+            )
         if line is None:
             return Answer(text="", confirmed=False) if self._at_end else None
         answer = self._understand(line)
@@ -187,6 +196,8 @@ class ConsoleOperator:
         try:
             for line in lines:
                 self._typed.put(line)
+        except Exception as error:  # nobody would see it in this thread
+            self._trouble = f"{type(error).__name__}: {error}"
         finally:
             self._typed.put(None)
 

@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from typing import Final, TypeVar
 
 from drivers.errors import DeviceError, LinkLostError, NoReplyError, ReferenceLostError
-from drivers.protocols import Daq, DividingHead, Identity, Reconnectable, Resettable, Stand
+from drivers.protocols import Daq, DividingHead, Identity, Reconnectable, Remarking, Resettable, Stand
 from procedures.approach import Place
 from procedures.events import Event, Identified, WarningRaised
 from procedures.motion import Motion
@@ -80,6 +80,18 @@ class Recovery:
                 f"dividing head: has lost its reference at {angle_deg:g} deg; look whether its cable is wound by "
                 f"{turns} turn{'s' if turns > 1 else ''}, and stop the run to unwind it by hand if it is"
             )
+
+    def tell_remarks(self) -> None:
+        """Warn of what the instruments have put right by themselves."""
+        for instrument in self._instruments.values():
+            if isinstance(instrument, Remarking):
+                for remark in instrument.remarks():
+                    self._warn(remark)
+
+    def last_remarks(self) -> list[str]:
+        """What they have put right and nobody has told of yet."""
+        remarking = [instrument for instrument in self._instruments.values() if isinstance(instrument, Remarking)]
+        return [remark for instrument in remarking for remark in instrument.last_remarks()]
 
     @contextmanager
     def using(self, name: str) -> Iterator[None]:

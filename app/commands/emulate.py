@@ -62,6 +62,7 @@ def command(
         daq=daq,
         head_port=_port(head) if head_port is None else head_port,
         daq_port=_port(daq) if daq_port is None else daq_port,
+        folder=loaded.folder,
         ptys=ptys,
     )
     simulated = simulation(loaded, clock)

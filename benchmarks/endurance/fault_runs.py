@@ -1,6 +1,7 @@
 """One fault at one step of a run on an emulated stand, and what came of it."""
 
 import math
+import re
 import sys
 import tempfile
 import time
@@ -41,6 +42,8 @@ mount = "face-up"
 step_deg = 40.0
 points = 7
 """
+REMARK: Final = re.compile(r": \d+( \(the first: .*\))?$")
+"""A number of things put right, which a run tells of some time after they were."""
 _LINK_BACK_S: Final = 20.0
 """How much longer than the links were away for good, in real time."""
 
@@ -104,7 +107,8 @@ class Watch:
             self.completed_s.append(self.stand.clock.monotonic_s())
         elif isinstance(event, WarningRaised):
             self.warnings.append(event.message)
-            self.warned_s.append(self.stand.clock.monotonic_s())
+            if not REMARK.search(event.message):
+                self.warned_s.append(self.stand.clock.monotonic_s())
         elif isinstance(event, StateChanged) and event.state is State.STANDSTILL:
             self.standstill_s = self.stand.clock.monotonic_s()
 

@@ -1,5 +1,6 @@
 """The kinds of fault: what goes wrong with the instruments, the operator, the computer and the program."""
 
+import errno
 import os
 import signal
 import sys
@@ -10,6 +11,7 @@ from threading import Timer
 from typing import Final, Literal
 
 from benchmarks.endurance.emulated import EmulatedStand, Pair
+from drivers.links.socketcand import SocketcandBus
 from emulators.faults import At, Fault
 from emulators.faults import Kind as Named
 
@@ -48,6 +50,11 @@ def _goes_wrong(
     return do
 
 
+def _habit(kind: Named, real_s: float = 0.0) -> Does:
+    """The drive has a habit from then on."""
+    return _goes_wrong("head", kind, real_s=real_s)
+
+
 def _all(*parts: Does) -> Does:
     def do(stand: EmulatedStand, recording: Path) -> None:
         for part in parts:
@@ -73,6 +80,17 @@ def _set_back(stand: EmulatedStand, _: Path) -> None:
 
 def _remove(_: EmulatedStand, recording: Path) -> None:
     recording.unlink()
+
+
+def _fill_buffer(*_: object) -> None:
+    """The next frame cannot be sent: the computer's buffer is full, as Linux says (ENOBUFS), and not for long."""
+    right = SocketcandBus.send
+
+    def send(*_: object, **__: object) -> None:
+        SocketcandBus.send = right  # type: ignore[method-assign]
+        raise OSError(errno.ENOBUFS, "No buffer space available")
+
+    SocketcandBus.send = send  # type: ignore[method-assign]
 
 
 def _fill_disk(_: EmulatedStand, recording: Path) -> None:
@@ -135,7 +153,14 @@ KINDS: Final = (
         pairs=("CAN",),
     ),
     Kind(name="head: emergency message", device="head", does=_goes_wrong("head", "emergency"), pairs=("CAN",)),
+    Kind(name="head: old bits", device="head", does=_habit("old_bits", real_s=0.3), pairs=("CAN",), early=True),
+    Kind(name="head: target reached flickers", device="head", does=_habit("flicker"), pairs=("CAN",), early=True),
+    Kind(name="head: no optional objects", device="head", does=_habit("without_options"), pairs=("CAN",), early=True),
+    Kind(name="head: mode shown late", device="head", does=_habit("mode_shown_late"), pairs=("CAN",), early=True),
+    Kind(name="head: foreign frames", device="head", does=_goes_wrong("head", "foreign_frames"), pairs=("CAN",)),
+    Kind(name="head: noise on the bus", device="head", does=_goes_wrong("head", "noise"), pairs=("CAN",)),
     *_of_instrument("daq"),
+    Kind(name="daq: foreign frames", device="daq", does=_goes_wrong("daq", "foreign_frames"), pairs=("CAN",)),
     Kind(name="daq: NaN", device="daq", does=_goes_wrong("daq", "nan"), early=True),
     Kind(name="daq: overload", device="daq", does=_goes_wrong("daq", "overload"), early=True),
     Kind(name="daq: frames lost", device="daq", does=_goes_wrong("daq", "frames_lost"), pairs=("CAN",), early=True),
@@ -148,6 +173,7 @@ KINDS: Final = (
     ),
     Kind(name="mount not changed though confirmed", device="operator", does=_goes_wrong("operator", "not_seated")),
     Kind(name="clock set back a day", device="program", does=_set_back),
+    Kind(name="bus: buffer full for a moment", device="program", does=_fill_buffer, pairs=("CAN",)),
     Kind(name="disk full", device="program", does=_fill_disk),
     Kind(name="recording removed", device="program", does=_remove),
     Kind(name="SIGTERM", device="program", does=_signal(signal.SIGTERM)),

@@ -2,14 +2,13 @@
 
 import math
 import time
-from queue import Empty, Queue
 from typing import Final
 
-import can
 import numpy as np
 
 from drivers.candaq.collection import Collection
 from drivers.candaq.frames import DaqFrames, Frame
+from drivers.candaq.inbox import DEVICE, Inbox
 from drivers.clock import Clock
 from drivers.errors import DeviceError, LinkLostError, NoReplyError
 from drivers.links.can_link import CanLink
@@ -21,12 +20,9 @@ LATENESS_S: Final = 2.0
 """How much longer than its samples an acquisition may take."""
 MOST_SAMPLES: Final = (1 << 24) - 1
 
-_SLICE_S: Final = 0.05
-_DEVICE: Final = "CAN DAQ"
-
 
 class CanDaq:
-    """A DAQ whose frames a DBC file describes. Fits `Daq` and `Reconnectable`.
+    """A DAQ whose frames a DBC file describes. Fits `Daq`, `Reconnectable` and `Remarking`.
 
     Parameters
     ----------
@@ -49,8 +45,7 @@ class CanDaq:
         self._clock = clock
         self._generation = 0
         self._epoch = 0
-        self._received: Queue[Frame] = Queue()
-        link.subscribe(self._hear)
+        self._inbox = Inbox(link, frames)
         self._generation = link.reopen(self._generation)
 
     def reconnect(self) -> None:
@@ -60,6 +55,14 @@ class CanDaq:
             self.identify()
         except NoReplyError as error:
             raise LinkLostError(error.device, error.happened, error.remedy) from error
+
+    def remarks(self) -> tuple[str, ...]:
+        """What was dropped or tried again."""
+        return self._inbox.remarks()
+
+    def last_remarks(self) -> tuple[str, ...]:
+        """What of that has not been told."""
+        return self._inbox.last_remarks()
 
     def identify(self) -> Identity:
         """Product, serial number and firmware. Raises `LinkLostError`, `NoReplyError`."""
@@ -84,7 +87,7 @@ class CanDaq:
         """
         if not (1 <= samples <= MOST_SAMPLES and 0.0 < rate_hz < math.inf):
             raise DeviceError(
-                _DEVICE,
+                DEVICE,
                 f"{samples} samples at {rate_hz:g} Hz cannot be taken",
                 f"ask for 1 to {MOST_SAMPLES} samples at a positive rate",
             )
@@ -101,7 +104,8 @@ class CanDaq:
                     temperature_degc=collection.temperature_degc,
                 )
             self._send(0, 0.0)
-        raise DeviceError(_DEVICE, f"{complaint}, twice in a row", "check the load of the bus, cable and termination")
+        happened = f"{complaint}, twice in a row{self._inbox.words}"
+        raise DeviceError(DEVICE, happened, "check the load of the bus, cable and termination")
 
     def _complaint(self, collection: Collection, samples: int) -> str:
         """What is wrong with a block; empty where it is whole."""
@@ -116,20 +120,24 @@ class CanDaq:
         self._ask(samples, rate_hz, "Started")
         collection = Collection(samples, self._epoch)
         deadline_s = time.monotonic() + samples / rate_hz + LATENESS_S
-        while not collection.ended and (frame := self._next(deadline_s)):
+        while not collection.ended and (frame := self._inbox.next(deadline_s)):
             collection.take(frame)
         return collection
 
     def _ask(self, samples: int, rate_hz: float, answer: str) -> Frame:
         """Send a command until it is answered; each time it gets an epoch of its own."""
         for _ in range(TRIES):
-            self._forget()
+            self._inbox.forget()
             self._send(samples, rate_hz)
             deadline_s = time.monotonic() + REPLY_TIMEOUT_S
-            while frame := self._next(deadline_s):
+            while frame := self._inbox.next(deadline_s):
                 if frame.name == answer and self._repeats(frame, samples, rate_hz):
                     return frame
-        raise NoReplyError(_DEVICE, f"gave no answer in {TRIES} tries", "check its power and the DBC file, then resume")
+        raise NoReplyError(
+            DEVICE,
+            f"gave no answer in {TRIES} tries{self._inbox.words}",
+            "check its power and the DBC file, then resume",
+        )
 
     def _repeats(self, frame: Frame, samples: int, rate_hz: float) -> bool:
         """Whether the DAQ has understood the command as it was meant; other answers have nothing to repeat."""
@@ -140,22 +148,3 @@ class CanDaq:
         self._epoch = (self._epoch + 1) % 256
         can_id, data = self._frames.encode("Command", {"Epoch": self._epoch, "Samples": samples, "Rate": rate_hz})
         self._link.send(can_id, data)
-
-    def _next(self, deadline_s: float) -> Frame | None:
-        """Next frame of the DAQ; None after the deadline."""
-        while time.monotonic() <= deadline_s:
-            try:
-                return self._received.get(timeout=_SLICE_S)
-            except Empty:
-                self._link.check()
-        return None
-
-    def _forget(self) -> None:
-        """Throw away what has come so far."""
-        while not self._received.empty():
-            self._received.get()
-
-    def _hear(self, message: can.Message) -> None:
-        frame = self._frames.decode(message.arbitration_id, bytes(message.data))
-        if frame is not None:
-            self._received.put(frame)

@@ -1,45 +1,38 @@
 """The frames of a CAN DAQ: what a DBC file says of them, and the checksum that it may put into them."""
 
 import math
-from binascii import crc_hqx
+from collections import defaultdict
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass
-from importlib.resources import files
+from importlib.resources import as_file, files
 from pathlib import Path
-from typing import Final, Literal, Self
+from typing import Final, Self
 
-from cantools.database import load_string
-from cantools.database.can import Database, Message
+from cantools.database.can import Database
 from cantools.database.errors import Error
 from cantools.database.namedsignalvalue import NamedSignalValue
+
+from drivers.candaq.checksum import Checksum
+from drivers.candaq.naming import CRC, Part, SignalNames, load_dbc, named_parts, own_parts
+from drivers.candaq.units import unit_of
 
 OVERLOAD_V: Final = 9.9e37
 """How the value named Overload is told, as SCPI instruments do."""
 
+_COUNTED: Final = ("Counter", "Epoch")
+
 Value = float | str
 """A signal's value; where the DBC file gives it a name, that name."""
 
-SIGNALS: Final[dict[str, tuple[str, ...]]] = {
-    "Command": ("Epoch", "Samples", "Rate"),
-    "Started": ("Epoch", "Samples", "Rate"),
-    "Voltage": ("Voltage", "Counter", "Epoch"),
-    "Identity": ("Serial", "Product", "Firmware"),
-}
-"""Messages that a DBC file must have, and the signals in them."""
 
-OPTIONAL_SIGNALS: Final[dict[str, tuple[str, ...]]] = {
-    "Temperature": ("Temperature", "Epoch"),
-    "Time": ("Time", "Epoch"),
-}
-"""Messages that it may have. Every message may also have a signal named CRC."""
-
-_CRC_START: Final = 0xFFFF
-_CRC_BITS: Final = 16
+class SpoiltFrameError(ValueError):
+    """A frame with an identifier of the DAQ is not what the DBC file says; the text is the kind, in the plural."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Frame:
-    """A frame that was received whole: the name of its message and its signals."""
+    """A frame that was received whole: the name of its message and its signals, as they are called here."""
 
     name: str
     signals: Mapping[str, Value]
@@ -53,12 +46,16 @@ class Frame:
 
 
 class DaqFrames:
-    """Encodes and decodes the frames of a DAQ whose DBC file uses the names in `SIGNALS`.
+    """Encodes and decodes the frames of a DAQ.
 
-    Identifiers, places, scales and byte orders are the file's. A signal named CRC holds the CRC-16/CCITT-FALSE
-    (polynomial 1021h, start FFFFh) of the identifier, two bytes or, extended, four, low byte first, and of the frame's
-    other bytes; it must be 16 bits wide and begin at a byte. It sees up to three wrong bits; where it is the frame's
-    end, high byte first, also every burst of 16 bits.
+    Identifiers, places, scales and byte orders are the DBC file's; a signal named CRC is heeded, see `Checksum`.
+
+    Parameters
+    ----------
+    database
+        The DBC file.
+    names
+        What it calls the messages and signals; by default the names in `SIGNALS`.
 
     Raises
     ------
@@ -66,47 +63,55 @@ class DaqFrames:
         The database lacks what is needed.
     """
 
-    def __init__(self, database: Database) -> None:
-        self._messages = {message.name: message for message in database.messages}
-        for name, signals in SIGNALS.items():
-            if name not in self._messages:
-                raise ValueError(f"the DBC file has no message {name}; see the one that comes along for all names")
-            self._require(name, signals)
-        for name, signals in OPTIONAL_SIGNALS.items():
-            if name in self._messages:
-                self._require(name, signals)
-        names = (*SIGNALS, *OPTIONAL_SIGNALS)
-        self._by_id = {m.frame_id: m for m in self._messages.values() if m.name in names}
-        self._most_v = self._messages["Voltage"].get_signal_by_name("Voltage").maximum or OVERLOAD_V
-        self._checksum_at = {m.name: _checksum_at(m) for m in self._by_id.values()}
+    def __init__(self, database: Database, names: SignalNames | None = None) -> None:
+        parts = named_parts(database, names) if names else own_parts(database)
+        self._parts = {part.name: part for part in parts}
+        self._by_id: dict[int, list[Part]] = defaultdict(list)
+        for part in parts:
+            self._by_id[part.message.frame_id].append(part)
+        self._checksums = {
+            part.name: Checksum(part.message, part.signals[CRC]) for part in parts if CRC in part.signals
+        }
+        self._units = {
+            (part.name, name): unit_of(name, signal) for part in parts for name, signal in part.signals.items()
+        }
+        voltage = self._parts["Voltage"]
+        most = voltage.signals["Voltage"].maximum
+        self._most_v = self._units["Voltage", "Voltage"].to_ours(float(most)) if most else OVERLOAD_V
+        self.counts = 1 << voltage.signals["Counter"].length if "Counter" in voltage.signals else 0
+        """How far the counter of the voltage frames counts before it begins again at 0; 0 where there is none."""
 
     @classmethod
-    def from_file(cls, path: Path | None = None) -> Self:
+    def from_file(cls, path: Path | None = None, names: SignalNames | None = None) -> Self:
         """Read a DBC file, or the one that comes along. Raises `OSError`, `ValueError`."""
-        file = path or files("drivers.candaq") / "tumble_daq.dbc"
-        try:
-            database = load_string(file.read_text("utf-8"), "dbc")
-        except Error as error:
-            raise ValueError(f"{path} is no DBC file ({error})") from error
-        assert isinstance(database, Database)
-        return cls(database)
+        if path is not None:
+            return cls(load_dbc(path, strict=not names), names)
+        with as_file(files("drivers.candaq") / "tumble_daq.dbc") as ours:
+            return cls(load_dbc(ours, strict=True), names)
+
+    @property
+    def free_running(self) -> bool:
+        """Whether the DAQ sends without being told to begin."""
+        return "Command" not in self._parts
 
     def has(self, name: str) -> bool:
         """Whether the DAQ has a message of this name."""
-        return name in self._messages
+        return name in self._parts
+
+    def place_of(self, name: str) -> str:
+        """What the DBC file calls a message."""
+        return self._parts[name].message.name
 
     def encode(self, name: str, signals: Mapping[str, Value]) -> tuple[int, bytes]:
         """Identifier and bytes of a frame. Raises `ValueError` for a value that does not fit."""
-        message = self._messages[name]
-        at = self._checksum_at[name]
-        values = dict(signals) if at is None else {**signals, "CRC": 0}
+        part, checksum = self._parts[name], self._checksums.get(name)
+        told = {part.signals[s].name: self._theirs(name, s, value) for s, value in signals.items() if s in part.signals}
+        rest: dict[str, Value] = {signal.name: 0.0 for signal in part.message.signals if signal.name not in told}
         try:
-            data = bytearray(message.encode(values, strict=False))
+            data = part.message.encode(rest | told, strict=False)
         except (Error, OverflowError) as error:
             raise ValueError(f"{name}: {error}") from error
-        if at is not None:
-            data[at : at + 2] = _checksum(message, data, at).to_bytes(2, _order(message))
-        return message.frame_id, bytes(data)
+        return part.message.frame_id, data if checksum is None else checksum.put_into(data)
 
     def encode_voltage(self, voltage_v: float, number: int, epoch: int) -> tuple[int, bytes]:
         """A voltage frame; NaN goes as Invalid, what the signal cannot hold as Overload."""
@@ -115,45 +120,48 @@ class DaqFrames:
             voltage = "Invalid"
         elif abs(voltage_v) > self._most_v:
             voltage = "Overload"
-        return self.encode("Voltage", {"Voltage": voltage, "Counter": number % 256, "Epoch": epoch})
+        return self.encode("Voltage", {"Voltage": voltage, "Counter": number % (self.counts or 256), "Epoch": epoch})
 
     def decode(self, can_id: int, data: bytes) -> Frame | None:
-        """What a frame says; None where it is not the DAQ's, or its length or checksum is wrong."""
-        message = self._by_id.get(can_id)
-        if message is None or len(data) != message.length:
-            return None
-        at = self._checksum_at[message.name]
-        if at is not None and int.from_bytes(data[at : at + 2], _order(message)) != _checksum(message, data, at):
-            return None
-        decoded = message.decode_simple(data)
-        return Frame(name=message.name, signals={name: _plain(value) for name, value in decoded.items()})
+        """What a frame says, the first thing of several; None where it is not the DAQ's, or is spoilt."""
+        with suppress(SpoiltFrameError):
+            return next(iter(self.read(can_id, can_id > 0x7FF, data)), None)
+        return None
 
-    def _require(self, name: str, signals: tuple[str, ...]) -> None:
-        present = {signal.name for signal in self._messages[name].signals}
-        for signal in signals:
-            if signal not in present:
-                raise ValueError(f"message {name} of the DBC file has no signal {signal}")
+    def read(self, can_id: int, extended: bool, data: bytes) -> list[Frame]:
+        """What a frame says; nothing where it is not the DAQ's.
 
+        Raises
+        ------
+        SpoiltFrameError
+            It has an identifier of the DAQ, and is not what the DBC file says.
+        """
+        parts = self._by_id.get(can_id, ())
+        return [frame for part in parts if (frame := self._frame(part, extended, data)) is not None]
 
-def _checksum_at(message: Message) -> int | None:
-    """Number of the byte at which the checksum begins; None where there is none."""
-    for signal in message.signals:
-        if signal.name == "CRC":
-            first = 0 if signal.byte_order == "little_endian" else 7
-            if signal.length != _CRC_BITS or signal.start % 8 != first:
-                raise ValueError(f"signal CRC of message {message.name} is not two whole bytes")
-            return signal.start // 8
-    return None
+    def _frame(self, part: Part, extended: bool, data: bytes) -> Frame | None:
+        """A frame as a message here; None where it has none of its signals, which then come at other times."""
+        if extended != part.message.is_extended_frame:
+            raise SpoiltFrameError("frames with an identifier of another length than the DBC file says")
+        if len(data) != part.message.length:
+            raise SpoiltFrameError("frames of another length than the DBC file says")
+        checksum = self._checksums.get(part.name)
+        if checksum is not None and not checksum.fits(data):
+            raise SpoiltFrameError("frames with a wrong checksum")
+        try:
+            decoded = part.message.decode_simple(data)
+        except Exception as error:  # cantools raises several kinds, for example for an unknown multiplexer
+            raise SpoiltFrameError("frames that the DBC file does not explain") from error
+        found = {name: signal for name, signal in part.signals.items() if signal.name in decoded}
+        values = {name: self._ours(part.name, name, decoded[signal.name]) for name, signal in found.items()}
+        if any(isinstance(values.get(name), str) for name in _COUNTED):
+            raise SpoiltFrameError("frames whose counter is no number")
+        return Frame(name=part.name, signals=values) if values.keys() - _COUNTED else None
 
+    def _ours(self, message: str, name: str, value: float | str | NamedSignalValue) -> Value:
+        if isinstance(value, NamedSignalValue):
+            return value.name
+        return value if isinstance(value, str) else self._units[message, name].to_ours(value)
 
-def _order(message: Message) -> Literal["little", "big"]:
-    return "little" if message.get_signal_by_name("CRC").byte_order == "little_endian" else "big"
-
-
-def _checksum(message: Message, data: bytes | bytearray, at: int) -> int:
-    identifier = message.frame_id.to_bytes(4 if message.is_extended_frame else 2, "little")
-    return crc_hqx(identifier + data[:at] + data[at + 2 :], _CRC_START)
-
-
-def _plain(value: float | str | NamedSignalValue) -> Value:
-    return value.name if isinstance(value, NamedSignalValue) else value
+    def _theirs(self, message: str, name: str, value: Value) -> Value:
+        return value if isinstance(value, str) else self._units[message, name].to_theirs(value)

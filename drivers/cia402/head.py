@@ -3,8 +3,10 @@
 import time
 from typing import Final
 
-from drivers.cia402 import objects, states
+from drivers.cia402 import modes, objects, states
 from drivers.cia402.emergencies import emergency_words
+from drivers.cia402.errand import Errand
+from drivers.cia402.identity import identity_of
 from drivers.cia402.node import DriveNode
 from drivers.cia402.states import Mode, State
 from drivers.clock import Clock
@@ -16,14 +18,17 @@ from drivers.protocols import HeadStatus, Identity
 ANSWER_S: Final = 2.0
 """How long the drive may take to change its state or mode, or to take a set-point, in real seconds."""
 
-_POLL_S: Final = 0.005
 _STAY_STOPPED: Final = 6
 """Quick stop option code: brake on the quick stop ramp and stay in `State.QUICK_STOP`."""
+_STILL_DEG: Final = 0.005
+"""An axis at rest may be read so far beside its place."""
+_BEGIN_S: Final = 0.05
+"""How long the bits of before are watched for their going when homing begins."""
 _MOST_COUNTS: Final = 2**31 - 1
 
 
 class Cia402Head:
-    """A head on CANopen. Fits `DividingHead`, `Reconnectable` and `Resettable`.
+    """A head on CANopen. Fits `DividingHead`, `Reconnectable`, `Resettable` and `Remarking`.
 
     The homing method is the one that is set in the drive. A fault of the drive is never reset on the way: whoever knows
     that its cause is gone calls `reset_fault`, after which the head is to be homed.
@@ -67,7 +72,9 @@ class Cia402Head:
         self._clock = clock
         self._homed = False
         self._told = ""
+        self._link = link
         self._node = DriveNode(link, node_id)
+        self._errand = Errand(0, self._still, 0.0, begun=True)
         self.reconnect()
 
     @property
@@ -94,25 +101,32 @@ class Cia402Head:
         if states.is_moving(self._node.read(objects.STATUSWORD)):
             self.stop()
             self._await("come to rest", states.TARGET_REACHED, states.TARGET_REACHED)
-        self._homed = self._says_homed()
+        self._homed = modes.says_homed(self._node, ANSWER_S)
+        self._believe()
+
+    def remarks(self) -> tuple[str, ...]:
+        """What was dropped or tried again."""
+        return self._node.tally.remarks() + self._link.tally.remarks()
+
+    def last_remarks(self) -> tuple[str, ...]:
+        """What of that has not been told."""
+        return self._node.tally.last_remarks() + self._link.tally.last_remarks()
 
     def identify(self) -> Identity:
-        """Name, serial number and software version of the drive. Raises `DeviceError`."""
-        vendor = self._node.read(objects.IDENTITY, objects.VENDOR)
-        product = self._node.read(objects.IDENTITY, objects.PRODUCT)
-        name = self._node.read_text(objects.DEVICE_NAME)
-        return Identity(
-            model=f"{name} (vendor {vendor:X}h, product {product:X}h)",
-            serial=str(self._node.read(objects.IDENTITY, objects.SERIAL)),
-            firmware=self._node.read_text(objects.SOFTWARE_VERSION),
-        )
+        """Name, serial number and software version of the drive, as far as it has them (all are optional in CiA 301).
+
+        Raises `LinkLostError`, `NoReplyError`.
+        """
+        return identity_of(self._node)
 
     def home(self) -> None:
         """Start homing; `status` tells when it is done. Raises `DeviceError`."""
         self._refuse_fault()
         self._node.booted = self._homed = False
         self._enable(Mode.HOMING)
+        self._set_out(homing=True)
         self._control(states.ENABLE | states.START)
+        self._see_it_begin()
 
     def start_move(self, angle_deg: float) -> None:
         """Begin to move to the nearest count; a move under way is replaced.
@@ -133,6 +147,8 @@ class Cia402Head:
         self._enable(Mode.PROFILE_POSITION)
         self._node.write(objects.PROFILE_VELOCITY, max(1, round(abs(self._speed_deg_s * self._steps_per_deg))))
         self._node.write(objects.TARGET_POSITION, counts)
+        self._await("be ready for a set-point", states.ACKNOWLEDGED, 0)  # this bit says "homed" in the mode before
+        self._set_out(target=counts)
         self._control(states.ENABLE | states.START | states.AT_ONCE)
         self._await("take the set-point", states.ACKNOWLEDGED, states.ACKNOWLEDGED)
         self._control(states.ENABLE)
@@ -149,11 +165,12 @@ class Cia402Head:
         mode = self._node.read(objects.MODE_DISPLAY)
         counts = self._node.read(objects.POSITION)
         self._tell_once(self._complaint(statusword, mode))
-        if mode == Mode.HOMING and states.is_homed(statusword):
+        now_s = time.monotonic()
+        if mode == Mode.HOMING and self._errand.homed(statusword, counts, now_s):
             self._homed = True
         return HeadStatus(
             angle_deg=counts / self._steps_per_deg + 0.0,  # never -0
-            moving=states.is_moving(statusword),
+            moving=states.is_powered(statusword) and not self._errand.over(statusword, counts, now_s),
             device_time_s=self._clock.monotonic_s(),
             referenced=self._referenced,
         )
@@ -161,18 +178,19 @@ class Cia402Head:
     def stop(self) -> None:
         """Brake on the quick stop ramp; in every other state than a move this changes nothing. Raises `DeviceError`."""
         self._control(states.QUICK_STOP)
+        self._believe()
 
     def reset_fault(self) -> str:
         """Reset a fault whose cause the operator has removed. Raises `DeviceError` where the cause is still there."""
-        code = self._node.emergency or self._node.read(objects.ERROR_CODE)
-        faulty = self._state() is State.FAULT
+        code = self._node.emergency or self._error_code()
+        faulty = modes.state(self._node) is State.FAULT
         if faulty:
             self._control(states.DISABLE_VOLTAGE)
             self._control(states.FAULT_RESET)
             self._node.emergency = None
             self._await("leave its fault", states.STATUS[State.FAULT][0], 0x40)
         if self._node.read(objects.ERROR_REGISTER):
-            raise self._node.fault(self._node.read(objects.ERROR_CODE))
+            raise self._node.fault(self._error_code())
         self._node.emergency = None
         if faulty:
             self._homed, self._told = False, ""
@@ -190,29 +208,41 @@ class Cia402Head:
             raise LimitError(self._node.device, happened, "choose coarser position units in the drive")
         return counts
 
-    def _says_homed(self) -> bool:
-        """Whether the drive says in homing mode that it is homed; one in fault is not asked."""
-        if self._state() is State.FAULT:
-            return False
-        self._set_mode(Mode.HOMING)
-        return states.is_homed(self._node.read(objects.STATUSWORD))
+    @property
+    def _still(self) -> int:
+        return max(1, round(_STILL_DEG * abs(self._steps_per_deg)))
+
+    def _set_out(self, *, target: int | None = None, homing: bool = False) -> None:
+        """Follow what the drive is about to do, from where it stands."""
+        start = self._node.read(objects.POSITION)
+        self._errand = Errand(start, self._still, time.monotonic(), target=target, homing=homing)
+
+    def _believe(self) -> None:
+        """Take what the drive says of its rest as it is."""
+        self._errand = Errand(0, self._still, time.monotonic(), begun=True)
+
+    def _see_it_begin(self) -> None:
+        """See the bits of before go: a short way may be over before somebody asks for the status."""
+        deadline_s = time.monotonic() + _BEGIN_S
+        while not self._errand.begun and time.monotonic() < deadline_s:
+            statusword = self._node.read(objects.STATUSWORD)
+            self._errand.over(statusword, self._node.read(objects.POSITION), time.monotonic())
 
     def _enable(self, mode: Mode) -> None:
-        """Choose the mode, and walk through the state machine until the drive is enabled."""
-        self._set_mode(mode)
+        """Choose the mode, and walk through the state machine until the drive is enabled in it."""
+        modes.choose(self._node, mode)
         deadline_s = time.monotonic() + ANSWER_S
-        while (state := self._state()) is not State.ENABLED:
+        while (state := modes.state(self._node)) is not State.ENABLED:
             if state in states.TOWARDS_ENABLED:
                 self._control(states.TOWARDS_ENABLED[state])
             self._pause(deadline_s, "become enabled")
+        if not modes.shows(self._node, mode, ANSWER_S):
+            self._refuse_fault()
+            raise self._did_not(f"enter the mode {mode.name.lower().replace('_', ' ')}")
 
-    def _set_mode(self, mode: Mode) -> None:
-        if self._state() is State.ENABLED:
-            self._control(states.ENABLE)  # without a start bit of before, which would begin something in the new mode
-        deadline_s = time.monotonic() + ANSWER_S
-        self._node.write(objects.MODE, mode)
-        while self._node.read(objects.MODE_DISPLAY) != mode:
-            self._pause(deadline_s, f"enter the mode {mode.name.lower().replace('_', ' ')}")
+    def _error_code(self) -> int:
+        """What the drive says of its fault; 0 where it does not (603Fh is optional in CiA 402)."""
+        return int(self._node.read_where_offered(objects.ERROR_CODE) or 0)
 
     def _complaint(self, statusword: int, mode: int) -> DeviceError | None:
         """What is wrong with the drive or its motion."""
@@ -220,7 +250,7 @@ class Cia402Head:
             return self._node.fault(self._node.emergency)
         state = states.state_of(statusword)
         if state in (State.FAULT, State.FAULT_REACTION):
-            return self._node.fault(self._node.read(objects.ERROR_CODE))
+            return self._node.fault(self._error_code())
         if state is State.ENABLED and statusword & states.MOTION_ERROR:
             what = "homing failed" if mode == Mode.HOMING else "the head does not follow its set-point"
             return DeviceError(self._node.device, what, "look for what blocks it, then resume the run")
@@ -236,11 +266,8 @@ class Cia402Head:
         self._node.check()
         if self._node.emergency is not None:
             raise self._node.fault(self._node.emergency)
-        if self._state() is State.FAULT:
-            raise self._node.fault(self._node.read(objects.ERROR_CODE))
-
-    def _state(self) -> State | None:
-        return states.state_of(self._node.read(objects.STATUSWORD))
+        if modes.state(self._node) is State.FAULT:
+            raise self._node.fault(self._error_code())
 
     def _control(self, word: int) -> None:
         self._node.write(objects.CONTROLWORD, word)
@@ -255,5 +282,8 @@ class Cia402Head:
         self._node.check()
         if time.monotonic() > deadline_s:
             self._refuse_fault()
-            raise NoReplyError(self._node.device, f"did not {what}", "check its supply and its parameters")
-        time.sleep(_POLL_S)
+            raise self._did_not(what)
+        time.sleep(modes.POLL_S)
+
+    def _did_not(self, what: str) -> NoReplyError:
+        return NoReplyError(self._node.device, f"did not {what}", "check its supply and its parameters")

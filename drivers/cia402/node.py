@@ -3,31 +3,37 @@
 import logging
 import math
 import time
-from typing import Final
+from collections.abc import Callable
+from typing import Final, TypeVar
 
 import can
 import canopen
 from canopen import SdoAbortedError, SdoCommunicationError
 from canopen.emcy import EmcyError
-from canopen.objectdictionary import ObjectDictionaryError, ODVariable
+from canopen.objectdictionary import ODVariable
 
 from drivers.cia402 import objects
 from drivers.cia402.emergencies import abort_words, emergency_words
 from drivers.errors import DeviceError, LinkLostError, NoReplyError
 from drivers.links.can_link import CanLink
+from drivers.links.patience import in_words
+from drivers.links.tally import Tally
 
 TRIES: Final = 3
 REPLY_TIMEOUT_S: Final = 0.5
 HEARTBEAT_S: Final = 0.2
-NO_SUCH_OBJECT: Final = 0x06020000
-"""SDO abort code (CiA 301, 7.2.4.3.17)."""
 PATIENCE_S: Final = 1.5
 """A node from which no heartbeat came for so long is lost."""
 
 _SDO_ANSWER: Final = 0x580
+_FUNCTION: Final = 0x780
+_NODE: Final = 0x7F
+_MOST_ID: Final = 0x7FF
 _SDO_BYTES: Final = 8
 _LATE_S: Final = 0.1
 """Wait after a missing answer, so that a late one is not taken for the next."""
+
+Answer = TypeVar("Answer")
 
 logging.getLogger("canopen").addHandler(logging.NullHandler())  # what it reports is raised here
 
@@ -52,9 +58,12 @@ class DriveNode:
         """Whether it has told of a start since this was last set to false."""
         self.emergency: int | None = None
         """Code of an emergency that it has not taken back."""
+        self.tally = Tally(self.device)
+        """Messages that could not be read."""
         self._link = link
         self._heard_s = -math.inf
-        self._network = _LinkNetwork(link)
+        self._beats = True
+        self._network = _LinkNetwork(link, node_id, self.tally)
         self._node = canopen.RemoteNode(node_id, objects.object_dictionary(node_id))
         self._network[node_id] = self._node
         self._node.sdo.RESPONSE_TIMEOUT = REPLY_TIMEOUT_S
@@ -65,12 +74,15 @@ class DriveNode:
     def connect(self) -> None:
         """Start the node and its heartbeat, on the bus as it is, or opened anew where it was used before.
 
+        A node that gives no heartbeat (CiA 301 lets it have node guarding in its place) is there as long as it answers.
         Raises `LinkLostError` while the node does not answer.
         """
         self._generation = self._link.reopen(self._generation)
         self._heard_s = -math.inf
         try:
-            self.write(objects.HEARTBEAT_MS, round(1000 * HEARTBEAT_S))
+            self.read(objects.STATUSWORD)
+            self._heard_s = time.monotonic()
+            self._beats = self.write_where_offered(objects.HEARTBEAT_MS, round(1000 * HEARTBEAT_S))
         except NoReplyError as error:
             raise LinkLostError(error.device, error.happened, error.remedy) from error
         self._heard_s = time.monotonic()
@@ -79,7 +91,7 @@ class DriveNode:
     def check(self) -> None:
         """Make sure that the node is there. Raises `LinkLostError`."""
         self._link.check()
-        if time.monotonic() - self._heard_s > PATIENCE_S:
+        if self._beats and not self._alive():
             raise LinkLostError(
                 self.device,
                 f"has given no heartbeat for {PATIENCE_S:g} s",
@@ -98,45 +110,62 @@ class DriveNode:
         """Value of a numeric object. Raises `LinkLostError`, `NoReplyError`, `DeviceError`."""
         return int(self._read(self._variable(index, subindex)))
 
-    def read_text(self, index: int) -> str:
-        """Value of a text object. Raises `LinkLostError`, `NoReplyError`, `DeviceError`."""
-        return str(self._read(self._variable(index, 0))).strip("\0 ")
+    def read_where_offered(self, index: int, subindex: int = 0) -> int | str | None:
+        """Value of an object that a drive need not have; None where it refuses it or does not answer, as some do.
+
+        Raises `LinkLostError`, and `NoReplyError` where it no longer answers at all.
+        """
+        try:
+            value = self._read(self._variable(index, subindex))
+        except LinkLostError:
+            raise
+        except NoReplyError:
+            self.read(objects.STATUSWORD)  # which every drive has
+            return None
+        except DeviceError:
+            return None
+        return value.strip("\0 ") if isinstance(value, str) else value
 
     def write(self, index: int, value: int, subindex: int = 0) -> None:
         """Set an object. Raises `LinkLostError`, `NoReplyError`, `DeviceError`."""
         variable = self._variable(index, subindex)
-        for _ in range(TRIES):
-            try:
-                self._node.sdo.download(index, subindex, variable.encode_raw(value))
-            except SdoAbortedError as error:
-                raise self._refused(variable, error) from error
-            except SdoCommunicationError:
-                time.sleep(_LATE_S)
-            else:
-                return
-        raise self._silent()
+        self._asked(variable, lambda: self._node.sdo.download(index, subindex, variable.encode_raw(value)))
 
-    def write_where_offered(self, index: int, value: int) -> None:
-        """Set an object that a drive need not have. Raises `LinkLostError`, `NoReplyError`, `DeviceError`."""
+    def write_where_offered(self, index: int, value: int) -> bool:
+        """Set an object that a drive need not have; false where it refuses that or does not answer, as some do.
+
+        Raises `LinkLostError`, and `NoReplyError` where it no longer answers at all.
+        """
         try:
             self.write(index, value)
-        except DeviceError as error:
-            refusal = error.__cause__
-            if not (isinstance(refusal, SdoAbortedError) and refusal.code == NO_SUCH_OBJECT):
-                raise
+        except LinkLostError:
+            raise
+        except NoReplyError:
+            self.read(objects.STATUSWORD)  # which every drive has
+            return False
+        except DeviceError:
+            return False
+        return True
 
     def _read(self, variable: ODVariable) -> int | str:
+        return self._asked(  # type: ignore[return-value]  # no object here is a float or a block of bytes
+            variable, lambda: variable.decode_raw(self._node.sdo.upload(variable.index, variable.subindex))
+        )
+
+    def _asked(self, variable: ODVariable, ask: Callable[[], Answer]) -> Answer:
+        """What the node answers, asked again where no answer or none that can be read has come."""
+        reason = ""
         for _ in range(TRIES):
             try:
-                data = self._node.sdo.upload(variable.index, variable.subindex)
-                value = variable.decode_raw(data)
+                return ask()
+            except DeviceError:  # of the link
+                raise
             except SdoAbortedError as error:
                 raise self._refused(variable, error) from error
-            except (SdoCommunicationError, ObjectDictionaryError, UnicodeDecodeError):
+            except Exception as error:  # canopen raises several kinds for an answer that is none
+                reason = "" if isinstance(error, SdoCommunicationError) else f" that can be read ({in_words(error)})"
                 time.sleep(_LATE_S)
-            else:
-                return value  # type: ignore[return-value]  # no object here is a float or a block of bytes
-        raise self._silent()
+        raise self._silent(reason)
 
     def _variable(self, index: int, subindex: int) -> ODVariable:
         variable = self._node.object_dictionary.get_variable(index, subindex)
@@ -150,12 +179,14 @@ class DriveNode:
             "check that it is a CiA 402 drive with profile position and homing, and its parameters",
         )
 
-    def _silent(self) -> DeviceError:
+    def _alive(self) -> bool:
+        return time.monotonic() - self._heard_s <= PATIENCE_S
+
+    def _silent(self, reason: str) -> DeviceError:
         """The error for a node that does not answer: is it there at all?"""
         self._link.check()
-        alive = time.monotonic() - self._heard_s <= PATIENCE_S
-        happened = f"gave no SDO answer in {TRIES} tries"
-        if alive:
+        happened = f"gave no SDO answer{reason} in {TRIES} tries"
+        if self._alive():
             return NoReplyError(self.device, happened, "switch it off and on, then resume the run")
         return LinkLostError(self.device, f"{happened} and no heartbeat", "check its power, node number and cable")
 
@@ -172,9 +203,11 @@ class DriveNode:
 class _LinkNetwork(canopen.Network):
     """A CANopen network whose bus is a `CanLink`, so that others may share the bus."""
 
-    def __init__(self, link: CanLink) -> None:
+    def __init__(self, link: CanLink, node_id: int, tally: Tally) -> None:
         super().__init__()
         self._link = link
+        self._node_id = node_id
+        self._tally = tally
         link.subscribe(self._hear)
 
     def send_message(self, can_id: int, data: bytes, remote: bool = False) -> None:
@@ -183,6 +216,18 @@ class _LinkNetwork(canopen.Network):
             self._link.send(can_id, bytes(data))
 
     def _hear(self, message: can.Message) -> None:
-        if message.arbitration_id & 0x780 == _SDO_ANSWER and message.dlc != _SDO_BYTES:
-            return  # no SDO answer, and `canopen` would stumble over it
-        self.listeners[0].on_message_received(message)  # type: ignore[no-untyped-call]
+        """Pass a message on to whom it concerns; one of the node's that cannot be read is dropped and counted."""
+        can_id, data = message.arbitration_id, message.data
+        if can_id > _MOST_ID:
+            return
+        try:
+            if message.is_extended_id:
+                raise ValueError("an identifier here has 11 bits")
+            if can_id & _FUNCTION == _SDO_ANSWER and len(data) != _SDO_BYTES:
+                raise ValueError("an SDO answer has 8 bytes")
+            self.notify(can_id, data, message.timestamp)
+        except Exception as error:  # canopen raises several kinds, and nobody would see them in this thread
+            if can_id & _NODE == self._node_id:
+                self._tally.count(
+                    "messages dropped that cannot be read", f"{can_id:X}h {data.hex()}: {in_words(error)}"
+                )

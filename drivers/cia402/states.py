@@ -75,10 +75,14 @@ def state_of(statusword: int) -> State | None:
     return None
 
 
+def is_powered(statusword: int) -> bool:
+    """Whether the drive can move its axis."""
+    return state_of(statusword) in (State.ENABLED, State.QUICK_STOP, State.FAULT_REACTION)
+
+
 def is_moving(statusword: int) -> bool:
-    """Whether the drive is on its way: under power and neither at its target nor at rest after a stop."""
-    powered = state_of(statusword) in (State.ENABLED, State.QUICK_STOP, State.FAULT_REACTION)
-    return powered and not statusword & TARGET_REACHED
+    """Whether the drive says that it is on its way: under power and neither at its target nor at rest after a stop."""
+    return is_powered(statusword) and not statusword & TARGET_REACHED
 
 
 def is_homed(statusword: int) -> bool:

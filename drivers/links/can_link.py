@@ -1,7 +1,6 @@
 """A CAN bus of any make, shared by the instruments on it; a lost one is told as such."""
 
 import logging
-import socket
 import threading
 import time
 from collections.abc import Callable
@@ -9,20 +8,23 @@ from contextlib import suppress
 from typing import Any, Final
 
 import can
-from can.interfaces.socketcand import SocketCanDaemonBus
 
 from drivers.errors import LinkLostError
 from drivers.links.can_address import CanAddress
+from drivers.links.patience import PAUSE_S, in_words, is_gone, patiently
+from drivers.links.slcan import SlcanBus
+from drivers.links.socketcand import SocketcandBus
+from drivers.links.tally import Tally
 
 SEND_TIMEOUT_S: Final = 1.0
-CONNECT_TIMEOUT_S: Final = 2.0
+"""How long a frame may be tried to be sent, in real time."""
+FAILING_S: Final = 1.0
+"""How long nothing but failures and spoilt frames may come from a bus, in real time."""
 BUS_OFF: Final = 0x40
 """Bit of an error frame's identifier that says bus-off (linux/can/error.h, CAN_ERR_BUSOFF)."""
 
 _RECEIVE_S: Final = 0.1
 """One wait for a frame; also how soon a closed link is noticed."""
-_SILENT_READS: Final = 20
-_TROUBLE = (can.CanError, OSError, NotImplementedError)
 
 Listener = Callable[[can.Message], None]
 
@@ -32,7 +34,9 @@ logging.getLogger("can").addHandler(logging.NullHandler())  # what it warns of i
 class CanLink:
     """An open CAN bus. Several instruments may share one; whoever subscribes stays subscribed when it is reopened.
 
-    Frames are handed to the subscribers by a thread of the link.
+    Frames are handed to the subscribers by a thread of the link. What no instrument here can use, and what came
+    spoilt, is dropped and counted in `tally`; whatever else goes wrong in that thread is the trouble of which `check`
+    and `send` tell. A bus that fails for a moment is tried again.
 
     Parameters
     ----------
@@ -49,6 +53,8 @@ class CanLink:
         self.address = address
         self.generation = 0
         """How often the bus has been opened."""
+        self.tally = Tally(f"CAN bus {address.url}")
+        """What was dropped, and what was tried again."""
         self._lock = threading.Lock()
         self._listeners: list[Listener] = []
         self._trouble = "it is closed"
@@ -66,9 +72,9 @@ class CanLink:
         with self._lock:
             bus = self._open_bus()
             try:
-                bus.send(message, timeout=SEND_TIMEOUT_S)
-            except _TROUBLE as error:
-                self._trouble = str(error)
+                patiently(lambda: bus.send(message, timeout=SEND_TIMEOUT_S), SEND_TIMEOUT_S, self._bears)
+            except Exception as error:  # every interface of python-can has its own kinds
+                self._trouble = self._trouble or in_words(error)
                 raise self._lost() from error
 
     def check(self) -> None:
@@ -85,8 +91,8 @@ class CanLink:
             self.close()
             try:
                 bus = _open(self.address)
-            except (*_TROUBLE, ValueError, TypeError) as error:
-                self._trouble = str(error)
+            except Exception as error:  # every interface of python-can has its own kinds
+                self._trouble = in_words(error)
                 raise self._lost() from error
             self.generation += 1
             self._trouble = ""
@@ -118,45 +124,58 @@ class CanLink:
             "check interface, cable, termination and bit rate; the run can be resumed",
         )
 
-    def _receive(self, bus: can.BusABC) -> None:
-        while bus is self._bus:
-            try:
-                message = bus.recv(_RECEIVE_S)
-            except ValueError:
-                continue  # garbled text of a serial adapter: no frame came of it
-            except _TROUBLE as error:
-                self._trouble = str(error) or type(error).__name__
-                return
-            if message is not None:
-                self._deliver(message)
+    def _bears(self, error: Exception) -> bool:
+        """Whether to try to send again after an error."""
+        if is_gone(error) or self._trouble:
+            return False
+        self.tally.count("frames sent only after a failure", in_words(error))
+        return True
 
-    def _deliver(self, message: can.Message) -> None:
-        if message.is_error_frame:
-            if message.arbitration_id & BUS_OFF:
-                self._trouble = "bus-off: too many errors on the wire, and the interface took itself off"
+    def _receive(self, bus: can.BusABC) -> None:
+        try:
+            good_s = time.monotonic()
+            while bus is self._bus:
+                try:
+                    message = bus.recv(_RECEIVE_S)
+                except Exception as error:  # every interface of python-can has its own kinds
+                    self._bear(error, time.monotonic() - good_s)
+                else:
+                    good_s = time.monotonic()
+                    self._deliver(message)
+        except Exception as error:  # nobody would see it in this thread
+            self._trouble = in_words(error)
+
+    def _bear(self, error: Exception, failing_s: float) -> None:
+        """Count what could not be received. Raises `error` where it is no use to go on."""
+        if is_gone(error) or failing_s > FAILING_S:
+            raise error
+        if isinstance(error, (can.CanError, OSError)):
+            self.tally.count("failures to receive, tried again", in_words(error))
+            time.sleep(PAUSE_S)
+        else:
+            self.tally.count("cut or garbled frames dropped", in_words(error))
+
+    def _deliver(self, message: can.Message | None) -> None:
+        if message is None:
             return
-        if message.is_remote_frame:
+        if message.is_error_frame and message.arbitration_id & BUS_OFF:
+            self._trouble = "bus-off: too many errors on the wire, and the interface took itself off"
+        if unusable := _unusable(message):
+            self.tally.count(f"{unusable} dropped", f"identifier {message.arbitration_id:X}h")
             return
         for listener in list(self._listeners):
             listener(message)
 
 
-class _Socketcand(SocketCanDaemonBus):
-    """A bus of a socketcand server, which notices when the server has closed the connection.
-
-    python-can takes the end of the stream for silence and reads it again at once, for ever.
-    """
-
-    _ends = 0
-
-    def _recv_internal(self, timeout: float | None) -> tuple[can.Message | None, bool]:
-        began_s = time.monotonic()
-        message, filtered = super()._recv_internal(timeout)  # type: ignore[no-untyped-call]
-        early = message is None and timeout is not None and time.monotonic() - began_s < timeout / 2
-        self._ends = self._ends + 1 if early else 0
-        if self._ends > _SILENT_READS:
-            raise can.CanOperationError("the server has closed the connection")
-        return message, filtered
+def _unusable(message: can.Message) -> str:
+    """What kind of frame it is, where no instrument here could use it; else empty."""
+    kinds = {
+        "error frames": message.is_error_frame,
+        "remote frames": message.is_remote_frame,
+        "CAN FD frames": message.is_fd,
+        "cut frames": len(message.data) != message.dlc,
+    }
+    return next((kind for kind, holds in kinds.items() if holds), "")
 
 
 def _open(address: CanAddress) -> can.BusABC:
@@ -164,7 +183,7 @@ def _open(address: CanAddress) -> can.BusABC:
     if address.interface == "socketcand":
         if not {"host", "port"} <= options.keys():
             raise ValueError("socketcand needs the options host and port")
-        # python-can would knock for 10 s without a pause where nobody listens
-        socket.create_connection((str(options["host"]), int(options["port"])), CONNECT_TIMEOUT_S).close()
-        return _Socketcand(channel=address.channel, **options)  # type: ignore[no-untyped-call]
+        return SocketcandBus(address.channel, **options)
+    if address.interface == "slcan":
+        return SlcanBus(address.channel, **options)
     return can.Bus(channel=address.channel, interface=address.interface, **options)

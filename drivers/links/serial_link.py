@@ -4,11 +4,13 @@ import select
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from functools import partial
 from typing import Final
 
 import serial
 
-from drivers.errors import LinkLostError, NoReplyError
+from drivers.errors import DeviceError, LinkLostError, NoReplyError
+from drivers.links.patience import in_words, is_passing, patiently
 
 WRITE_TIMEOUT_S: Final = 2.0
 MOST_LINE_BYTES: Final = 1 << 20
@@ -17,6 +19,9 @@ MOST_STALE_BYTES: Final = 4 * MOST_LINE_BYTES
 """More than some answers that nobody waited for."""
 DISCARD_S: Final = 1.0
 """A line that does not fall silent for so long is not one that was asked."""
+
+FAILING_S: Final = 1.0
+"""How long a port may fail in passing, in real time."""
 
 _CHUNK_BYTES: Final = 1 << 16
 _SLICE_S: Final = 0.05
@@ -58,7 +63,7 @@ class SerialLink:
     def write(self, data: bytes) -> None:
         """Send bytes. Raises `LinkLostError`, also where the other end does not take them in time."""
         with self._watched() as port:
-            port.write(data)
+            patiently(lambda: port.write(data), WRITE_TIMEOUT_S, is_passing)
 
     def read_line(self, terminator: bytes, timeout_s: float) -> bytes:
         """Wait for a line and return it with its terminator.
@@ -99,30 +104,27 @@ class SerialLink:
             The port is gone.
         """
         self._waiting.clear()
-        deadline_s = time.monotonic() + DISCARD_S
-        thrown_away = 0
         with self._watched() as port:
-            while port.in_waiting and (data := port.read(_CHUNK_BYTES if self._is_socket else port.in_waiting)):
-                thrown_away += len(data)
-                if thrown_away > MOST_STALE_BYTES or time.monotonic() > deadline_s:
-                    raise self._chatters(f"sends without pause at {self.url}")
+            patiently(lambda: self._drain(port), FAILING_S, is_passing)
 
     def reopen(self) -> None:
         """Close and open the port anew, with nothing waiting. Raises `LinkLostError` while it is not there."""
         self.close()
         telnet = self.url.startswith("rfc2217://")  # pyserial offers no write timeout there
+        open_port = partial(
+            serial.serial_for_url,
+            self.url,
+            baudrate=self._baud_rate,
+            timeout=0.0 if self._is_socket else _SLICE_S,
+            write_timeout=None if telnet else WRITE_TIMEOUT_S,
+            exclusive=True,
+        )
         try:
-            self._port = serial.serial_for_url(
-                self.url,
-                baudrate=self._baud_rate,
-                timeout=0.0 if self._is_socket else _SLICE_S,
-                write_timeout=None if telnet else WRITE_TIMEOUT_S,
-                exclusive=True,
-            )
-        except (serial.SerialException, OSError, ValueError) as error:
+            self._port = patiently(open_port, FAILING_S, _is_passing_at_opening)
+        except Exception as error:  # pyserial lets through what the system's terminals raise
             raise LinkLostError(
                 self.device,
-                f"cannot be reached at {self.url} ({error})",
+                f"cannot be reached at {self.url} ({in_words(error)})",
                 "check cable, power and port, and the url in the stand file",
             ) from error
 
@@ -133,20 +135,31 @@ class SerialLink:
         if port is None:
             return
         connection = getattr(port, "_socket", None)
-        with suppress(serial.SerialException, OSError):
+        with suppress(Exception):  # what is lost cannot be closed properly
             port.close()
         if connection is not None:  # pyserial forgets one that the other end has shut down
             connection.close()
 
+    def _drain(self, port: serial.Serial) -> None:
+        deadline_s = time.monotonic() + DISCARD_S
+        thrown_away = 0
+        while port.in_waiting and (data := port.read(_CHUNK_BYTES if self._is_socket else port.in_waiting)):
+            thrown_away += len(data)
+            if thrown_away > MOST_STALE_BYTES or time.monotonic() > deadline_s:
+                raise self._chatters(f"sends without pause at {self.url}")
+
     def _receive(self) -> None:
         """Take what has come; wait a moment for the first byte."""
         with self._watched() as port:
-            if self._is_socket:  # there, pyserial knows only whether anything waits, not how much
-                if select.select([port.fileno()], [], [], _SLICE_S)[0]:
-                    self._waiting += port.read(_CHUNK_BYTES)
-            else:
-                self._waiting += port.read(1)
-                self._waiting += port.read(port.in_waiting)
+            patiently(lambda: self._take(port), FAILING_S, is_passing)
+
+    def _take(self, port: serial.Serial) -> None:
+        if self._is_socket:  # there, pyserial knows only whether anything waits, not how much
+            if select.select([port.fileno()], [], [], _SLICE_S)[0]:
+                self._waiting += port.read(_CHUNK_BYTES)
+        else:
+            self._waiting += port.read(1)
+            self._waiting += port.read(port.in_waiting)
 
     @contextmanager
     def _watched(self) -> Iterator[serial.Serial]:
@@ -155,9 +168,11 @@ class SerialLink:
             raise self._lost("the port is closed")
         try:
             yield self._port
-        except (serial.SerialException, OSError) as error:
+        except DeviceError:
+            raise
+        except Exception as error:  # pyserial lets through what the system's terminals raise
             self.close()
-            raise self._lost(str(error)) from error
+            raise self._lost(in_words(error)) from error
 
     def _chatters(self, how: str) -> NoReplyError:
         return NoReplyError(
@@ -168,3 +183,8 @@ class SerialLink:
         return LinkLostError(
             self.device, f"the link at {self.url} is lost ({why})", "check cable and power; the run can be resumed"
         )
+
+
+def _is_passing_at_opening(error: Exception) -> bool:
+    """Whether a port may be there a moment later; one that another program has will not, though pyserial says so."""
+    return is_passing(error) and not isinstance(error, serial.SerialException)

@@ -1,12 +1,13 @@
 """A line on which somebody sends without pause, on a fake port."""
 
+import errno
 import itertools
 
 import pytest
 import serial
 
 from drivers.clock import VirtualClock
-from drivers.errors import NoReplyError
+from drivers.errors import LinkLostError, NoReplyError
 from drivers.links import SerialLink, serial_link
 from drivers.scpi import ScpiMultimeter
 from drivers.zaber import ZaberHead
@@ -95,3 +96,94 @@ def test_messages_of_others_without_end_are_no_answer(monkeypatch):
     monkeypatch.setattr(serial_link.time, "monotonic", lambda: next(moments))
     with pytest.raises(NoReplyError, match=r"did not come within 0.6 s"):
         head_on(Alerts()).status()
+
+
+class TerminalError(Exception):
+    """As `termios.error`, which there is none of on Windows."""
+
+
+TerminalError.__module__ = "termios"
+FLAPS = TerminalError(5, "Input/output error")
+
+
+class Flapping:
+    """A port on which every call fails some times, then answers `ok`."""
+
+    def __init__(self, error, times):
+        self.error, self.left = error, dict.fromkeys(("read", "write", "in_waiting"), times)
+        self.written, self.given = b"", [b"o", b"k\n"]
+
+    def _fail(self, name):
+        if self.left[name]:
+            self.left[name] -= 1
+            raise self.error
+
+    @property
+    def in_waiting(self):
+        self._fail("in_waiting")
+        return len(self.given[0]) if self.given else 0
+
+    def read(self, _size):
+        self._fail("read")
+        return self.given.pop(0) if self.given else b""
+
+    def write(self, data):
+        self._fail("write")
+        self.written += data
+
+    def close(self):
+        raise FLAPS
+
+
+@pytest.mark.parametrize("error", [FLAPS, OSError(errno.EINTR, "interrupted"), BlockingIOError(errno.EAGAIN, "again")])
+def test_a_port_that_fails_for_a_moment_is_tried_again(monkeypatch, error):
+    port = Flapping(error, times=3)
+    monkeypatch.setattr(serial, "serial_for_url", lambda *_, **__: port)
+    link = SerialLink("COM7")
+    link.write(b"say\n")
+    assert link.read_line(b"\n", 5.0) == b"ok\n"
+    assert port.written == b"say\n"
+    link.close()
+
+
+@pytest.mark.parametrize("error", [FLAPS, ValueError("not in a port's range"), TypeError("odd"), IndexError("cut")])
+@pytest.mark.parametrize(
+    "use", [lambda link: link.write(b"x"), lambda link: link.read_line(b"\n", 9.0), SerialLink.discard_input]
+)
+def test_whatever_a_port_raises_is_a_lost_link_with_its_reason(monkeypatch, error, use):
+    for name in ("FAILING_S", "WRITE_TIMEOUT_S"):
+        monkeypatch.setattr(serial_link, name, 0.02)
+    monkeypatch.setattr(serial, "serial_for_url", lambda *_, **__: Flapping(error, times=10**9))
+    with pytest.raises(LinkLostError, match=rf"the link at COM7 is lost .{type(error).__name__}: "):
+        use(SerialLink("COM7"))
+
+
+@pytest.mark.parametrize(("times", "opened"), [(2, True), (10**9, False)])
+def test_a_port_that_flaps_when_it_is_opened_is_tried_again_for_a_while(monkeypatch, times, opened):
+    monkeypatch.setattr(serial_link, "FAILING_S", 0.05)
+    failures = itertools.repeat(FLAPS, times)
+
+    def serial_for_url(*_, **__):
+        if error := next(failures, None):
+            raise error
+        return Chatterbox(b"")
+
+    monkeypatch.setattr(serial, "serial_for_url", serial_for_url)
+    if opened:
+        SerialLink("COM7")
+    else:
+        with pytest.raises(LinkLostError, match=r"cannot be reached at COM7 .TerminalError: "):
+            SerialLink("COM7")
+
+
+def test_a_port_that_another_program_has_is_told_at_once(monkeypatch):
+    tries = []
+
+    def serial_for_url(*_, **__):
+        tries.append(True)
+        raise serial.SerialException(errno.EAGAIN, "Could not exclusively lock port")
+
+    monkeypatch.setattr(serial, "serial_for_url", serial_for_url)
+    with pytest.raises(LinkLostError, match="exclusively lock"):
+        SerialLink("COM7")
+    assert len(tries) == 1

@@ -15,6 +15,7 @@ from drivers.protocols import HeadStatus
 from drivers.simulated import Simulated, build
 from emulators.candaq import EmulatedCanDaq
 from emulators.cia402 import EmulatedDrive
+from emulators.cia402_drive import Drive
 from emulators.faults import Faults, FaultScript
 from emulators.speed import FasterClock
 from emulators.world import SharedWorld
@@ -34,6 +35,12 @@ class CanBench:
     clock: Clock
     channel: str
     link: CanLink
+    node: EmulatedDrive
+
+    @property
+    def drive(self) -> Drive:
+        """What is inside the emulated node."""
+        return self.node._drive
 
     def head(self, **options) -> Cia402Head:
         chosen = {"limits_deg": (-180.0, 760.0), "steps_per_deg": STEPS_PER_DEG, "speed_deg_s": 20.0} | options
@@ -64,7 +71,7 @@ def can_bench(*faults: dict, frames: DaqFrames | None = None) -> Iterator[CanBen
     daq = EmulatedCanDaq(world, channel, daq_faults, frames)
     link = CanLink(CanAddress(interface="virtual", channel=channel))
     try:
-        yield CanBench(world=world, clock=clock, channel=channel, link=link)
+        yield CanBench(world=world, clock=clock, channel=channel, link=link, node=drive)
     finally:
         link.close()
         daq.close()

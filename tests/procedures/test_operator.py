@@ -5,7 +5,7 @@ from threading import Event
 
 import pytest
 
-from procedures.errors import InputError
+from procedures.errors import InputError, UnansweredError
 from procedures.operator import Answer, Answers, ConsoleOperator, ScriptedOperator, SeatingOperator, understand
 
 YES = Answer(text="yes", confirmed=True)
@@ -145,3 +145,10 @@ def test_a_simulated_unit_is_seated_once_it_is_confirmed():
     operator.ask_mount("edge", "Seat it in edge.")
     assert operator.poll() == YES
     assert seated == ["edge"]
+
+
+def test_input_that_cannot_be_read_is_told_with_its_reason():
+    console = ConsoleOperator(io.TextIOWrapper(io.BytesIO(b"\xff\xfe\n"), "utf-8"), lambda text: None)
+    console.ask_mount("edge", "Seat it in edge.")
+    with pytest.raises(UnansweredError, match=r"the answer could not be read .UnicodeDecodeError: .* resume the run"):
+        answer_of(console)

@@ -396,3 +396,12 @@ def test_an_interrupt_while_the_head_comes_to_rest_to_be_homed_is_no_device_faul
     outcome = linked.engine().run(SWEEP.procedure())
 
     assert (outcome.reason, outcome.at_standstill) == (FinishReason.STOPPED, True)
+
+
+def test_what_an_instrument_put_right_is_told_after_the_step_and_when_the_run_ends(linked: FakeStand):
+    said = iter([["DAQ: cut frames dropped: 1"], ["DAQ: cut frames dropped: 10"]])
+    linked.daq.remarks = lambda: next(said, [])
+    linked.daq.last_remarks = lambda: ["DAQ: cut frames dropped: 12"]
+    outcome = linked.engine().run(SWEEP.procedure())
+    assert outcome.reason is FinishReason.COMPLETED
+    assert warnings(linked) == [f"DAQ: cut frames dropped: {count}" for count in (1, 10, 12)]

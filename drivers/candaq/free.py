@@ -1,0 +1,152 @@
+"""A voltmeter on CAN that sends by itself, without being told to begin."""
+
+import time
+from typing import Final
+
+import numpy as np
+
+from drivers.candaq.daq import LATENESS_S
+from drivers.candaq.frames import DaqFrames, Frame
+from drivers.candaq.inbox import DEVICE, Inbox
+from drivers.clock import Clock
+from drivers.errors import DeviceError, LinkLostError, NoReplyError
+from drivers.links.can_link import CanLink
+from drivers.protocols import Identity, SampleBlock
+
+FIRST_FRAME_S: Final = 2.0
+"""How long the first frame may be waited for, in real time."""
+_RATE_RATIO: Final = 1.25
+_RATE_S: Final = 0.5
+"""A block that takes another time than it should by that ratio, and by so many seconds, has another rate."""
+
+
+class FreeRunningDaq:
+    """A DAQ whose DBC file has no commands. Fits `Daq`, `Reconnectable` and `Remarking`.
+
+    A block is the next frames that come. Lost and doubled ones are seen where the DBC file has a counter; else a lost
+    frame only makes the block longer.
+
+    Parameters
+    ----------
+    link
+        The bus; others may share it.
+    frames
+        The DAQ's frames.
+    clock
+        Dates a block where the DAQ does not tell its own time.
+
+    Raises
+    ------
+    LinkLostError
+        The bus is not there.
+    """
+
+    def __init__(self, link: CanLink, frames: DaqFrames, clock: Clock) -> None:
+        self._link = link
+        self._frames = frames
+        self._clock = clock
+        self._inbox = Inbox(link, frames)
+        self._generation = link.reopen(0)
+
+    def reconnect(self) -> None:
+        """Open the bus anew, unless another instrument on it has. Raises `LinkLostError` while nobody sends there."""
+        self._generation = self._link.reopen(self._generation)
+        try:
+            self.identify()
+        except NoReplyError as error:
+            raise LinkLostError(error.device, error.happened, error.remedy) from error
+
+    def remarks(self) -> tuple[str, ...]:
+        """What was dropped or tried again."""
+        return self._inbox.remarks()
+
+    def last_remarks(self) -> tuple[str, ...]:
+        """What of that has not been told."""
+        return self._inbox.last_remarks()
+
+    def identify(self) -> Identity:
+        """What the DBC file lets it say of itself; at least it must send voltages. Raises `NoReplyError`."""
+        self._inbox.forget()
+        wanted = "Identity" if self._frames.has("Identity") else "Voltage"
+        frame = self._await(wanted, time.monotonic() + FIRST_FRAME_S)
+        told = {name: frame.signals.get(name, "") for name in ("Product", "Serial", "Firmware")}
+        model, serial, firmware = (
+            f"{value:.0f}" if isinstance(value, float | int) else value for value in told.values()
+        )
+        return Identity(model=model or f"CAN DAQ {self._frames.place_of('Voltage')}", serial=serial, firmware=firmware)
+
+    def acquire(self, samples: int, rate_hz: float) -> SampleBlock:
+        """Take the next samples; where frames are lost or doubled, once more.
+
+        Raises
+        ------
+        DeviceError
+            Frames were lost or doubled both times, or it sends at another rate.
+        NoReplyError
+            Frames do not come.
+        LinkLostError
+            The bus is gone.
+        """
+        complaint = ""
+        for _ in range(2):
+            block, complaint = self._block(samples, rate_hz)
+            if not complaint:
+                return block
+        raise DeviceError(DEVICE, f"{complaint}, twice in a row", "check the load of the bus, cable and termination")
+
+    def _block(self, samples: int, rate_hz: float) -> tuple[SampleBlock, str]:
+        """A block, and what is wrong with it; empty where it is whole."""
+        self._inbox.forget()
+        deadline_s = time.monotonic() + samples / rate_hz * _RATE_RATIO + FIRST_FRAME_S + LATENESS_S
+        voltages_v: list[float] = []
+        counters: list[float] = []
+        others: dict[str, list[float]] = {"Temperature": [], "Time": []}
+        moments_s: list[float] = []
+        while len(voltages_v) < samples:
+            frame = self._next(deadline_s, f"sent {len(voltages_v)} of {samples} voltages")
+            if frame.name == "Voltage":
+                voltages_v.append(frame.number("Voltage"))
+                counters.append(frame.number("Counter"))
+                moments_s.append(self._clock.monotonic_s())
+            elif frame.name in others:
+                others[frame.name].append(frame.number(frame.name))
+        self._check_rate(moments_s, rate_hz)
+        block = SampleBlock(
+            voltage_v=np.array(voltages_v),
+            rate_hz=rate_hz,
+            device_time_s=others["Time"][0] if others["Time"] else moments_s[0],
+            temperature_degc=float(np.mean(others["Temperature"])) if others["Temperature"] else None,
+        )
+        return block, self._complaint(counters)
+
+    def _complaint(self, counters: list[float]) -> str:
+        if not self._frames.counts:
+            return ""
+        steps = np.diff(counters) % self._frames.counts
+        wrong = int(np.count_nonzero(steps != 1))
+        return f"{wrong} of {len(counters)} voltage frames did not follow the one before" if wrong else ""
+
+    def _check_rate(self, moments_s: list[float], rate_hz: float) -> None:
+        """Make sure that the frames came at the rate that the stand file says. Raises `DeviceError`."""
+        steps = len(moments_s) - 1
+        taken_s, planned_s = moments_s[-1] - moments_s[0], steps / rate_hz
+        ratio = max(taken_s, planned_s) / max(min(taken_s, planned_s), 1e-9)
+        if ratio > _RATE_RATIO and abs(taken_s - planned_s) > _RATE_S:
+            happened = (
+                f"sends {steps / max(taken_s, 1e-9):.3g} samples a second by itself, and {rate_hz:g} were asked for"
+            )
+            raise DeviceError(DEVICE, happened, "write the rate at which it sends as rate_hz into the stand file")
+
+    def _await(self, name: str, deadline_s: float) -> Frame:
+        happened = f"sent no {self._frames.place_of(name)} within {FIRST_FRAME_S:g} s"
+        while (frame := self._next(deadline_s, happened)).name != name:
+            pass
+        return frame
+
+    def _next(self, deadline_s: float, happened: str) -> Frame:
+        """The next frame. Raises `NoReplyError`, which says what `happened`, after the deadline."""
+        frame = self._inbox.next(deadline_s)
+        if frame is None:
+            remedy = "check its power, and whether the DBC file is its own"
+            raise NoReplyError(DEVICE, f"{happened}{self._inbox.words}", remedy)
+        return frame

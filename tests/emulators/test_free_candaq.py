@@ -1,0 +1,99 @@
+"""A DAQ of somebody else, which sends by itself, through the bus."""
+
+import threading
+from contextlib import contextmanager
+
+import can
+import numpy as np
+import pytest
+from cantools.database import load_string
+
+import drivers.candaq.free
+from drivers.candaq import DaqFrames
+from drivers.candaq.free import FreeRunningDaq
+from drivers.clock import SystemClock
+from drivers.errors import DeviceError, NoReplyError
+from drivers.links.can_address import CanAddress
+from drivers.links.can_link import CanLink
+from drivers.protocols import Daq, Reconnectable, Remarking
+
+DBC = """VERSION ""
+
+BU_: Logger
+
+BO_ 512 ADC: 6 Logger
+ SG_ U : 0|32@1- (1E-006,0) [0|0] "V" Logger
+ SG_ Seq : 32|8@1+ (1,0) [0|0] "" Logger
+ SG_ T : 40|8@1- (1,0) [0|0] "" Logger
+"""
+NAMES = {"Voltage": {"Voltage": "ADC.U", "Counter": "ADC.Seq"}, "Temperature": {"Temperature": "ADC.T"}}
+RATE_HZ = 500.0
+
+
+@contextmanager
+def sending(channel: str, numbers, data=lambda number: (2_500_000).to_bytes(4, "little") + bytes([number % 256, 23])):
+    """A logger that sends frames with these numbers, evenly."""
+    leaving = threading.Event()
+
+    def send():
+        with can.Bus(interface="virtual", channel=channel) as bus:
+            for number in numbers:
+                if leaving.wait(1.0 / RATE_HZ):
+                    return
+                bus.send(can.Message(arbitration_id=512, is_extended_id=False, data=data(number)))
+
+    thread = threading.Thread(target=send, daemon=True)
+    thread.start()
+    try:
+        yield
+    finally:
+        leaving.set()
+        thread.join()
+
+
+@contextmanager
+def daq_on(channel: str):
+    link = CanLink(CanAddress(interface="virtual", channel=channel))
+    try:
+        yield FreeRunningDaq(link, DaqFrames(load_string(DBC, "dbc"), NAMES), SystemClock())
+    finally:
+        link.close()
+
+
+def test_a_block_is_the_next_frames_that_come():
+    with daq_on("free-1") as daq, sending("free-1", range(10_000)):
+        fits: Daq = daq
+        assert isinstance(fits, Reconnectable) and isinstance(fits, Remarking)
+        assert daq.identify().model == "CAN DAQ ADC"
+        block = daq.acquire(40, RATE_HZ)
+    assert block.voltage_v == pytest.approx(np.full(40, 2.5))
+    assert block.temperature_degc == 23.0
+
+
+def test_frames_that_were_lost_twice_are_told():
+    with (
+        daq_on("free-2") as daq,
+        sending("free-2", range(0, 100_000, 3)),
+        pytest.raises(DeviceError, match="voltage frames did not follow the one before, twice in a row"),
+    ):
+        daq.acquire(20, RATE_HZ)
+
+
+def test_a_rate_that_is_not_its_own_is_told(monkeypatch):
+    monkeypatch.setattr(drivers.candaq.free, "_RATE_S", 0.05)
+    with (
+        daq_on("free-3") as daq,
+        sending("free-3", range(10_000)),
+        pytest.raises(DeviceError, match="samples a second by itself, and 100 were asked for; write the rate"),
+    ):
+        daq.acquire(20, 100.0)
+
+
+def test_a_silent_one_is_told_with_what_was_dropped(monkeypatch):
+    monkeypatch.setattr(drivers.candaq.free, "FIRST_FRAME_S", 0.3)
+    with daq_on("free-4") as daq, sending("free-4", range(10_000), data=lambda _: b"\x01"):
+        with pytest.raises(
+            NoReplyError, match=r"sent no ADC within 0.3 s \(frames of another length .* dropped: \d+\)"
+        ):
+            daq.identify()
+        assert "CAN DAQ: frames of another length than the DBC file says dropped" in daq.remarks()[0]
