@@ -98,11 +98,6 @@ class FileDialog(Dialog):
         self.files.finished.connect(self.dismiss)
         self.add(self.files)
 
-    @property
-    def filter(self) -> str:
-        """The kind of file that was chosen last."""
-        return self.files.selectedNameFilter()
-
 
 class Dialogs(QScrollArea):
     """Where dialogs are shown: the newest on top, scrolled where they take more than the `room`, in pixels."""
