@@ -37,7 +37,8 @@ test: setup check
 
 test-screen: setup
 	xvfb-run --auto-servernum --server-args="-screen 0 1280x800x24" env QT_QPA_PLATFORM=xcb \
-	    $(BIN)/python -m pytest tests/window/test_whole_run.py tests/window/test_stand_screen.py
+	    $(BIN)/python -m pytest tests/window/test_whole_run.py tests/window/test_stand_screen.py \
+	    tests/window/test_stop_everywhere.py
 	xvfb-run --auto-servernum --server-args="-screen 0 1280x800x24" env QT_QPA_PLATFORM=xcb \
 	    $(BIN)/python -m benchmarks.window_streaming --minutes 0.25
 

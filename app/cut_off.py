@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from datetime import UTC, datetime
 from pathlib import Path
 
 from app.files import RECORDING_SUFFIX
@@ -21,6 +22,8 @@ class CutOff:
     points: int
     ending: str
     """Why it ended; empty where it broke off."""
+    stand_name: str
+    began_at: datetime
 
 
 def cut_off_runs(folder: Path) -> tuple[CutOff, ...]:
@@ -45,6 +48,8 @@ def _cut_off(path: Path) -> Iterator[CutOff]:
             programme_name=programme_name,
             points=len(recording.points),
             ending=str(recording.ending.reason) if recording.ending else "",
+            stand_name=str(recording.header.stand.get("name", "")),
+            began_at=datetime.fromtimestamp(recording.header.started_wall_ns / 1e9, tz=UTC),
         )
 
 

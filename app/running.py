@@ -24,9 +24,9 @@ from app.wiring import Connected
 from drivers.clock import Clock
 from drivers.errors import Interrupted
 from procedures.acquisition import Acquisition
-from procedures.announcer import Listener
+from procedures.announcer import Announcer, Listener
 from procedures.engine import Engine
-from procedures.events import State
+from procedures.events import State, WarningRaised
 from procedures.outcome import Outcome
 from procedures.plan import Plan, check_cable, check_limits, check_mounts, plan
 from procedures.programme import Programme
@@ -148,9 +148,17 @@ def carry_out(
     )
     try:
         with _stopping_on_signals(engine), recorder:
+            _warn_of_what_is_due(job, connected.stand.clock, Announcer(recorder, heard))
             return action(engine)
     except RecordingError as error:  # from closing it: what fails during the run is in the outcome
         raise JobError(f"{error}; its complete points can be read", Exit.STORAGE) from error
+
+
+def _warn_of_what_is_due(job: Job, clock: Clock, announcer: Announcer) -> None:
+    """Have recording and display say which calibrations are overdue, by the day of the stand's clock, UTC."""
+    today = datetime.fromtimestamp(clock.wall_ns() / 1e9, tz=UTC).date()
+    for sentence in job.stand.file.expired(today):
+        announcer.announce(WarningRaised(message=sentence))
 
 
 def failure(outcome: Outcome, recording: Path) -> JobError | None:

@@ -155,6 +155,22 @@ def _code_of(file: StandFile) -> set[str]:
     return {*drivers, *filter(None, physics)}
 
 
+def same_instruments(recorded: Mapping[str, Any], loaded: LoadedStand) -> bool:
+    """Whether a stand file in a recording names the stand and the instruments of one that is loaded.
+
+    True where nothing was recorded, as for a table; due dates, limits and uncertainties may differ.
+    """
+    return not recorded or _instruments(recorded) == _instruments(loaded.recorded)
+
+
+def _instruments(data: Mapping[str, Any]) -> dict[str, Any]:
+    places = ("driver", "url", "interface", "channel", "serial")
+    tables = {name: data.get(name, {}) for name in ("head", "daq")}
+    return {"name": data.get("name")} | {
+        name: {place: table[place] for place in places if place in table} for name, table in tables.items()
+    }
+
+
 def _seen(head: HeadTable) -> bool:
     """Whether a simulated DAQ sees what the head does: it is simulated too, or a person turns the simulated one.
 

@@ -77,13 +77,13 @@ class StandFile(BaseModel):
             gravity=self.site.gravity,
         )
 
-    def expired(self, today: date) -> list[str]:
-        """A sentence for every instrument whose calibration is overdue."""
+    def expired(self, on: date) -> list[str]:
+        """A sentence for every instrument whose calibration is overdue on a day, see `Instrument.overdue`."""
         instruments = {"head": self.head, "daq": self.daq}
         return [
-            f"stand {self.name}: the calibration of the {name} was due on {due.isoformat()}; have it done"
+            f"stand {self.name}: the calibration of the {name} was due on {table.calibration_due}; have it done"
             for name, table in instruments.items()
-            if (due := table.calibration_due) is not None and due < today
+            if table.overdue(on)
         ]
 
 

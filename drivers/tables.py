@@ -3,10 +3,12 @@
 A driver that has keys of its own derives its table from one of these; see `drivers.driver`.
 """
 
-from datetime import date
+import re
+from datetime import date, datetime
 from typing import ClassVar, Final, Literal, Self, TypeAlias
 
 from pydantic import BaseModel, ConfigDict, Field, field_validator, model_validator
+from pydantic_core import PydanticCustomError
 
 from drivers.links.can_address import CanAddress, Option
 from drivers.links.places import check_network, check_scheme, check_server
@@ -14,6 +16,8 @@ from drivers.names import Name
 
 MOST_SAMPLES: Final = 10_000_000
 """More in one dwell is a slip of the pen."""
+
+_DAY: Final = re.compile(r"\d{4}-\d{2}-\d{2}", re.ASCII)
 
 Mount: TypeAlias = Literal["face-up", "face-up-90", "face-down", "edge", "edge-back", "end"]
 
@@ -35,6 +39,20 @@ class Instrument(BaseModel):
     def _possible(cls, url: str) -> str:
         check_network(url)
         return url
+
+    @field_validator("calibration_due", mode="before")
+    @classmethod
+    def _day(cls, due: object) -> object:
+        """A day and nothing else: numbers would be taken for seconds since 1970."""
+        if due is None or (isinstance(due, date) and not isinstance(due, datetime)):
+            return due
+        if isinstance(due, str) and _DAY.fullmatch(due):
+            return date.fromisoformat(due)
+        raise PydanticCustomError("day", "Input should be a valid date, such as 2027-01-31")
+
+    def overdue(self, on: date) -> bool:
+        """Whether the calibration is past its due date on a day; on that date itself it still holds."""
+        return self.calibration_due is not None and self.calibration_due < on
 
     @property
     def address(self) -> str:

@@ -143,6 +143,7 @@ class Motion:
         with suppress(Exception):
             try:
                 status = self._head.status()
+                self._look(status)  # whoever watches sees where it came to rest
                 if not status.moving:
                     return status.angle_deg
             except LinkLostError:

@@ -89,6 +89,8 @@ class Progress:
     def _step_done(self) -> None:
         if self._began_s is None:  # the mount of a resumed run, confirmed again: no step of the programme
             return
+        if not self._left:
+            return  # a run that has more steps than were planned: its time is not known
         planned = self._left.popleft()
         self._paces[type(planned.step)].add(planned.duration_s, self._working_s() - self._began_s)
         self._began_s = None

@@ -1,37 +1,36 @@
-"""The frame around the screens: navigation, STOP, menus, and the way out."""
+"""The frame around the screens: navigation, dialogs, STOP, menus, and the way out."""
 
 from pathlib import Path
 from typing import Final
 
-from PySide6.QtCore import QByteArray, QSettings, Qt, Signal
-from PySide6.QtGui import QCloseEvent, QKeySequence, QShortcut
-from PySide6.QtWidgets import (
-    QHBoxLayout,
-    QMainWindow,
-    QMessageBox,
-    QStackedWidget,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QCloseEvent, QKeyEvent, QShowEvent
+from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QStackedWidget, QVBoxLayout, QWidget
 
 from app.stand import LoadedStand
 from drivers.protocols import HeadStatus
 from window.menus import fill_menus
+from window.place import keep_on_screen, remember_place, restore_place
 from window.screens.records import RecordsScreen
 from window.screens.result import ResultScreen
-from window.screens.run import Phase, RunScreen
-from window.screens.stand import StandScreen
+from window.screens.run import RunScreen
+from window.screens.run_state import Phase
+from window.screens.stand import StandScreen, remembered_stand
+from window.stop_guard import STOP_KEYS, StopGuard
+from window.way_out import WayOut
+from window.widgets.dialog import Dialog, Dialogs, QuestionDialog
 from window.widgets.navigation import Navigation
 from window.widgets.problem import ProblemDialog
 from window.widgets.screen_area import ScreenArea
 from window.widgets.stop_bar import StopBar
-from window.work.activity import Concluded
+from window.work.activity import Activity, Concluded
 from window.work.background import Background
 from window.work.bridge import EventBridge
 from window.work.operator import WindowOperator
 from window.work.stand_worker import StandWorker
 
-_SIZE: Final = (1280, 800)
+_GAPS: Final = 24
+"""Pixels between the parts of the window, together."""
 
 
 class MainWindow(QMainWindow):
@@ -41,26 +40,34 @@ class MainWindow(QMainWindow):
     """The window is to be made anew, in another language."""
     dress_wanted = Signal()
     """Colours or text size were chosen anew."""
+    left = Signal()
+    """The window is closed, and everything behind it is at its end."""
 
     def __init__(self, store: Path) -> None:
         super().__init__()
         self.store = store
-        self._working = self._leaving = False
         self.bridge, self.operator, self.background = EventBridge(self), WindowOperator(self), Background(self)
-        self.worker = StandWorker(self.bridge, self)
+        loaded, trouble = remembered_stand()
+        self.worker = StandWorker(self.bridge, loaded, self)
         self.stand = StandScreen(self.worker, self.bridge, self.operator)
-        self.run = RunScreen(self.worker, self.bridge, self.operator, self.background, lambda: self.store)
-        self.result = ResultScreen(self.background)
+        self.run = RunScreen(
+            self.worker, self.bridge, self.stand.attendant, self.operator, self.background, lambda: self.store
+        )
+        self.result = ResultScreen(self.background, lambda: self.worker.session.loaded)
         self.records = RecordsScreen(self.background, lambda: self.store)
-        self.stop_bar = StopBar()
+        self.stop_bar, self.dialogs = StopBar(), Dialogs(self._room)
+        self.way_out = WayOut(self)
+        self._guard = StopGuard(self.stop_bar.button, self)
         self._screens = QStackedWidget()
         titles = (self.tr("Stand"), self.tr("Run"), self.tr("Result"), self.tr("Records"))
         self._navigation = Navigation(titles)
         self._lay_out()
         self._connect()
         fill_menus(self)
-        self._restore()
-        self._use_stand(self.stand.loaded)
+        self._navigation.choose(restore_place(self))
+        self._show_stand(loaded)
+        if trouble is not None:
+            self.tell(trouble)
 
     @property
     def _in_order(self) -> tuple[QWidget, ...]:
@@ -69,7 +76,7 @@ class MainWindow(QMainWindow):
     @property
     def busy(self) -> bool:
         """Whether the stand is at work."""
-        return self._working or self.run.phase is not Phase.IDLE
+        return self.worker.busy or self.run.phase is not Phase.IDLE
 
     def open(self, screen: QWidget) -> None:
         """Show one of the screens."""
@@ -77,44 +84,50 @@ class MainWindow(QMainWindow):
 
     def tell(self, error: BaseException) -> None:
         """Show what went wrong; does not wait."""
-        dialog = ProblemDialog(error, self)
-        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        dialog.open()
+        self.dialogs.show_dialog(ProblemDialog(error))
 
     def fail(self, error: BaseException) -> None:
         """Bring the head to rest after a fault of the program, and show it."""
         self.worker.stop()
         self.tell(error)
 
+    def leave(self) -> None:
+        """Close without asking, as a signal of the system demands."""
+        self.way_out.leave()
+
     def closeEvent(self, event: QCloseEvent) -> None:  # noqa: N802  # Qt's name
-        """Ask while a run goes on; leave only once the head stands."""
-        running = self.run.phase is not Phase.IDLE
-        if running and not self._leaving and not self._confirmed():
+        """Leave only once the head stands, and ask before while anything goes on."""
+        if not self.way_out.is_open():
             event.ignore()
             return
-        self._leaving = True
-        if running:
-            self.worker.stop()
-            event.ignore()  # closed anew when the stand has come to rest
-            return
-        self._remember()
+        remember_place(self, self._navigation.current)
         self.worker.leave()
         self.background.leave()
         event.accept()
+        self.left.emit()
 
-    def leave(self) -> None:
-        """Close without asking, as a signal of the system demands."""
-        self._leaving = True
-        self.close()
+    def showEvent(self, event: QShowEvent) -> None:  # noqa: N802  # Qt's name
+        """Be wholly on the screen, STOP above all."""
+        super().showEvent(event)
+        keep_on_screen(self)
 
-    def _confirmed(self) -> bool:
-        question = self.tr("A run is going on. Stop it at a standstill, and leave? Its complete points are kept.")
-        buttons = QMessageBox.StandardButton
-        asked = QMessageBox.question(self, self.tr("Leave"), question, buttons.Yes | buttons.No, buttons.No)
-        return asked == buttons.Yes
+    def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802  # Qt's name
+        """Esc closes the newest dialog; where there is none it says what stops instead."""
+        if event.key() != Qt.Key.Key_Escape:
+            super().keyPressEvent(event)
+        elif not self.dialogs.close_newest() and self.busy:
+            self._say_what_stops()
+
+    def _say_what_stops(self) -> None:
+        text = self.tr("Esc stops nothing: it closes dialogs. STOP is {key}.").format(key=STOP_KEYS[0])
+        self.dialogs.show_dialog(Dialog(self.tr("Not stopped"), text, "fault"))
+
+    def _room(self) -> int:
+        """What navigation, menus and STOP leave of the height."""
+        kept = (self.menuBar(), self._navigation, self.stop_bar)
+        return max(self.height() - sum(part.minimumSizeHint().height() for part in kept) - _GAPS, 0)
 
     def _lay_out(self) -> None:
-        self.setWindowTitle("tumble")
         for screen in self._in_order:
             self._screens.addWidget(ScreenArea(screen))
         middle = QWidget()
@@ -124,65 +137,79 @@ class MainWindow(QMainWindow):
         down = QVBoxLayout(middle)
         down.setContentsMargins(0, 0, 0, 0)
         down.addLayout(across, stretch=1)
+        down.addWidget(self.dialogs)
         down.addWidget(self.stop_bar)
         self.setCentralWidget(middle)
 
     def _connect(self) -> None:
-        QShortcut(QKeySequence("Esc"), self, self.worker.stop, context=Qt.ShortcutContext.ApplicationShortcut)
+        worker, bar = self.worker, self.stop_bar
         self._navigation.chosen.connect(self._screens.setCurrentIndex)
-        self.stop_bar.stop_wanted.connect(self.worker.stop)
-        self.worker.working.connect(self._show_working)
-        self.worker.head_seen.connect(self.stop_bar.show_head)
-        self.worker.connected.connect(lambda identity: self.stop_bar.show_head(identity.status))
-        self.worker.disconnected.connect(lambda: self.stop_bar.show_head(None))
+        for stop in (bar.stop_wanted, self._guard.wanted):
+            stop.connect(worker.stop)
+        worker.working.connect(self._show_working)
+        worker.head_seen.connect(bar.show_head)
+        worker.connected.connect(lambda identity: bar.show_head(identity.status))
+        worker.disconnected.connect(lambda: bar.show_head(None))
+        worker.chosen.connect(self._show_stand)
         self.bridge.head_seen.connect(self._show_head)
-        self.background.busy.connect(self.stop_bar.show_busy)
-        self.background.failed.connect(self._show_failure)
-        self.stand.chosen.connect(self._use_stand)
-        self.stand.refused.connect(self._show_failure)
-        self.run.refused.connect(self._show_failure)
-        self.run.state_changed.connect(self.stop_bar.state.setText)
+        self.background.busy.connect(bar.show_busy)
+        self.run.state_changed.connect(bar.show_state)
         self.run.concluded.connect(self._show_result)
+        self.run.resume_wanted.connect(self.records.resume)
+        self.run.broke_off.connect(self.records.refresh)
+        self.records.found_cut_off.connect(self.run.offer)
         self.result.experiment_wanted.connect(self._begin)
-        self.result.refused.connect(self._show_failure)
         self.records.opened.connect(self._show_result)
         self.records.resume_wanted.connect(self._begin)
-        self.records.refused.connect(self._show_failure)
+        for screen in (self.stand, self.run, self.records):
+            screen.dialog_wanted.connect(self.dialogs.show_dialog)
+        refused = (self.stand.refused, self.run.refused, self.result.refused, self.records.refused)
+        for trouble in (*refused, worker.failed, self.background.failed, self.bridge.failed):
+            trouble.connect(self._show_failure)
 
-    def _show_failure(self, error: Exception) -> None:
+    def _show_failure(self, error: BaseException) -> None:
         self.tell(error)
 
     def _show_head(self, status: HeadStatus) -> None:
         self.stop_bar.show_head(status)
 
-    def _show_working(self, working: bool) -> None:
-        self._working = working
-        self.result.allow_runs(not working)
-        self.records.allow_runs(not working)
-        if self._leaving and not working:
-            self.close()
+    def _show_working(self, _working: bool) -> None:
+        free = not self.worker.busy
+        self.result.allow_runs(free)
+        self.records.allow_runs(free)
 
-    def _use_stand(self, loaded: LoadedStand) -> None:
-        self.run.use_stand(loaded, self.stand.attendant)
-        self.result.use_stand(loaded)
+    def _show_stand(self, loaded: LoadedStand) -> None:
+        self.setWindowTitle(f"{loaded.file.name} – tumble")
+        self.run.show_stand()
 
-    def _begin(self, activity: object, points: tuple[object, ...] = ()) -> None:
-        self.open(self.run)
-        self.run.begin(activity, points)  # type: ignore[arg-type]  # signals carry objects
+    def _begin(self, activity: Activity, points: tuple[object, ...] = ()) -> None:
+        """Begin a run on the stand that is on screen; one of another stand asks for that first."""
+        its, shown = activity.job.stand, self.worker.session
+        if self.busy or shown.is_of(its):
+            self._begin_here(activity, points)
+            return
+        text = self.tr(
+            "This run was measured at the stand {its} ({path}); on screen is the stand {shown}. "
+            "Leave that one, and go on with the run at {its}?"
+        )
+        place = its.path or self.tr("the simulated stand that is built in")
+        question = QuestionDialog(
+            self.tr("Another stand"),
+            text.format(its=its.file.name, path=place, shown=shown.loaded.file.name),
+            self.tr("Take the stand {its}, and go on").format(its=its.file.name),
+        )
+        question.agreed.connect(lambda: self._begin_there(activity, points))
+        self.dialogs.show_dialog(question)
+
+    def _begin_there(self, activity: Activity, points: tuple[object, ...]) -> None:
+        if self.stand.use(activity.job.stand):
+            self._begin_here(activity, points)
+
+    def _begin_here(self, activity: Activity, points: tuple[object, ...]) -> None:
+        if self.run.begin(activity, points):  # type: ignore[arg-type]  # signals carry objects
+            self.open(self.run)
 
     def _show_result(self, concluded: Concluded) -> None:
         self.result.show_result(concluded, self.store)
         self.records.refresh()
         self.open(self.result)
-
-    def _restore(self) -> None:
-        self.resize(*_SIZE)
-        settings = QSettings()
-        geometry = settings.value("window/geometry")
-        if isinstance(geometry, QByteArray):
-            self.restoreGeometry(geometry)
-        self._navigation.choose(int(str(settings.value("window/screen", 0))))
-
-    def _remember(self) -> None:
-        QSettings().setValue("window/geometry", self.saveGeometry())
-        QSettings().setValue("window/screen", self._navigation.current)

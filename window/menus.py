@@ -4,10 +4,12 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QCoreApplication, QSettings
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
-from PySide6.QtWidgets import QMenu, QMessageBox
+from PySide6.QtWidgets import QLabel, QMenu
 
 from window.look.language import Language, preferred
 from window.look.theme import Shade
+from window.stop_guard import STOP_KEYS
+from window.widgets.dialog import YES_KEY, Dialog
 
 if TYPE_CHECKING:
     from window.main_window import MainWindow
@@ -89,18 +91,24 @@ def _scale(window: "MainWindow", way: int) -> None:
 def _speak(window: "MainWindow", choice: Language) -> None:
     QSettings().setValue("look/language", str(choice))
     if window.busy:
-        text = translate("Menus", "The language changes when the window is opened the next time: the stand is at work.")
-        QMessageBox.information(window, translate("Menus", "Language"), text)
+        _tell_language_later(window)
     else:
         window.restart_wanted.emit()
 
 
+def _tell_language_later(window: "MainWindow") -> None:
+    text = translate("Menus", "The language changes when the window is opened the next time: the stand is at work.")
+    window.dialogs.show_dialog(Dialog(translate("Menus", "Language"), text))
+
+
 def _show_keys(window: "MainWindow") -> None:
     keys = {
-        "Esc": translate("Menus", "stop the head, whatever is going on"),
+        ", ".join(STOP_KEYS): translate("Menus", "stop the head, whatever is going on"),
+        "Esc": translate("Menus", "close a dialog; it stops nothing"),
         "F5": translate("Menus", "start the run"),
         "F6": translate("Menus", "pause"),
         "F7": translate("Menus", "go on after a pause"),
+        YES_KEY: translate("Menus", "yes to the question that is asked"),
         "F9": translate("Menus", "the unit sits in the mount"),
         "Enter": translate("Menus", "the head reads as set, or as typed"),
         "Ctrl+1 … Ctrl+4": translate("Menus", "Stand, Run, Result, Records"),
@@ -110,5 +118,6 @@ def _show_keys(window: "MainWindow") -> None:
         "Ctrl++ Ctrl+-": translate("Menus", "larger, smaller text"),
     }
     rows = "".join(f"<tr><td><b>{key}</b>&nbsp;&nbsp;</td><td>{text}</td></tr>" for key, text in keys.items())
-    box = QMessageBox(QMessageBox.Icon.NoIcon, translate("Menus", "Keys"), f"<table>{rows}</table>", parent=window)
-    box.open()
+    dialog = Dialog(translate("Menus", "Keys"), "")
+    dialog.add(QLabel(f"<table>{rows}</table>"))
+    window.dialogs.show_dialog(dialog)

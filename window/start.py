@@ -8,14 +8,16 @@ from pathlib import Path
 from types import TracebackType
 from typing import Final
 
-from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
-from PySide6.QtGui import QKeyEvent, QWindow
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
+from PySide6.QtGui import QSessionManager
 from PySide6.QtWidgets import QApplication
 
 from window.look.language import speak
 from window.look.theme import dress
 from window.main_window import MainWindow
 from window.menus import language, shade, text_scale
+from window.place import keep_on_screen
+from window.widgets.problem import keep_details
 
 _TURN_S: Final = 5e-4
 """How long another thread may compute before the event loop has its turn; Python's own 5 ms are felt."""
@@ -33,15 +35,10 @@ class Application(QObject):
         super().__init__(application)
         sys.setswitchinterval(_TURN_S)
         self._application, self._store = application, store
+        self._showing = False
         self.faulted.connect(self._show_fault)
-        application.focusWindowChanged.connect(self._watch_keys)
+        application.commitDataRequest.connect(self.end_session)
         self.window = self._made()
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802  # Qt's name
-        """Esc stops the head from every window, a dialog that has the keyboard to itself included."""
-        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress and event.key() == Qt.Key.Key_Escape:
-            self.window.worker.stop()
-        return super().eventFilter(watched, event)
 
     def catch_faults(self) -> None:
         """Have every exception that nobody caught shown, and the head brought to rest."""
@@ -54,6 +51,7 @@ class Application(QObject):
 
         sys.excepthook = hook
         threading.excepthook = lambda thrown: self.faulted.emit(thrown.exc_value)
+        sys.unraisablehook = lambda thrown: self.faulted.emit(thrown.exc_value)
 
     def heed_signals(self, numbers: Sequence[int]) -> None:
         """Leave at a standstill where the system asks the program to end."""
@@ -63,29 +61,51 @@ class Application(QObject):
         beat.timeout.connect(lambda: None)  # Python handles signals between two of its instructions
         beat.start()
 
+    def _dress(self) -> None:
+        dress(self._application, shade(), text_scale())
+        keep_on_screen(self.window)
+
+    def end_session(self, manager: QSessionManager) -> None:
+        """Bring the head to rest before the system ends the session; ask it to wait where that was not read back."""
+        if not self.window.way_out.settle() and manager.allowsInteraction():
+            manager.cancel()
+
     def _made(self) -> MainWindow:
         speak(language())
         dress(self._application, shade(), text_scale())
         window = MainWindow(self._store)
-        window.dress_wanted.connect(lambda: dress(self._application, shade(), text_scale()))
+        window.dress_wanted.connect(self._dress)
         window.restart_wanted.connect(self._restart, Qt.ConnectionType.QueuedConnection)
         window.show()
         return window
 
     def _restart(self) -> None:
-        before = self.window
+        """Make the window anew once this one is left: there are never two, and never two ways to one stand."""
         self._application.setQuitOnLastWindowClosed(False)
-        before.close()
-        self.window = self._made()
+        self.window.left.connect(self._replace)
+        self.window.worker.stuck.connect(self._keep)
+        self.window.leave()
+
+    def _keep(self, _error: BaseException) -> None:
+        """The head may still move: the window stays, and is made anew another time."""
+        self.window.left.disconnect(self._replace)
+        self.window.worker.stuck.disconnect(self._keep)
+        self._application.setQuitOnLastWindowClosed(True)
+
+    def _replace(self) -> None:
+        before, self.window = self.window, self._made()
         before.deleteLater()
         self._application.setQuitOnLastWindowClosed(True)
 
     def _show_fault(self, error: BaseException) -> None:
-        self.window.fail(error)
-
-    def _watch_keys(self, window: QWindow | None) -> None:
-        if window is not None and window is not self.window.windowHandle():
-            window.installEventFilter(self)
+        if self._showing:  # showing a fault has a fault of its own: the log has to do
+            keep_details(error)
+            return
+        self._showing = True
+        try:
+            self.window.fail(error)
+        finally:
+            self._showing = False
 
 
 def application() -> QApplication:

@@ -3,7 +3,6 @@
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from datetime import UTC, datetime
 from functools import wraps
 from pathlib import Path
 from typing import Any
@@ -34,12 +33,10 @@ class Wanted:
     attended: bool
 
     def stand(self) -> LoadedStand:
-        """The stand file, once the serial number is seen to be one. Warns of what is overdue. Raises `InputError`."""
+        """The stand file, once the serial number is seen to be one. Raises `InputError`."""
         if not self.serial_number.strip():
             raise InputError(f"--serial: give the unit's serial number, 1 to {LONGEST_NAME} characters")
-        loaded = load_stand(self.stand_path)
-        warn(loaded.file.expired(datetime.now(tz=UTC).date()))
-        return loaded
+        return load_stand(self.stand_path)
 
     @contextmanager
     def connected(self, loaded: LoadedStand, after: Sequence[Path] = ()) -> Iterator[Connected]:

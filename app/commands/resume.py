@@ -1,6 +1,5 @@
 """`tumble resume`: go on with a run that was cut off."""
 
-from datetime import UTC, datetime
 from functools import partial
 from pathlib import Path
 
@@ -86,7 +85,6 @@ def _go_on(
     """Carry out what is left; return the number of points."""
     header = unfinished.recording.header
     loaded = load_same_stand(unfinished.recording, stand_path, partial(say, err=True))
-    warn(loaded.file.expired(datetime.now(tz=UTC).date()))
     job = Job(
         stand=loaded, programme=unfinished.programme, serial_number=header.serial_number, operator=header.operator
     )

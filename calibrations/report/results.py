@@ -78,7 +78,7 @@ def notices(subject: Subject) -> list[str]:
     found = []
     if not calibration.observations.complete:
         found.append("The recording is incomplete: the result rests on the rows before it was cut off.")
-    found.extend(calibration.warnings)
+    found.extend(dict.fromkeys(calibration.warnings))
     untold = [name for name, parameter in subject.use.calibration.parameters.items() if parameter.value is None]
     if untold:
         found.append(f"This data cannot tell {series(untold, 'or')}; the table of results says why.")

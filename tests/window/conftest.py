@@ -1,8 +1,9 @@
 """The real main window, on a screen that nobody sees, with settings and a store of its own."""
 
 import os
+from pathlib import Path
 
-os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+os.environ.setdefault("QT_QPA_PLATFORM", f"offscreen:configfile={Path(__file__).with_name('screen.json')}")
 
 import pytest
 from PySide6.QtCore import QEvent, QSettings
@@ -55,6 +56,32 @@ def driver(qtbot, qapp, settings, tmp_path, monkeypatch):
     for made in (running.window, running):
         made.deleteLater()
     qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+@pytest.fixture(scope="module")
+def shared_window(qapp, tmp_path_factory):
+    """One window for the tests of a module that do not mind each other, with settings and a store of its own."""
+    home = tmp_path_factory.mktemp("window")
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setenv("XDG_STATE_HOME", str(home / "state"))
+        QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, str(home / "settings"))
+        QSettings().clear()
+        QSettings().setValue("look/language", str(Language.ENGLISH))
+        QSettings().setValue("look/shade", "light")
+        running = Application(qapp, home / "store")
+        yield running
+        running.window.leave()
+        while running.window.isVisible():
+            qapp.processEvents()
+        for made in (running.window, running):
+            made.deleteLater()
+        qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+@pytest.fixture
+def driver_of():
+    """Makes of a window that is shared what a person does with it."""
+    return Driver
 
 
 @pytest.fixture

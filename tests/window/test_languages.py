@@ -55,7 +55,7 @@ def test_a_whole_run_in_ukrainian(driver, tiny, no_report):
     driver.start(tiny)
     driver.wait_for_result()
     assert "Прогін завершено: програму виконано." in driver.log
-    assert driver.window.stop_bar.button.text() == "⬢ СТОП  [Esc]"
+    assert driver.window.stop_bar.button.text() == "⬢ СТОП  [F12]"
     assert driver.window.result.table.texts()[0][1].startswith("(2,")
     latin = {
         text

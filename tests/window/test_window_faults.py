@@ -78,7 +78,7 @@ def test_an_exception_anywhere_becomes_a_dialog_and_stops_the_run(driver, long, 
         sys.excepthook = hook
     driver.wait_for_end()
     (dialog,) = (one for one in driver.window.findChildren(ProblemDialog) if one.isVisible())
-    assert dialog.text() == "A fault of the program; the head was brought to rest."
+    assert dialog.text() == "A fault of the program; the head was told to stop."
     assert str(tmp_path / "state" / "tumble" / "window-faults.log") in dialog.informativeText()
     assert "ZeroDivisionError" in (tmp_path / "state" / "tumble" / "window-faults.log").read_text("utf-8")
     assert recording(tmp_path).ending.reason is FinishReason.STOPPED
@@ -88,7 +88,7 @@ def test_a_fault_in_the_analysis_is_a_dialog_too(driver, tiny, monkeypatch):
     monkeypatch.setattr("app.analysing.explain", lambda *_: 1 / 0)
     driver.start(tiny)
     driver.wait(lambda: driver.complaints)
-    assert driver.complaints == ["A fault of the program; the head was brought to rest."]
+    assert driver.complaints == ["A fault of the program; the head was told to stop."]
     assert driver.run.start_button.isEnabled()
 
 

@@ -15,6 +15,8 @@ MARKERS: Final = ("o", "s", "t1", "d", "t", "p")
 """Shapes of pyqtgraph beside the colours."""
 _POINT_SIZE: Final = 10.5
 _HALF: Final = 128
+_LOUD: Final = 1.3
+"""How much larger STOP and the state are than other text."""
 
 
 class Shade(StrEnum):
@@ -86,7 +88,7 @@ def dress(application: QApplication, shade: Shade, text_scale: float) -> None:
     font = QFont(application.font())
     font.setPointSizeF(_POINT_SIZE * text_scale)
     application.setFont(font)
-    application.setStyleSheet(_sheet(chosen, round(4 * text_scale)))
+    application.setStyleSheet(_sheet(chosen, round(4 * text_scale), _LOUD * _POINT_SIZE * text_scale))
 
 
 def _palette(chosen: Colours, dark: bool) -> QPalette:
@@ -114,13 +116,13 @@ def _palette(chosen: Colours, dark: bool) -> QPalette:
     return palette
 
 
-def _sheet(chosen: Colours, space: int) -> str:
+def _sheet(chosen: Colours, space: int, loud_pt: float) -> str:
     return f"""
     QPushButton {{ padding: {space}px {3 * space}px; }}
     QLineEdit, QComboBox, QDateEdit {{ padding: {space // 2}px {space}px; }}
     QLineEdit:focus, QComboBox:focus {{ border: 2px solid {chosen.accent}; border-radius: 3px; }}
-    QPushButton#stop {{ background: #B71C1C; color: white; font-weight: bold; border: 2px solid #7F0000;
-        border-radius: {space}px; padding: {space}px {4 * space}px; }}
+    QPushButton#stop {{ background: #B71C1C; color: white; font-weight: bold; font-size: {loud_pt}pt;
+        border: 2px solid #7F0000; border-radius: {space}px; padding: {space}px {4 * space}px; }}
     QPushButton#stop:hover {{ background: #D32F2F; }}
     QPushButton#primary {{ font-weight: bold; border: 2px solid {chosen.accent}; border-radius: {space}px; }}
     QPushButton#primary:disabled {{ border-color: {chosen.grid}; }}
@@ -129,6 +131,11 @@ def _sheet(chosen: Colours, space: int) -> str:
     QPushButton#navigation:hover, QPushButton#navigation:focus {{ border: 1px solid {chosen.accent}; }}
     QPushButton#navigation:checked {{ background: {chosen.accent}; color: {chosen.paper}; }}
     QFrame#card {{ background: {chosen.paper}; border: 1px solid {chosen.grid}; border-radius: {2 * space}px; }}
+    QLabel#state {{ font-weight: bold; font-size: {loud_pt}pt; }}
+    QLabel#fault {{ font-weight: bold; font-size: {loud_pt}pt; color: {chosen.bad}; }}
+    QFrame#fault, QFrame#question {{ background: {chosen.paper}; border-radius: {2 * space}px; }}
+    QFrame#fault {{ border: 3px solid {chosen.bad}; }}
+    QFrame#question {{ border: 3px solid {chosen.accent}; }}
     QLabel#heading {{ font-weight: bold; }}
     QLabel#pale {{ color: {chosen.pale}; }}
     QLabel#good {{ color: {chosen.good}; font-weight: bold; }}

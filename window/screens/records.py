@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QPushButton, QTabWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QPushButton, QTabWidget, QVBoxLayout, QWidget
 
 from calibrations.quantities import format_concise
 from calibrations.records.record import Record
@@ -18,6 +18,7 @@ from window.look.plain import PlainLabel
 from window.look.sentences import in_language
 from window.screens.cut_off_view import CutOffView
 from window.screens.stand_records import StandRecords
+from window.widgets.dialog import FileDialog, QuestionDialog
 from window.widgets.record_search import RecordSearch
 from window.widgets.splitter import Splitter
 from window.widgets.table import Table
@@ -40,6 +41,10 @@ class RecordsScreen(QWidget):
     """`Concluded`."""
     resume_wanted = Signal(object, object)
     """`Resumption`, and the points that are there."""
+    found_cut_off = Signal(object)
+    """Runs that came to no record, `CutOff` each, the newest last."""
+    dialog_wanted = Signal(object)
+    """`Dialog`."""
     refused = Signal(object)
     """An exception that the person must see."""
 
@@ -70,7 +75,7 @@ class RecordsScreen(QWidget):
         self.search.changed.connect(self.refresh)
         self.table.itemDoubleClicked.connect(lambda _: self._open())
         self.table.itemSelectionChanged.connect(self._refresh_buttons)
-        self.cut_off.resume_wanted.connect(self._resume)
+        self.cut_off.resume_wanted.connect(self.resume)
         self.refresh()
 
     def refresh(self) -> None:
@@ -126,6 +131,7 @@ class RecordsScreen(QWidget):
         self.search.offer(found.programmes)
         self.trend.show_records(found.records)
         self.cut_off.show_runs(found.cut_off)
+        self.found_cut_off.emit(found.cut_off)
         self.stands.show_records(found.stands)
         title = self.tr("Runs without a record")
         self.tabs.setTabText(1, f"{title} ({len(found.cut_off)})" if found.cut_off else title)
@@ -199,14 +205,29 @@ class RecordsScreen(QWidget):
         self.said.setText("\n".join(lines))
 
     def _choose_export(self) -> None:
-        chosen, _ = QFileDialog.getSaveFileName(self, self.tr("Export"), self._chosen()[0].id, _FORMATS)
-        if chosen:
-            self.export_to(Path(chosen))
+        for record in self._chosen()[:1]:
+            self._ask_for_export(record.id)
+
+    def _ask_for_export(self, record_id: str) -> None:
+        dialog = FileDialog(self.tr("Export"), Path.home() / f"{record_id}.json", _FORMATS, saving=True)
+        dialog.chosen.connect(self._export_unless_there)
+        self.dialog_wanted.emit(dialog)
+
+    def _export_unless_there(self, path: Path) -> None:
+        """Ask before a file is replaced."""
+        if not path.exists():
+            self.export_to(path)
+            return
+        title, text = self.tr("Export"), self.tr("{path} is there already. Replace it?").format(path=path)
+        question = QuestionDialog(title, text, self.tr("Replace"))
+        question.agreed.connect(lambda: self.export_to(path))
+        self.dialog_wanted.emit(question)
 
     def _say_exported(self, path: Path) -> None:
         self.said.setText(self.tr("Written: {path}").format(path=path))
 
-    def _resume(self, path: Path) -> None:
+    def resume(self, path: Path) -> None:
+        """Find out what there is to go on with, and ask for that."""
         self._background.start(partial(store.resumption, self._folder(), path), self._begin, self.refused.emit)
 
     def _begin(self, resumption: Resumption) -> None:

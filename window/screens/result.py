@@ -1,5 +1,6 @@
 """The screen Result: what a calibration says, and what to do next."""
 
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
@@ -8,7 +9,7 @@ from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QTabWidget, QVBoxLayout, QWidget
 
 from app.running import Job
-from app.stand import LoadedStand
+from app.stand import LoadedStand, same_instruments
 from calibrations.usable import Model
 from calibrations.verdict import Outcome, Verdict
 from procedures.errors import InputError
@@ -33,10 +34,9 @@ class ResultScreen(QWidget):
     refused = Signal(object)
     """An exception that the person must see."""
 
-    def __init__(self, background: Background, parent: QWidget | None = None) -> None:
+    def __init__(self, background: Background, stand: Callable[[], LoadedStand], parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._background = background
-        self._stand: LoadedStand | None = None
+        self._background, self._stand = background, stand
         self._store = Path()
         self.presentation: Presentation | None = None
         self.verdict, self._subject, self._notices = PlainLabel(), PlainLabel(), PlainLabel()
@@ -59,10 +59,6 @@ class ResultScreen(QWidget):
         self.report_button.clicked.connect(self._open_report)
         self.loop.experiment_wanted.connect(self._run_experiment)
         self._show_nothing()
-
-    def use_stand(self, loaded: LoadedStand) -> None:
-        """Run experiments on a stand from now on."""
-        self._stand = loaded
 
     def allow_runs(self, allowed: bool) -> None:
         """Whether the stand is free."""
@@ -155,12 +151,20 @@ class ResultScreen(QWidget):
             QDesktopServices.openUrl(QUrl.fromLocalFile(str(self.presentation.concluded.report)))
 
     def _run_experiment(self, programme: str) -> None:
-        if self.presentation is None or self._stand is None:
+        if self.presentation is None:
             return
-        concluded = self.presentation.concluded
+        concluded, stand = self.presentation.concluded, self._stand()
         origin = concluded.traced.provenance
+        if not same_instruments(origin.stand, stand):
+            text = self.tr(
+                "{unit} was measured at the stand {its}, and the stand {chosen} is on screen: choose {its} on the "
+                "screen Stand, then run the experiment"
+            )
+            names = {"unit": origin.serial_number, "its": origin.stand_name, "chosen": stand.file.name}
+            self.refused.emit(InputError(text.format(**names)))
+            return
         job = Job(
-            stand=self._stand,
+            stand=stand,
             programme=load_programme(programme),
             serial_number=origin.serial_number,
             operator=origin.operator,

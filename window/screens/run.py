@@ -1,25 +1,27 @@
 """The screen Run: a unit from its serial number to its record."""
 
-from collections.abc import Callable
-from enum import Enum, auto
+from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QVBoxLayout, QWidget
 
 from app.exits import Exit, JobError
-from app.stand import LoadedStand
 from app.wiring import Attendant
+from drivers.protocols import HeadStatus
 from procedures.errors import InputError
 from procedures.events import Event, ReadingRequested, RunFinished, State, StateChanged
 from procedures.progress import TimeLeft
 from procedures.steps import Point
 from window.look.numbers import local, minutes
-from window.look.sentences import in_language, state_name
+from window.look.sentences import in_language
+from window.screens.run_state import Phase, RunState
 from window.screens.run_view import RunView
 from window.widgets.motion_button import MotionButton
 from window.widgets.prompts import ReadingPrompt
+from window.widgets.resume_offer import ResumeOffer
 from window.widgets.run_form import RunForm
 from window.work.activity import Activity, Calibration, Concluded
 from window.work.background import Background
@@ -27,14 +29,8 @@ from window.work.bridge import EventBridge
 from window.work.operator import SEATED, WindowOperator
 from window.work.stand_worker import StandWorker
 
-
-class Phase(Enum):
-    """What the screen is busy with."""
-
-    IDLE = auto()
-    RUNNING = auto()
-    CONCLUDING = auto()
-    """The head stands; what was measured is analysed and stored."""
+if TYPE_CHECKING:
+    from app.cut_off import CutOff
 
 
 class RunScreen(QWidget):
@@ -44,23 +40,35 @@ class RunScreen(QWidget):
     """`Concluded`."""
     refused = Signal(object)
     """An exception that the person must see."""
-    state_changed = Signal(str)
+    dialog_wanted = Signal(object)
+    """`Dialog`."""
+    state_changed = Signal(str, bool)
+    """Where the run stands, and whether that is a fault."""
+    broke_off = Signal()
+    """A run ended before its time."""
+    resume_wanted = Signal(object)
+    """Path of the recording."""
 
     def __init__(
         self,
         worker: StandWorker,
         bridge: EventBridge,
+        attendant: Callable[[], Attendant],
         operator: WindowOperator,
         background: Background,
         store: Callable[[], Path],
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
-        self._worker, self._operator, self._store = worker, operator, store
-        self._attendant: Callable[[], Attendant] = lambda: Attendant(operator=lambda: operator, speed=1.0)
-        self.phase, self.state = Phase.IDLE, State.IDLE
+        self._worker, self._operator, self._store, self._attendant = worker, operator, store, attendant
+        self._now, self._broken_off = RunState(), False
         self._setting_deg = 0.0
-        self.form, self.view, self.reading = RunForm(), RunView(background), ReadingPrompt()
+        self.form, self.view, self.reading = (
+            RunForm(lambda: worker.session.loaded),
+            RunView(background),
+            ReadingPrompt(),
+        )
+        self.offered = ResumeOffer()
         self.start_button = MotionButton(self.tr("Start"), "F5")
         self.pause_button = MotionButton(self.tr("Pause"), "F6")
         self.resume_button = MotionButton(self.tr("Go on"), "F7")
@@ -69,11 +77,26 @@ class RunScreen(QWidget):
         self._connect(bridge)
         self._refresh()
 
-    def use_stand(self, stand: LoadedStand, attendant: Callable[[], Attendant]) -> None:
-        """Measure on a stand from now on."""
-        self._attendant = attendant
-        self.form.use_stand(stand)
-        self._refresh()
+    @property
+    def phase(self) -> Phase:
+        """What the screen is busy with."""
+        return self._now.phase
+
+    @property
+    def state(self) -> State:
+        """Where the run stands."""
+        return self._now.state
+
+    def show_stand(self) -> None:
+        """Show what there is to do on the stand that is chosen now."""
+        self.form.plan_anew()
+        self.view.see(None)
+        self._see_rest()
+
+    def offer(self, runs: "Sequence[CutOff]") -> None:
+        """Offer to go on with the run that ended here before its time, or with one that another session left."""
+        wanted = [run for run in runs if self._broken_off or not run.ending]
+        self.offered.offer(wanted if self.phase is Phase.IDLE else [])
 
     def start(self) -> None:
         """Begin what the form asks for."""
@@ -85,18 +108,23 @@ class RunScreen(QWidget):
             return
         self.begin(Calibration(job=job, store=self._store()))
 
-    def begin(self, activity: Activity, points: tuple[Point, ...] = ()) -> None:
-        """Begin a run, whichever it is."""
-        if self.phase is not Phase.IDLE:
-            return
-        plan = activity.job.plan()
+    def begin(self, activity: Activity, points: tuple[Point, ...] = ()) -> bool:
+        """Begin a run, whichever it is, unless the stand is at work; returns whether it was begun."""
+        try:
+            plan = activity.job.plan()
+            if self.phase is not Phase.IDLE or not self._worker.begin(activity, self._attendant()):
+                return False
+        except InputError as error:
+            self.refused.emit(error)
+            return False
         self.form.serial.setText(activity.job.serial_number)
         self.view.begin(plan, points)
         self._bar.setRange(0, plan.dwells)
         self._count(len(points), None)
-        self.phase = Phase.RUNNING
-        self._worker.begin(activity, self._attendant())
+        self._now.phase, self._broken_off = Phase.RUNNING, False
+        self.offered.hide()
         self._refresh()
+        return True
 
     def showEvent(self, event: QShowEvent) -> None:  # noqa: N802  # Qt's name
         """Be ready for the scanner."""
@@ -106,9 +134,11 @@ class RunScreen(QWidget):
 
     def _connect(self, bridge: EventBridge) -> None:
         self.start_button.clicked.connect(self.start)
-        self.pause_button.clicked.connect(self._worker.pause)
-        self.resume_button.clicked.connect(self._worker.resume)
+        self.pause_button.clicked.connect(self._pause)
+        self.resume_button.clicked.connect(self._go_on)
+        self.offered.wanted.connect(self.resume_wanted)
         self.form.changed.connect(self._refresh)
+        self.form.dialog_wanted.connect(self.dialog_wanted)
         self.view.mount_prompt.seated.connect(self._seated)
         self.reading.answered.connect(self._operator.answer)
         bridge.announced.connect(self._hear)
@@ -116,15 +146,22 @@ class RunScreen(QWidget):
         bridge.progressed.connect(self._count)
         self._operator.mount_asked.connect(self.view.ask_mount)
         self._operator.reading_asked.connect(self._ask_reading)
-        self._worker.head_seen.connect(self.view.see)
-        self._worker.stage.connect(self._conclude)
-        self._worker.concluded.connect(self._end_well)
-        self._worker.failed.connect(self._end_badly)
+        worker = self._worker
+        worker.head_seen.connect(self.view.see)
+        worker.head_seen.connect(self._see_head)
+        worker.connected.connect(self._see_rest)
+        worker.disconnected.connect(lambda: self.view.see(None))
+        worker.restless.connect(self._see_unrest)
+        worker.working.connect(self._refresh)
+        worker.stage.connect(self._conclude)
+        worker.concluded.connect(self._end_well)
+        worker.broken_off.connect(self._end_badly)
 
     def _lay_out(self) -> None:
         self.start_button.setObjectName("primary")
         self._state_label.setObjectName("heading")
         self.reading.hide()
+        self.offered.hide()
         buttons = QHBoxLayout()
         for button in (self.start_button, self.pause_button, self.resume_button):
             buttons.addWidget(button)
@@ -133,7 +170,7 @@ class RunScreen(QWidget):
         for part, stretch in ((self._state_label, 0), (self._bar, 1), (self._left, 0)):
             progress.addWidget(part, stretch)
         layout = QVBoxLayout(self)
-        for row in (self.form, buttons, progress, self.reading):
+        for row in (self.offered, self.form, buttons, progress, self.reading):
             layout.addWidget(row) if isinstance(row, QWidget) else layout.addLayout(row)
         layout.addWidget(self.view, stretch=1)
 
@@ -146,11 +183,34 @@ class RunScreen(QWidget):
                 self._change(state)
             case ReadingRequested(setting_deg=setting_deg):
                 self._setting_deg = setting_deg
-            case RunFinished():
+            case RunFinished(at_standstill=at_standstill):
                 self._ask_nothing()
+                self._now.restless = not at_standstill
+
+    def _pause(self) -> None:
+        self._now.pausing = True
+        self._worker.pause()
+        self._refresh()
+
+    def _go_on(self) -> None:
+        self._now.pausing = False
+        self._worker.resume()
+        self._refresh()
+
+    def _see_head(self, status: HeadStatus) -> None:
+        if self._now.restless and not status.moving:
+            self._see_rest()
+
+    def _see_rest(self, *_: object) -> None:
+        self._now.restless = False
+        self._refresh()
+
+    def _see_unrest(self) -> None:
+        self._now.restless = True
+        self._refresh()
 
     def _change(self, state: State) -> None:
-        self.state = state
+        self._now.change(state)
         if state not in (State.AWAITING_OPERATOR, State.RUNNING):
             self._ask_nothing()
         self._refresh()
@@ -175,7 +235,7 @@ class RunScreen(QWidget):
         self._left.setText(text.format(time=minutes(left.time_s), error=minutes(left.standard_error_s)) if left else "")
 
     def _conclude(self, stage: str) -> None:
-        self.phase = Phase.CONCLUDING
+        self._now.phase = Phase.CONCLUDING
         self._left.setText(
             {
                 "fitting": self.tr("Fitting…"),
@@ -190,17 +250,17 @@ class RunScreen(QWidget):
         self._end(self.tr("Done"))
         self.concluded.emit(concluded)
 
-    def _end_badly(self, error: Exception) -> None:
-        began = self.phase is not Phase.IDLE
+    def _end_badly(self, error: BaseException) -> None:
         self._end("")
-        if began and isinstance(error, JobError) and error.status is Exit.STOPPED:
+        self._broken_off = True
+        self.broke_off.emit()
+        if isinstance(error, JobError) and error.status is Exit.STOPPED and not self._now.restless:
             self.view.log.say(in_language(str(error)))
         else:
             self.refused.emit(error)
 
     def _end(self, text: str) -> None:
-        self.phase = Phase.IDLE
-        self.state = State.IDLE
+        self._now.end()
         self._ask_nothing()
         self._left.setText(text)
         self._refresh()
@@ -208,11 +268,12 @@ class RunScreen(QWidget):
 
     def _refresh(self) -> None:
         idle, running = self.phase is Phase.IDLE, self.phase is Phase.RUNNING
-        paused = running and self.state is State.PAUSED
+        paused, free = self._now.paused, idle and not self._worker.busy
         self.form.setEnabled(idle)
-        self.start_button.setEnabled(idle and bool(self.form.serial.text().strip()))
-        self.pause_button.setEnabled(running and not paused)
-        self.resume_button.setEnabled(paused)
-        text = self.tr("Analysing") if self.phase is Phase.CONCLUDING else state_name(self.state)
+        self.start_button.setEnabled(free and bool(self.form.serial.text().strip()))
+        self.offered.button.setEnabled(free)
+        self.pause_button.setEnabled(running and not paused and not self._now.pausing)
+        self.resume_button.setEnabled(paused or self._now.pausing)
+        text = self._now.text
         self._state_label.setText(text)
-        self.state_changed.emit(local(text))
+        self.state_changed.emit(local(text), self._now.restless)

@@ -78,8 +78,8 @@ class RunView(QWidget):
         if sentence := sentence_of(event):
             self.log.say(sentence, warning=isinstance(event, WarningRaised))
 
-    def see(self, status: HeadStatus) -> None:
-        """Show where the head is."""
+    def see(self, status: HeadStatus | None) -> None:
+        """Show where the head is; None where nobody knows."""
         self.dial.show_status(status)
 
     def ask_mount(self, mount: str) -> None:
@@ -147,9 +147,11 @@ class RunView(QWidget):
         self.fit = fit
         self._stale |= {self._draw_residual: None, self._draw_curves: None}
 
-    def _without_fit(self, _error: Exception) -> None:
-        """Points from which nothing can be fitted yet: the analysis after the run says why."""
+    def _without_fit(self, error: Exception) -> None:
+        """Points from which nothing can be fitted yet: the analysis after the run says why. Other errors are told."""
         self._show_fit(None)
+        if not isinstance(error, ValueError | ArithmeticError):
+            self._background.failed.emit(error)
 
 
 def _volts(point: Point) -> float:

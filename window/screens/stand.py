@@ -4,38 +4,42 @@ from html import escape
 from pathlib import Path
 
 from PySide6.QtCore import QSettings, Qt, Signal
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from app.stand import LoadedStand, load_stand
 from app.wiring import Attendant
+from drivers.protocols import HeadStatus, Identity
 from procedures.errors import InputError
+from procedures.events import Event, Identified
 from window.look.plain import PlainLabel
 from window.look.sentences import in_language
 from window.widgets.dial import Dial
+from window.widgets.dialog import FileDialog
 from window.widgets.instrument_table import InstrumentTable
 from window.widgets.jog import Jog
 from window.widgets.simulation_settings import SimulationSettings
 from window.widgets.splitter import Splitter
 from window.work.bridge import EventBridge
 from window.work.operator import WindowOperator
-from window.work.stand_worker import StandIdentity, StandWorker
+from window.work.session import StandIdentity
+from window.work.stand_worker import StandWorker
 
 
 class StandScreen(QWidget):
     """The stand file that is chosen, its instruments, the dial, and what turns the head."""
 
-    chosen = Signal(object)
-    """`LoadedStand`, another one than before."""
     refused = Signal(object)
     """An exception that the person must see."""
+    dialog_wanted = Signal(object)
+    """`Dialog`."""
 
     def __init__(
         self, worker: StandWorker, bridge: EventBridge, operator: WindowOperator, parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
         self._worker, self._operator = worker, operator
-        self.loaded: LoadedStand = load_stand()
-        self._connected = self._by_hand = self._working = False
+        self._connected = self._by_hand = False
+        self._warnings: tuple[str, ...] = ()
         self.dial, self.table, self.jog = Dial(), InstrumentTable(), Jog()
         self.simulation = SimulationSettings()
         self.connect_button, self.disconnect_button = (
@@ -45,7 +49,12 @@ class StandScreen(QWidget):
         self._name, self._notice = QLabel(), PlainLabel()
         self._lay_out()
         self._connect(bridge)
-        self.use(self._remembered())
+        self._show_stand(self.loaded)
+
+    @property
+    def loaded(self) -> LoadedStand:
+        """The stand file that is chosen."""
+        return self._worker.session.loaded
 
     def attendant(self) -> Attendant:
         """Who is asked at the stand that is chosen."""
@@ -53,50 +62,51 @@ class StandScreen(QWidget):
             return self.simulation.attendant(self._operator)
         return Attendant(operator=lambda: self._operator, speed=1.0)
 
-    def use(self, loaded: LoadedStand) -> None:
-        """Choose a stand; the one before is left."""
-        self._worker.disconnect_from()
-        self.loaded = loaded
+    def use(self, loaded: LoadedStand) -> bool:
+        """Choose a stand, and leave the one before; returns whether that could be."""
+        try:
+            self._worker.use(loaded)
+        except InputError as error:
+            self.refused.emit(error)
+            return False
+        return True
+
+    def _show_stand(self, loaded: LoadedStand) -> None:
         place = str(loaded.path) if loaded.path else self.tr("the simulated stand that is built in")
         self._name.setText(f"<b>{escape(loaded.file.name)}</b><br>{escape(place)}")
         self.table.show_stand(loaded)
         self.simulation.setVisible(loaded.file.simulates)
         QSettings().setValue("stand/path", str(loaded.path) if loaded.path else "")
-        self.chosen.emit(loaded)
+        self.dial.show_status(None)
         self._refresh()
-
-    def _remembered(self) -> LoadedStand:
-        path = str(QSettings().value("stand/path", ""))
-        try:
-            return load_stand(Path(path) if path else None)
-        except InputError:
-            return load_stand()  # it was moved or is no stand file any more: choosing it again says why
 
     def _connect(self, bridge: EventBridge) -> None:
         worker = self._worker
-        self.connect_button.clicked.connect(lambda: worker.connect_to(self.loaded, self.attendant()))
+        self.connect_button.clicked.connect(lambda: worker.connect_to(self.attendant()))
         self.disconnect_button.clicked.connect(worker.disconnect_from)
         self.simulation.changed.connect(worker.disconnect_from)
         self.jog.step_wanted.connect(worker.move_by)
         self.jog.angle_wanted.connect(worker.move_to)
         self.jog.home_wanted.connect(worker.home)
         self.jog.misunderstood.connect(lambda sentence: self.refused.emit(InputError(sentence)))
+        worker.chosen.connect(self._show_stand)
         worker.connected.connect(self._show_connected)
         worker.disconnected.connect(self._show_disconnected)
-        worker.working.connect(self._show_working)
-        worker.head_seen.connect(self.dial.show_status)
-        bridge.head_seen.connect(self.dial.show_status)
+        worker.working.connect(self._refresh)
+        worker.head_seen.connect(self._see)
+        bridge.head_seen.connect(self._see)
+        bridge.announced.connect(self._hear)
 
     def _lay_out(self) -> None:
-        browse, built_in = QPushButton(self.tr("Stand &file…")), QPushButton(self.tr("&Built-in"))
-        browse.clicked.connect(self._choose)
-        built_in.clicked.connect(lambda: self.use(load_stand()))
+        self._browse, self._built_in = QPushButton(self.tr("Stand &file…")), QPushButton(self.tr("&Built-in"))
+        self._browse.clicked.connect(self._choose)
+        self._built_in.clicked.connect(lambda: self.use(load_stand()))
         self._name.setWordWrap(True)
         self._notice.setWordWrap(True)
         self._notice.setObjectName("bad")
         choice = QHBoxLayout()
         choice.addWidget(self._name, stretch=1)
-        for button in (browse, built_in, self.connect_button, self.disconnect_button):
+        for button in (self._browse, self._built_in, self.connect_button, self.disconnect_button):
             choice.addWidget(button)
         facts = QWidget()
         column = QVBoxLayout(facts)
@@ -110,10 +120,9 @@ class StandScreen(QWidget):
         layout.addWidget(halves, stretch=1)
 
     def _choose(self) -> None:
-        folder = str(self.loaded.folder)
-        chosen, _ = QFileDialog.getOpenFileName(self, self.tr("Stand file"), folder, self.tr("Stand files (*.toml)"))
-        if chosen:
-            self.open(Path(chosen))
+        dialog = FileDialog(self.tr("Stand file"), self.loaded.folder, self.tr("Stand files (*.toml)"))
+        dialog.chosen.connect(self.open)
+        self.dialog_wanted.emit(dialog)
 
     def open(self, path: Path) -> None:
         """Choose a stand by its file, or say what is wrong with that."""
@@ -124,27 +133,45 @@ class StandScreen(QWidget):
 
     def _show_connected(self, identity: StandIdentity) -> None:
         self._connected, self._by_hand = True, identity.status.by_hand
-        self.table.show_identities(identity.head, identity.daq)
-        self.dial.show_status(identity.status)
-        unreferenced = (
-            [] if identity.status.referenced else [self.tr("The head does not know its angle: home it first.")]
-        )
-        self._notice.setText("\n".join([*map(in_language, identity.warnings), *unreferenced]))
+        self.table.show_stand(self.loaded)  # what is due may have changed since
+        self.table.show_identity("head", identity.head)
+        self.table.show_identity("daq", identity.daq)
+        self._warnings = identity.warnings
+        self._see(identity.status)
         self._refresh()
 
     def _show_disconnected(self) -> None:
         self._connected = False
-        self.table.show_identities(None, None)
+        for key in ("head", "daq"):
+            self.table.show_identity(key, None)
         self.dial.show_status(None)
         self._notice.clear()
         self._refresh()
 
-    def _show_working(self, working: bool) -> None:
-        self._working = working
-        self._refresh()
+    def _see(self, status: HeadStatus) -> None:
+        self.dial.show_status(status)
+        unreferenced = [] if status.referenced else [self.tr("The head does not know its angle: home it first.")]
+        self._notice.setText("\n".join([*map(in_language, self._warnings), *unreferenced]))
+
+    def _hear(self, event: Event) -> None:
+        """Show who answers in a run, which asks anew whenever a link was lost."""
+        if isinstance(event, Identified):
+            identity = Identity(model=event.model, serial=event.serial, firmware=event.firmware)
+            self.table.show_identity(event.instrument, identity)
 
     def _refresh(self) -> None:
-        self.connect_button.setEnabled(not self._connected and not self._working)
-        self.disconnect_button.setEnabled(self._connected and not self._working)
-        self.jog.setEnabled(self._connected and not self._working and not self._by_hand)
-        self.simulation.setEnabled(not self._working)
+        free = not self._worker.busy
+        for button in (self._browse, self._built_in, self.simulation):
+            button.setEnabled(free)
+        self.connect_button.setEnabled(free and not self._connected)
+        self.disconnect_button.setEnabled(free and self._connected)
+        self.jog.setEnabled(free and self._connected and not self._by_hand)
+
+
+def remembered_stand() -> tuple[LoadedStand, InputError | None]:
+    """The stand that was chosen last; where that is none any more, the one that is built in, and why."""
+    path = str(QSettings().value("stand/path", ""))
+    try:
+        return load_stand(Path(path) if path else None), None
+    except InputError as error:
+        return load_stand(), error

@@ -540,6 +540,13 @@
     </message>
 </context>
 <context>
+    <name>Dialog</name>
+    <message>
+        <source>Close  [Esc]</source>
+        <translation>Закрити  [Esc]</translation>
+    </message>
+</context>
+<context>
     <name>InstrumentTable</name>
     <message>
         <source>Driver</source>
@@ -699,12 +706,28 @@
         <translation>Записи</translation>
     </message>
     <message>
-        <source>A run is going on. Stop it at a standstill, and leave? Its complete points are kept.</source>
-        <translation>Триває прогін. Зупинити головку й вийти? Повні точки збережено.</translation>
+        <source>Esc stops nothing: it closes dialogs. STOP is {key}.</source>
+        <translation>Esc нічого не зупиняє: ця клавіша закриває вікна. СТОП — {key}.</translation>
     </message>
     <message>
-        <source>Leave</source>
-        <translation>Вихід</translation>
+        <source>Not stopped</source>
+        <translation>Не зупинено</translation>
+    </message>
+    <message>
+        <source>This run was measured at the stand {its} ({path}); on screen is the stand {shown}. Leave that one, and go on with the run at {its}?</source>
+        <translation>Цей прогін виміряно на стенді {its} ({path}); на екрані стенд {shown}. Залишити його й продовжити прогін на стенді {its}?</translation>
+    </message>
+    <message>
+        <source>the simulated stand that is built in</source>
+        <translation>вбудований імітований стенд</translation>
+    </message>
+    <message>
+        <source>Another stand</source>
+        <translation>Інший стенд</translation>
+    </message>
+    <message>
+        <source>Take the stand {its}, and go on</source>
+        <translation>Узяти стенд {its} і продовжити</translation>
     </message>
 </context>
 <context>
@@ -762,6 +785,10 @@
         <translation>зупинити головку, хоч би що відбувалося</translation>
     </message>
     <message>
+        <source>close a dialog; it stops nothing</source>
+        <translation>закрити вікно; нічого не зупиняє</translation>
+    </message>
+    <message>
         <source>start the run</source>
         <translation>почати прогін</translation>
     </message>
@@ -772,6 +799,10 @@
     <message>
         <source>go on after a pause</source>
         <translation>продовжити після паузи</translation>
+    </message>
+    <message>
+        <source>yes to the question that is asked</source>
+        <translation>«так» на поставлене запитання</translation>
     </message>
     <message>
         <source>the unit sits in the mount</source>
@@ -818,12 +849,12 @@ at head angle 0°.</source>
 <context>
     <name>ProblemDialog</name>
     <message>
-        <source>Something went wrong</source>
-        <translation>Щось пішло не так</translation>
+        <source>A fault of the program; the head was told to stop.</source>
+        <translation>Помилка програми; головці наказано зупинитися.</translation>
     </message>
     <message>
-        <source>A fault of the program; the head was brought to rest.</source>
-        <translation>Помилка програми; головку зупинено.</translation>
+        <source>Something went wrong</source>
+        <translation>Щось пішло не так</translation>
     </message>
     <message>
         <source>{error}
@@ -981,6 +1012,14 @@ The details are in {place}.</source>
         <translation>Експорт</translation>
     </message>
     <message>
+        <source>{path} is there already. Replace it?</source>
+        <translation>{path} уже існує. Замінити?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Замінити</translation>
+    </message>
+    <message>
         <source>Written: {path}</source>
         <translation>Записано: {path}</translation>
     </message>
@@ -1105,6 +1144,29 @@ The details are in {place}.</source>
         <source>Closed loop</source>
         <translation>Замкнений цикл</translation>
     </message>
+    <message>
+        <source>{unit} was measured at the stand {its}, and the stand {chosen} is on screen: choose {its} on the screen Stand, then run the experiment</source>
+        <translation>{unit} виміряно на стенді {its}, а на екрані стенд {chosen}: виберіть {its} на екрані «Стенд» і тоді почніть експеримент</translation>
+    </message>
+</context>
+<context>
+    <name>ResumeOffer</name>
+    <message>
+        <source>Go on with it</source>
+        <translation>Продовжити його</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>Не зараз</translation>
+    </message>
+    <message>
+        <source>Not at its end: unit {unit}, programme {programme}, {points} points done at the stand {stand}, begun {when}: {why}.</source>
+        <translation>Не завершено: виріб {unit}, програма {programme}, виміряно точок: {points}, стенд {stand}, початок {when}: {why}.</translation>
+    </message>
+    <message>
+        <source>it broke off</source>
+        <translation>прогін обірвався</translation>
+    </message>
 </context>
 <context>
     <name>RunForm</name>
@@ -1119,10 +1181,6 @@ The details are in {place}.</source>
     <message>
         <source>There is no serial number yet: type it or scan it</source>
         <translation>Заводського номера ще немає: введіть або зчитайте його</translation>
-    </message>
-    <message>
-        <source>There is no stand yet: choose one</source>
-        <translation>Стенда ще немає: оберіть його</translation>
     </message>
     <message>
         <source>&amp;Serial number</source>
@@ -1226,8 +1284,24 @@ The details are in {place}.</source>
         <translation>Готово</translation>
     </message>
     <message>
+        <source>Fault: the head&apos;s standstill was not read back</source>
+        <translation>Несправність: зупинку головки не підтверджено</translation>
+    </message>
+    <message>
         <source>Analysing</source>
         <translation>Аналіз</translation>
+    </message>
+    <message>
+        <source>Waits for you, and pauses then</source>
+        <translation>Чекає на вас, потім пауза</translation>
+    </message>
+    <message>
+        <source>Pausing…</source>
+        <translation>Зупиняється для паузи…</translation>
+    </message>
+    <message>
+        <source>Getting ready</source>
+        <translation>Підготовка</translation>
     </message>
 </context>
 <context>
@@ -1359,10 +1433,21 @@ The details are in {place}.</source>
     </message>
 </context>
 <context>
+    <name>StandWorker</name>
+    <message>
+        <source>The stand is at work: stop it, or wait, before you choose another</source>
+        <translation>Стенд працює: зупиніть його або зачекайте, перш ніж вибрати інший</translation>
+    </message>
+    <message>
+        <source>The run belongs to the stand {its}, and {chosen} is chosen: choose {its} first</source>
+        <translation>Прогін належить стенду {its}, а вибрано {chosen}: спершу виберіть {its}</translation>
+    </message>
+</context>
+<context>
     <name>StopBar</name>
     <message>
-        <source>⬢ STOP  [Esc]</source>
-        <translation>⬢ СТОП  [Esc]</translation>
+        <source>⬢ STOP</source>
+        <translation>⬢ СТОП</translation>
     </message>
     <message>
         <source>Stop the head</source>
@@ -1371,6 +1456,10 @@ The details are in {place}.</source>
     <message>
         <source>not connected</source>
         <translation>не під’єднано</translation>
+    </message>
+    <message>
+        <source>angle not known</source>
+        <translation>кут невідомий</translation>
     </message>
     <message>
         <source>computing…</source>
@@ -1394,6 +1483,21 @@ The details are in {place}.</source>
     <message>
         <source>O&amp;ver</source>
         <translation>За&amp;лежно від</translation>
+    </message>
+</context>
+<context>
+    <name>WayOut</name>
+    <message>
+        <source>Leave</source>
+        <translation>Вихід</translation>
+    </message>
+    <message>
+        <source>The stand is at work. Stop it at a standstill, and leave? Complete points are kept.</source>
+        <translation>Стенд працює. Зупинити його й вийти? Повні точки збережено.</translation>
+    </message>
+    <message>
+        <source>Stop and leave</source>
+        <translation>Зупинити й вийти</translation>
     </message>
 </context>
 </TS>

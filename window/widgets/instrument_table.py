@@ -49,13 +49,13 @@ class InstrumentTable(QFrame):
         """Show what the stand file says."""
         self._show_file("head", loaded.file.head)
         self._show_file("daq", loaded.file.daq)
-        self.show_identities(None, None)
+        for key in ("head", "daq"):
+            self.show_identity(key, None)
 
-    def show_identities(self, head: Identity | None, daq: Identity | None) -> None:
-        """Show who answers; None where nobody was asked."""
-        for key, identity in (("head", head), ("daq", daq)):
-            for name in ("model", "serial", "firmware"):
-                self._say(key, name, getattr(identity, name) if identity else "")
+    def show_identity(self, key: str, identity: Identity | None) -> None:
+        """Show who answers as `head` or `daq`; None where nobody was asked."""
+        for name in ("model", "serial", "firmware"):
+            self._say(key, name, getattr(identity, name) if identity else "")
 
     def text(self, key: str, name: str) -> str:
         """What a cell says."""
@@ -76,7 +76,7 @@ class InstrumentTable(QFrame):
             self._say(key, "due", "")
             return
         written = QLocale().toString(QDate(due.year, due.month, due.day), QLocale.FormatType.ShortFormat)
-        if due < today:
+        if table.overdue(today):
             self._say(key, "due", self.tr("✗ {date}: overdue").format(date=written), "bad")
         elif due - today < _SOON:
             self._say(key, "due", self.tr("⚠ {date}: soon").format(date=written), "bad")

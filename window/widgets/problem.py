@@ -3,33 +3,43 @@
 import traceback
 from datetime import UTC, datetime
 from pathlib import Path
+from typing import Final
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QMessageBox, QWidget
+from PySide6.QtCore import QCoreApplication
+from PySide6.QtWidgets import QLabel
 
 from app.exits import status_of
 from drivers.private_files import state_folder
 from window.look.sentences import in_language
+from window.widgets.dialog import Dialog
+
+translate: Final = QCoreApplication.translate
 
 
-class ProblemDialog(QMessageBox):
-    """Does not block: the window lives on behind it, and so does STOP."""
+class ProblemDialog(Dialog):
+    """One sentence in red, and for a fault of the program where the details are."""
 
-    def __init__(self, error: BaseException, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setWindowTitle(self.tr("Something went wrong"))
-        self.setTextFormat(Qt.TextFormat.PlainText)
+    def __init__(self, error: BaseException) -> None:
         known = isinstance(error, Exception) and status_of(error) is not None
-        if known:
-            self.setIcon(QMessageBox.Icon.Warning)
-            self.setText(in_language(str(error)))
-        else:
-            self.setIcon(QMessageBox.Icon.Critical)
-            self.setText(self.tr("A fault of the program; the head was brought to rest."))
-            place = keep_details(error)
+        text = translate("ProblemDialog", "A fault of the program; the head was told to stop.")
+        title = translate("ProblemDialog", "Something went wrong")
+        super().__init__(title, in_language(str(error)) if known else text, "fault")
+        self._details = QLabel()
+        self._details.setTextFormat(self._text.textFormat())
+        self._details.setWordWrap(True)
+        if not known:
             told = self.tr("{error}\nThe details are in {place}.")
-            self.setInformativeText(told.format(error=f"{type(error).__name__}: {error}", place=place))
-            self.setDetailedText(_details(error))
+            place = keep_details(error)
+            self._details.setText(told.format(error=f"{type(error).__name__}: {error}", place=place))
+            self.add(self._details)
+
+    def informativeText(self) -> str:  # noqa: N802  # as Qt's dialogs have it
+        """What is known of a fault of the program."""
+        return self._details.text()
+
+    def accept(self) -> None:
+        """Close it."""
+        self.dismiss()
 
 
 def keep_details(error: BaseException) -> Path:

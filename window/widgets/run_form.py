@@ -1,9 +1,10 @@
 """What shall be measured: unit, programme, operator."""
 
+from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QSettings, Signal
-from PySide6.QtWidgets import QComboBox, QFileDialog, QGridLayout, QLabel, QLineEdit, QPushButton, QWidget
+from PySide6.QtWidgets import QComboBox, QGridLayout, QLabel, QLineEdit, QPushButton, QWidget
 
 from app.running import Job
 from app.stand import LoadedStand
@@ -12,6 +13,7 @@ from procedures.programme import load_programme, shipped_programmes
 from window.look.numbers import local, minutes
 from window.look.plain import PlainLabel
 from window.look.sentences import in_language
+from window.widgets.dialog import FileDialog
 
 _LONGEST_SERIAL = 100
 
@@ -23,9 +25,12 @@ class RunForm(QWidget):
     """
 
     changed = Signal()
+    dialog_wanted = Signal(object)
+    """`Dialog`."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, stand: Callable[[], LoadedStand], parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._stand = stand
         self.serial, self.operator, self.programme = QLineEdit(), QLineEdit(), QComboBox()
         self.serial.setMaxLength(_LONGEST_SERIAL)
         self.serial.setPlaceholderText(self.tr("type or scan"))
@@ -38,15 +43,13 @@ class RunForm(QWidget):
         self._browse.clicked.connect(self._choose_file)
         self.summary = PlainLabel()
         self.summary.setWordWrap(True)
-        self._stand: LoadedStand | None = None
         self._lay_out()
         self.serial.textChanged.connect(self.changed)
         self.operator.editingFinished.connect(self._remember)
         self.programme.currentTextChanged.connect(self._programme_chosen)
 
-    def use_stand(self, stand: LoadedStand) -> None:
-        """Plan for a stand."""
-        self._stand = stand
+    def plan_anew(self) -> None:
+        """Say what the programme takes on the stand that is chosen."""
         self._summarise()
 
     def add_programme(self, name_or_path: str) -> None:
@@ -65,10 +68,8 @@ class RunForm(QWidget):
         serial_number = self.serial.text().strip()
         if not serial_number:
             raise InputError(self.tr("There is no serial number yet: type it or scan it"))
-        if self._stand is None:
-            raise InputError(self.tr("There is no stand yet: choose one"))
         return Job(
-            stand=self._stand,
+            stand=self._stand(),
             programme=load_programme(self.programme.currentText()),
             serial_number=serial_number,
             operator=self.operator.text().strip(),
@@ -91,10 +92,9 @@ class RunForm(QWidget):
             grid.setColumnStretch(column, stretch)
 
     def _choose_file(self) -> None:
-        title = self.tr("Programme")
-        chosen, _ = QFileDialog.getOpenFileName(self, title, str(Path.cwd()), self.tr("Programmes (*.toml)"))
-        if chosen:
-            self.add_programme(chosen)
+        dialog = FileDialog(self.tr("Programme"), Path.cwd(), self.tr("Programmes (*.toml)"))
+        dialog.chosen.connect(lambda path: self.add_programme(str(path)))
+        self.dialog_wanted.emit(dialog)
 
     def _programme_chosen(self) -> None:
         self._remember()
@@ -106,11 +106,9 @@ class RunForm(QWidget):
         QSettings().setValue("run/operator", self.operator.text())
 
     def _summarise(self) -> None:
-        if self._stand is None:
-            return
         try:
             planned = Job(
-                stand=self._stand, programme=load_programme(self.programme.currentText()), serial_number=""
+                stand=self._stand(), programme=load_programme(self.programme.currentText()), serial_number=""
             ).plan()
         except InputError as error:
             self.summary.setText(in_language(str(error)))

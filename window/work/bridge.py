@@ -22,6 +22,8 @@ class EventBridge(QObject):
     """`HeadStatus`, where the head is on its way; not every one."""
     progressed = Signal(int, object)
     """Points done, and the `TimeLeft`."""
+    failed = Signal(object)
+    """What went wrong in counting; the run goes on without."""
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -33,13 +35,21 @@ class EventBridge(QObject):
         self._progress = progress
 
     def listen(self, event: Event) -> None:
-        """Pass an event on; called in the thread of the run."""
+        """Pass an event on; called in the thread of the run, which would no longer serve a listener that raises."""
         self.announced.emit(event)
-        if self._progress is not None:
-            self._progress(event)
-            if isinstance(event, PointCompleted | MountAnswered):
-                left: TimeLeft = self._progress.time_left()
-                self.progressed.emit(self._progress.done, left)
+        try:
+            self._count(event)
+        except Exception as error:
+            self._progress = None
+            self.failed.emit(error)
+
+    def _count(self, event: Event) -> None:
+        if self._progress is None:
+            return
+        self._progress(event)
+        if isinstance(event, PointCompleted | MountAnswered):
+            left: TimeLeft = self._progress.time_left()
+            self.progressed.emit(self._progress.done, left)
 
     def look(self, status: HeadStatus) -> None:
         """Pass on where the head is, as often as an eye can follow."""

@@ -21,6 +21,8 @@ def print_page(html: str, path: Path) -> None:
     printing = _Printing(html, path)
     printing.start()
     printing.wait()
+    if printing.error is not None:
+        raise printing.error
     if not path.is_file() or not path.stat().st_size:
         raise JobError(f"{path}: cannot be written; choose another place", Exit.STORAGE)
 
@@ -31,10 +33,15 @@ class _Printing(QThread):
     def __init__(self, html: str, path: Path) -> None:
         super().__init__()
         self._html, self._path = html, path
+        self.error: Exception | None = None
+        """What went wrong, once it is over."""
 
     def run(self) -> None:
         """Lay out and write."""
-        _print(self._html, self._path)
+        try:
+            _print(self._html, self._path)
+        except Exception as error:
+            self.error = error
 
 
 def _print(html: str, path: Path) -> None:

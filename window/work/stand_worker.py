@@ -1,225 +1,254 @@
-"""The one thread that talks to the instruments: nobody else does, so that nobody is ever in another's way."""
+"""The one way to the instruments: one thread talks to them, and nobody else does."""
 
 import atexit
-from collections import deque
 from collections.abc import Callable, Sequence
-from contextlib import ExitStack
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from queue import Empty, SimpleQueue
-from threading import Thread
-from typing import Final
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, Signal, SignalInstance, Slot
 
 from app.simulation import Past
 from app.stand import LoadedStand
-from app.stand_lock import holding
-from app.wiring import Attendant, Connected, connect
-from drivers.errors import DeviceError
-from drivers.protocols import HeadStatus, Identity
+from app.wiring import Attendant, Connected
 from procedures.control import Control
-from procedures.errors import StopRequestedError
+from procedures.errors import InputError, StopRequestedError
 from procedures.motion import Motion
 from window.work.activity import Activity, progress_of
 from window.work.bridge import EventBridge
+from window.work.order_thread import OrderThread
 from window.work.patience import PatientControl
+from window.work.session import StandSession
 
-_LOOK_S: Final = 0.2
-"""Between two looks at a head that nobody moves."""
-_TOLERANCE_DEG: Final = 0.01
-
-Order = Callable[[Control], object]
+Action = Callable[[Control], object]
 Move = Callable[[Motion, Callable[[], bool]], object]
 
 
-@dataclass(frozen=True, kw_only=True)
-class StandIdentity:
-    """A stand that answers."""
-
-    loaded: LoadedStand
-    head: Identity
-    daq: Identity
-    status: HeadStatus
-    warnings: tuple[str, ...]
-
-
 class StandWorker(QObject):
-    """Carries out one order after the other in its own thread; its signals arrive in the event loop.
+    """Has a thread carry out one order after the other; is called, and emits its signals, in the event loop.
 
-    `stop` is heeded by whatever is under way or waits, and brakes a head that moves without an order.
+    An order belongs to the stand that was chosen when it was given. While anything is under way no other stand is
+    chosen, and no run or move is taken on: nothing that moves waits for its turn. `stop` is heeded by whatever is under
+    way, and brakes a head that moves without an order.
     """
 
+    chosen = Signal(object)
+    """`LoadedStand`, in place of the one before."""
     connected = Signal(object)
     """`StandIdentity`."""
     disconnected = Signal()
     head_seen = Signal(object)
     """`HeadStatus` of a head that nobody moves."""
     working = Signal(bool)
-    """Whether an order is under way."""
+    """Whether an order is under way; leaving a stand is none."""
     stage = Signal(str)
     """What an activity does once its run is over."""
     concluded = Signal(object)
     """`Concluded`."""
+    broken_off = Signal(object)
+    """The exception that ended an activity."""
     failed = Signal(object)
-    """The exception that ended an order."""
+    """The exception that ended any other order."""
+    restless = Signal()
+    """The standstill of the head could not be read back."""
+    rested = Signal()
+    """The stand was left with its head at rest, as `retire` demanded."""
+    stuck = Signal(object)
+    """The exception for which it was not."""
+    _posted = Signal(object)
 
-    def __init__(self, bridge: EventBridge, parent: QObject | None = None) -> None:
+    def __init__(self, bridge: EventBridge, loaded: LoadedStand, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._bridge = bridge
-        self._orders: SimpleQueue[tuple[Order, Control] | None] = SimpleQueue()
-        self._controls: deque[Control] = deque()
-        self._stand: Connected | None = None
-        self._loaded: LoadedStand | None = None
-        self._held = ExitStack()
-        self._thread = Thread(target=self._work, name="stand", daemon=True)
-        self._thread.start()
+        self._controls: list[Control] = []
+        self.session = StandSession(loaded, bridge.look)
+        """The stand that is on screen, and the only one whose instruments are ever connected."""
+        self._posted.connect(self._carry)
+        self._thread = OrderThread(self._posted.emit, idle=(self._look, self._tell_of))
         atexit.register(self.leave)  # however the program ends, the head is brought to rest
 
-    def connect_to(self, loaded: LoadedStand, attendant: Attendant) -> None:
-        """Reach the instruments of a stand, after leaving those of another."""
-        self._order(lambda _: self._connect(loaded, attendant))
+    @property
+    def busy(self) -> bool:
+        """Whether an order is under way, or anything that it told is still to be delivered."""
+        return bool(self._controls)
+
+    def use(self, loaded: LoadedStand) -> None:
+        """Choose another stand; the one before is left. Raises `InputError` while that one is at work."""
+        if self.busy:
+            raise InputError(self.tr("The stand is at work: stop it, or wait, before you choose another"))
+        self.disconnect_from()
+        self.session = StandSession(loaded, self._bridge.look)
+        self.chosen.emit(loaded)
+
+    def connect_to(self, attendant: Attendant) -> None:
+        """Reach the instruments of the stand that is chosen."""
+        session = self.session
+        self._begin(lambda _: self._connect(session, attendant))
 
     def disconnect_from(self) -> None:
-        """Leave the stand."""
-        self._order(lambda _: self._disconnect())
+        """Leave the instruments."""
+        self._thread.put(partial(self._leave_stand, self.session), self._tell_of)
 
-    def begin(self, activity: Activity, attendant: Attendant) -> None:
-        """Carry out a run; where its stand is not the one that is connected, that is connected first."""
-        self._order(partial(self._carry_out, activity, attendant))
+    def begin(self, activity: Activity, attendant: Attendant) -> bool:
+        """Carry out a run unless something is under way; returns whether it was taken on.
+
+        Raises `InputError` where the run belongs to another stand than the one that is chosen.
+        """
+        session, its = self.session, activity.job.stand
+        if not session.is_of(its):
+            sentence = self.tr("The run belongs to the stand {its}, and {chosen} is chosen: choose {its} first")
+            raise InputError(sentence.format(its=its.file.name, chosen=session.loaded.file.name))
+        return self._begin(partial(self._carry_out, session, activity, attendant), self.broken_off)
 
     def move_to(self, angle_deg: float) -> None:
         """Turn the head to an angle."""
-        self._order(partial(self._move, lambda motion, checkpoint: motion.travel(angle_deg, checkpoint)))
+        self._move(lambda motion, checkpoint: motion.travel(angle_deg, checkpoint))
 
     def move_by(self, step_deg: float) -> None:
         """Turn the head by an angle from where it stands."""
-        self._order(lambda control: self._move_by(step_deg, control))
+        session = self.session
+        self._move(lambda motion, checkpoint: motion.travel(session.angle_deg + step_deg, checkpoint))
 
     def home(self) -> None:
         """Have the head find its reference."""
-        self._order(partial(self._move, lambda motion, checkpoint: motion.home(checkpoint)))
+        self._move(lambda motion, checkpoint: motion.home(checkpoint))
 
     def pause(self) -> None:
         """Pause the run."""
-        for control in tuple(self._controls):
+        for control in self._controls:
             control.pause()
 
     def resume(self) -> None:
         """Go on with a run that is paused."""
-        for control in tuple(self._controls):
+        for control in self._controls:
             control.resume()
 
     def stop(self) -> None:
-        """Bring the head to rest, whatever is under way; what waits is not begun."""
-        for control in tuple(self._controls):
-            control.stop()
-        self._order(lambda _: self._brake())
+        """Bring the head to rest, whatever is under way."""
+        session = self._stopped()
+        self._order(lambda _: self._halt(session))
+
+    def retire(self) -> None:
+        """Stop, read the standstill back and leave the stand; `rested` or `stuck` says what came of it."""
+        session = self._stopped()
+        self._order(lambda _: self._retire(session), self.stuck)
+
+    def settle(self, within_s: float) -> bool:
+        """As `retire`, and wait for it; returns whether the standstill was read back in time."""
+        session, told = self._stopped(), SimpleQueue[bool]()
+
+        def action(_: Control) -> None:
+            try:
+                self._retire(session)
+                told.put(True)
+            finally:
+                told.put(False)
+
+        self._order(action, self.stuck)
+        try:
+            return told.get(timeout=within_s)
+        except Empty:
+            return False
 
     def leave(self) -> None:
         """Stop, leave the stand, and end the thread; returns when that is done."""
         atexit.unregister(self.leave)
         self.stop()
         self.disconnect_from()
-        self._orders.put(None)
-        self._thread.join()
+        self._thread.end()
 
-    def _order(self, order: Order) -> None:
+    def _stopped(self) -> StandSession:
+        for control in self._controls:
+            control.stop()
+        return self.session
+
+    def _begin(self, action: Action, failed: SignalInstance | None = None) -> bool:
+        if self.busy:
+            return False
+        self._order(partial(_unless_stopped, action), failed)
+        return True
+
+    def _order(self, action: Action, failed: SignalInstance | None = None) -> None:
         control = PatientControl()
         self._controls.append(control)
-        self._orders.put((order, control))
+        self._thread.put(partial(action, control), partial(self._end, control, failed or self.failed))
+        self.working.emit(True)
 
-    def _work(self) -> None:
-        while True:
-            try:
-                wanted = self._orders.get(timeout=_LOOK_S)
-            except Empty:
-                self._guarded(self._look)
-                continue
-            if wanted is None:
-                return
-            order, control = wanted
-            self.working.emit(True)
-            self._guarded(lambda order=order, control=control: self._do(order, control))  # type: ignore[misc]
-            self._controls.remove(control)
-            self.working.emit(bool(self._controls))
+    def _move(self, move: Move) -> None:
+        self._begin(partial(self._carry_out_move, self.session, move))
 
-    def _guarded(self, action: Callable[[], None]) -> None:
-        try:
-            action()
-        except StopRequestedError:
-            pass  # as was asked
-        except Exception as error:  # whatever it is, the event loop shows it
-            self.failed.emit(error)
+    def _end(self, control: Control, failed: SignalInstance, error: BaseException | None) -> None:
+        self._controls.remove(control)
+        if not isinstance(error, StopRequestedError):  # that is as was asked
+            self._tell_of(error, failed)
+        self.working.emit(self.busy)
 
-    def _do(self, order: Order, control: Control) -> None:
-        control.check()
-        order(control)
+    def _tell_of(self, error: BaseException | None, failed: SignalInstance | None = None) -> None:
+        if error is not None:
+            (failed or self.failed).emit(error)
 
-    def _connect(self, loaded: LoadedStand, attendant: Attendant, past: Sequence[Past] = ()) -> Connected:
-        self._disconnect()
-        with ExitStack() as stack:
-            stack.enter_context(holding(loaded, "no unit yet"))
-            stand = connect(loaded, attendant=attendant, past=past)
-            stack.callback(stand.links.close)
-            identity = StandIdentity(
-                loaded=loaded,
-                head=stand.stand.head.identify(),
-                daq=stand.stand.daq.identify(),
-                status=stand.stand.head.status(),
-                warnings=stand.warnings,
-            )
-            self._stand, self._loaded, self._held = stand, loaded, stack.pop_all()
-        self.connected.emit(identity)
-        return stand
+    @Slot(object)
+    def _carry(self, posted: Callable[[], None]) -> None:
+        posted()
 
-    def _disconnect(self) -> None:
-        if self._stand is not None:
-            self._stand = self._loaded = None
-            self._held.close()
-            self.disconnected.emit()
+    def _tell(self, session: StandSession, signal: SignalInstance, *told: object) -> None:
+        """Emit a signal in the event loop, where what it tells of is the stand on screen; from the stand's thread."""
+        self._posted.emit(lambda: signal.emit(*told) if session is self.session else None)
 
-    def _carry_out(self, activity: Activity, attendant: Attendant, control: Control) -> None:
-        stand = self._stand_of(activity, attendant)
-        self._bridge.count(progress_of(activity, stand))
-        ready = replace(stand, control=control, look=self._bridge.look)
-        self.concluded.emit(activity.carry_out(ready, [self._bridge.listen], self.stage.emit))
+    # What follows happens in the thread of the stand.
 
-    def _stand_of(self, activity: Activity, attendant: Attendant) -> Connected:
-        """The stand that is connected, if the run belongs there and began there."""
-        if self._stand is not None and not activity.past and self._loaded == activity.job.stand:
-            return self._stand
-        return self._connect(activity.job.stand, attendant, activity.past)
+    def _connect(self, session: StandSession, attendant: Attendant, past: Sequence[Past] = ()) -> Connected:
+        self._leave_stand(session)
+        self._tell(session, self.connected, session.connect(attendant, past))
+        return session.connected
 
-    def _motion(self) -> Motion:
-        if self._stand is None:
-            raise DeviceError("stand", "is not connected", "connect it first")
-        return Motion(self._stand.stand.head, self._stand.stand.clock, _TOLERANCE_DEG, look=self._bridge.look)
+    def _leave_stand(self, session: StandSession) -> None:
+        if session.is_connected:
+            self._tell(session, self.disconnected)
+            session.disconnect()
 
-    def _move(self, move: Move, control: Control) -> None:
-        motion = self._motion()
+    def _carry_out(self, session: StandSession, activity: Activity, attendant: Attendant, control: Control) -> None:
+        """Run at the instruments that are connected, unless a simulated stand must live through something first."""
+        as_it_is = session.is_connected and not activity.past
+        connected = session.connected if as_it_is else self._connect(session, attendant, activity.past)
+        self._bridge.count(progress_of(activity, connected))
+        ready = replace(connected, control=control, look=self._bridge.look)
+        concluded = activity.carry_out(ready, [self._bridge.listen], partial(self._tell, session, self.stage))
+        self._tell(session, self.concluded, concluded)
+
+    def _carry_out_move(self, session: StandSession, move: Move, control: Control) -> None:
+        motion = session.motion
         try:
             move(motion, lambda: _checked(control))
         finally:
-            motion.halt()
+            self._halt(session)
 
-    def _move_by(self, step_deg: float, control: Control) -> None:
-        stand = self._stand
-        here_deg = stand.stand.head.status().angle_deg if stand else 0.0
-        self._move(lambda motion, checkpoint: motion.travel(here_deg + step_deg, checkpoint), control)
+    def _halt(self, session: StandSession) -> None:
+        try:
+            session.halt()
+        except BaseException:
+            self._tell(session, self.restless)
+            raise
 
-    def _brake(self) -> None:
-        if self._stand is not None:
-            self._motion().halt()
+    def _retire(self, session: StandSession) -> None:
+        self._halt(session)
+        self._leave_stand(session)
+        self._tell(session, self.rested)
 
     def _look(self) -> None:
-        if self._stand is None:
+        session = self.session
+        if not session.is_connected:
             return
         try:
-            self.head_seen.emit(self._stand.stand.head.status())
+            self._tell(session, self.head_seen, session.connected.stand.head.status())
         except Exception:
-            self._disconnect()
+            self._leave_stand(session)
             raise
+
+
+def _unless_stopped(action: Action, control: Control) -> None:
+    control.check()
+    action(control)
 
 
 def _checked(control: Control) -> bool:

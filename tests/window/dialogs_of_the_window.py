@@ -1,0 +1,101 @@
+"""Every dialog, menu and list that the window can open, and how; `test_stop_everywhere` presses STOP under each."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QContextMenuEvent
+from PySide6.QtWidgets import QApplication, QMenu
+
+from app.stand import load_stand
+from window import menus
+
+
+class _Elsewhere:
+    """A run that belongs to another stand."""
+
+    def __init__(self, path):
+        self.job = type("Job", (), {"stand": load_stand(path)})()
+
+
+def _menu(number):
+    def open_it(driver):
+        menu = driver.window.menuBar().findChildren(QMenu, options=Qt.FindChildOption.FindDirectChildrenOnly)[number]
+        menu.popup(driver.window.mapToGlobal(QPoint(10, 30)))
+
+    return open_it
+
+
+def _list(screen, box):
+    def open_it(driver):
+        driver.window.open(getattr(driver.window, screen))
+        box(driver.window).showPopup()
+
+    return open_it
+
+
+def _context_menu(screen, field):
+    def open_it(driver):
+        driver.window.open(getattr(driver.window, screen))
+        part = field(driver.window)
+        centre = part.rect().center()
+        reason = QContextMenuEvent.Reason.Mouse
+        QApplication.postEvent(part, QContextMenuEvent(reason, centre, part.mapToGlobal(centre)))
+
+    return open_it
+
+
+def _export_over(driver, path):
+    driver.window.records._export_unless_there(path)
+
+
+DIALOGS = {
+    "what went wrong": lambda driver, path: driver.window.tell(ValueError("bent")),
+    "what a person can mend": lambda driver, path: driver.window.stand.open(path.with_name("absent.toml")),
+    "keys": lambda driver, path: menus._show_keys(driver.window),
+    "language": lambda driver, path: menus._tell_language_later(driver.window),
+    "stand file": lambda driver, path: driver.window.stand._choose(),
+    "programme": lambda driver, path: driver.run.form._choose_file(),
+    "export": lambda driver, path: driver.window.records._ask_for_export("20260101-1"),
+    "replace": _export_over,
+    "another stand": lambda driver, path: driver.window._begin(_Elsewhere(path)),
+    "leave": lambda driver, path: driver.window.way_out._ask(),
+    "esc stops nothing": lambda driver, path: driver.window._say_what_stops(),
+}
+"""Each is called with the driver and with the path of a stand file, and opens a `Dialog`."""
+
+POPUPS = {
+    "menu view": _menu(0),
+    "menu language": _menu(1),
+    "menu help": _menu(2),
+    "step": _list("stand", lambda window: window.stand.jog.step),
+    "speed": _list("stand", lambda window: window.stand.simulation.speed),
+    "programmes": _list("run", lambda window: window.run.form.programme),
+    "programmes of records": _list("records", lambda window: window.records.search.programme),
+    "verdicts": _list("records", lambda window: window.records.search.verdict),
+    "trend": _list("records", lambda window: window.records.trend.parameter),
+    "menu of a field": _context_menu("run", lambda window: window.run.form.serial),
+    "menu of the log": _context_menu("run", lambda window: window.run.view.log.viewport()),
+    "menu of a label": _context_menu("stand", lambda window: window.stand.table._cells["head", "driver"]),
+}
+"""Each is called with the driver, and opens what takes keyboard and mouse to itself."""
+
+SOURCES = {
+    ("menus.py", "Dialog"),
+    ("menus.py", "QMenu"),
+    ("main_window.py", "Dialog"),
+    ("main_window.py", "Dialogs"),
+    ("main_window.py", "ProblemDialog"),
+    ("main_window.py", "QuestionDialog"),
+    ("way_out.py", "QuestionDialog"),
+    ("screens/stand.py", "FileDialog"),
+    ("screens/records.py", "FileDialog"),
+    ("screens/records.py", "QuestionDialog"),
+    ("widgets/run_form.py", "FileDialog"),
+    ("widgets/dialog.py", "Dialog"),
+    ("widgets/dialog.py", "QFileDialog"),
+    ("widgets/dialog.py", "QuestionDialog"),
+    ("widgets/problem.py", "Dialog"),
+}
+"""Where in the package the window's dialogs are named: whoever adds one adds it above, too."""
+
+ROOT = Path(menus.__file__).parent

@@ -1,0 +1,43 @@
+"""Where the window is: as it was left, and wholly on a screen."""
+
+from typing import Final
+
+from PySide6.QtCore import QByteArray, QPoint, QRect, QSettings, QSize
+from PySide6.QtWidgets import QMainWindow
+
+_SIZE: Final = QSize(1280, 800)
+_FRAME: Final = QSize(16, 40)
+"""What a window manager puts round a window, where it has not said so yet."""
+
+
+def restore_place(window: QMainWindow) -> int:
+    """Give a window the place that it had, and return the number of the screen that was shown."""
+    window.resize(_SIZE)
+    settings = QSettings()
+    geometry = settings.value("window/geometry")
+    if isinstance(geometry, QByteArray):
+        window.restoreGeometry(geometry)
+    return int(str(settings.value("window/screen", 0)))
+
+
+def remember_place(window: QMainWindow, number: int) -> None:
+    """Keep both for the next time."""
+    QSettings().setValue("window/geometry", window.saveGeometry())
+    QSettings().setValue("window/screen", number)
+
+
+def keep_on_screen(window: QMainWindow) -> None:
+    """Make a window no larger than its screen has room for with a frame, and move it there."""
+    if window.isMaximized() or window.isFullScreen():
+        return
+    room = window.screen().availableGeometry()
+    told = window.frameGeometry().size() - window.size()
+    frame = told if told.height() else _FRAME
+    window.resize(window.size().boundedTo(room.size() - frame))
+    window.move(_inside(QRect(window.pos(), window.size() + frame), room))
+
+
+def _inside(wanted: QRect, room: QRect) -> QPoint:
+    left = max(room.left(), min(wanted.left(), room.right() + 1 - wanted.width()))
+    top = max(room.top(), min(wanted.top(), room.bottom() + 1 - wanted.height()))
+    return QPoint(left, top)

@@ -1,0 +1,62 @@
+"""Where a run stands, and what may be said of that."""
+
+from dataclasses import dataclass
+from enum import Enum, auto
+from typing import Final
+
+from PySide6.QtCore import QCoreApplication
+
+from procedures.events import State
+from window.look.sentences import state_name
+
+translate: Final = QCoreApplication.translate
+
+
+class Phase(Enum):
+    """What the screen is busy with."""
+
+    IDLE = auto()
+    RUNNING = auto()
+    CONCLUDING = auto()
+    """The head stands; what was measured is analysed and stored."""
+
+
+@dataclass
+class RunState:
+    """What is known; that the head stands is said only where that was read back."""
+
+    phase: Phase = Phase.IDLE
+    state: State = State.IDLE
+    pausing: bool = False
+    """Whether a pause was asked for that has not begun."""
+    restless: bool = False
+    """Whether the standstill of the head could not be read back."""
+
+    @property
+    def paused(self) -> bool:
+        """Whether the head stands for a pause."""
+        return self.phase is Phase.RUNNING and self.state is State.PAUSED
+
+    def change(self, state: State) -> None:
+        """Take over what the engine tells."""
+        self.state = state
+        self.pausing = self.pausing and state is not State.PAUSED
+
+    def end(self) -> None:
+        """The run is over."""
+        self.phase, self.state, self.pausing = Phase.IDLE, State.IDLE, False
+
+    @property
+    def text(self) -> str:
+        """In a word or two."""
+        if self.restless:
+            return translate("RunScreen", "Fault: the head's standstill was not read back")
+        if self.phase is Phase.CONCLUDING:
+            return translate("RunScreen", "Analysing")
+        if self.pausing and self.state is State.AWAITING_OPERATOR:
+            return translate("RunScreen", "Waits for you, and pauses then")
+        if self.pausing:
+            return translate("RunScreen", "Pausing…")
+        if self.phase is Phase.RUNNING and self.state is State.IDLE:
+            return translate("RunScreen", "Getting ready")
+        return state_name(self.state)

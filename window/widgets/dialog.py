@@ -1,0 +1,152 @@
+"""Dialogs that are parts of the window.
+
+None is a window of its own and none is modal: STOP is never behind one, and whatever is shown stays usable.
+"""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Final
+
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtWidgets import QFileDialog, QFrame, QHBoxLayout, QLabel, QPushButton, QScrollArea, QVBoxLayout, QWidget
+
+from window.widgets.motion_button import MotionButton
+
+YES_KEY: Final = "F3"
+"""No scanner types it, and nothing else uses it."""
+_MOST: Final = 0.45
+"""Of the height of the window, for all dialogs together."""
+
+
+class Dialog(QFrame):
+    """A title, a text, whatever else is added, and buttons; the last one closes it, and Esc does."""
+
+    dismissed = Signal()
+
+    def __init__(self, title: str, text: str, kind: str = "card", parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName(kind)
+        self.setAccessibleName(title)
+        self._text = QLabel(text)
+        self._text.setTextFormat(Qt.TextFormat.PlainText)
+        self._text.setWordWrap(True)
+        self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self._text.setVisible(bool(text))
+        heading = QLabel(title)
+        heading.setObjectName("bad" if kind == "fault" else "heading")
+        self._close = QPushButton(self.tr("Close  [Esc]"))
+        self._close.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self._close.clicked.connect(self.dismiss)
+        self._buttons = QHBoxLayout()
+        self._buttons.addWidget(heading, stretch=1)
+        self._buttons.addWidget(self._close)
+        self._column = QVBoxLayout(self)
+        self._column.addLayout(self._buttons)
+        self._column.addWidget(self._text)
+
+    def text(self) -> str:
+        """What it says."""
+        return self._text.text()
+
+    def add(self, part: QWidget) -> None:
+        """Put something below what is there."""
+        self._column.addWidget(part)
+
+    def add_button(self, button: QPushButton) -> None:
+        """Put a button beside the one that closes."""
+        self._buttons.insertWidget(self._buttons.count() - 1, button)
+
+    def dismiss(self) -> None:
+        """Close it."""
+        self.hide()
+        self.deleteLater()
+        self.dismissed.emit()
+
+
+class QuestionDialog(Dialog):
+    """Asks; a yes comes by the mouse or by a function key, which no scanner types."""
+
+    agreed = Signal()
+
+    def __init__(self, title: str, text: str, yes: str) -> None:
+        super().__init__(title, text, "question")
+        self.yes = MotionButton(yes, YES_KEY)
+        self.yes.setObjectName("primary")
+        self.yes.clicked.connect(self.dismiss)
+        self.yes.clicked.connect(self.agreed)
+        self.add_button(self.yes)
+
+
+class FileDialog(Dialog):
+    """Asks for a file; it asks nothing further itself, which would be modal."""
+
+    chosen = Signal(object)
+    """Path."""
+
+    def __init__(self, title: str, start: Path, filters: str, saving: bool = False) -> None:
+        super().__init__(title, "")
+        self.files = QFileDialog(self, title, str(start.parent if saving else start), filters)
+        for option in ("DontUseNativeDialog", "DontConfirmOverwrite", "ReadOnly"):
+            self.files.setOption(QFileDialog.Option[option])
+        if saving:
+            self.files.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
+            self.files.selectFile(start.name)
+        self.files.setFileMode(QFileDialog.FileMode.AnyFile)
+        self.files.setWindowFlags(Qt.WindowType.Widget)
+        self.files.setModal(False)
+        self.files.fileSelected.connect(lambda name: self.chosen.emit(Path(name)))
+        self.files.finished.connect(self.dismiss)
+        self.add(self.files)
+
+
+class Dialogs(QScrollArea):
+    """Where dialogs are shown: the newest on top, scrolled where they take more than the `room`, in pixels."""
+
+    def __init__(self, room: Callable[[], int], parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._room = room
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setWidgetResizable(True)
+        self._all = QWidget()
+        self._column = QVBoxLayout(self._all)
+        self._column.setContentsMargins(8, 0, 8, 0)
+        self.setWidget(self._all)
+        self.hide()
+
+    @property
+    def open(self) -> list[Dialog]:
+        """Those that are shown, the newest first."""
+        there = self._all.findChildren(Dialog, options=Qt.FindChildOption.FindDirectChildrenOnly)
+        return sorted((dialog for dialog in there if not dialog.isHidden()), key=self._column.indexOf)
+
+    def show_dialog(self, dialog: Dialog) -> None:
+        """Show a dialog; one that says the same is there once, and one question at a time."""
+        for other in self.open:
+            if type(other) is type(dialog) and (other.text() == dialog.text() or isinstance(other, QuestionDialog)):
+                other.dismiss()
+        self._column.insertWidget(0, dialog)
+        dialog.dismissed.connect(self._fit)
+        dialog.show()
+        self._fit()
+        self.verticalScrollBar().setValue(0)
+
+    def close_newest(self) -> bool:
+        """Close the newest dialog; false where there is none."""
+        shown = self.open
+        if shown:
+            shown[0].dismiss()
+        return bool(shown)
+
+    def minimumSizeHint(self) -> QSize:  # noqa: N802  # Qt's name
+        """As high as what is shown, up to a part of the window, and no higher than its room."""
+        width, needed = max(self.viewport().width(), 200), self._column
+        high = needed.heightForWidth(width) if needed.hasHeightForWidth() else needed.sizeHint().height()
+        return QSize(0, min(high, round(_MOST * self.window().height()), self._room()))
+
+    def sizeHint(self) -> QSize:  # noqa: N802  # Qt's name
+        """No more than that."""
+        return self.minimumSizeHint()
+
+    def _fit(self) -> None:
+        self.setVisible(bool(self.open))
+        self.updateGeometry()
