@@ -77,7 +77,7 @@ class Explained(Generic[_T]):
 
     def effects(self, fit: LinearFit) -> tuple[EffectFound, ...]:
         """What was found, in the order of the evidence, with the coefficients of a fit."""
-        found = effects_found(self.table, self.trace, fit, self.close)
+        found = effects_found(self.table, self.judged, fit, self.close)
         return tuple(sorted(found, key=lambda effect: effect.p_value))
 
     @property

@@ -20,13 +20,15 @@ from calibrations.repeats import pose_groups
 from calibrations.result import Calibration
 from calibrations.tracing.augmented import Augmented, augment
 from calibrations.tracing.experiments import Experiment, next_experiments
-from calibrations.tracing.findings import EffectFound, Unexplained, effects_found, unexplained
+from calibrations.tracing.findings import EffectFound, Unexplained, Withheld, effects_found, unexplained, withheld
 from calibrations.tracing.fitting_noise import with_likely_flicker
 from calibrations.tracing.ground import Ground, ground, scene_of, seen_anew
 from calibrations.tracing.held_out import held_out_rms
 from calibrations.tracing.judged import Judged, judged
 from calibrations.tracing.misreading import Misreading, misreadings
+from calibrations.tracing.more_settings import more_settings
 from calibrations.tracing.questions import questioned
+from calibrations.tracing.reach import Reach, reach
 from calibrations.tracing.rivals import CLOSE, Rival
 from calibrations.tracing.taken_back import without_courses, without_rivals
 from calibrations.tracing.trace import Trace, Tracer, trace_price
@@ -46,6 +48,10 @@ class Loop:
     """What would part the rivals that are left."""
     not_traced: str = ""
     """Why nothing was looked for; empty where the table was traced."""
+    withheld: tuple[Withheld, ...] = ()
+    """What would fit the rows, but is not stated."""
+    reach: Reach | None = None
+    """What the settings can show at all; None where nothing was traced."""
 
 
 def close_loop(
@@ -70,7 +76,8 @@ def asked_next(loop: Loop, explained: "Explained | None") -> Loop:
     """What `explain` gives, with what to measure next."""
     if explained is None:
         return loop
-    return replace(loop, next_experiment=next_experiments(explained.base, explained.trace, explained.close))
+    parting = next_experiments(explained.base, explained.trace, explained.close)
+    return replace(loop, next_experiment=(*parting, *more_settings(loop.withheld, loop.unexplained, explained.reach)))
 
 
 def explain(
@@ -119,10 +126,12 @@ def explain(
     loop = Loop(
         declared=assess(declared, uncertainty, trials=0),
         augmented=augmented,
-        effects=_effects(explained.base, trace, best, close, misread),
-        unexplained=unexplained(trace),
+        effects=_effects(explained, close, misread),
+        unexplained=unexplained(explained.judged, explained.reach),
         misread=misread,
         not_traced=explained.base.not_traced,
+        withheld=withheld(explained.base, explained.judged),
+        reach=explained.reach,
     )
     return loop, explained
 
@@ -161,6 +170,11 @@ class Explained:
     def base(self) -> Ground:
         """The table."""
         return self.tracer.ground
+
+    @property
+    def reach(self) -> Reach:
+        """What the settings can show."""
+        return reach(self.base.observations, self.judged.lack, self.base.unit)
 
     @property
     def close(self) -> dict[str, list[Rival]]:
@@ -203,13 +217,9 @@ def _gross_errors(observations: Observations, explained: Explained) -> tuple[Set
 
 
 def _effects(
-    base: Ground,
-    trace: Trace,
-    best: Augmented,
-    close: Mapping[str, Sequence[Rival]],
-    misread: Sequence[Misreading],
+    explained: Explained, close: Mapping[str, Sequence[Rival]], misread: Sequence[Misreading]
 ) -> tuple[EffectFound, ...]:
-    found = effects_found(base, trace, best, close)
+    found = effects_found(explained.base, explained.judged, explained.best, close)
     if misread:
         found.append(_misreading())
     return tuple(sorted(found, key=lambda effect: effect.p_value))
