@@ -27,6 +27,7 @@ def document(loop: Loop) -> dict[str, Any]:
         "unexplained": unexplained_json(loop.unexplained),
         "withheld": [{"name": each.name, "reason": each.reason} for each in loop.withheld],
         "settings": settings_json(loop.reach),
+        "still": [slope.as_json() for slope in loop.still.slopes] if loop.still else [],
         "augmented": model_json(loop.augmented),
         "next_experiment": [experiment_json(experiment) for experiment in loop.next_experiment],
         "warnings": list(loop.augmented.warnings),

@@ -30,6 +30,7 @@ from calibrations.tracing.more_settings import more_settings
 from calibrations.tracing.questions import questioned
 from calibrations.tracing.reach import Reach, reach
 from calibrations.tracing.rivals import CLOSE, Rival
+from calibrations.tracing.still import ONE_POSE, Still, in_one_pose, stillness
 from calibrations.tracing.taken_back import without_courses, without_rivals
 from calibrations.tracing.trace import Trace, Tracer, trace_price
 
@@ -52,6 +53,8 @@ class Loop:
     """What would fit the rows, but is not stated."""
     reach: Reach | None = None
     """What the settings can show at all; None where nothing was traced."""
+    still: Still | None = None
+    """What the output follows in a table of one pose; None for any other."""
 
 
 def close_loop(
@@ -98,16 +101,10 @@ def explain(
     observations = asked.observations
     declared = fit_jointly(observations)
     if not asked.answerable:
-        calibration = assess(declared, uncertainty, trials=0)
-        unanswered = Loop(
-            declared=calibration,
-            augmented=calibration,
-            effects=(),
-            unexplained=None,
-            misread=(),
-            not_traced="the table contradicts its own description; answer the question first",
-        )
-        return unanswered, None
+        why = "the table contradicts its own description; answer the question first"
+        return _untraced(assess(declared, uncertainty, trials=0), why), None
+    if in_one_pose(observations):
+        return _untraced(assess(declared, uncertainty, trials=0), ONE_POSE), None
     explained = _explained(declared, effects, reference_temperature_degc)
     for _ in range(_ROUNDS):
         rejected = _gross_errors(observations, explained)
@@ -134,6 +131,18 @@ def explain(
         reach=explained.reach,
     )
     return loop, explained
+
+
+def _untraced(calibration: Calibration, why: str) -> Loop:
+    return Loop(
+        declared=calibration,
+        augmented=calibration,
+        effects=(),
+        unexplained=None,
+        misread=(),
+        not_traced=why,
+        still=stillness(calibration.observations),
+    )
 
 
 _ROUNDS = 3

@@ -14,6 +14,7 @@ from calibrations.observations import Observations
 from calibrations.repeats import pose_groups, pure_error
 from calibrations.tracing.realisations import with_passes
 from calibrations.tracing.seats import wrong_seat
+from calibrations.tracing.still import PROCEDURE, in_one_pose, on_purpose
 
 _FEWEST_ROWS = 8
 """Fewer rows contradict nothing."""
@@ -68,10 +69,13 @@ def _dead(observations: Observations) -> str:
 
 
 def _unturned(observations: Observations) -> str:
-    """Ask about a head that stands at one angle in one mount although the output changes with something."""
-    if np.ptp(observations.angle_deg) > 0.0 or len(set(observations.mounts.tolist())) > 1:
+    """Ask about a head that stands at one angle in one mount, unless the table says that this was meant."""
+    if not in_one_pose(observations) or on_purpose(observations):
         return ""
-    return f"{observations.source}: angle_deg is {observations.angle_deg[0]:g} in every row; was the head never turned?"
+    return (
+        f"{observations.source}: angle_deg is {observations.angle_deg[0]:g} in every row; was the head never turned? "
+        f"If the unit was left still on purpose, write {PROCEDURE} into the column procedure"
+    )
 
 
 def _backwards(observations: Observations) -> str:

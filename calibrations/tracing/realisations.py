@@ -34,7 +34,7 @@ def with_passes(observations: Observations) -> Passes:
     """Number realisations in the order in which they were taken; none where there are no passes."""
     told = observations.realisation
     labelled = told is not None and len(np.unique(told)) > 1
-    if told is not None and labelled and _unbroken(told) and _come_back(observations, told):
+    if told is not None and labelled and _unbroken(told) and _passes(observations, told):
         return Passes(observations=replace(observations, realisation=_in_order(told)))
     number = _clear_repeats(observations)
     found = replace(observations, realisation=number)
@@ -54,11 +54,11 @@ def _unbroken(number: IntArray) -> bool:
     return int(np.count_nonzero(np.diff(number))) + 1 == len(np.unique(number))
 
 
-def _come_back(observations: Observations, number: IntArray) -> bool:
-    """Whether settings are visited in more than one realisation."""
-    setting = distinct_settings(observations)
-    both = np.unique(np.column_stack([setting, number]), axis=0)
-    return bool(np.mean(np.bincount(both[:, 0])[setting] > 1) > _COME_BACK)
+def _passes(observations: Observations, number: IntArray) -> bool:
+    """Whether realisations go through settings, and come back to those of others."""
+    each = np.unique(np.column_stack([distinct_settings(observations), number]), axis=0)
+    visits = np.bincount(each[:, 0])[distinct_settings(observations)]
+    return len(each) > len(np.unique(number)) and bool(np.mean(visits > 1) > _COME_BACK)
 
 
 def _in_order(number: IntArray) -> IntArray:

@@ -62,7 +62,7 @@ def found_sentences(loop: Loop) -> list[str]:
 
 def _verdict(loop: Loop, found: bool) -> str:
     if loop.not_traced:
-        return f"Nothing was traced: {loop.not_traced}."
+        return " ".join((f"Nothing was traced: {loop.not_traced}.", *(loop.still.sentences if loop.still else ())))
     limits = f"{loop.reach.limits}." if loop.reach and loop.reach.few else ""
     return " ".join(part for part in (_agreement(loop, found, bool(limits)), limits) if part)
 
