@@ -6,10 +6,11 @@ from typing import Generic, TypeVar
 
 import numpy as np
 
-from calibrations.tracing.evidence import Evidence, Lack, gathered, settings_differ
+from calibrations.tracing.blocks import Lack
+from calibrations.tracing.evidence import Evidence, gathered, settings_differ
 from calibrations.tracing.fitting_noise import best_level
 from calibrations.tracing.noise import SETTINGS, WHITE, scaled_levels
-from calibrations.tracing.rivals import Rival, with_best_names
+from calibrations.tracing.rivals import Rival, near_rivals, with_best_names
 from calibrations.tracing.table import Table
 from calibrations.tracing.trace import Trace, Tracer, refined
 
@@ -17,6 +18,8 @@ _ROUNDS = 3
 """How often a table is traced again without what did not stand."""
 _DIFFER_P = 0.01
 """Below this settings differ by more than their repeats, and that is a noise in which shapes are looked for."""
+_CLEARLY_P = 1e-5
+"""Below this they differ so clearly that shapes are compared in that noise even where nothing fell."""
 _T = TypeVar("_T", bound=Table)
 
 
@@ -53,14 +56,16 @@ def judged(table: _T) -> Judged[_T]:
         trace, near = kept, {name: near[name] for name in kept.names if name in near}
         if further:
             trace, near = _again(table, kept, frozenset(withheld))
-    found = gathered(table, trace)
+    found, lack = gathered(table, trace), settings_differ(table, trace)
+    if not withheld and trace.named and lack.alike < _CLEARLY_P:
+        near = _near_in_levels(table, trace)
     return Judged(
         tracer=Tracer(table, frozenset(withheld)) if withheld else tracer,
         trace=trace,
         near=near,
         evidence=found,
         withheld=tuple(each for name, each in withheld.items() if name not in found),
-        lack=settings_differ(table, trace),
+        lack=lack,
     )
 
 
@@ -84,10 +89,19 @@ def _again(table: Table, kept: Trace, barred: frozenset[str]) -> tuple[Trace, di
     trace = tracer.trace()
     noise = best_level(rough, trace.forms, trace.noise, SETTINGS)
     trace, near = with_best_names(tracer, replace(trace, noise=noise, deviance=rough.deviance(trace.forms, noise)))
-    smooth = {
-        name: [replace(rival, trace=_smooth(table, rival.trace)) for rival in rivals] for name, rivals in near.items()
-    }
-    return _smooth(table, trace), smooth
+    return _smooth(table, trace), _all_smooth(table, near)
+
+
+def _near_in_levels(table: Table, trace: Trace) -> dict[str, list[Rival]]:
+    """Rivals of what was found, in the noise by which settings differ: repeats of a setting part no two shapes."""
+    rough = _with_levels(table)
+    noise = best_level(rough, trace.forms, trace.noise, SETTINGS)
+    trace = replace(trace, noise=noise, deviance=rough.deviance(trace.forms, noise))
+    return _all_smooth(table, near_rivals(Tracer(rough), trace))
+
+
+def _all_smooth(table: Table, near: Mapping[str, Sequence[Rival]]) -> dict[str, list[Rival]]:
+    return {name: [replace(each, trace=_smooth(table, each.trace)) for each in listed] for name, listed in near.items()}
 
 
 def _with_levels(table: Table) -> Table:

@@ -7,7 +7,7 @@ import numpy as np
 
 from calibrations.geometry import FloatArray
 from calibrations.observations import Observations
-from calibrations.tracing.evidence import Lack
+from calibrations.tracing.blocks import Lack
 
 FEWEST_SPARE: Final = 6
 """With fewer settings beyond the declared model no effect of the setting is believed, unless it is gross.
