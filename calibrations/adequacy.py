@@ -55,8 +55,12 @@ def held_out_parts(observations: Observations) -> list[NDArray[np.bool_]]:
 
 
 def told_without(columns: FloatArray, out: NDArray[np.bool_]) -> bool:
-    """Whether the other rows tell everything that all rows tell: columns are what the model can follow."""
-    return bool(np.linalg.matrix_rank(columns[~out]) == np.linalg.matrix_rank(columns))
+    """Whether the other rows tell everything that all rows tell, and there are more of them than that takes.
+
+    `columns` are what the model can follow, shape (rows, n).
+    """
+    rank, left = int(np.linalg.matrix_rank(columns)), columns[~out]
+    return len(left) > rank and int(np.linalg.matrix_rank(left)) == rank
 
 
 def held_out_rms(
