@@ -5,6 +5,8 @@
 - `table`, `sample`, `footing`: any table, ready for comparison in white noise and in noise that remembers (`noise`);
   `ground`: that of an accelerometer.
 - `candidates`, `problem`, `search`, `fitting_noise`, `trace`: how a residual is traced.
+- `evidence`: on how many blocks an effect rests, and whether it holds in them; `judged`: what stands, and what is
+  withheld; `reach`: what so many settings can show; `realisations`: what is a pass; `still`: a table of one pose.
 - `rivals`: which other effects would explain it as well; `prediction`, `separation`, `probes`, `experiments`: what
   would part them.
 - `quantified`, `findings`: what was found, as numbers and as reported; `linear`, `linear_loop`: for a model that is

@@ -21,13 +21,17 @@ from calibrations.repeats import pose_groups
 from calibrations.result import Calibration
 from calibrations.tracing.augmented import Augmented, augment
 from calibrations.tracing.experiments import Experiment, next_experiments
-from calibrations.tracing.findings import EffectFound, Unexplained, effects_found, unexplained
+from calibrations.tracing.findings import EffectFound, Unexplained, Withheld, effects_found, unexplained, withheld
 from calibrations.tracing.fitting_noise import with_likely_flicker
 from calibrations.tracing.ground import Ground, ground, scene_of, seen_anew
 from calibrations.tracing.held_out import held_out_rms
+from calibrations.tracing.judged import Judged, judged
 from calibrations.tracing.misreading import Misreading, misreadings
+from calibrations.tracing.more_settings import more_settings
 from calibrations.tracing.questions import Questioned, questioned
-from calibrations.tracing.rivals import CLOSE, Rival, with_best_names
+from calibrations.tracing.reach import Reach, reach
+from calibrations.tracing.rivals import CLOSE, Rival
+from calibrations.tracing.still import ONE_POSE, Still, in_one_pose, stillness
 from calibrations.tracing.taken_back import without_courses, without_rivals
 from calibrations.tracing.trace import Trace, Tracer, trace_price
 
@@ -46,6 +50,12 @@ class Loop:
     """What would part the rivals that are left."""
     not_traced: str = ""
     """Why nothing was looked for; empty where the table was traced."""
+    withheld: tuple[Withheld, ...] = ()
+    """What would fit the rows, but is not stated."""
+    reach: Reach | None = None
+    """What the settings can show at all; None where nothing was traced."""
+    still: Still | None = None
+    """What the output follows in a table of one pose; None for any other."""
 
 
 def close_loop(
@@ -71,7 +81,8 @@ def asked_next(loop: Loop, explained: "Explained | None") -> Loop:
     """What `explain` gives, with what to measure next."""
     if explained is None:
         return loop
-    return replace(loop, next_experiment=next_experiments(explained.base, explained.trace, explained.close))
+    parting = next_experiments(explained.base, explained.trace, explained.close)
+    return replace(loop, next_experiment=(*parting, *more_settings(loop.withheld, loop.unexplained, explained.reach)))
 
 
 @one_blas_thread
@@ -92,20 +103,8 @@ def explain(
     asked = questioned(observations, reference_temperature_degc)
     observations = asked.observations
     declared = fit_jointly(observations)
-    if obstacle := _obstacle(asked):
-        calibration = assess(declared, uncertainty, trials=0)
-        if asked.answerable:  # else its question is a warning already
-            said = f"{observations.source}: nothing was traced: {obstacle}"
-            calibration = replace(calibration, warnings=(*calibration.warnings, said))
-        unanswered = Loop(
-            declared=calibration,
-            augmented=calibration,
-            effects=(),
-            unexplained=None,
-            misread=(),
-            not_traced=obstacle,
-        )
-        return unanswered, None
+    if why := _obstacle(asked):
+        return _untraced(asked, assess(declared, uncertainty, trials=0), why), None
     explained = _explained(declared, effects, reference_temperature_degc)
     for _ in range(_ROUNDS):
         rejected = _gross_errors(observations, explained)
@@ -124,24 +123,40 @@ def explain(
     loop = Loop(
         declared=assess(declared, uncertainty, trials=0),
         augmented=augmented,
-        effects=_effects(explained.base, trace, best, close, misread),
-        unexplained=unexplained(trace),
+        effects=_effects(explained, close, misread),
+        unexplained=unexplained(explained.judged, explained.reach),
         misread=misread,
         not_traced=explained.base.not_traced,
+        withheld=withheld(explained.base, explained.judged),
+        reach=explained.reach,
     )
     return loop, explained
 
 
 def _obstacle(asked: Questioned) -> str:
     """Why a table is not traced; empty where it is."""
-    rows = len(asked.observations)
     if not asked.answerable:
         return "the table contradicts its own description; answer the question first"
-    if rows > MOST_TRACED:
+    if (rows := len(asked.observations)) > MOST_TRACED:
         return (
             f"its {rows:,} rows are more than the {MOST_TRACED:,} that are traced at once; give means or a part of them"
         )
-    return ""
+    return ONE_POSE if in_one_pose(asked.observations) else ""
+
+
+def _untraced(asked: Questioned, calibration: Calibration, why: str) -> Loop:
+    """The declared model alone, with a warning that says why; a question is a warning already."""
+    said = (f"{calibration.observations.source}: nothing was traced: {why}",) if asked.answerable else ()
+    told = replace(calibration, warnings=(*calibration.warnings, *said))
+    return Loop(
+        declared=told,
+        augmented=told,
+        effects=(),
+        unexplained=None,
+        misread=(),
+        not_traced=why,
+        still=stillness(calibration.observations),
+    )
 
 
 MOST_TRACED = 30_000
@@ -158,16 +173,33 @@ _FAR_DEG = 10.0
 class Explained:
     """A table without gross errors, what it was traced to, and what could stand in its place."""
 
-    tracer: Tracer[Ground]
-    trace: Trace
-    near: Mapping[str, Sequence[Rival]]
-    """Near rivals of each effect of the trace."""
+    judged: Judged[Ground]
     best: Augmented
+
+    @property
+    def tracer(self) -> Tracer[Ground]:
+        """The table with everything that it may be traced to."""
+        return self.judged.tracer
+
+    @property
+    def trace(self) -> Trace:
+        """What it was traced to."""
+        return self.judged.trace
+
+    @property
+    def near(self) -> Mapping[str, Sequence[Rival]]:
+        """Near rivals of each effect of the trace."""
+        return self.judged.near
 
     @property
     def base(self) -> Ground:
         """The table."""
         return self.tracer.ground
+
+    @property
+    def reach(self) -> Reach:
+        """What the settings can show."""
+        return reach(self.base.observations, self.judged.lack, self.base.unit)
 
     @property
     def close(self) -> dict[str, list[Rival]]:
@@ -180,10 +212,10 @@ def _explained(joint: Joint, effects: Sequence[Effect[Scene]], reference_tempera
     base = ground(joint, effects, reference_temperature_degc)
     looks: list[Explained] = []
     for _ in range(_ROUNDS):
-        tracer = Tracer(base)
-        trace, near = with_best_names(tracer, tracer.trace())
+        found = judged(base)
+        trace = found.trace
         best = augment(base, replace(trace, noise=with_likely_flicker(base, trace.forms, trace.noise)))
-        looks.append(Explained(tracer=tracer, trace=trace, near=near, best=best))
+        looks.append(Explained(judged=found, best=best))
         alpha0_deg = float(best.joint.fit.theta[ALPHA0])
         moved_deg = abs(alpha0_deg - base.scene.alpha0_deg)
         if not trace.found or moved_deg < _MOVED_DEG or abs(alpha0_deg) > _FAR_DEG:
@@ -210,13 +242,9 @@ def _gross_errors(observations: Observations, explained: Explained) -> tuple[Set
 
 
 def _effects(
-    base: Ground,
-    trace: Trace,
-    best: Augmented,
-    close: Mapping[str, Sequence[Rival]],
-    misread: Sequence[Misreading],
+    explained: Explained, close: Mapping[str, Sequence[Rival]], misread: Sequence[Misreading]
 ) -> tuple[EffectFound, ...]:
-    found = effects_found(base, trace, best, close)
+    found = effects_found(explained.base, explained.judged, explained.best, close)
     if misread:
         found.append(_misreading())
     return tuple(sorted(found, key=lambda effect: effect.p_value))

@@ -1,6 +1,6 @@
 """Which other effects would explain a table as well: found by putting each in the place of what was found."""
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -56,12 +56,23 @@ def with_best_names(tracer: Tracer[Any], trace: Trace) -> tuple[Trace, dict[str,
         listed = {name: rivals(tracer, trace, name) for name in trace.names}
         better = [rival for name, others in listed.items() for rival in others if _goes_before(tracer, rival, name)]
         if not better:
-            return trace, {name: [rival for rival in others if rival.behind < NEAR] for name, others in listed.items()}
+            return trace, _near(listed)
         trace = min(better, key=lambda rival: rival.dearer).trace
 
 
+def near_rivals(tracer: Tracer[Any], trace: Trace) -> dict[str, list[Rival]]:
+    """The rivals of each effect of a trace that are near."""
+    return _near({name: rivals(tracer, trace, name) for name in trace.names})
+
+
+def _near(listed: Mapping[str, Sequence[Rival]]) -> dict[str, list[Rival]]:
+    return {name: [rival for rival in others if rival.behind < NEAR] for name, others in listed.items()}
+
+
 def _goes_before(tracer: Tracer[Any], rival: Rival, name: str) -> bool:
-    """Whether a rival is cheaper, or costs the same and stands first in the catalogue."""
+    """Whether a rival is cheaper, or costs the same and stands first in the catalogue; one that is barred never."""
+    if rival.name in tracer.barred:
+        return False
     if abs(rival.dearer) > _EQUAL:
         return rival.dearer < 0
     order = [*(effect.name for effect in tracer.effects), WALK]

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from tables import FLIPS, sweep, table
 
-from calibrations.adequacy import lack_of_fit
+from calibrations.adequacy import held_out_parts, lack_of_fit, told_without
 from calibrations.flips import flip_closure
 from calibrations.observations import Observations
 from calibrations.repeats import PureError
@@ -72,3 +72,23 @@ def test_without_a_procedure_column_rows_at_the_poles_are_taken_as_flips():
     closure = close(Observations(**{**vars(rows), "procedure": None}))
 
     assert set(closure.axes) == {"x", "y"}
+
+
+def test_repeats_of_a_setting_are_held_out_together():
+    rows = table(("sweep", "face-up", np.arange(0.0, 360.0, 40.0)), realisations=3)
+    parts = held_out_parts(rows)
+    assert [sorted(set(rows.angle_deg[out].tolist())) for out in parts] == [[40.0 * place] for place in range(9)]
+
+
+def test_of_many_settings_every_third_is_held_out():
+    assert len(held_out_parts(table(("sweep", "face-up", np.arange(0.0, 360.0, 5.0)), realisations=2))) == 3
+
+
+def test_a_setting_without_which_the_rest_tells_less_is_not_predicted():
+    columns = np.array([[1.0, 0.0], [1.0, 0.0], [1.0, 0.0], [1.0, 1.0]])
+    assert told_without(columns, np.array([True, False, False, False]))
+    assert not told_without(columns, np.array([False, False, False, True]))
+
+
+def test_it_takes_more_rows_than_the_model_has_numbers():
+    assert not told_without(np.ones((2, 1)), np.array([True, False]))

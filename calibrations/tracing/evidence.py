@@ -1,0 +1,144 @@
+"""On what an effect rests: how many blocks of the variable on which it depends, and whether it holds in them.
+
+Repeats carry no evidence of a shape: rows that share a value of the variable (a setting, a stretch of time, a visit of
+a temperature) are one block. Three things are asked of every effect, beside everything else that was found:
+
+- *Among blocks* it explains more than what blocks differ by without a shape: the F test of its mean square against that
+  of the lack of fit of the blocks, with the freedom of the blocks, not of the rows (Draper and Smith, 2.1). What is
+  allowed to differ is a level of each block where the effect is one number in each, else its size in each.
+- *Held out*: rows of a whole block are predicted better from all other blocks with the effect than without it.
+- *Seen*: what is stated of it is not many times what is seen beside the model. A shape is known to a per cent at best;
+  if x is what is stated and s what of it no other column can follow, an error ε |x| of the shape changes its size by up
+  to ε |x|/|s|. With ε = 1 % and |x| = 30 |s| that is 30 %: beyond it no more than an order of magnitude is left.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from calibrations.effects.effect import Structure, Variable
+from calibrations.geometry import FloatArray
+from calibrations.tracing.blocks import WITHIN, Lack, held_out_gain, lack_of_fit, within
+from calibrations.tracing.seen import Seen, seen_by
+from calibrations.tracing.table import Table
+from calibrations.tracing.trace import Found, Trace
+
+MOST_INFLATED: Final = 30.0
+"""So many times larger than what is seen of it an effect may be; see above."""
+HELD_OUT_MARGIN: Final = 4.0
+"""The sum of squares of held-out errors must fall by so many mean squares of the lack of fit: by two deviations."""
+_STRETCHES: Final = 24
+"""Into so many stretches of time a table is cut; where most of the effect is, it is cut finer."""
+IntArray = NDArray[np.int64]
+UNITS_OF: Final[Mapping[Variable, str]] = {
+    "angle": "settings",
+    "acceleration": "settings",
+    "direction": "settings",
+    "time": "stretches of time",
+    "order": "dwells",
+    "temperature": "visits of a temperature",
+    "realisation": "realisations",
+}
+"""What blocks of a variable are called."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Evidence:
+    """What speaks for one effect of a trace."""
+
+    name: str
+    unnamed: bool
+    variable: Variable
+    """The variable whose blocks count."""
+    blocks: int
+    """Distinct settings, stretches, visits."""
+    freedom: int
+    """Blocks that are left beside everything that is fitted; nothing can be tested with none."""
+    p_value: float
+    """Chance of so much among the blocks; 1 where nothing can be tested."""
+    chance: float
+    """At which the effect is believed: all effects, and all shapes of this one, counted."""
+    held_out: float
+    """Fall of the sum of squares of the held-out errors, in mean squares of the lack of fit."""
+    inflation: float
+    """Size of what is stated over that of what is seen."""
+
+    @property
+    def stands(self) -> bool:
+        """Whether the effect is stated."""
+        return not self.reason
+
+    @property
+    def reason(self) -> str:
+        """Why it is not, in words that go after its name; empty where it is."""
+        number = f"{self.blocks} {UNITS_OF[self.variable]}"
+        if not self.freedom:
+            return f"{number} leave nothing to test it by"
+        if self.inflation > MOST_INFLATED:
+            return f"as stated it would be {self.inflation:.0f} times as large as what these rows show of it"
+        if self.p_value > self.chance:
+            return f"{number} differ by as much without it (p = {self.p_value:.2g}; {self.chance:.1g} is asked for)"
+        if self.held_out < HELD_OUT_MARGIN:
+            return f"it does not predict any of {number} better from the others"
+        return ""
+
+
+def gathered(table: Table, trace: Trace) -> dict[str, Evidence]:
+    """What speaks for every effect that must stand on evidence, by name.
+
+    Levels drawn at random are a variance, judged as noise. A shape without a name says no more than on what something
+    depends, which needs no evidence beyond that for the structure itself; but where settings differ, the shape is one
+    of many.
+    """
+    names = dict.fromkeys(item.effect.name for item in trace.found if not item.effect.drawn)
+    every = (evidence(table, trace, name) for name in names)
+    return {each.name: each for each in every if each.variable == "angle" or not each.unnamed}
+
+
+def settings_differ(table: Table, trace: Trace) -> Lack:
+    """By how much settings differ beyond the model and everything that was found."""
+    return lack_of_fit(seen_by(table, trace, ""), table.blocks("angle"))
+
+
+def evidence(table: Table, trace: Trace, name: str) -> Evidence:
+    """What speaks for the effect called `name`, one of those that a trace has as columns."""
+    items = [item for item in trace.found if item.effect.name == name]
+    seen = seen_by(table, trace, name)
+    variable, block = _blocks(table, items[0], seen)
+    lack = lack_of_fit(seen, block)
+    return Evidence(
+        name=name,
+        unnamed=isinstance(items[0].effect, Structure),
+        variable=variable,
+        blocks=lack.blocks,
+        freedom=lack.freedom,
+        p_value=lack.p_value,
+        chance=min(item.candidate.chance for item in items),
+        held_out=held_out_gain(seen, block) / lack.mean_square,
+        inflation=seen.inflation,
+    )
+
+
+def _blocks(table: Table, item: Found, seen: Seen) -> tuple[Variable, IntArray]:
+    """The variable that counts, and the block of each row.
+
+    What hardly varies within settings rests on settings, whatever it depends on: nothing else tells it from them.
+    """
+    setting = table.blocks("angle")
+    variable = item.effect.depends_on
+    if within(seen.stated, setting) < WITHIN or variable in ("angle", "acceleration", "direction"):
+        return "angle", setting
+    block = table.blocks(variable)
+    return variable, _stretches(block, seen.signal) if variable == "time" else block
+
+
+def _stretches(order: IntArray, signal: FloatArray) -> IntArray:
+    """Cut rows in an order into stretches, none of which holds more than its share of the rows or of the signal."""
+    rank = np.argsort(np.argsort(order, kind="stable"), kind="stable")
+    energy = np.bincount(rank, signal**2)
+    share = np.arange(len(order)) / len(order) + (np.cumsum(energy) - energy) / max(float(energy.sum()), 1e-300)
+    number = np.floor(_STRETCHES * share / 2).astype(np.int64)
+    return np.asarray(np.unique(number[rank], return_inverse=True)[1], dtype=np.int64)
