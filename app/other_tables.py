@@ -5,8 +5,9 @@ from pathlib import Path
 from typing import Any
 
 from app.files import is_recording, write_text
-from app.other_console import show_changes, show_head, show_temperature
-from calibrations.reference.changes import changes, changes_json
+from app.other_console import show_comparison, show_head, show_temperature
+from calibrations.reference.changes import compare
+from calibrations.reference.comparison_document import comparison_json
 from calibrations.reference.document import document as head_document
 from calibrations.reference.loop import close_reference_loop
 from calibrations.table import TableError, read_table
@@ -76,7 +77,12 @@ def _head(paths: Sequence[Path], show: bool, page: Path | None) -> dict[str, Any
         write_text(page, render_head(paths[-1].name, loops[-1]))
     if len(loops) == 1:
         return documents[0]
-    changed = changes(*loops)
+    comparison, names = compare(*loops), (paths[0].name, paths[1].name)
     if show:
-        show_changes(changed)
-    return {"schema": documents[0]["schema"], "tables": documents, "changed": changes_json(changed)}
+        show_comparison(comparison, *names)
+    return {
+        "schema": documents[0]["schema"],
+        "method": documents[0]["method"],
+        "tables": documents,
+        **comparison_json(comparison, *names),
+    }

@@ -13,8 +13,19 @@ from calibrations.geometry import FloatArray
 from calibrations.reference.scene import HeadScene
 
 HIGHEST_ORDER: Final = 36
+TIMED: Final = ("reference_drift", "reference_temperature")
+"""What changes between two visits to one setting."""
+NEVER: Final = 1e9
+"""Doubt in a shape that the settings cannot show by themselves: it may stand for what was found, and is never found."""
 _READINGS_A_WAVE = 4
 """So many settings a wave are asked for: fewer would make a wave of any scatter."""
+_FEWEST_ANGLES = 5
+"""A wave and an offset are three numbers; so many angles leave two to contradict them."""
+_FEWEST_FOR_A_SLOPE = 2
+_KNOWN_PERIODS = 0.8
+"""Once and twice a turn are known of circles: so much of a period must have been visited."""
+_UNKNOWN_PERIODS = 2.0
+"""What comes so many times a turn, nobody knows how many, was seen to come back only where that much was visited."""
 
 
 def wave(scene: HeadScene, order: int) -> FloatArray:
@@ -24,19 +35,23 @@ def wave(scene: HeadScene, order: int) -> FloatArray:
 
 
 def _periods(order: int) -> Forms[HeadScene]:
-    return lambda scene: (Form(columns=wave(scene, order)),) if settings(scene) >= 3 else ()
+    """Waves that circles are known for. On a shorter arc they are rivals of whatever was found, and are never found."""
 
+    def forms(scene: HeadScene) -> Sequence[Form]:
+        if scene.distinct_angles < _FEWEST_ANGLES:
+            return ()
+        seen = scene.arc_deg * order >= _KNOWN_PERIODS * 360.0
+        return (Form(columns=wave(scene, order), doubt=0.0 if seen else NEVER),)
 
-def settings(scene: HeadScene) -> int:
-    """How many different degrees of the circle were visited."""
-    return len(np.unique(np.round(scene.angle_deg % 360.0)))
+    return forms
 
 
 def _order(order: int) -> Effect[HeadScene]:
     """So many periods a turn: each is an effect of its own, as a circle has any number of them."""
 
     def forms(scene: HeadScene) -> Sequence[Form]:
-        seen = settings(scene) >= _READINGS_A_WAVE * order
+        periods = scene.arc_deg * order / 360.0
+        seen = scene.distinct_angles >= _READINGS_A_WAVE * periods and periods >= _UNKNOWN_PERIODS
         return (Form(columns=wave(scene, order), scanned={"order": float(order)}),) if seen else ()
 
     return Effect(
@@ -51,12 +66,12 @@ def _order(order: int) -> Effect[HeadScene]:
 
 
 def _scale(scene: HeadScene) -> Sequence[Form]:
-    return single(scene.turns) if np.ptp(scene.turns) > 0 else ()
+    return single(scene.turns) if scene.distinct_angles > _FEWEST_FOR_A_SLOPE else ()
 
 
 def _backlash(scene: HeadScene) -> Sequence[Form]:
-    back = (scene.direction < 0).astype(float)
-    return single(back) if back.any() and not back.all() else ()
+    """Play, where some angles were reached from both sides; else it is the same as a step of the error."""
+    return single((scene.direction < 0).astype(float)) if scene.both_ways else ()
 
 
 def _latency(scene: HeadScene) -> Sequence[Form]:

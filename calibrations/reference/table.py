@@ -7,9 +7,10 @@ import numpy as np
 
 from calibrations.geometry import FloatArray
 from calibrations.observations import Observations
-from calibrations.reference.effects import HEAD_EFFECTS
-from calibrations.reference.rows import as_dwells, as_they_are
+from calibrations.reference.effects import HEAD_EFFECTS, TIMED
+from calibrations.reference.rows import as_they_are, averaged
 from calibrations.reference.scene import HeadScene
+from calibrations.reference.settings import Settings
 from calibrations.reference.shapes import HEAD_STRUCTURES
 from calibrations.tracing.declared import Linear
 from calibrations.tracing.noise import Memory
@@ -27,6 +28,10 @@ class HeadTable(Extensible):
 
     scene: HeadScene
     """What is known so far of latency and backlash is in it."""
+    counted: str = "rows"
+    """What a row of the table is, in words: of repeats the mean of a setting."""
+    visits: int = 0
+    """How many dwells the rows are means of, where they are; else 0."""
 
     @property
     def observations(self) -> Observations:
@@ -42,8 +47,21 @@ class HeadTable(Extensible):
         return np.ones((view.rows, 1))
 
     @property
+    def not_traced(self) -> str:
+        """Why nothing is looked for; empty where it is."""
+        if self.rows >= self.fewest_rows:
+            return ""
+        visited = f" (visited {self.visits} times)" if self.visits else ""
+        return f"{self.rows} {self.counted}{visited} are too few; at least {self.fewest_rows} are needed"
+
+    @property
     def wandering(self) -> "HeadTable":
-        """The same for noise that remembers: neighbouring dwells err alike, which uncertainties must know."""
+        """The same for noise that remembers: neighbouring dwells err alike, which uncertainties must know.
+
+        Means of settings come in no order of time, and remember nothing.
+        """
+        if self.visits:
+            return self
         return replace(self, memory=memory_of(self.effects, self.scene, self.weights))
 
 
@@ -65,6 +83,29 @@ def head_table(scene: HeadScene) -> HeadTable:
     )
 
 
-def first_look(observations: Observations) -> HeadTable:
-    """A table of which nothing is known yet. Raises `ValueError` without a reference."""
-    return head_table(HeadScene(dwells=as_dwells(observations)))
+def table_of_settings(scene: HeadScene, settings: Settings, error_deg: FloatArray, *, timed: bool) -> HeadTable:
+    """The table with one row for each setting, the mean of its repeats: settings carry no more numbers than that.
+
+    Parameters
+    ----------
+    scene, settings
+        The dwells, and which of them are repeats.
+    error_deg
+        Reference minus head, shape (rows,), free of what was found within the settings.
+    timed
+        Whether time and temperature may explain how settings differ; else that was seen within them.
+    """
+    observations = scene.dwells.observations
+    moved = replace(observations, reference_deg=observations.angle_deg + error_deg, direction=scene.direction)
+    means = averaged(moved, settings.number)
+    table = replace(head_table(replace(scene, dwells=as_they_are(means))), counted="settings", visits=len(observations))
+    return table if timed else without_time(table)
+
+
+def without_time(table: HeadTable) -> HeadTable:
+    """The same, looked at for nothing that depends on time or temperature."""
+    return replace(
+        table,
+        effects=tuple(effect for effect in table.effects if effect.name not in TIMED),
+        structures=tuple(shape for shape in table.structures if shape.depends_on != "time"),
+    )

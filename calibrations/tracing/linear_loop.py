@@ -34,7 +34,8 @@ class Model:
     """One of the two models of a table: declared, or with what was found."""
 
     parameters: Mapping[str, Stated]
-    residual_rms: float
+    residual_rms: float | None
+    """None where nothing is stated."""
     held_out_rms: float | None
     """On rows that neither chose an effect nor fitted its coefficients; None where too few remain."""
 
@@ -99,6 +100,12 @@ def stated(explained: Explained[Any], fit: LinearFit, units: Mapping[str, str]) 
             for key, quantity in other.parameters.items():
                 parameters[key] = _judged(parameters[key], quantity.value, name, rival.name)
     return parameters
+
+
+def withheld(units: Mapping[str, str], reason: str) -> Model:
+    """A model of which nothing is stated, and why: the table is to be asked about, or holds too little."""
+    parameters = {name: Stated(unit=unit, reason=reason) for name, unit in units.items()}
+    return Model(parameters=parameters, residual_rms=None, held_out_rms=None)
 
 
 def rms(values: FloatArray) -> float:
