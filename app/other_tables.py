@@ -6,6 +6,7 @@ from typing import Any
 
 from app.files import is_recording, write_text
 from app.other_console import show_comparison, show_head, show_temperature
+from calibrations.known_tables import Kind, kind_of
 from calibrations.reference.changes import compare
 from calibrations.reference.comparison_document import comparison_json
 from calibrations.reference.document import document as head_document
@@ -13,7 +14,7 @@ from calibrations.reference.loop import close_reference_loop
 from calibrations.table import TableError, read_table
 from calibrations.temperature.document import document as temperature_document
 from calibrations.temperature.loop import close_temperature_loop
-from calibrations.temperature.table import holds_runs, read_runs
+from calibrations.temperature.table import read_runs
 from procedures.errors import InputError
 
 _MOST_COMPARED = 2
@@ -31,23 +32,18 @@ def close_other_loop(paths: Sequence[Path], show: bool, page: Path | None = None
     """
     try:
         kinds = {_kind(path) for path in paths}
-        if kinds == {""}:
+        if kinds == {Kind.ACCELEROMETER}:
             return None
         if len(kinds) > 1:
             raise InputError(f"{paths[0]} and {paths[-1]} are tables of different kinds; give them one by one")
-        return _temperature(paths, show, page) if kinds == {"temperature"} else _head(paths, show, page)
+        return _temperature(paths, show, page) if kinds == {Kind.RUNS} else _head(paths, show, page)
     except (TableError, ValueError) as error:
         raise InputError(str(error)) from error
 
 
-def _kind(path: Path) -> str:
-    """What a file is a table of; empty for that of an accelerometer, or a recording."""
-    if is_recording(path):
-        return ""
-    if holds_runs(path):
-        return "temperature"
-    table = read_table(path)
-    return "head" if table.reference_deg is not None and table.voltage_v is None else ""
+def _kind(path: Path) -> Kind:
+    """What a file is a table of; a recording is one of an accelerometer."""
+    return Kind.ACCELEROMETER if is_recording(path) else kind_of(path)
 
 
 def _temperature(paths: Sequence[Path], show: bool, page: Path | None) -> dict[str, Any]:

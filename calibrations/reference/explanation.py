@@ -11,13 +11,14 @@ from calibrations.geometry import FloatArray
 from calibrations.reference.scene import HeadScene
 from calibrations.reference.settings import Settings, angle_numbers, head_settings
 from calibrations.reference.table import UNITS, HeadTable, head_table, table_of_settings
-from calibrations.reference.within import Within, within_settings
+from calibrations.reference.within import within_settings
 from calibrations.tracing.fitting_noise import best_walk
 from calibrations.tracing.held_out import held_out_rms
 from calibrations.tracing.linear import LinearFit, fit_linear
 from calibrations.tracing.linear_loop import Explained, explain_linear, rms
 from calibrations.tracing.noise import NoiseModel
 from calibrations.tracing.trace import trace_price
+from calibrations.tracing.within import Within
 
 _LOOKS = 5
 """How often a table is looked at anew once it is known where the reference saw the head."""
@@ -46,7 +47,7 @@ class Explanation:
     @property
     def settled_deg(self) -> FloatArray:
         """The same free of what was found within the settings, shape (rows,)."""
-        return self.error_deg if self.within is None else np.asarray(self.error_deg - self.within.shift_deg)
+        return self.error_deg if self.within is None else np.asarray(self.error_deg - self.within.shift)
 
     @property
     def seen_scene(self) -> HeadScene:
@@ -124,7 +125,7 @@ def explain_head(scene: HeadScene, *, asked: bool) -> Explanation:
         between = _explained(head_table(scene))
         return Explanation(scene=between.table.scene, settings=settings, within=None, between=between)
     within = within_settings(scene, settings, error_deg)
-    left_deg = error_deg if within is None else np.asarray(error_deg - within.shift_deg)
+    left_deg = error_deg if within is None else np.asarray(error_deg - within.shift)
     between = _explained(table_of_settings(scene, settings, left_deg, timed=within is None))
     return Explanation(scene=scene, settings=settings, within=within, between=between)
 

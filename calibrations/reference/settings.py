@@ -6,14 +6,13 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from calibrations.clusters import as_they_come, clusters
 from calibrations.geometry import FloatArray
 from calibrations.reference.scene import HeadScene
 from calibrations.repeats import SAME_ANGLE_DEG, PureError, labels, pure_error
 
 _ROUNDINGS_DEG = (SAME_ANGLE_DEG, 0.05, 0.1, 0.2, 0.5)
 """How closely an angle may be set again; the closest is taken at which most of the settings come back."""
-_APART = 10.0
-"""Settings lie so many times as far apart as the angle of one of them scatters."""
 _SPEED_STEPS = 20.0
 """Speeds closer than the greatest of a table by this are one."""
 
@@ -60,33 +59,9 @@ def head_settings(scene: HeadScene) -> Settings:
     columns: list[NDArray[np.generic]] = [angle_numbers(scene.angle_deg), scene.direction]
     if (speed := scene.velocity_deg_s) is not None and np.abs(speed).max() > 0:
         columns.append(np.round(_SPEED_STEPS * speed / np.abs(speed).max()))
-    return Settings(number=_as_visited(labels(*columns)), streamed=scene.dwells.streamed)
+    return Settings(number=as_they_come(labels(*columns)), streamed=scene.dwells.streamed)
 
 
 def angle_numbers(angle_deg: FloatArray) -> NDArray[np.int64]:
     """Number of the angle of each dwell, from 0 upwards; those that lie within a rounding of each other share one."""
-    for rounding_deg in _ROUNDINGS_DEG:
-        number = _clusters(angle_deg, rounding_deg)
-        if len(angle_deg) >= 1.5 * (number.max(initial=0) + 1) and _clear(angle_deg, number, rounding_deg):
-            return number
-    return _clusters(angle_deg, _ROUNDINGS_DEG[0])
-
-
-def _clusters(angle_deg: FloatArray, rounding_deg: float) -> NDArray[np.int64]:
-    order = np.argsort(angle_deg, kind="stable")
-    number = np.empty(len(angle_deg), dtype=np.int64)
-    number[order] = np.cumsum(np.diff(angle_deg[order], prepend=angle_deg[order[:1]]) > rounding_deg)
-    return number
-
-
-def _clear(angle_deg: FloatArray, number: NDArray[np.int64], rounding_deg: float) -> bool:
-    """Whether settings lie far apart beside what the angle of each of them scatters by."""
-    middle_deg = np.bincount(number, weights=angle_deg) / np.bincount(number)
-    spacing_deg = np.diff(middle_deg)
-    return rounding_deg == _ROUNDINGS_DEG[0] or bool(len(spacing_deg) and spacing_deg.min() > _APART * rounding_deg)
-
-
-def _as_visited(number: NDArray[np.int64]) -> NDArray[np.int64]:
-    """The same groups, numbered as they first come."""
-    _, first, inverse = np.unique(number, return_index=True, return_inverse=True)
-    return np.asarray(np.argsort(np.argsort(first))[inverse])
+    return clusters(angle_deg, _ROUNDINGS_DEG)
