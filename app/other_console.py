@@ -109,9 +109,10 @@ def _changes(comparison: Comparison) -> Table:
 def show_temperature(loop: TemperatureLoop) -> None:
     """Every parameter before and after, what several share, and what these runs cannot tell."""
     console = results()
+    word = loop.parameters[0].polynomials[-1].words
     table = _table(
-        f"Parameters against {loop.runs.temperature_name}: error of runs predicted from the others, r.m.s.",
-        *("parameter", "constant", "cubic", "with what was found", "traced to", "cubic leaves (s)"),
+        f"Parameters against {loop.runs.temperature_name}: error of temperatures predicted from the others, r.m.s.",
+        *("parameter", "constant", word, "with what was found", "traced to", f"{word} leaves (s)"),
     )
     for parameter in loop.parameters:
         table.add_row(parameter.name, *_errors(parameter), ", ".join(_effects(parameter)), _left(parameter))
@@ -123,7 +124,7 @@ def show_temperature(loop: TemperatureLoop) -> None:
 
 
 def _errors(parameter: ParameterLoop) -> list[str]:
-    errors = (parameter.declared, parameter.polynomials[-1], parameter.augmented)
+    errors = (parameter.polynomials[0], parameter.polynomials[-1], parameter.augmented)
     return [_number(error.held_out_rms, parameter.unit) for error in errors]
 
 
@@ -133,6 +134,8 @@ def _left(parameter: ParameterLoop) -> str:
 
 
 def _effects(parameter: ParameterLoop) -> list[str]:
+    if parameter.explained.table.not_traced:
+        return ["not looked for"]
     listed = []
     for effect in parameter.effects:
         at = effect.coefficients.get("at_degC")

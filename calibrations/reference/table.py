@@ -15,6 +15,7 @@ from calibrations.reference.shapes import HEAD_STRUCTURES
 from calibrations.tracing.declared import Linear
 from calibrations.tracing.noise import Memory
 from calibrations.tracing.table import Extensible, View, memory_of
+from calibrations.tracing.within import too_few
 
 MOST_EFFECTS: Final = 14
 """A circle has harmonics without end; with so many, what a head leaves is small."""
@@ -49,10 +50,7 @@ class HeadTable(Extensible):
     @property
     def not_traced(self) -> str:
         """Why nothing is looked for; empty where it is."""
-        if self.rows >= self.fewest_rows:
-            return ""
-        visited = f" (visited {self.visits} times)" if self.visits else ""
-        return f"{self.rows} {self.counted}{visited} are too few; at least {self.fewest_rows} are needed"
+        return too_few(self.rows, self.fewest_rows, self.counted, self.visits)
 
     @property
     def wandering(self) -> "HeadTable":

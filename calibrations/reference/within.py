@@ -1,4 +1,4 @@
-"""What changes between two visits to one setting of a head: drift and temperature, free of every error of the circle."""
+"""What changes between two visits to one setting of a head: drift and temperature, free of any error of the circle."""
 
 from calibrations.geometry import FloatArray
 from calibrations.reference.effects import HEAD_EFFECTS, TIMED

@@ -57,6 +57,12 @@ class Within:
         return self.explained.unexplained
 
 
+def too_few(rows: int, fewest: int, counted: str, visits: int = 0) -> str:
+    """Why nothing is looked for in so many settings, `counted` in words, that were visited so often; else empty."""
+    visited = f" (visited {visits} times)" if visits else ""
+    return f"{rows} {counted}{visited} are too few; at least {fewest} are needed" if rows < fewest else ""
+
+
 def lies_within(times: FloatArray, setting: NDArray[np.int64]) -> bool:
     """Whether settings were visited again after some time, so that a drift shows between their visits."""
     within = times - (np.bincount(setting, weights=times) / np.bincount(setting))[setting]
