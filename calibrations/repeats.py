@@ -41,6 +41,22 @@ def pose_groups(observations: Observations) -> NDArray[np.int64]:
     return labels(*columns)
 
 
+def distinct_settings(observations: Observations) -> NDArray[np.int64]:
+    """Number of the setting of each row: same mount, and same head angle modulo a turn."""
+    turned_deg = observations.true_angle_deg % 360.0
+    angle = settings(turned_deg)
+    if angle.max(initial=0) and turned_deg.max() - turned_deg.min() > 360.0 - SAME_ANGLE_DEG:
+        angle = np.where(angle == angle[np.argmax(turned_deg)], angle[np.argmin(turned_deg)], angle)
+    return labels(observations.mounts, angle)
+
+
+def visits(values: FloatArray, realisation: NDArray[np.int64], parts: int = 12) -> NDArray[np.int64]:
+    """Number of the visit of each row: rows in one of the equal parts of the range, in one go and one realisation."""
+    span = float(np.ptp(values))
+    part = np.minimum((values - values.min()) / (span or 1.0) * parts, parts - 1).astype(np.int64)
+    return np.cumsum((np.diff(part, prepend=-1) != 0) | (np.diff(realisation, prepend=-1) != 0)) - 1
+
+
 def mountings(observations: Observations) -> NDArray[np.int64]:
     """Number of the mounting of each row, from 0: an unbroken sequence of rows with one mount, in one run."""
     mounts, runs = observations.mounts, observations.runs

@@ -10,7 +10,7 @@ from calibrations.geometry import FloatArray
 
 Owner: TypeAlias = Literal["unit", "stand", "daq", "reference"]
 Variable: TypeAlias = Literal["angle", "acceleration", "time", "temperature", "direction", "realisation", "order"]
-"""On what structure without a name may depend."""
+"""On what an effect, or structure without a name, may depend."""
 OWNER_WORDS: Final[Mapping[str, str]] = {"unit": "unit", "stand": "stand", "daq": "DAQ", "reference": "reference"}
 """What an effect belongs to, as a reader calls it."""
 
@@ -63,6 +63,8 @@ class Effect(Generic[Seen]):
     """Whether the coefficients are levels drawn at random, as many as there are seats or turn-ons."""
     additive: bool = False
     """Whether coefficients of two forms add up to one reported coefficient; otherwise the larger is reported."""
+    depends_on: Variable = "acceleration"
+    """The variable whose blocks carry the evidence: settings for angle, acceleration (voltage too) and direction."""
 
     @property
     def word(self) -> str:

@@ -57,6 +57,7 @@ STAND_EFFECTS: tuple[Effect[Scene], ...] = (
     Effect(
         name="head_eccentricity",
         belongs_to="stand",
+        depends_on="angle",
         symbol="A sin(φ + p)",
         source="once per turn: eccentricity of the circle",
         forms=_periods(1),
@@ -65,6 +66,7 @@ STAND_EFFECTS: tuple[Effect[Scene], ...] = (
     Effect(
         name="head_second_harmonic",
         belongs_to="stand",
+        depends_on="angle",
         symbol="A sin(2φ + p)",
         source="twice per turn: ellipticity or tilt of the circle",
         forms=_periods(2),
@@ -73,6 +75,7 @@ STAND_EFFECTS: tuple[Effect[Scene], ...] = (
     Effect(
         name="graduation",
         belongs_to="stand",
+        depends_on="angle",
         symbol="A sin(nφ + p)",
         source="n per turn: graduation, worm",
         forms=_graduation,
@@ -81,6 +84,7 @@ STAND_EFFECTS: tuple[Effect[Scene], ...] = (
     Effect(
         name="backlash",
         belongs_to="stand",
+        depends_on="direction",
         symbol="b after a move in - direction",
         source="play of the drive",
         forms=_backlash,
@@ -97,6 +101,7 @@ STAND_EFFECTS: tuple[Effect[Scene], ...] = (
     Effect(
         name="base_tilt_drift",
         belongs_to="stand",
+        depends_on="time",
         symbol="d t on the angle",
         source="foundation",
         forms=lambda scene: () if scene.hours is None else (Form(columns=_angle(scene, scene.hours[:, None])),),

@@ -94,6 +94,7 @@ UNIT_EFFECTS: tuple[Effect[Scene], ...] = (
     Effect(
         name="bias_temperature",
         belongs_to="unit",
+        depends_on="temperature",
         symbol="k_T (T - T0)",
         source="IEEE Std 1293-2018, bias temperature sensitivity",
         forms=lambda scene: single(scene.temperature_k),
@@ -102,6 +103,7 @@ UNIT_EFFECTS: tuple[Effect[Scene], ...] = (
     Effect(
         name="scale_temperature",
         belongs_to="unit",
+        depends_on="temperature",
         symbol="k_xT (T - T0) ax",
         source="IEEE Std 1293-2018, scale factor temperature sensitivity",
         forms=lambda scene: single(None if scene.temperature_k is None else scene.temperature_k * scene.ax_g),
@@ -110,6 +112,7 @@ UNIT_EFFECTS: tuple[Effect[Scene], ...] = (
     Effect(
         name="bias_drift",
         belongs_to="unit",
+        depends_on="time",
         symbol="d t",
         source="IEEE Std 528, drift",
         forms=lambda scene: single(scene.hours),
@@ -118,6 +121,7 @@ UNIT_EFFECTS: tuple[Effect[Scene], ...] = (
     Effect(
         name="scale_drift",
         belongs_to="unit",
+        depends_on="time",
         symbol="d_x t ax",
         source="IEEE Std 528, drift",
         forms=lambda scene: single(None if scene.hours is None else scene.hours * scene.ax_g),
@@ -126,6 +130,7 @@ UNIT_EFFECTS: tuple[Effect[Scene], ...] = (
     Effect(
         name="warm_up",
         belongs_to="unit",
+        depends_on="time",
         symbol="w exp(-t/τ)",
         source="IEEE Std 528, warm-up time",
         forms=scan(_warm_up, _time_constants_s),
@@ -136,6 +141,7 @@ UNIT_EFFECTS: tuple[Effect[Scene], ...] = (
     Effect(
         name="realisation_bias",
         belongs_to="unit",
+        depends_on="realisation",
         symbol="b_r",
         source="IEEE Std 528, turn-on to turn-on bias",
         forms=_realisation_bias,

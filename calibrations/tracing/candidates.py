@@ -36,6 +36,8 @@ class Candidate:
     """By how much -2 ln L must fall for the effect to be believed, all forms that were tried counted."""
     again: float
     """The same for a second form of an effect that is there already: its shape need not be one of the catalogue's."""
+    chance: float
+    """At which this effect, in any of its forms, would be found where it is not."""
 
     @property
     def coefficients(self) -> int:
@@ -69,6 +71,7 @@ def _numbered(tried: Sequence[tuple[Effect[Any], Sequence[Form]]], rows: int, sp
                 columns=slice(start, start + width),
                 entry=_entry(width, chance, rows, spare) + handicap + form.doubt,
                 again=_entry(width, second, rows, spare) + handicap + form.doubt,
+                chance=FALSE_ALARM / len(tried) / (1 if effect.at else len(forms)),
             )
             start += width
 

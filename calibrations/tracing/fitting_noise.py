@@ -32,9 +32,10 @@ def noise_price(noise: NoiseModel) -> float:
     return flicker + walk + LEVEL_PRICE * len(noise.levels)
 
 
-def fitting(ground: Table, forms: Sequence[Form]) -> tuple[tuple[NoiseModel, float], ...]:
-    """The flicker and the walk that fit best with these forms, each with its deviance."""
-    return _best(ground.deviance_by_noise(forms), _FLICKERS), best_walk(ground, forms, NoiseModel())
+def fitting(ground: Table, forms: Sequence[Form], noise: NoiseModel) -> tuple[tuple[NoiseModel, float], ...]:
+    """The flicker and the walk that fit best with these forms beside a noise, each with its deviance."""
+    flickers = [replace(noise, flicker=tried.flicker) for tried in _FLICKERS]
+    return _best(ground.deviance_by_noise(forms), flickers), best_walk(ground, forms, noise)
 
 
 def with_likely_flicker(ground: Table, forms: Sequence[Form], noise: NoiseModel) -> NoiseModel:

@@ -4,8 +4,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
-from calibrations.effects.effect import Effect
+from calibrations.effects.effect import Effect, Variable
 from calibrations.effects.scene import Scene
 from calibrations.effects.unnamed import STRUCTURES
 from calibrations.fit import fit_given_alpha0
@@ -14,6 +15,7 @@ from calibrations.identifiability import determined_without_kxy
 from calibrations.joint import Joint
 from calibrations.model import ALPHA0, BASIS_SIZE, PARAMETERS, basis, coefficients, coefficients_jacobian
 from calibrations.observations import Observations
+from calibrations.repeats import distinct_settings, visits
 from calibrations.tracing.declared import Accelerometer
 from calibrations.tracing.table import Extensible, View, memory_of
 
@@ -29,6 +31,16 @@ class Ground(Extensible):
     def observations(self) -> Observations:
         """The rows in use."""
         return self.joint.observations
+
+    def blocks(self, variable: Variable) -> NDArray[np.int64]:
+        """Settings; the order of the rows for time; realisations; visits of a temperature."""
+        if variable in ("time", "order"):
+            return np.arange(self.rows)
+        if variable == "realisation":
+            return self.scene.realisation
+        if variable == "temperature" and self.scene.temperature_k is not None:
+            return visits(self.scene.temperature_k, self.scene.realisation)
+        return distinct_settings(self.observations)
 
     def view(self, rows: Observations, theta: FloatArray) -> Scene:
         """Rows as effects see them with these parameters."""

@@ -9,9 +9,10 @@ import numpy as np
 from calibrations.effects.effect import Quantity, Structure
 from calibrations.geometry import FloatArray
 from calibrations.tracing.findings import EffectFound, Unexplained, effects_found
+from calibrations.tracing.judged import Judged, judged
 from calibrations.tracing.linear import LinearFit, fit_linear
 from calibrations.tracing.noise import NoiseModel
-from calibrations.tracing.rivals import CLOSE, Rival, with_best_names
+from calibrations.tracing.rivals import CLOSE, Rival
 from calibrations.tracing.table import Table
 from calibrations.tracing.taken_back import RIVALS_APART
 from calibrations.tracing.trace import Trace, Tracer
@@ -44,14 +45,26 @@ class Model:
 class Explained(Generic[_T]):
     """A table, what it was traced to, and what could stand in its place."""
 
-    tracer: Tracer[_T]
-    trace: Trace
-    near: Mapping[str, Sequence[Rival]]
-    """Near rivals of each effect of the trace."""
+    judged: Judged[_T]
     before: LinearFit
     """The declared model alone."""
     best: LinearFit
     """With what was found."""
+
+    @property
+    def tracer(self) -> Tracer[_T]:
+        """The table with everything that it may be traced to."""
+        return self.judged.tracer
+
+    @property
+    def trace(self) -> Trace:
+        """What it was traced to."""
+        return self.judged.trace
+
+    @property
+    def near(self) -> Mapping[str, Sequence[Rival]]:
+        """Near rivals of each effect of the trace."""
+        return self.judged.near
 
     @property
     def table(self) -> _T:
@@ -84,11 +97,11 @@ class Explained(Generic[_T]):
 
 def explain_linear(table: _T, units: Mapping[str, str]) -> Explained[_T]:
     """Trace what a linear declared model leaves; `units` names its parameters, each with its unit."""
-    tracer: Tracer[_T] = Tracer(table)
-    trace, near = with_best_names(tracer, tracer.trace())
+    found = judged(table)
+    trace = found.trace
     nothing = Trace(found=(), noise=NoiseModel(), deviance=table.deviance((), NoiseModel()))
     before, best = fit_linear(table, nothing, units), fit_linear(table, trace, units)
-    return Explained(tracer=tracer, trace=trace, near=near, before=before, best=best)
+    return Explained(judged=found, before=before, best=best)
 
 
 def stated(explained: Explained[Any], fit: LinearFit, units: Mapping[str, str]) -> dict[str, Stated]:

@@ -24,9 +24,10 @@ from calibrations.tracing.findings import EffectFound, Unexplained, effects_foun
 from calibrations.tracing.fitting_noise import with_likely_flicker
 from calibrations.tracing.ground import Ground, ground, scene_of, seen_anew
 from calibrations.tracing.held_out import held_out_rms
+from calibrations.tracing.judged import Judged, judged
 from calibrations.tracing.misreading import Misreading, misreadings
 from calibrations.tracing.questions import questioned
-from calibrations.tracing.rivals import CLOSE, Rival, with_best_names
+from calibrations.tracing.rivals import CLOSE, Rival
 from calibrations.tracing.taken_back import without_courses, without_rivals
 from calibrations.tracing.trace import Trace, Tracer, trace_price
 
@@ -138,11 +139,23 @@ _FAR_DEG = 10.0
 class Explained:
     """A table without gross errors, what it was traced to, and what could stand in its place."""
 
-    tracer: Tracer[Ground]
-    trace: Trace
-    near: Mapping[str, Sequence[Rival]]
-    """Near rivals of each effect of the trace."""
+    judged: Judged[Ground]
     best: Augmented
+
+    @property
+    def tracer(self) -> Tracer[Ground]:
+        """The table with everything that it may be traced to."""
+        return self.judged.tracer
+
+    @property
+    def trace(self) -> Trace:
+        """What it was traced to."""
+        return self.judged.trace
+
+    @property
+    def near(self) -> Mapping[str, Sequence[Rival]]:
+        """Near rivals of each effect of the trace."""
+        return self.judged.near
 
     @property
     def base(self) -> Ground:
@@ -160,10 +173,10 @@ def _explained(joint: Joint, effects: Sequence[Effect[Scene]], reference_tempera
     base = ground(joint, effects, reference_temperature_degc)
     looks: list[Explained] = []
     for _ in range(_ROUNDS):
-        tracer = Tracer(base)
-        trace, near = with_best_names(tracer, tracer.trace())
+        found = judged(base)
+        trace = found.trace
         best = augment(base, replace(trace, noise=with_likely_flicker(base, trace.forms, trace.noise)))
-        looks.append(Explained(tracer=tracer, trace=trace, near=near, best=best))
+        looks.append(Explained(judged=found, best=best))
         alpha0_deg = float(best.joint.fit.theta[ALPHA0])
         moved_deg = abs(alpha0_deg - base.scene.alpha0_deg)
         if not trace.found or moved_deg < _MOVED_DEG or abs(alpha0_deg) > _FAR_DEG:

@@ -16,6 +16,8 @@ from numpy.typing import NDArray
 from calibrations.geometry import FloatArray
 
 MODES = 100
+SETTINGS = "?setting"
+"""Levels by which settings differ from the model in no shape at all: lack of fit, as a noise that repeats share."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -43,6 +45,9 @@ class NoiseModel:
     def without(self, name: str) -> "NoiseModel":
         """The same without the levels of an effect."""
         return replace(self, levels=tuple(level for level in self.levels if level[0] != name))
+
+
+WHITE = NoiseModel()
 
 
 @dataclass(frozen=True, kw_only=True)

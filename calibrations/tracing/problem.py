@@ -1,6 +1,6 @@
 """One table with all its candidates, split once so that any set of effects is fitted and judged in no time."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from copy import copy
 from dataclasses import dataclass
 
@@ -74,6 +74,13 @@ class Problem:
         other = copy(self)
         unnamed = [isinstance(candidate.effect, Structure) for candidate in self.offered]
         other.entries = np.where(unnamed, np.inf, self.entries)
+        return other
+
+    def without(self, names: Collection[str]) -> "Problem":
+        """The same with some effects not on offer."""
+        other = copy(self)
+        barred = [candidate.effect.name in names for candidate in self.offered]
+        other.entries = np.where(barred, np.inf, self.entries)
         return other
 
     def explain(self, chosen: tuple[int, ...]) -> Explanation:

@@ -61,7 +61,9 @@ def with_best_names(tracer: Tracer[Any], trace: Trace) -> tuple[Trace, dict[str,
 
 
 def _goes_before(tracer: Tracer[Any], rival: Rival, name: str) -> bool:
-    """Whether a rival is cheaper, or costs the same and stands first in the catalogue."""
+    """Whether a rival is cheaper, or costs the same and stands first in the catalogue; one that is barred never."""
+    if rival.name in tracer.barred:
+        return False
     if abs(rival.dearer) > _EQUAL:
         return rival.dearer < 0
     order = [*(effect.name for effect in tracer.effects), WALK]

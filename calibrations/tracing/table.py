@@ -9,7 +9,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.effects.effect import Effect, Form, Structure
+from calibrations.effects.effect import Effect, Form, Structure, Variable
 from calibrations.geometry import FloatArray
 from calibrations.observations import Observations
 from calibrations.tracing.declared import Declared
@@ -74,6 +74,14 @@ class Table:
         """Why nothing is looked for; empty where it is."""
         few = self.rows < self.fewest_rows
         return f"{self.rows} rows are too few; at least {self.fewest_rows} are needed" if few else ""
+
+    def blocks(self, variable: Variable) -> NDArray[np.int64]:  # noqa: ARG002
+        """Number of the block of each row: rows that share a value of the variable say nothing new of a shape.
+
+        Settings for `angle`, `acceleration` and `direction`; of `time`, the order of the rows. Where a table has no
+        repeats, every row is a block of its own.
+        """
+        return np.arange(self.rows)
 
     @cached_property
     def whole(self) -> Sample:

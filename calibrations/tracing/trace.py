@@ -7,7 +7,7 @@ from typing import Any, Generic, TypeVar
 from calibrations.effects.effect import Effect, Form, Structure
 from calibrations.tracing.candidates import Candidate, all_columns, candidates
 from calibrations.tracing.fitting_noise import best_level, best_walk, fitting, golden_section, is_slow, noise_price
-from calibrations.tracing.noise import NoiseModel
+from calibrations.tracing.noise import SETTINGS, WHITE, NoiseModel
 from calibrations.tracing.problem import Explanation, Problem
 from calibrations.tracing.search import entries, search, settled
 from calibrations.tracing.table import Table
@@ -52,7 +52,7 @@ class Trace:
     @property
     def names(self) -> tuple[str, ...]:
         """Names of all effects of the catalogue that were found, those that are noise that remembers included."""
-        drawn = [name for name, _ in self.noise.levels]
+        drawn = [name for name, _ in self.noise.levels if name != SETTINGS]
         walk = [WALK] if self.noise.walk else []
         return tuple(dict.fromkeys([*(found.effect.name for found in self.named), *drawn, *walk]))
 
@@ -82,10 +82,16 @@ class Tracer(Generic[_T]):
     ----------
     ground
         The table, ready to be fitted with the declared model.
+    barred
+        Effects that are not looked for.
+    noise
+        In which the search is made first.
     """
 
-    def __init__(self, ground: _T) -> None:
+    def __init__(self, ground: _T, barred: frozenset[str] = frozenset(), noise: NoiseModel = WHITE) -> None:
         self.ground = ground
+        self.barred = barred
+        self._noise = noise
         self.effects = ground.effects
         self.offered = candidates(ground)
         self.columns = all_columns(self.offered, ground.rows)
@@ -95,9 +101,8 @@ class Tracer(Generic[_T]):
     def problem(self, noise: NoiseModel) -> Problem:
         """The table in a kind of noise."""
         if noise not in self._problems:
-            self._problems[noise] = Problem(
-                self.ground.whole.footing(noise), self._turned, self.offered, self.ground.most_effects
-            )
+            footing, most = self.ground.whole.footing(noise), self.ground.most_effects
+            self._problems[noise] = Problem(footing, self._turned, self.offered, most).without(self.barred)
         return self._problems[noise]
 
     def trace(self) -> Trace:
@@ -108,7 +113,7 @@ class Tracer(Generic[_T]):
         """
         if self.ground.rows < self.ground.fewest_rows:
             return Trace(found=(), noise=NoiseModel(), deviance=self.ground.deviance((), NoiseModel()))
-        white = self._searched(NoiseModel())
+        white = self._searched(self._noise)
         others = [self._adapted(self._settled(noise, white)) for noise in self._other_noises(white)]
         best = min((self._drawn(trace) for trace in (white, *others)), key=trace_price)
         if best.noise.walk:
@@ -129,12 +134,12 @@ class Tracer(Generic[_T]):
         """
         if not self.ground.memory.modes.shape[1]:
             return []
-        beside = fitting(self.ground, white.forms)
+        beside = fitting(self.ground, white.forms, self._noise)
         noises = [noise for noise, deviance in beside if white.deviance - deviance > _NOTICED]
         slow = [item.effect.drawn or is_slow(self.ground, item.form) for item in white.found]
         if any(slow):
             fast = [item.form for item, away in zip(white.found, slow, strict=True) if not away]
-            noises += [noise for noise, _ in fitting(self.ground, fast)]
+            noises += [noise for noise, _ in fitting(self.ground, fast, self._noise)]
         return list(dict.fromkeys(noises))
 
     def _drawn(self, trace: Trace) -> Trace:
@@ -144,7 +149,8 @@ class Tracer(Generic[_T]):
             return trace
         again = self._with_drawn_levels(self._settled(drawn.noise, drawn))
         best = min(drawn, again, key=trace_price)
-        return min((best, *(self._without(best, name) for name, _ in best.noise.levels)), key=trace_price)
+        names = [name for name, _ in best.noise.levels if name != SETTINGS]
+        return min((best, *(self._without(best, name) for name in names)), key=trace_price)
 
     def _without(self, trace: Trace, name: str) -> Trace:
         """A trace without an effect that is noise."""

@@ -1,0 +1,104 @@
+"""A table traced to effects that each stand on evidence of their own; the others are withheld."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Generic, TypeVar
+
+import numpy as np
+
+from calibrations.tracing.evidence import Evidence, Lack, gathered, settings_differ
+from calibrations.tracing.fitting_noise import best_level
+from calibrations.tracing.noise import SETTINGS, WHITE, scaled_levels
+from calibrations.tracing.rivals import Rival, with_best_names
+from calibrations.tracing.table import Table
+from calibrations.tracing.trace import Trace, Tracer, refined
+
+_ROUNDS = 4
+"""How often a table is traced again without what did not stand."""
+_DIFFER_P = 0.01
+"""Below this settings differ by more than their repeats, and that is a noise in which shapes are looked for."""
+_T = TypeVar("_T", bound=Table)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Judged(Generic[_T]):
+    """What a table was traced to, and on what that rests."""
+
+    tracer: Tracer[_T]
+    trace: Trace
+    near: Mapping[str, Sequence[Rival]]
+    """Near rivals of each effect of the trace."""
+    evidence: Mapping[str, Evidence]
+    """Of each effect of the trace that is no noise, by name."""
+    withheld: tuple[Evidence, ...]
+    """What would fit the rows, but does not stand: it is not stated."""
+    lack: Lack
+    """What settings differ by beyond everything that was found."""
+
+
+def judged(table: _T) -> Judged[_T]:
+    """Trace a table.
+
+    Where an effect does not stand, the table is traced again without it; where settings differ all the same, in a noise
+    that their repeats share, so that a shape must explain more than their number allows.
+    """
+    tracer = Tracer(table)
+    trace, near = with_best_names(tracer, tracer.trace())
+    withheld: dict[str, Evidence] = {}
+    for further in reversed(range(_ROUNDS)):
+        kept, fallen = _standing(table, trace)
+        if not fallen:
+            break
+        withheld |= {each.name: withheld.get(each.name, each) for each in fallen}
+        trace, near = kept, {name: near[name] for name in kept.names if name in near}
+        if further:
+            trace, near = _again(table, kept, frozenset(withheld))
+    found = gathered(table, trace)
+    return Judged(
+        tracer=Tracer(table, frozenset(withheld)) if withheld else tracer,
+        trace=trace,
+        near=near,
+        evidence=found,
+        withheld=tuple(each for name, each in withheld.items() if name not in found),
+        lack=settings_differ(table, trace),
+    )
+
+
+def _standing(table: Table, trace: Trace) -> tuple[Trace, list[Evidence]]:
+    """A trace without the effects that do not stand, taken out one by one, the least likely first."""
+    fallen: list[Evidence] = []
+    while failing := [each for each in gathered(table, trace).values() if not each.stands]:
+        worst = max(failing, key=lambda each: (each.p_value / each.chance, each.inflation))
+        fallen.append(worst)
+        trace = refined(table, trace.without(worst.name))
+    return trace, fallen
+
+
+def _again(table: Table, kept: Trace, barred: frozenset[str]) -> tuple[Trace, dict[str, list[Rival]]]:
+    """Trace once more without some effects, in the noise by which settings differ if they do."""
+    if not settings_differ(table, kept).alike < _DIFFER_P:
+        tracer = Tracer(table, barred)
+        return with_best_names(tracer, tracer.trace())
+    rough = _with_levels(table)
+    tracer = Tracer(rough, barred, best_level(rough, kept.forms, WHITE, SETTINGS))
+    trace = tracer.trace()
+    noise = best_level(rough, trace.forms, trace.noise, SETTINGS)
+    trace, near = with_best_names(tracer, replace(trace, noise=noise, deviance=rough.deviance(trace.forms, noise)))
+    smooth = {
+        name: [replace(rival, trace=_smooth(table, rival.trace)) for rival in rivals] for name, rivals in near.items()
+    }
+    return _smooth(table, trace), smooth
+
+
+def _with_levels(table: Table) -> Table:
+    """The table with a noise that repeats of a setting share."""
+    block = table.blocks("angle")
+    columns = (block[:, None] == np.arange(block.max() + 1)).astype(float)
+    levels = {**table.memory.levels, SETTINGS: scaled_levels(columns, table.weights)}
+    return replace(table, memory=replace(table.memory, levels=levels))
+
+
+def _smooth(table: Table, trace: Trace) -> Trace:
+    """A trace without that noise, which is stated as what it is: settings that differ."""
+    noise = trace.noise.without(SETTINGS)
+    return replace(trace, noise=noise, deviance=table.deviance(trace.forms, noise))
