@@ -7,14 +7,14 @@ import numpy as np
 
 from calibrations.effects.effect import Quantity
 from calibrations.observations import Observations
+from calibrations.reference.explanation import explain_steady
 from calibrations.reference.limits import SHORT_DEG
 from calibrations.reference.loop import ReferenceLoop
 from calibrations.reference.map_difference import Difference, Part, map_difference, parts
 from calibrations.reference.rows import as_they_are
 from calibrations.reference.scene import HeadScene
-from calibrations.reference.table import UNITS, HeadTable, head_table, without_time
+from calibrations.reference.table import HeadTable, head_table, without_time
 from calibrations.tracing.findings import EffectFound, Unexplained
-from calibrations.tracing.linear_loop import explain_linear
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -65,7 +65,7 @@ def compare(before: ReferenceLoop, after: ReferenceLoop) -> Comparison:
     if difference is None:
         return Comparison(difference=None, parts=(), changes=(), unexplained=(), limits=(), slopes=None)
     table = _table(difference)
-    explained = explain_linear(table, UNITS)
+    explained = explain_steady(table)
     found = explained.effects(explained.best)
     first, second = _sizes(before), _sizes(after)
     listed = [_change(effect, first, second) for effect in found]

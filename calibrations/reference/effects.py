@@ -57,6 +57,7 @@ def _order(order: int) -> Effect[HeadScene]:
     return Effect(
         name=f"graduation {order}",
         family="graduation",
+        depends_on="angle",
         belongs_to="stand",
         symbol="A sin(nφ + p)",
         source="n per turn: graduation, worm, pole pairs of a resolver",
@@ -91,6 +92,7 @@ def _temperature(scene: HeadScene) -> Sequence[Form]:
 HEAD_EFFECTS: tuple[Effect[HeadScene], ...] = (
     Effect(
         name="head_eccentricity",
+        depends_on="angle",
         belongs_to="stand",
         symbol="A sin(φ + p)",
         source="once per turn: eccentricity of the circle",
@@ -99,6 +101,7 @@ HEAD_EFFECTS: tuple[Effect[HeadScene], ...] = (
     ),
     Effect(
         name="head_second_harmonic",
+        depends_on="angle",
         belongs_to="stand",
         symbol="A sin(2φ + p)",
         source="twice per turn: ellipticity or tilt of the circle",
@@ -108,6 +111,7 @@ HEAD_EFFECTS: tuple[Effect[HeadScene], ...] = (
     *(_order(order) for order in range(3, HIGHEST_ORDER + 1)),
     Effect(
         name="head_scale",
+        depends_on="angle",
         belongs_to="stand",
         symbol="s per turn",
         source="steps per degree that do not suit the drive, or steps that it loses",
@@ -116,6 +120,7 @@ HEAD_EFFECTS: tuple[Effect[HeadScene], ...] = (
     ),
     Effect(
         name="backlash",
+        depends_on="direction",
         belongs_to="stand",
         symbol="b after a move in - direction",
         source="play of the drive",
@@ -124,6 +129,7 @@ HEAD_EFFECTS: tuple[Effect[HeadScene], ...] = (
     ),
     Effect(
         name="latency",
+        depends_on="time",
         belongs_to="reference",
         symbol="-τ times speed",
         source="the reference is read late",
@@ -132,6 +138,7 @@ HEAD_EFFECTS: tuple[Effect[HeadScene], ...] = (
     ),
     Effect(
         name="reference_drift",
+        depends_on="time",
         belongs_to="reference",
         symbol="d t",
         source="reference or its coupling",
@@ -140,6 +147,7 @@ HEAD_EFFECTS: tuple[Effect[HeadScene], ...] = (
     ),
     Effect(
         name="reference_temperature",
+        depends_on="temperature",
         belongs_to="reference",
         symbol="c T",
         source="expansion of the coupling",

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from calibrations.geometry import FloatArray
 from calibrations.reference.scene import HeadScene
 from calibrations.reference.settings import Settings, angle_numbers, head_settings
+from calibrations.reference.steady import unsteady
 from calibrations.reference.table import UNITS, HeadTable, head_table, table_of_settings
 from calibrations.reference.within import within_settings
 from calibrations.tracing.fitting_noise import best_walk
@@ -122,15 +123,24 @@ def explain_head(scene: HeadScene, *, asked: bool) -> Explanation:
         bare = replace(head_table(scene), effects=(), structures=())
         return Explanation(scene=scene, settings=settings, within=None, between=explain_linear(bare, UNITS))
     if not settings.repeated:
-        between = _explained(head_table(scene))
+        between = explain_steady(head_table(scene))
         return Explanation(scene=between.table.scene, settings=settings, within=None, between=between)
     within = within_settings(scene, settings, error_deg)
     left_deg = error_deg if within is None else np.asarray(error_deg - within.shift)
-    between = _explained(table_of_settings(scene, settings, left_deg, timed=within is None))
+    between = explain_steady(table_of_settings(scene, settings, left_deg, timed=within is None))
     return Explanation(scene=scene, settings=settings, within=within, between=between)
 
 
-def _explained(table: HeadTable) -> Explained[HeadTable]:
+def explain_steady(table: HeadTable) -> Explained[HeadTable]:
+    """Trace a table; again, without waves that do not come back everywhere."""
+    while True:
+        explained = _followed(table)
+        if not (none := unsteady(explained)):
+            return explained
+        table = replace(table, effects=tuple(effect for effect in table.effects if effect.name not in none))
+
+
+def _followed(table: HeadTable) -> Explained[HeadTable]:
     """Trace a table; again, where what was found says that the reference saw the head elsewhere."""
     looks = [explain_linear(table, UNITS)]
     for _ in range(_LOOKS):

@@ -153,7 +153,7 @@ def _stated(observations: Observations, explanation: Explanation, asked: str) ->
         reversal=changing,
         passes=None if asked else passes(explanation.scene, explanation.before_deg, explanation.residual_deg),
         warnings=tuple(filter(None, (*observations.warnings, why))),
-        limits=() if asked else limits(explanation.scene, settings),
+        limits=() if asked else (*between.withheld, *limits(explanation.scene, settings)),
         explanation=explanation,
         fit=fit,
     )

@@ -4,14 +4,17 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
+from calibrations.effects.effect import Variable
 from calibrations.geometry import FloatArray
 from calibrations.observations import Observations
 from calibrations.reference.effects import HEAD_EFFECTS, TIMED
 from calibrations.reference.rows import as_they_are, averaged
 from calibrations.reference.scene import HeadScene
-from calibrations.reference.settings import Settings
+from calibrations.reference.settings import Settings, angle_numbers
 from calibrations.reference.shapes import HEAD_STRUCTURES
+from calibrations.repeats import SAME_ANGLE_DEG, visits
 from calibrations.tracing.declared import Linear
 from calibrations.tracing.noise import Memory
 from calibrations.tracing.table import Extensible, View, memory_of
@@ -46,6 +49,16 @@ class HeadTable(Extensible):
     def functions(self, view: View) -> FloatArray:
         """One: a constant, shape (rows, 1)."""
         return np.ones((view.rows, 1))
+
+    def blocks(self, variable: Variable) -> NDArray[np.int64]:
+        """Distinct angles of the circle, both sides of each together; stretches of time and of temperature."""
+        if variable == "temperature" and self.scene.temperature_k is not None:
+            return visits(self.scene.temperature_k, self.observations.realisations)
+        if variable in ("time", "order", "temperature"):
+            return np.argsort(np.argsort(self.scene.hours)) if self.scene.hours is not None else np.arange(self.rows)
+        if variable == "realisation":
+            return self.observations.realisations
+        return angle_numbers((self.scene.angle_deg + SAME_ANGLE_DEG / 2) % 360.0)
 
     @property
     def not_traced(self) -> str:

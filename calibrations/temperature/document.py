@@ -36,7 +36,11 @@ def _parameter_json(parameter: ParameterLoop) -> dict[str, Any]:
 def _noise_json(parameter: ParameterLoop) -> dict[str, Any] | None:
     """Scatter of runs at one temperature; None where none was visited twice from one side."""
     pure = parameter.pure_error
-    return None if pure is None else {"pure_error": pure.standard_deviation_v, "degrees_of_freedom": pure.degrees_of_freedom}
+    return (
+        None
+        if pure is None
+        else {"pure_error": pure.standard_deviation_v, "degrees_of_freedom": pure.degrees_of_freedom}
+    )
 
 
 def _polynomial_json(polynomial: Polynomial) -> dict[str, Any]:

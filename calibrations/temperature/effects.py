@@ -64,6 +64,7 @@ def run_effects(unit: str) -> tuple[Effect[RunScene], ...]:
     polynomials = [
         Effect(
             name=f"temperature_{word}",
+            depends_on="temperature",
             belongs_to="unit",
             symbol=f"c T_{order}",
             source="polynomial of Chebyshev over the range of the runs",
@@ -76,6 +77,7 @@ def run_effects(unit: str) -> tuple[Effect[RunScene], ...]:
         *polynomials,
         Effect(
             name=BREAK,
+            depends_on="temperature",
             belongs_to="unit",
             symbol="c max(0, T - T_b)",
             source="a part that comes to its stop, a glass transition, an adhesive that softens",
@@ -85,6 +87,7 @@ def run_effects(unit: str) -> tuple[Effect[RunScene], ...]:
         ),
         Effect(
             name="temperature_step",
+            depends_on="temperature",
             belongs_to="unit",
             symbol="c above T_s",
             source="a contact or a part that slips",
@@ -93,6 +96,7 @@ def run_effects(unit: str) -> tuple[Effect[RunScene], ...]:
         ),
         Effect(
             name=HYSTERESIS,
+            depends_on="direction",
             belongs_to="unit",
             symbol="c after heating - after cooling",
             source="stress that stays after a change of temperature",
@@ -101,6 +105,7 @@ def run_effects(unit: str) -> tuple[Effect[RunScene], ...]:
         ),
         Effect(
             name=DRIFT,
+            depends_on="order",
             belongs_to="unit",
             symbol="c run",
             source="ageing from run to run",

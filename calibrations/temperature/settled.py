@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from calibrations.clusters import as_they_come
+from calibrations.effects.effect import Variable
 from calibrations.geometry import FloatArray
 from calibrations.repeats import PureError, labels, pure_error
 from calibrations.temperature.effects import DRIFT, run_effects
@@ -30,6 +31,12 @@ class RunTable(Table):
         """The rows as effects see them."""
         assert isinstance(self.scene, RunScene), "run_table makes it"
         return self.scene
+
+    def blocks(self, variable: Variable) -> NDArray[np.int64]:
+        """Distinct temperatures, whichever way they were reached; of the order, the runs."""
+        if variable in ("time", "order"):
+            return np.argsort(np.argsort(self.runs.order))
+        return self.runs.at
 
     @property
     def fewest_rows(self) -> int:

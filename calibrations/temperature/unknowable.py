@@ -19,7 +19,14 @@ def cannot_be_known(
     runs: Runs, explained: Mapping[str, Explained[RunTable]], shared: Sequence[SharedCause]
 ) -> tuple[str, ...]:
     """All of it, the most general first."""
-    return (*_order(runs), *_repeats(runs), *_thin_breaks(runs, explained), *_rivals(explained), *_near_causes(shared))
+    return (
+        *_order(runs),
+        *_repeats(runs),
+        *_withheld(explained),
+        *_thin_breaks(runs, explained),
+        *_rivals(explained),
+        *_near_causes(shared),
+    )
 
 
 def _order(runs: Runs) -> Iterator[str]:
@@ -41,6 +48,12 @@ def _repeats(runs: Runs) -> Iterator[str]:
             "No temperature was visited twice, so that nothing but what a fit leaves says how well a run repeats; "
             f"two more runs, say at {runs.temperature_degc.max():.0f} and {middle:.0f} °C, would."
         )
+
+
+def _withheld(explained: Mapping[str, Explained[RunTable]]) -> Iterator[str]:
+    """Effects that would fit the runs and do not stand on the temperatures."""
+    for name, one in explained.items():
+        yield from (f"In {name}, {sentence}" for sentence in one.withheld)
 
 
 def _thin_breaks(runs: Runs, explained: Mapping[str, Explained[RunTable]]) -> Iterator[str]:

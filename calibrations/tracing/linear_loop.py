@@ -67,6 +67,11 @@ class Explained(Generic[_T]):
         return self.judged.near
 
     @property
+    def withheld(self) -> tuple[str, ...]:
+        """What would fit the rows and does not stand, in sentences; shapes without a name are not told of."""
+        return tuple(f"{each.name} is not stated: {each.reason}." for each in self.judged.withheld if not each.unnamed)
+
+    @property
     def table(self) -> _T:
         """The table."""
         return self.tracer.ground
