@@ -64,7 +64,8 @@ def compare(before: ReferenceLoop, after: ReferenceLoop) -> Comparison:
     difference = map_difference(before, after)
     if difference is None:
         return Comparison(difference=None, parts=(), changes=(), unexplained=(), limits=(), slopes=None)
-    table = _table(difference)
+    streamed = before.explained.table.streamed or after.explained.table.streamed
+    table = replace(_table(difference), streamed=streamed)
     explained = explain_steady(table)
     found = explained.effects(explained.best)
     first, second = _sizes(before), _sizes(after)

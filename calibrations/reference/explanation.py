@@ -54,7 +54,7 @@ class Explanation:
     def seen_scene(self) -> HeadScene:
         """The dwells with what is known for certain of how late the reference was read."""
         told = "latency" in self.between.trace.names and not self.between.close["latency"]
-        return replace(self.scene, late_s=self.between.table.scene.late_s if told else 0.0, short_deg=0.0)
+        return replace(self.scene, late_s=_seen(self.between).late_s if told else 0.0, short_deg=0.0)
 
     @property
     def parts(self) -> int:
@@ -132,10 +132,13 @@ def explain_head(scene: HeadScene, *, asked: bool) -> Explanation:
 
 
 def explain_steady(table: HeadTable) -> Explained[HeadTable]:
-    """Trace a table; again, without waves that do not come back everywhere."""
+    """Trace a table; again, without waves that do not come back everywhere.
+
+    Neighbours of a stream err alike in ways that its noise knows of; settings beside each other may do so unknown.
+    """
     while True:
         explained = _followed(table)
-        if not (none := unsteady(explained)):
+        if table.streamed or not (none := unsteady(explained)):
             return explained
         table = replace(table, effects=tuple(effect for effect in table.effects if effect.name not in none))
 

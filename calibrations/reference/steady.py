@@ -10,14 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from calibrations.geometry import FloatArray
+from calibrations.reference.effects import HIGHEST_ORDER
 from calibrations.reference.table import HeadTable
 from calibrations.tracing.linear_loop import Explained
 
 _STRETCHES: Final = 8
 _FEWEST_ROWS: Final = 4
 """Rows of a stretch, at least."""
-_CHANCE: Final = 0.002
-"""Of a wave that is none to have so steady a size."""
+_CHANCE: Final = 0.002 / HIGHEST_ORDER
+"""Of a wave that is none to have so steady a size, all orders that are tried counted."""
 _FAMILY: Final = "graduation"
 
 

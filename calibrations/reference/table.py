@@ -34,6 +34,8 @@ class HeadTable(Extensible):
     """What is known so far of latency and backlash is in it."""
     counted: str = "rows"
     """What a row of the table is, in words: of repeats the mean of a setting."""
+    streamed: bool = False
+    """Whether the dwells are pieces of a stream."""
     visits: int = 0
     """How many dwells the rows are means of, where they are; else 0."""
 
@@ -87,6 +89,7 @@ def head_table(scene: HeadScene) -> HeadTable:
         unit="deg",
         weights=np.ones(rows),
         scene=scene,
+        streamed=scene.dwells.streamed,
         effects=HEAD_EFFECTS,
         structures=HEAD_STRUCTURES,
         memory=Memory(modes=np.empty((rows, 0))),
