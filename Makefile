@@ -2,6 +2,7 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
+WORKERS ?= 2
 TEXTS := window/translations/tumble_uk
 
 .DEFAULT_GOAL := help
@@ -32,7 +33,7 @@ demo: setup
 	$(BIN)/tumble records verify --store tumble-store
 
 test: setup check
-	$(BIN)/python -m pytest --cov --cov-report=term:skip-covered
+	$(BIN)/python -m pytest -n $(WORKERS) --dist loadfile --cov --cov-report=term:skip-covered
 
 test-screen: setup
 	xvfb-run --auto-servernum --server-args="-screen 0 1280x800x24" env QT_QPA_PLATFORM=xcb \

@@ -64,7 +64,8 @@ def fit(
     InputError
         The rows cannot be analysed.
     """
-    measurement = replace(measurement, observations=questioned(measurement.observations).observations)
+    asked = questioned(measurement.observations, measurement.reference_temperature_degc)
+    measurement = replace(measurement, observations=asked.observations)
     try:
         calibration = analyse(measurement.observations, measurement.uncertainty, trials)
     except ValueError as error:

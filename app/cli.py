@@ -56,6 +56,7 @@ def cli() -> None:
 def main() -> None:
     """Entry point of `tumble`: one sentence for every error that a user can act on."""
     _redirect_as_utf_8()
+    limit_blas_threads()
     try:
         with cli.make_context("tumble", sys.argv[1:]) as context:
             cli.invoke(context)
@@ -81,6 +82,15 @@ def main() -> None:
             sys.exit(int(Exit.INTERNAL))
         click.echo(f"tumble: {error}", err=True)
         sys.exit(int(status))
+
+
+def limit_blas_threads() -> None:
+    """Have this process and its workers run their BLAS in one thread, unless the user says otherwise.
+
+    Called before numpy is imported; why: `calibrations.blas_threads`.
+    """
+    for name in ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "OMP_NUM_THREADS"):
+        os.environ.setdefault(name, "1")
 
 
 def _redirect_as_utf_8() -> None:

@@ -8,6 +8,7 @@ from app.analysing import Traced
 from app.identity import program_identity
 from app.rederiving import Source, run_of, source_again, source_of
 from app.stand_records import identity_of
+from calibrations.blas_threads import one_blas_thread
 from calibrations.stand_records.agreement import AGREE_P, Agreement, agreement, updated
 from calibrations.stand_records.applying import contradictions
 from calibrations.stand_records.corrections import Corrections, chi_square_p
@@ -31,6 +32,7 @@ class Learned:
     """A new version; None where there is nothing new."""
 
 
+@one_blas_thread
 def learn(traced: Traced, folder: Path) -> Learned:
     """Hold what a run says of its stand against the stand records of a store, and add a version where it changes them.
 
@@ -55,6 +57,7 @@ def learn(traced: Traced, folder: Path) -> Learned:
     return replace(learned, sentences=(*said, *learned.sentences))
 
 
+@one_blas_thread
 def contradictions_of(traced: Traced) -> tuple[str, ...]:
     """Where a run contradicts the stand record that was applied to it, in words."""
     run, applied = run_of(traced), traced.measurement.stand_record

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from calibrations.adequacy import held_out_rms
+from calibrations.blas_threads import one_blas_thread
 from calibrations.budget import Source, StandUncertainty, effective_freedom, sources
 from calibrations.fit import Alpha0Profile, covariance, coverage_factor
 from calibrations.flips import flip_closure
@@ -20,6 +21,7 @@ from calibrations.quantities import format_number
 from calibrations.result import BudgetLine, Calibration, Parameter, PerAcceleration
 
 
+@one_blas_thread
 def analyse(observations: Observations, stand: StandUncertainty | None = None, trials: int = TRIALS) -> Calibration:
     """Fit all rows jointly and say what each parameter is, how well it is known and on what that rests.
 
@@ -42,6 +44,7 @@ def analyse(observations: Observations, stand: StandUncertainty | None = None, t
     return assess(fit_jointly(observations), stand or StandUncertainty(), trials)
 
 
+@one_blas_thread
 def assess(fitted: Joint, stand: StandUncertainty, trials: int = TRIALS) -> Calibration:
     """What a joint fit says of the parameters; further columns in it are taken into account."""
     verdicts = identify(fitted)

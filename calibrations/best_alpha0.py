@@ -69,7 +69,8 @@ class _Rows:
         shapes = design(GRID_DEG)
         turned = np.swapaxes(shapes, -1, -2)
         normal = turned @ (self.r.T @ self.r) @ shapes
-        ridge = _RIDGE * np.trace(normal, axis1=-2, axis2=-1)[:, None, None] * np.eye(normal.shape[-1])
+        trace = np.trace(normal, axis1=-2, axis2=-1)[:, None, None]
+        ridge = _RIDGE * np.where(trace > 0.0, trace, 1.0) * np.eye(normal.shape[-1])  # further columns may take all
         right = turned @ (self.r.T @ self.z)
         return np.asarray(np.sum(right * np.linalg.solve(normal + ridge, right[..., None])[..., 0], axis=-1))
 

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from calibrations.adequacy import LackOfFit, lack_of_fit
+from calibrations.blas_threads import one_blas_thread
 from calibrations.compression import Compressed, Whiten, compress, unchanged
 from calibrations.effects.scene import Scene
 from calibrations.fit import Alpha0Profile, JointFit, alpha0_profile, coverage_factor, fit_given_alpha0, joint_fit
@@ -70,6 +71,7 @@ class Joint:
         )
 
 
+@one_blas_thread
 def fit_jointly(observations: Observations) -> Joint:
     """Fit the declared model to all rows but gross errors; alpha0 is held at 0 where the data cannot tell it."""
     rejected = gross_errors(observations, basis(observations), pose_groups(observations), len(PARAMETERS))

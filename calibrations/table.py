@@ -1,15 +1,18 @@
-"""Reads and writes observation tables (CSV: UTF-8, comma, one header line, decimal point, `#` lines ignored)."""
+"""Reads and writes observation tables: CSV in UTF-8 with one header line, split by `calibrations.cells`."""
 
 import csv
-from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
+from numpy.typing import NDArray
 
+from calibrations.cells import Line, TableError, is_missing, number, read_cells, shown
 from calibrations.geometry import MOUNTS
-from calibrations.observations import Observations
+from calibrations.observations import Observations, SetAside
 from calibrations.screening import set_aside_bad_rows
+
+__all__ = ["FIELDS", "TableError", "read_lines", "read_table", "write_table"]
 
 FIELDS = {
     "time_s": "time_s",
@@ -29,19 +32,22 @@ FIELDS = {
 
 _INTEGERS = {"realisation", "direction", "samples"}
 _TEXTS = {"procedure", "mount"}
+_UNKNOWN: Final = {"direction": 0}
+"""Whole numbers that say that nothing is known: 0 is a direction of its own in the contract."""
+_LEFT_OUT: Final = {"temperature_degC", "voltage_sd_V", "direction"}
+"""Columns without which a row is still used."""
 _MOST = 2**53
 """Beyond this a floating-point number no longer counts."""
-
-
-class TableError(ValueError):
-    """A table that cannot be read; the message names file, line and column and says what to do."""
+_LISTED = 10
+"""Lines that a warning names."""
 
 
 def read_table(path: Path) -> Observations:
     """Read an observation table.
 
-    Rows with NaN, infinity or an overload are set aside and listed. Columns that the format does not know are kept in
-    `Observations.extra`.
+    Rows with NaN, infinity, an overload or a missing value are set aside and listed; a missing temperature, scatter or
+    direction is only warned of. Columns that the format does not know are kept in `Observations.extra`; one that is
+    known and empty is left out.
 
     Raises
     ------
@@ -49,39 +55,25 @@ def read_table(path: Path) -> Observations:
         Missing, unreadable or malformed file: one sentence with file, line, column and remedy.
     """
     text, warnings = _read_text(path)
-    header, rows = _split(text, path, _check_header)
-    columns = {name: _column(name, index, rows, path) for index, name in enumerate(header)}
+    header, rows = read_cells(text, path)
+    _check_header(header, path)
+    empty = _empty(header, rows, path)
+    columns = {name: _column(name, index, rows, path) for index, name in enumerate(header) if name not in empty}
     known: dict[str, Any] = {FIELDS[name]: values for name, values in columns.items() if name in FIELDS}
     return set_aside_bad_rows(
         Observations(
             row=np.arange(1, len(rows) + 1),
             extra={name: values for name, values in columns.items() if name not in FIELDS},
             source=str(path),
-            warnings=warnings,
+            warnings=(*warnings, *_told(header, empty, rows, path)),
             **known,
-        )
+        ).without(_without_a_value(header, empty, rows))
     )
 
 
-def read_lines(path: Path) -> tuple[list[str], list[tuple[int, list[str]]]]:
+def read_lines(path: Path) -> tuple[list[str], list[Line]]:
     """Header of any table of this format, and number and cells of each of its rows. Raises `TableError`."""
-    return _split(_read_text(path)[0], path, _check_names)
-
-
-def _split(
-    text: str, path: Path, check: Callable[[list[str], Path], None]
-) -> tuple[list[str], list[tuple[int, list[str]]]]:
-    """The header, once it was checked, and what is below it."""
-    lines = _records(text, path)
-    try:
-        _, header = next(lines)
-    except StopIteration:
-        raise TableError(f"{path}: the file is empty; expected a header line and one row per dwell") from None
-    check(header, path)
-    rows = list(lines)
-    if not rows:
-        raise TableError(f"{path}: there is a header but no row; expected one row per dwell")
-    return header, rows
+    return read_cells(_read_text(path)[0], path)
 
 
 def write_table(observations: Observations, path: Path) -> None:
@@ -111,66 +103,75 @@ def _read_text(path: Path) -> tuple[str, tuple[str, ...]]:
     return text, ()
 
 
-def _records(text: str, path: Path) -> Iterator[tuple[int, list[str]]]:
-    """Line number and cells of each record, comments and blank lines left out."""
-    width = 0
-    for number, line in enumerate(text.splitlines(), start=1):
-        if not line.strip() or line.startswith("#"):
-            continue
-        try:
-            cells = [cell.strip() for cell in next(csv.reader([line], strict=True))]
-        except csv.Error as error:
-            raise TableError(f"{path}, line {number}: {error}; expected plain values between commas") from error
-        width = width or len(cells)
-        if len(cells) != width:
-            raise TableError(
-                f"{path}, line {number}: {len(cells)} values where the header has {width} columns; "
-                "complete the line or remove it"
-            )
-        yield number, cells
-
-
-def _check_names(header: list[str], path: Path) -> None:
-    if len(header) == 1 and (other := next((mark for mark in (";", "\t") if mark in header[0]), "")):
-        name = {";": "semicolons", "\t": "tabs"}[other]
-        raise TableError(f"{path}, line 1: values between {name}; write commas between them and decimal points in them")
-    if len(set(header)) != len(header):
-        double = next(name for name in header if header.count(name) > 1)
-        raise TableError(f"{path}, line 1, column {double}: named twice; rename or remove one")
-
-
 def _check_header(header: list[str], path: Path) -> None:
-    _check_names(header, path)
     if "angle_deg" not in header:
         raise TableError(f"{path}, line 1: column angle_deg is missing{_hint('angle_deg', header)}")
     if "voltage_V" not in header and "reference_deg" not in header:
         raise TableError(f"{path}, line 1: column voltage_V (or reference_deg) is missing{_hint('voltage_V', header)}")
 
 
+def _empty(header: list[str], rows: list[Line], path: Path) -> list[str]:
+    """Names of the columns that hold no value. Raises `TableError` where nothing is left to analyse."""
+    empty = [name for place, name in enumerate(header) if all(is_missing(cells[place]) for _, cells in rows)]
+    outputs = {"voltage_V", "reference_deg"} & set(header)
+    if "angle_deg" in empty or outputs <= set(empty):
+        name = "angle_deg" if "angle_deg" in empty else min(outputs)
+        raise TableError(f"{path}, column {name}: holds no value in any row")
+    return empty
+
+
 def _hint(wanted: str, header: list[str]) -> str:
     quantity = wanted.split("_")[0]
     near = [name for name in header if quantity in name.lower()]
-    return f"; is it {near[0]}? Rename it and check its unit" if near else f"; the columns are {', '.join(header)}"
+    if near:
+        return f"; is it {shown(near[0])[1:-1]}? Rename it and check its unit"
+    return f"; the columns are {shown(', '.join(header))[1:-1]}"
 
 
-def _column(name: str, index: int, rows: list[tuple[int, list[str]]], path: Path) -> np.ndarray:
+def _told(header: list[str], empty: list[str], rows: list[Line], path: Path) -> list[str]:
+    """Sentences on known columns that are empty, and on rows that are used although a value is missing."""
+    told = [f"{path}: column {name} holds no value and is left out" for name in empty if name in FIELDS]
+    for name in sorted(_LEFT_OUT & set(header) - set(empty)):
+        lines = [line for line, cells in rows if is_missing(cells[header.index(name)])]
+        if lines:
+            some = ", ".join(map(str, lines[:_LISTED])) + (", …" if len(lines) > _LISTED else "")
+            where = f"line {some} has" if len(lines) == 1 else f"{len(lines)} rows (lines {some}) have"
+            used = "it is" if len(lines) == 1 else "they are"
+            told.append(f"{path}: {where} no {name}; {used} used without it")
+    return told
+
+
+def _without_a_value(header: list[str], empty: list[str], rows: list[Line]) -> tuple[SetAside, ...]:
+    """Rows in which a value is missing that every row needs: a whole number, or the mount; once each."""
+    needed = [name for name in ("realisation", "samples", "mount") if name in header and name not in empty]
+    reasons: dict[int, str] = {}
+    for name in needed:
+        place = header.index(name)
+        for row, (_, cells) in enumerate(rows, start=1):
+            if is_missing(cells[place]):
+                reasons.setdefault(row, f"{name} is missing")
+    return tuple(SetAside(row=row, reason=reason) for row, reason in reasons.items())
+
+
+def _column(name: str, index: int, rows: list[Line], path: Path) -> NDArray[Any]:
     cells = [cells[index] for _, cells in rows]
     if name in _TEXTS:
         if name == "mount":
-            _check_mounts(cells, rows, path)
+            cells = _mounts(cells, rows, path)
         return np.array(cells, dtype=np.str_)
     try:
-        values = np.array([_number(cell) for cell in cells])
+        values = np.array([number(cell) for cell in cells])
     except ValueError:
         if name not in FIELDS:
             return np.array(cells, dtype=np.str_)
         line, cell = next((line, cells[index]) for line, cells in rows if not _is_number(cells[index]))
         how = "as a whole number" if name in _INTEGERS else "with a decimal point, or nan where there is none"
-        raise TableError(f"{path}, line {line}, column {name}: {cell!r} is not a number; write it {how}") from None
+        raise TableError(f"{path}, line {line}, column {name}: {shown(cell)} is not a number; write it {how}") from None
     return _integers(name, values, rows, path) if name in _INTEGERS else values
 
 
-def _integers(name: str, values: np.ndarray, rows: list[tuple[int, list[str]]], path: Path) -> np.ndarray:
+def _integers(name: str, values: NDArray[np.float64], rows: list[Line], path: Path) -> NDArray[np.int64]:
+    values = np.where(np.isnan(values), _UNKNOWN.get(name, 1), values)
     wrong = (
         ~np.isin(values, (-1, 0, 1))
         if name == "direction"
@@ -185,24 +186,19 @@ def _integers(name: str, values: np.ndarray, rows: list[tuple[int, list[str]]], 
     return values.astype(np.int64)
 
 
-def _check_mounts(cells: list[str], rows: list[tuple[int, list[str]]], path: Path) -> None:
+def _mounts(cells: list[str], rows: list[Line], path: Path) -> list[str]:
+    """The mount of every row, each a known one; face-up where it is missing, and the row is set aside."""
     for (line, _), mount in zip(rows, cells, strict=True):
-        if mount not in MOUNTS:
+        if mount not in MOUNTS and not is_missing(mount):
             raise TableError(
-                f"{path}, line {line}, column mount: {mount!r} is no mount; the mounts are {', '.join(MOUNTS)}"
+                f"{path}, line {line}, column mount: {shown(mount)} is no mount; the mounts are {', '.join(MOUNTS)}"
             )
-
-
-def _number(cell: str) -> float:
-    """A decimal number; Python's own 1_000 is none in a table. Raises `ValueError`."""
-    if "_" in cell:
-        raise ValueError(cell)
-    return float(cell)
+    return ["face-up" if is_missing(mount) else mount for mount in cells]
 
 
 def _is_number(cell: str) -> bool:
     try:
-        _number(cell)
+        number(cell)
     except ValueError:
         return False
     return True

@@ -5,6 +5,9 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
+from app.cli import limit_blas_threads
+
+limit_blas_threads()  # as the program does, before numpy is loaded
 settings.register_profile("any machine", deadline=None)  # a busy machine is no failure
 settings.load_profile("any machine")
 

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from calibrations.blas_threads import one_blas_thread
 from calibrations.joining import appended
 from calibrations.reference.probes import PROBES, HeadProbe
 from calibrations.reference.table import HeadTable
@@ -13,6 +14,7 @@ from calibrations.tracing.linear_loop import Explained
 from calibrations.tracing.separation import Question, Rows
 
 
+@one_blas_thread
 def next_reference_experiments(explained: Explained[HeadTable]) -> tuple[Experiment, ...]:
     """For every effect that has rivals: the experiments that tell it from them, in the least time."""
     table = explained.table

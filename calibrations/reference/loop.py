@@ -7,6 +7,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from calibrations.blas_threads import one_blas_thread
 from calibrations.geometry import FloatArray
 from calibrations.observations import Observations, SetAside
 from calibrations.reference.adequacy import Agreement, AngleError, Reversal, agreement, errors_by_setting, reversal
@@ -82,6 +83,7 @@ class ReferenceLoop:
         return () if self.not_traced else next_reference_experiments(self.explained)
 
 
+@one_blas_thread
 def close_reference_loop(observations: Observations) -> ReferenceLoop:
     """Find what makes a reference differ from the head.
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from calibrations.blas_threads import one_blas_thread
 from calibrations.geometry import FloatArray
 from calibrations.stand_records.corrections import Corrections, chi_square_p
 from calibrations.stand_records.evidence import Run
@@ -36,6 +37,7 @@ class Agreement:
         return bool(self.corrections.terms) and self.p_value >= AGREE_P
 
 
+@one_blas_thread
 def agreement(first: Run, second: Run) -> Agreement:
     """Hold two runs against each other on all terms that one of them tells apart and the other confirms.
 

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from calibrations.blas_threads import one_blas_thread
 from calibrations.effects.scene import Scene
 from calibrations.joint import fit_jointly
 from calibrations.observations import Observations
@@ -16,6 +17,7 @@ from calibrations.stand_records.terms import HEAD_COURSE, Term
 from calibrations.tracing.ground import scene_of
 
 
+@one_blas_thread
 def corrected(observations: Observations, record: StandRecord) -> Observations:
     """Rows as they would be on a stand without these errors.
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from calibrations.blas_threads import one_blas_thread
 from calibrations.geometry import FloatArray
 from calibrations.repeats import PureError
 from calibrations.support import series
@@ -85,6 +86,7 @@ class TemperatureLoop:
     """What these runs cannot tell, in sentences, each with the experiment that would."""
 
 
+@one_blas_thread
 def close_temperature_loop(runs: Runs) -> TemperatureLoop:
     """Trace every parameter of a table of runs, and find causes that several of them share."""
     scene = _scene(runs)

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
 
+from calibrations.blas_threads import one_blas_thread
 from calibrations.support import series
 from calibrations.tracing.experiments import APART, Experiment, next_experiments
 from calibrations.tracing.loop import Explained, Loop
@@ -168,6 +169,7 @@ def _link_json(link: Link) -> dict[str, Any]:
     }
 
 
+@one_blas_thread
 def stage_of(loop: Loop, explained: Explained | None, asked: Collection[str] = ()) -> Stage:
     """What a table says, with every explanation that is near, and those that are `asked` for."""
     behind: dict[str, float] = {}
@@ -180,6 +182,7 @@ def stage_of(loop: Loop, explained: Explained | None, asked: Collection[str] = (
     return Stage(loop=loop, behind=behind)
 
 
+@one_blas_thread
 def experiments_for(explained: Explained | None, probes: Sequence[Probe]) -> tuple[Experiment, ...]:
     """What would tell apart the rivals of a table, of what can be run.
 

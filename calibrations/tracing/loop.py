@@ -8,6 +8,7 @@ from scipy.special import chdtrc
 
 from calibrations.adequacy import held_out_parts
 from calibrations.analysis import assess
+from calibrations.blas_threads import one_blas_thread
 from calibrations.budget import StandUncertainty
 from calibrations.effects import CATALOGUE
 from calibrations.effects.effect import Effect
@@ -66,6 +67,7 @@ def close_loop(
     return asked_next(*explain(observations, stand, reference_temperature_degc, effects))
 
 
+@one_blas_thread
 def asked_next(loop: Loop, explained: "Explained | None") -> Loop:
     """What `explain` gives, with what to measure next."""
     if explained is None:
@@ -73,6 +75,7 @@ def asked_next(loop: Loop, explained: "Explained | None") -> Loop:
     return replace(loop, next_experiment=next_experiments(explained.base, explained.trace, explained.close))
 
 
+@one_blas_thread
 def explain(
     observations: Observations,
     stand: StandUncertainty | None = None,
@@ -87,7 +90,7 @@ def explain(
         No voltage, or no usable row.
     """
     uncertainty = stand or StandUncertainty()
-    asked = questioned(observations)
+    asked = questioned(observations, reference_temperature_degc)
     observations = asked.observations
     declared = fit_jointly(observations)
     if not asked.answerable:

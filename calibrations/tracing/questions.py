@@ -13,6 +13,7 @@ from calibrations.model import basis, coefficients
 from calibrations.observations import Observations
 from calibrations.repeats import labels, pose_groups, pure_error, settings
 from calibrations.tracing.seats import wrong_seat
+from calibrations.tracing.unit_questions import fahrenheit, kelvin
 
 _FEWEST_ROWS = 8
 """Fewer rows contradict nothing."""
@@ -42,14 +43,18 @@ class Questioned:
     """False where nothing can be traced before a question is answered."""
 
 
-def questioned(observations: Observations) -> Questioned:
-    """Look for contradictions between a table and its description."""
+def questioned(observations: Observations, reference_temperature_degc: float = 23.0) -> Questioned:
+    """Look for contradictions between a table and its description.
+
+    `reference_temperature_degc` is what the parameters will refer to.
+    """
     if observations.voltage_v is None or len(observations) < _FEWEST_ROWS:
         return Questioned(observations=observations, questions=(), answerable=True)
-    for ask in (_dead, _unturned, _backwards, _radians, _mounts, wrong_seat, _rounded):
+    for ask in (_dead, kelvin, _unturned, _backwards, _radians, _mounts, wrong_seat, _rounded):
         if question := ask(observations):
             return Questioned(observations=_with(observations, (question,)), questions=(question,), answerable=False)
-    questions = [question for ask in (_sign, _millivolts) if (question := ask(observations))]
+    units = fahrenheit(observations, reference_temperature_degc)
+    questions = [question for question in (_sign(observations), _millivolts(observations), units) if question]
     repeats = _clear_repeats(observations)
     if repeats is not None:
         count = int(repeats.max())

@@ -70,3 +70,37 @@ def test_every_row_is_either_used_or_set_aside(voltage_v):
         *range(1, len(voltage_v) + 1)
     ]
     assert np.all(np.abs(screened.voltage_v) <= 1e30)
+
+
+@pytest.mark.parametrize("angle_deg", [1e22, -1e7, 1e300])
+def test_an_angle_beyond_any_head_is_set_aside(angle_deg):
+    screened = set_aside_bad_rows(table(angle_deg=[0.0, angle_deg, 395.0], voltage_v=[1.0, 1.0, 1.0]))
+
+    assert screened.set_aside == (SetAside(row=2, reason=f"angle_deg is {angle_deg:g}, beyond any head"),)
+
+
+@pytest.mark.parametrize("voltage_v", [101.0, -1e6, 1e12])
+def test_a_voltage_beyond_any_accelerometer_is_a_gross_error_wherever_the_row_stands(voltage_v):
+    screened = set_aside_bad_rows(table(voltage_v=[1.0, voltage_v, 3.0]))
+
+    reason = f"gross error: voltage_V is {voltage_v:g}, beyond any accelerometer"
+    assert screened.set_aside == (SetAside(row=2, reason=reason, gross=True),)
+
+
+def test_a_table_whose_voltages_are_all_large_is_in_another_unit_and_stays_whole():
+    assert len(set_aside_bad_rows(table(voltage_v=[2500.0, 1500.0, 3500.0]))) == 3
+
+
+def test_a_temperature_that_no_sensor_reads_is_left_out_and_told():
+    screened = set_aside_bad_rows(table(voltage_v=[1.0, 2.0, 3.0], temperature_degc=[22.0, 9999.0, 22.1]))
+
+    assert np.isnan(screened.temperature_degc[1])
+    assert screened.warnings == (": temperature_degC is 9999 in row 2; used without it",)
+
+
+@pytest.mark.parametrize("scatter_v", [-1e-3, 1e12])
+def test_a_scatter_that_is_none_is_left_out_and_told(scatter_v):
+    screened = set_aside_bad_rows(table(voltage_v=[1.0, 2.0], voltage_sd_v=[1e-3, scatter_v]))
+
+    assert np.isnan(screened.voltage_sd_v[1])
+    assert f"voltage_sd_V is {scatter_v:g} in row 2" in screened.warnings[0]

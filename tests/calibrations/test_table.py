@@ -66,14 +66,6 @@ def test_a_last_line_without_an_end_is_read_with_a_warning(tmp_path):
             "unit.csv, line 1: column angle_deg is missing; is it angle? Rename it and check its unit",
         ),
         (
-            "angle_deg;voltage_V\n0;2,5\n",
-            "unit.csv, line 1: values between semicolons; write commas between them and decimal points in them",
-        ),
-        (
-            "angle_deg\tvoltage_V\n0\t2.5\n",
-            "unit.csv, line 1: values between tabs; write commas between them and decimal points in them",
-        ),
-        (
             "angle_deg,u\n0,2.5\n",
             "unit.csv, line 1: column voltage_V (or reference_deg) is missing; the columns are angle_deg, u",
         ),

@@ -1,0 +1,41 @@
+"""One BLAS thread while the matrices are small.
+
+A table of a thousand rows becomes matrices of a few dozen columns. On those the threads of OpenBLAS gain nothing, and
+where another program has the other core they wait for each other: tracing then takes many times as long
+(docs/figures.md states the ratio). Programs of this product say so to the BLAS before it is loaded
+(`app.cli`); what is called from another program limits it for the time of the call.
+"""
+
+from collections.abc import Callable
+from functools import cache, wraps
+from typing import TYPE_CHECKING, ParamSpec, TypeVar
+
+if TYPE_CHECKING:
+    from threadpoolctl import ThreadpoolController
+
+_Arguments = ParamSpec("_Arguments")
+_Result = TypeVar("_Result")
+
+
+def one_blas_thread(function: Callable[_Arguments, _Result]) -> Callable[_Arguments, _Result]:
+    """Return the function so that the BLAS of numpy and scipy runs in one thread while it is called.
+
+    A BLAS has one setting for the whole process. Of several Python threads the first that limits it decides, as
+    threadpoolctl says of OpenBLAS.
+    """
+
+    @wraps(function)
+    def limited(*arguments: _Arguments.args, **named: _Arguments.kwargs) -> _Result:
+        with _libraries().limit(limits=1):
+            return function(*arguments, **named)
+
+    return limited
+
+
+@cache
+def _libraries() -> "ThreadpoolController":
+    """The BLAS libraries of this process; scipy brings one of its own, which must be loaded to be found."""
+    import scipy.linalg  # noqa: F401
+    from threadpoolctl import ThreadpoolController
+
+    return ThreadpoolController().select(user_api="blas")
