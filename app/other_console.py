@@ -1,9 +1,13 @@
 """What was found in tables of a head or of parameters against temperature, on the terminal."""
 
+from collections.abc import Sequence
+from pathlib import Path
+
 from rich.table import Table
 
 from app.console import results, warn
 from app.loop_console import findings_table
+from calibrations.observations import SetAside
 from calibrations.quantities import format_concise, format_number
 from calibrations.reference.changes import Comparison
 from calibrations.reference.loop import ReferenceLoop
@@ -34,10 +38,7 @@ def show_head(name: str, loop: ReferenceLoop) -> None:
     """Effects, the error before and after, how the passes differ, and what to measure next."""
     warn(loop.warnings)
     console = results()
-    if aside := loop.observations.set_aside:
-        listed = series([f"{entry.row} ({entry.reason})" for entry in aside[:_LISTED]])
-        more = f" and {len(aside) - _LISTED} more" if len(aside) > _LISTED else ""
-        console.print(f"{name}: set aside: rows {listed}{more}", markup=False)
+    _set_aside(name, loop.observations.set_aside)
     console.print(f"{name}: {headline(loop)}", markup=False)
     if loop.question:
         return
@@ -54,6 +55,13 @@ def show_head(name: str, loop: ReferenceLoop) -> None:
     for experiment in loop.next_experiment:
         told = " from ".join((experiment.separates[0], series(experiment.separates[1:], "or")))
         console.print(f"next, to tell {told}: {experiment.why}", markup=False)
+
+
+def _set_aside(name: str, aside: Sequence[SetAside]) -> None:
+    if aside:
+        listed = series([f"{entry.row} ({entry.reason})" for entry in aside[:_LISTED]])
+        more = f" and {len(aside) - _LISTED} more" if len(aside) > _LISTED else ""
+        results().print(f"{name}: set aside: rows {listed}{more}", markup=False)
 
 
 def _before_and_after(loop: ReferenceLoop) -> Table:
@@ -109,6 +117,7 @@ def _changes(comparison: Comparison) -> Table:
 def show_temperature(loop: TemperatureLoop) -> None:
     """Every parameter before and after, what several share, and what these runs cannot tell."""
     console = results()
+    _set_aside(Path(loop.runs.source).name, loop.runs.set_aside)
     word = loop.parameters[0].polynomials[-1].words
     table = _table(
         f"Parameters against {loop.runs.temperature_name}: error of temperatures predicted from the others, r.m.s.",

@@ -10,19 +10,19 @@ from calibrations.geometry import FloatArray
 _APART = 10.0
 """Settings lie so many times as far apart as one of them scatters."""
 _COME_BACK = 1.5
-"""So often must settings come back on average, if they are to be taken for more loosely set than the first rounding."""
+"""So often must settings come back on average, if they are to be taken for settings at all."""
 
 
 def clusters(values: FloatArray, roundings: Sequence[float]) -> NDArray[np.int64]:
     """Number of the setting of each value, from 0 in ascending order.
 
-    `roundings` are how closely a value may be set again, ascending; the closest is taken at which settings come back,
-    and the first of them where they do at none.
+    `roundings` are how closely a value may be set again, ascending. The closest is taken at which settings come back
+    and lie far apart beside it; the first of them where that is so at none.
     """
     for rounding in roundings:
         number = _within(values, rounding)
         often = len(values) >= _COME_BACK * (number.max(initial=0) + 1)
-        if often and (rounding == roundings[0] or _clear(values, number, rounding)):
+        if often and _clear(values, number, rounding):
             return number
     return _within(values, roundings[0])
 

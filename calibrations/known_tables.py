@@ -58,10 +58,11 @@ def kind_of(path: Path) -> Kind:
     TableError
         Unreadable, or of no kind that is read: what it looks like or what its columns are, and what is read.
     """
-    header = _header(path)
-    if "angle_deg" in header and ("voltage_V" in header or "reference_deg" in header):
-        return Kind.ACCELEROMETER if "voltage_V" in header else Kind.HEAD
+    if kind := _measured(_header(path)):
+        return kind
     header, lines = read_lines(path)  # a malformed table is told of as such
+    if kind := _measured(header):
+        return kind
     if foreign := _foreign(header):
         raise TableError(
             f"{path}, line 1: this looks like a table of {foreign}, which this version does not analyse; "
@@ -71,6 +72,15 @@ def kind_of(path: Path) -> Kind:
     if "angle_deg" not in header and says_runs(numbers):
         return Kind.RUNS
     raise TableError(f"{path}, line 1: {_unknown(header, numbers)}")
+
+
+def _measured(header: Sequence[str]) -> Kind | None:
+    """Kind of a table of something on a head; None for any other."""
+    if "angle_deg" not in header:
+        return None
+    if "voltage_V" in header:
+        return Kind.ACCELEROMETER
+    return Kind.HEAD if "reference_deg" in header else None
 
 
 def _header(path: Path) -> list[str]:

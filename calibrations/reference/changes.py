@@ -8,7 +8,7 @@ import numpy as np
 from calibrations.effects.effect import Quantity
 from calibrations.observations import Observations
 from calibrations.reference.explanation import explain_steady
-from calibrations.reference.limits import SHORT_DEG
+from calibrations.reference.limits import SHORT_DEG, confounded
 from calibrations.reference.loop import ReferenceLoop
 from calibrations.reference.map_difference import Difference, Part, map_difference, parts
 from calibrations.reference.rows import as_they_are
@@ -75,7 +75,7 @@ def compare(before: ReferenceLoop, after: ReferenceLoop) -> Comparison:
         parts=parts(difference),
         changes=tuple(sorted(listed, key=lambda change: (change.unit != "deg", -change.difference))),
         unexplained=explained.unexplained,
-        limits=tuple(dict.fromkeys((*before.limits, *after.limits))),
+        limits=confounded(table.scene),
         slopes=(_slope(before), _slope(after)),
         whole_turn=table.scene.arc_deg >= SHORT_DEG,
     )
@@ -106,7 +106,7 @@ def _slope(loop: ReferenceLoop) -> tuple[float, float]:
 
 def _sizes(loop: ReferenceLoop) -> dict[tuple[str, int | None], float]:
     """Effects of one table alone."""
-    return {_key(effect): abs(_size(effect.coefficients)[0]) for effect in loop.effects}
+    return {_key(effect): _size(effect.coefficients)[0] for effect in loop.effects}
 
 
 def _key(effect: EffectFound) -> tuple[str, int | None]:

@@ -13,7 +13,12 @@ SHORT_DEG = 288.0
 
 def limits(scene: HeadScene, settings: Settings) -> tuple[str, ...]:
     """All of it, in sentences."""
-    return (*_repeats(settings), *_sides(scene), *_arc(scene))
+    return (*_repeats(settings), *confounded(scene))
+
+
+def confounded(scene: HeadScene) -> tuple[str, ...]:
+    """What the angles and directions that were visited cannot part."""
+    return (*_sides(scene), *_arc(scene))
 
 
 def _repeats(settings: Settings) -> Iterator[str]:

@@ -14,7 +14,12 @@ def document(loop: TemperatureLoop) -> dict[str, Any]:
         "schema": SCHEMA,
         "method": "temperature",
         "kind": "parameters against temperature",
-        "rows": {"read": len(loop.runs), "used": len(loop.runs), "set_aside": [], "temperatures": loop.temperatures},
+        "rows": {
+            "read": len(loop.runs) + len(loop.runs.set_aside),
+            "used": len(loop.runs),
+            "set_aside": [{"row": entry.row, "reason": entry.reason} for entry in loop.runs.set_aside],
+            "temperatures": loop.temperatures,
+        },
         "temperature": loop.runs.temperature_name,
         "parameters": {parameter.name: _parameter_json(parameter) for parameter in loop.parameters},
         "shared": [_shared_json(cause) for cause in loop.shared],

@@ -6,7 +6,9 @@ from pathlib import Path
 
 import numpy as np
 
+from calibrations.cells import Line, is_missing
 from calibrations.geometry import FloatArray
+from calibrations.observations import SetAside
 from calibrations.table import TableError, read_lines
 from calibrations.temperature.columns import Column, column_of, holds_numbers, named, says_runs
 from calibrations.temperature.columns import unit_of as known_unit
@@ -39,6 +41,8 @@ class Runs:
     parameters: Mapping[str, FloatArray]
     """Values by the name of the column, unit included."""
     source: str
+    set_aside: tuple[SetAside, ...] = ()
+    """Runs in which a value is missing."""
 
     def __len__(self) -> int:
         """Return the number of runs."""
@@ -71,9 +75,9 @@ def read_runs(path: Path) -> Runs:
         Missing, unreadable or malformed file, one with fewer than four runs, or one that is a log and no table of runs.
     """
     header, lines = read_lines(path)
-    columns = {
-        name: _numbers(name, place, lines, path) for place, name in enumerate(header) if holds_numbers(place, lines)
-    }
+    numbers = {name: place for place, name in enumerate(header) if holds_numbers(place, lines)}
+    lines, set_aside = _complete(numbers, lines)
+    columns = {name: _numbers(name, place, lines, path) for name, place in numbers.items()}
     temperatures = named(list(columns), Column.TEMPERATURE)
     if not temperatures:
         raise TableError(f"{path}: no column of a temperature (…_degC) holds numbers; correct it")
@@ -96,7 +100,22 @@ def read_runs(path: Path) -> Runs:
         time_s=columns.get(_TIME),
         parameters=parameters,
         source=str(path),
+        set_aside=set_aside,
     )
+
+
+def _complete(numbers: Mapping[str, int], lines: list[Line]) -> tuple[list[Line], tuple[SetAside, ...]]:
+    """Runs in which nothing is missing, and the others with what is; a `nan` that somebody wrote is no missing cell."""
+    missing = {
+        row: next((name for name, place in numbers.items() if _is_blank(cells[place])), "")
+        for row, (_, cells) in enumerate(lines)
+    }
+    aside = tuple(SetAside(row=row + 1, reason=f"{name} has no value") for row, name in missing.items() if name)
+    return [line for row, line in enumerate(lines) if not missing[row]], aside
+
+
+def _is_blank(cell: str) -> bool:
+    return is_missing(cell) and cell.lower() != "nan"
 
 
 def _check_temperatures(name: str, values_degc: FloatArray, path: Path) -> None:
@@ -118,7 +137,7 @@ def _check_pace(time_s: FloatArray | None, runs: int, path: Path) -> None:
         )
 
 
-def _check_gross(name: str, values: FloatArray, lines: Sequence[tuple[int, list[str]]], path: Path) -> None:
+def _check_gross(name: str, values: FloatArray, lines: Sequence[Line], path: Path) -> None:
     """Refuse a value that is of another order than all the others."""
     row = int(np.argmax(np.abs(values - np.median(values))))
     others = np.delete(values, row)
@@ -139,7 +158,7 @@ def _order(columns: Mapping[str, FloatArray], runs: int) -> FloatArray:
     return np.arange(1.0, runs + 1)
 
 
-def _numbers(name: str, place: int, lines: list[tuple[int, list[str]]], path: Path) -> FloatArray:
+def _numbers(name: str, place: int, lines: Sequence[Line], path: Path) -> FloatArray:
     values = []
     for number, cells in lines:
         try:
