@@ -28,7 +28,8 @@ def show_loop(loop: Loop, console: Console | None = None) -> None:
         console.print(f"- {leans}", markup=False)
     for experiment in loop.next_experiment:
         command = f": {experiment.command}" if experiment.command else ""
-        console.print(f"next, to tell {' from '.join(experiment.separates[:2])}{command}", markup=False)
+        aim = f", to tell {' from '.join(experiment.separates[:2])}" if len(experiment.separates) > 1 else ""
+        console.print(f"next{aim}{command}", markup=False)
         console.print(f"  {experiment.why}", markup=False)
 
 

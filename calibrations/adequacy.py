@@ -8,11 +8,13 @@ from numpy.typing import NDArray
 from calibrations.compression import compress
 from calibrations.fit import fit_given_alpha0, joint_fit
 from calibrations.geometry import FloatArray
-from calibrations.model import coefficients
+from calibrations.model import coefficients, coefficients_jacobian
 from calibrations.observations import Observations
-from calibrations.repeats import PureError, labels
+from calibrations.repeats import PureError, distinct_settings
 
 FOLDS = 3
+FEW_SETTINGS = 12
+"""So few are held out one by one."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -42,11 +44,19 @@ def lack_of_fit(squares_v2: float, rows: int, fitted: int, error: PureError) -> 
 
 
 def held_out_parts(observations: Observations) -> list[NDArray[np.bool_]]:
-    """Which rows are held out together: whole realisations in up to three groups; a single one is interleaved."""
-    part = labels(observations.realisations) % FOLDS
-    if part.max(initial=0) == 0:
-        part = np.arange(len(observations)) % FOLDS
-    return [part == number for number in range(int(part.max(initial=0)) + 1)]
+    """Which rows are held out together: whole settings, so that no repeat of a row that is held out stays in.
+
+    One setting after the other where there are few, else every third one together.
+    """
+    setting = distinct_settings(observations)
+    count = int(setting.max(initial=-1)) + 1
+    part = setting if count <= FEW_SETTINGS else setting % FOLDS
+    return [part == number for number in range(int(part.max(initial=-1)) + 1)]
+
+
+def told_without(columns: FloatArray, out: NDArray[np.bool_]) -> bool:
+    """Whether the other rows tell everything that all rows tell: columns are what the model can follow."""
+    return bool(np.linalg.matrix_rank(columns[~out]) == np.linalg.matrix_rank(columns))
 
 
 def held_out_rms(
@@ -54,13 +64,16 @@ def held_out_rms(
 ) -> float | None:
     """Root mean square error, in volts, of predicting rows of `held_out_parts` from the others.
 
-    None where too few rows remain to fit.
+    Settings without which the others do not tell the model cannot be predicted; None where none can.
     """
-    error = np.empty(len(observations))
+    everything = joint_fit(compress(basis, observations.output_v, weights)).theta
+    columns = basis @ coefficients_jacobian(everything)
+    errors = [np.empty(0)]
     for out in held_out_parts(observations):
-        if np.count_nonzero(~out) < basis.shape[1]:
-            return None
+        if not told_without(columns, out):
+            continue
         kept = compress(basis[~out], observations.output_v[~out], weights[~out])
         fit = joint_fit(kept) if alpha0_fitted else fit_given_alpha0(kept, 0.0)
-        error[out] = observations.output_v[out] - basis[out] @ coefficients(fit.theta)
-    return float(np.sqrt(np.mean(error**2)))
+        errors.append(observations.output_v[out] - basis[out] @ coefficients(fit.theta))
+    error = np.concatenate(errors)
+    return float(np.sqrt(np.mean(error**2))) if len(error) else None

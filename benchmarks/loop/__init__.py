@@ -5,6 +5,7 @@
 - `exactness`: is every table traced to what was put in, and are the rivals those of an independent refit?
 - `clean`: how often is an effect found where there is none?
 - `coverage`: do the stated intervals hold the true parameters, and how much of the error is gone?
+- `sparse`: what is stated of tables with too few settings to tell anything?
 - `timing`: how long does it take?
 
 With `--out` every graded table becomes a line of that file at once, and tables that are in it already are not made

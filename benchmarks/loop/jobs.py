@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from benchmarks.bank.lists import Wanted
+from benchmarks.bank.sparse import SparseSpec
 from benchmarks.bank.table import Spec
 
 Record = dict[str, Any]
@@ -20,7 +21,7 @@ class Job:
 
     measure: str
     list_name: str
-    spec: Spec
+    spec: Spec | SparseSpec
     seed: int
 
     @property

@@ -6,7 +6,7 @@ from types import MappingProxyType
 from typing import Final
 
 from benchmarks.bank import Case
-from benchmarks.loop import clean, coverage, exactness, timing
+from benchmarks.loop import clean, coverage, exactness, sparse, timing
 from benchmarks.loop.jobs import Job, Record
 from calibrations.tracing.loop import Loop
 
@@ -28,6 +28,6 @@ MEASURES: Final[Mapping[str, Measure]] = MappingProxyType(
         module.__name__.rpartition(".")[2]: Measure(
             wanted=module.wanted, grade=module.grade, report=module.report, failures=module.failures
         )
-        for module in (exactness, clean, coverage, timing)
+        for module in (exactness, clean, coverage, sparse, timing)
     }
 )

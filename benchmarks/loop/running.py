@@ -8,6 +8,7 @@ from multiprocessing import get_context
 from pathlib import Path
 
 from benchmarks.bank import make_table
+from benchmarks.bank.sparse import SparseSpec, make_sparse
 from benchmarks.loop.jobs import Job, Record
 from benchmarks.loop.measures import MEASURES
 from benchmarks.loop.results import read_results, streamed
@@ -45,7 +46,7 @@ def graded(job: Job) -> Record:
         "shown": False,
         "failure": None,
     }
-    case = make_table(job.spec, job.seed)
+    case = make_sparse(job.spec, job.seed) if isinstance(job.spec, SparseSpec) else make_table(job.spec, job.seed)
     if case is None:
         return record
     start = time.perf_counter()

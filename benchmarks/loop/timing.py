@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from benchmarks.bank import Case, pairs, singles, triples
+from benchmarks.bank import Case, Spec, pairs, singles, triples
 from benchmarks.loop.jobs import Job, Record, jobs, spread_out
 from calibrations.tracing.loop import Loop
 
@@ -16,7 +16,9 @@ def wanted(seeds: range, count: int | None) -> list[Job]:
     """Tables with one, two and three effects; 30 unless told."""
     lists = {"singles": singles(seeds), "pairs": pairs(seeds), "triples": triples(seeds)}
     everything = [job for name, listed in lists.items() for job in jobs("timing", name, listed)]
-    return spread_out([job for job in everything if job.spec.design == _DESIGN], count or 30)
+    return spread_out(
+        [job for job in everything if isinstance(job.spec, Spec) and job.spec.design == _DESIGN], count or 30
+    )
 
 
 def grade(case: Case, loop: Loop) -> Record:

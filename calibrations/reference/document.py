@@ -7,7 +7,7 @@ from calibrations.reference.head_map import head_map
 from calibrations.reference.loop import ReferenceLoop
 from calibrations.result import rows_json
 from calibrations.tracing.document import SCHEMA, effect_json, experiment_json, unexplained_json
-from calibrations.tracing.linear_loop import Model, model_json
+from calibrations.tracing.linear_loop import Model, model_json, withheld_json
 
 
 def document(loop: ReferenceLoop) -> dict[str, Any]:
@@ -32,7 +32,12 @@ def document(loop: ReferenceLoop) -> dict[str, Any]:
         "further_unexplained": unexplained[1:],
         "augmented": _model_json(loop.augmented, loop.agreements[1]),
         "passes": _passes_json(loop),
-        "settings": [_angle_json(each) for each in loop.by_setting],
+        "withheld": withheld_json(loop.explained),
+        "settings": {
+            "count": loop.explanation.scene.distinct_angles,
+            "arc_deg": loop.explanation.scene.arc_deg,
+        },
+        "by_setting": [_angle_json(each) for each in loop.by_setting],
         "reversal": _reversal_json(loop.reversal),
         "head_map": None if found is None else found.as_json(),
         "next_experiment": [experiment_json(experiment) for experiment in loop.next_experiment],

@@ -5,7 +5,7 @@ from typing import Any
 from calibrations.temperature.loop import ParameterLoop, Polynomial, TemperatureLoop
 from calibrations.temperature.shared import SharedCause
 from calibrations.tracing.document import SCHEMA, effect_json
-from calibrations.tracing.linear_loop import model_json
+from calibrations.tracing.linear_loop import model_json, withheld_json
 
 
 def document(loop: TemperatureLoop) -> dict[str, Any]:
@@ -34,6 +34,7 @@ def _parameter_json(parameter: ParameterLoop) -> dict[str, Any]:
         "declared": model_json(parameter.declared, ""),
         "polynomials": [_polynomial_json(polynomial) for polynomial in parameter.polynomials],
         "effects": [effect_json(effect) for effect in parameter.effects],
+        "withheld": withheld_json(parameter.explained),
         "augmented": model_json(parameter.augmented, ""),
     }
 

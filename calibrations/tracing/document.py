@@ -10,6 +10,7 @@ from calibrations.tracing.experiments import Experiment
 from calibrations.tracing.findings import EffectFound, Unexplained
 from calibrations.tracing.loop import Loop
 from calibrations.tracing.misreading import Misreading
+from calibrations.tracing.reach import Reach
 
 SCHEMA = "tumble.loop/1"
 
@@ -24,10 +25,20 @@ def document(loop: Loop) -> dict[str, Any]:
         "declared": model_json(loop.declared),
         "effects": [effect_json(effect, loop.misread) for effect in loop.effects],
         "unexplained": unexplained_json(loop.unexplained),
+        "withheld": [{"name": each.name, "reason": each.reason} for each in loop.withheld],
+        "settings": settings_json(loop.reach),
+        "still": [slope.as_json() for slope in loop.still.slopes] if loop.still else [],
         "augmented": model_json(loop.augmented),
         "next_experiment": [experiment_json(experiment) for experiment in loop.next_experiment],
         "warnings": list(loop.augmented.warnings),
     }
+
+
+def settings_json(reach: Reach | None) -> dict[str, Any] | None:
+    """How many settings there are, over what arc, and how many are left to show an effect."""
+    if reach is None:
+        return None
+    return {"count": reach.settings, "arc_deg": reach.arc_deg, "spare": reach.spare, "few": reach.few}
 
 
 def experiment_json(experiment: Experiment) -> dict[str, Any]:

@@ -241,7 +241,7 @@ def _stretches(order: IntArray, signal: FloatArray) -> IntArray:
     energy = np.bincount(rank, signal**2)
     share = np.arange(len(order)) / len(order) + (np.cumsum(energy) - energy) / max(float(energy.sum()), 1e-300)
     number = np.floor(_STRETCHES * share / 2).astype(np.int64)
-    return np.asarray(number[rank])
+    return np.asarray(np.unique(number[rank], return_inverse=True)[1], dtype=np.int64)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -256,6 +256,8 @@ class Lack:
     """Chance of the effect without that it is there."""
     between: float
     """Mean square of the lack of fit."""
+    pure: float
+    """Mean square of the scatter within blocks; 0 where there are no repeats."""
     alike: float
     """Chance of so much lack of fit by the scatter within blocks; 1 where nothing can be tested."""
 
@@ -285,6 +287,7 @@ def _lack_of_fit(seen: _Seen, block: IntArray) -> Lack:
         mean_square=mean_square,
         p_value=float(fdtrc(width, freedom, explained / width / mean_square)) if testable else 1.0,
         between=between,
+        pure=pure,
         alike=float(fdtrc(freedom, spare, between / pure)) if freedom > 0 and pure > 0 else 1.0,
     )
 

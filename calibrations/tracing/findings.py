@@ -2,12 +2,16 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from scipy.special import chdtrc
 
 from calibrations.effects.effect import Quantity, Structure
+from calibrations.quantities import format_number
+from calibrations.tracing.judged import Judged
 from calibrations.tracing.quantified import Quantified, level_quantities
+from calibrations.tracing.reach import Reach
 from calibrations.tracing.rivals import Rival
 from calibrations.tracing.table import Table
 from calibrations.tracing.trace import WALK, Trace
@@ -30,19 +34,32 @@ class Unexplained:
 
     depends_on: str
     description: str
+    shaped: bool = True
+    """Whether it has a shape, which was taken into account; settings that are too few differ in none."""
+
+
+SHAPELESS_P = 1e-5
+"""Below this settings that differ by more than their repeats, in no shape, are said to be unexplained."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Withheld:
+    """An effect that would fit the rows and is not stated."""
+
+    name: str
+    reason: str
+    """In words that go after its name."""
 
 
 def effects_found(
-    table: Table, trace: Trace, best: Quantified, close: Mapping[str, Sequence[Rival]]
+    table: Table, found: Judged[Any], best: Quantified, close: Mapping[str, Sequence[Rival]]
 ) -> list[EffectFound]:
     """Every named effect of a trace with its coefficients; `close` holds the rivals of each that remain."""
-    return [_effect(table, trace, best, name, close[name]) for name in trace.names]
+    return [_effect(table, found, best, name, close[name]) for name in found.trace.names]
 
 
-def _effect(table: Table, trace: Trace, best: Quantified, name: str, close: Sequence[Rival]) -> EffectFound:
-    rest = trace.without(name)
-    gain = table.deviance(rest.forms, rest.noise) - trace.deviance
-    width = sum(item.form.columns.shape[1] for item in trace.found if item.effect.name == name) or 1
+def _effect(table: Table, found: Judged[Any], best: Quantified, name: str, close: Sequence[Rival]) -> EffectFound:
+    trace = found.trace
     word = _word(table, name)
     others = dict.fromkeys(_word(table, rival.name) for rival in close)
     return EffectFound(
@@ -50,7 +67,20 @@ def _effect(table: Table, trace: Trace, best: Quantified, name: str, close: Sequ
         also_possible=tuple(other for other in others if other != word),
         belongs_to=_owner(table, name),
         coefficients=_coefficients(table, trace, best, name),
-        p_value=float(chdtrc(width, max(gain, 0.0))),
+        p_value=found.evidence[name].p_value if name in found.evidence else _chance(table, trace, name),
+    )
+
+
+def _chance(table: Table, trace: Trace, name: str) -> float:
+    """Of what is a noise: one variance, by its likelihood."""
+    rest = trace.without(name)
+    return float(chdtrc(1, max(table.deviance(rest.forms, rest.noise) - trace.deviance, 0.0)))
+
+
+def withheld(table: Table, found: Judged[Any]) -> tuple[Withheld, ...]:
+    """Effects of the catalogue that would fit the rows and are not stated."""
+    return tuple(
+        Withheld(name=_word(table, each.name), reason=each.reason) for each in found.withheld if not each.unnamed
     )
 
 
@@ -83,11 +113,25 @@ def _walk(table: Table, trace: Trace, best: Quantified) -> Mapping[str, Quantity
     return {WALK: Quantity(value=rate, standard_uncertainty=None, unit=f"{table.unit}/√h")}
 
 
-def unexplained(trace: Trace) -> Unexplained | None:
+def unexplained(found: Judged[Any], reach: Reach) -> Unexplained | None:
     """Structure that no effect of the catalogue explains; None where there is none."""
-    if not trace.unnamed:
-        return None
-    structures = [item for item in trace.unnamed if isinstance(item.effect, Structure)]
+    structures = [item for item in found.trace.unnamed if isinstance(item.effect, Structure)]
+    if not structures:
+        told = found.trace.names and not found.withheld
+        return None if told or reach.alike > SHAPELESS_P else _shapeless(reach)
     first = structures[0]
     assert isinstance(first.effect, Structure)
     return Unexplained(depends_on=first.effect.depends_on, description=first.effect.describe(first.form))
+
+
+def _shapeless(reach: Reach) -> Unexplained:
+    """Settings that differ from the model by more than their repeats, too few to show in what shape."""
+    differ_by, scatter = (format_number(each, reach.unit, 2) for each in (reach.differ_by, reach.scatter))
+    return Unexplained(
+        depends_on="acceleration" if reach.mounts > 1 else "angle",
+        shaped=False,
+        description=(
+            f"{reach.sentence} differ from the model by {differ_by} where repeats scatter by {scatter}, in no shape "
+            "that so many can tell"
+        ),
+    )

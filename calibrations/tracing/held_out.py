@@ -1,11 +1,14 @@
 """The error before and after, on rows that neither chose an effect nor fitted its coefficients."""
 
 from collections.abc import Iterable
+from itertools import compress
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from calibrations.adequacy import told_without
+from calibrations.geometry import FloatArray
 from calibrations.tracing.problem import Problem
 from calibrations.tracing.search import search
 from calibrations.tracing.trace import Trace, Tracer
@@ -15,20 +18,23 @@ def held_out_rms(tracer: Tracer[Any], trace: Trace, parts: Iterable[NDArray[np.b
     """Root mean square error of predicting each of the parts, rows held out, after a search among the others.
 
     Effects are chosen anew from the other rows, from their scans as they stand, in the noise of the whole table. What
-    is drawn at random (levels, a walk) cannot be predicted and counts as error. None where too few rows remain.
+    is drawn at random (levels, a walk) cannot be predicted and counts as error. Parts without which the others do not
+    tell the declared model are passed over; None where that is every one.
     """
     ground = tracer.ground
-    error = np.empty(ground.rows)
-    searched = () if ground.not_traced else tracer.offered
-    offered = [candidate for candidate in searched if not candidate.effect.drawn]
-    for out in parts:
-        if np.count_nonzero(~out) < ground.declared.shape[1]:
-            return None
-        sample = ground.sample_of(~out)
-        problem = Problem(
-            sample.footing(trace.noise), sample.turned(tracer.columns[~out]), offered, ground.most_effects
-        )
-        explanation = search(problem, beam=1)
-        columns = np.column_stack([ground.declared, tracer.columns[:, problem.columns_of(explanation.chosen)]])
-        error[out] = ground.output[out] - columns[out] @ ground.model.coefficients(problem.parameters(explanation))
-    return float(np.sqrt(np.mean(error**2)))
+    columns = ground.declared @ ground.model.slopes(ground.fit((), trace.noise).declared)
+    errors = [_errors(tracer, trace, out) for out in parts if told_without(columns, out)]
+    return float(np.sqrt(np.mean(np.concatenate(errors) ** 2))) if errors else None
+
+
+def _errors(tracer: Tracer[Any], trace: Trace, out: NDArray[np.bool_]) -> FloatArray:
+    """Output minus what the other rows predict, of the rows that are held out."""
+    ground = tracer.ground
+    barred = [candidate.effect.drawn or candidate.effect.name in tracer.barred for candidate in tracer.offered]
+    offered = [] if ground.not_traced else list(compress(tracer.offered, np.logical_not(barred)))
+    sample = ground.sample_of(~out)
+    problem = Problem(sample.footing(trace.noise), sample.turned(tracer.columns[~out]), offered, ground.most_effects)
+    explanation = search(problem, beam=1)
+    columns = np.column_stack([ground.declared, tracer.columns[:, problem.columns_of(explanation.chosen)]])
+    predicted = columns[out] @ ground.model.coefficients(problem.parameters(explanation))
+    return np.asarray(ground.output[out] - predicted)

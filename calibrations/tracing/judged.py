@@ -13,7 +13,7 @@ from calibrations.tracing.rivals import Rival, with_best_names
 from calibrations.tracing.table import Table
 from calibrations.tracing.trace import Trace, Tracer, refined
 
-_ROUNDS = 4
+_ROUNDS = 3
 """How often a table is traced again without what did not stand."""
 _DIFFER_P = 0.01
 """Below this settings differ by more than their repeats, and that is a noise in which shapes are looked for."""

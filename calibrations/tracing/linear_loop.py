@@ -83,7 +83,7 @@ class Explained(Generic[_T]):
 
     def effects(self, fit: LinearFit) -> tuple[EffectFound, ...]:
         """What was found, in the order of the evidence, with the coefficients of a fit."""
-        found = effects_found(self.table, self.trace, fit, self.close)
+        found = effects_found(self.table, self.judged, fit, self.close)
         return tuple(sorted(found, key=lambda effect: effect.p_value))
 
     @property
@@ -147,6 +147,11 @@ def _judged(parameter: Stated, other: float, name: str, rival: str) -> Stated:
         return parameter
     reason = f"it differs between {name} and {rival}, which this table does not clearly tell apart"
     return replace(parameter, value=None, standard_uncertainty=None, reason=reason)
+
+
+def withheld_json(explained: Explained[Any]) -> list[dict[str, str]]:
+    """What would fit the rows and does not stand."""
+    return [{"name": each.name, "reason": each.reason} for each in explained.judged.withheld if not each.unnamed]
 
 
 def model_json(model: Model, unit: str) -> dict[str, Any]:

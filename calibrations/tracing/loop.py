@@ -21,14 +21,17 @@ from calibrations.repeats import pose_groups
 from calibrations.result import Calibration
 from calibrations.tracing.augmented import Augmented, augment
 from calibrations.tracing.experiments import Experiment, next_experiments
-from calibrations.tracing.findings import EffectFound, Unexplained, effects_found, unexplained
+from calibrations.tracing.findings import EffectFound, Unexplained, Withheld, effects_found, unexplained, withheld
 from calibrations.tracing.fitting_noise import with_likely_flicker
 from calibrations.tracing.ground import Ground, ground, scene_of, seen_anew
 from calibrations.tracing.held_out import held_out_rms
 from calibrations.tracing.judged import Judged, judged
 from calibrations.tracing.misreading import Misreading, misreadings
+from calibrations.tracing.more_settings import more_settings
 from calibrations.tracing.questions import questioned
+from calibrations.tracing.reach import Reach, reach
 from calibrations.tracing.rivals import CLOSE, Rival
+from calibrations.tracing.still import ONE_POSE, Still, in_one_pose, stillness
 from calibrations.tracing.taken_back import without_courses, without_rivals
 from calibrations.tracing.trace import Trace, Tracer, trace_price
 
@@ -47,6 +50,12 @@ class Loop:
     """What would part the rivals that are left."""
     not_traced: str = ""
     """Why nothing was looked for; empty where the table was traced."""
+    withheld: tuple[Withheld, ...] = ()
+    """What would fit the rows, but is not stated."""
+    reach: Reach | None = None
+    """What the settings can show at all; None where nothing was traced."""
+    still: Still | None = None
+    """What the output follows in a table of one pose; None for any other."""
 
 
 def close_loop(
@@ -72,7 +81,8 @@ def asked_next(loop: Loop, explained: "Explained | None") -> Loop:
     """What `explain` gives, with what to measure next."""
     if explained is None:
         return loop
-    return replace(loop, next_experiment=next_experiments(explained.base, explained.trace, explained.close))
+    parting = next_experiments(explained.base, explained.trace, explained.close)
+    return replace(loop, next_experiment=(*parting, *more_settings(loop.withheld, loop.unexplained, explained.reach)))
 
 
 @one_blas_thread
@@ -94,16 +104,10 @@ def explain(
     observations = asked.observations
     declared = fit_jointly(observations)
     if not asked.answerable:
-        calibration = assess(declared, uncertainty, trials=0)
-        unanswered = Loop(
-            declared=calibration,
-            augmented=calibration,
-            effects=(),
-            unexplained=None,
-            misread=(),
-            not_traced="the table contradicts its own description; answer the question first",
-        )
-        return unanswered, None
+        why = "the table contradicts its own description; answer the question first"
+        return _untraced(assess(declared, uncertainty, trials=0), why), None
+    if in_one_pose(observations):
+        return _untraced(assess(declared, uncertainty, trials=0), ONE_POSE), None
     explained = _explained(declared, effects, reference_temperature_degc)
     for _ in range(_ROUNDS):
         rejected = _gross_errors(observations, explained)
@@ -122,12 +126,26 @@ def explain(
     loop = Loop(
         declared=assess(declared, uncertainty, trials=0),
         augmented=augmented,
-        effects=_effects(explained.base, trace, best, close, misread),
-        unexplained=unexplained(trace),
+        effects=_effects(explained, close, misread),
+        unexplained=unexplained(explained.judged, explained.reach),
         misread=misread,
         not_traced=explained.base.not_traced,
+        withheld=withheld(explained.base, explained.judged),
+        reach=explained.reach,
     )
     return loop, explained
+
+
+def _untraced(calibration: Calibration, why: str) -> Loop:
+    return Loop(
+        declared=calibration,
+        augmented=calibration,
+        effects=(),
+        unexplained=None,
+        misread=(),
+        not_traced=why,
+        still=stillness(calibration.observations),
+    )
 
 
 _ROUNDS = 3
@@ -164,6 +182,11 @@ class Explained:
     def base(self) -> Ground:
         """The table."""
         return self.tracer.ground
+
+    @property
+    def reach(self) -> Reach:
+        """What the settings can show."""
+        return reach(self.base.observations, self.judged.lack, self.base.unit)
 
     @property
     def close(self) -> dict[str, list[Rival]]:
@@ -206,13 +229,9 @@ def _gross_errors(observations: Observations, explained: Explained) -> tuple[Set
 
 
 def _effects(
-    base: Ground,
-    trace: Trace,
-    best: Augmented,
-    close: Mapping[str, Sequence[Rival]],
-    misread: Sequence[Misreading],
+    explained: Explained, close: Mapping[str, Sequence[Rival]], misread: Sequence[Misreading]
 ) -> tuple[EffectFound, ...]:
-    found = effects_found(base, trace, best, close)
+    found = effects_found(explained.base, explained.judged, explained.best, close)
     if misread:
         found.append(_misreading())
     return tuple(sorted(found, key=lambda effect: effect.p_value))

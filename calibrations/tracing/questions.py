@@ -11,13 +11,14 @@ from calibrations.geometry import MOUNTS, FloatArray
 from calibrations.gross import robust_residual
 from calibrations.model import basis, coefficients
 from calibrations.observations import Observations
-from calibrations.repeats import labels, pose_groups, pure_error, settings
+from calibrations.repeats import pose_groups, pure_error
+from calibrations.tracing.realisations import with_passes
 from calibrations.tracing.seats import wrong_seat
+from calibrations.tracing.still import PROCEDURE, in_one_pose, on_purpose
 from calibrations.tracing.unit_questions import fahrenheit, kelvin
 
 _FEWEST_ROWS = 8
 """Fewer rows contradict nothing."""
-_MOST_REALISATIONS = 50
 _CLEARER = 20.0
 """Another reading of the table must leave so many times less than the description does."""
 _MOSTLY = 0.6
@@ -55,14 +56,9 @@ def questioned(observations: Observations, reference_temperature_degc: float = 2
             return Questioned(observations=_with(observations, (question,)), questions=(question,), answerable=False)
     units = fahrenheit(observations, reference_temperature_degc)
     questions = [question for question in (_sign(observations), _millivolts(observations), units) if question]
-    repeats = _clear_repeats(observations)
-    if repeats is not None:
-        count = int(repeats.max())
-        questions.append(
-            f"{observations.source}: there is no column realisation, yet every pose comes back {count} times; "
-            f"taken as {count} realisations, add the column if that is not so"
-        )
-        observations = replace(observations, realisation=repeats)
+    passes = with_passes(observations)
+    questions += [passes.remark] if passes.remark else []
+    observations = passes.observations
     return Questioned(observations=_with(observations, tuple(questions)), questions=tuple(questions), answerable=True)
 
 
@@ -78,10 +74,13 @@ def _dead(observations: Observations) -> str:
 
 
 def _unturned(observations: Observations) -> str:
-    """Ask about a head that stands at one angle in one mount although the output changes with something."""
-    if np.ptp(observations.angle_deg) > 0.0 or len(set(observations.mounts.tolist())) > 1:
+    """Ask about a head that stands at one angle in one mount, unless the table says that this was meant."""
+    if not in_one_pose(observations) or on_purpose(observations):
         return ""
-    return f"{observations.source}: angle_deg is {observations.angle_deg[0]:g} in every row; was the head never turned?"
+    return (
+        f"{observations.source}: angle_deg is {observations.angle_deg[0]:g} in every row; was the head never turned? "
+        f"If the unit was left still on purpose, write {PROCEDURE} into the column procedure"
+    )
 
 
 def _backwards(observations: Observations) -> str:
@@ -230,26 +229,3 @@ def _millivolts(observations: Observations) -> str:
     if largest_v < _MOST_V:
         return ""
     return f"{observations.source}: outputs reach {largest_v:.4g} V; are these millivolts? Write volts"
-
-
-def _clear_repeats(observations: Observations) -> NDArray[np.int64] | None:
-    """Realisation of each row where the table falls into parts with the same poses; None where it does not."""
-    if observations.realisation is not None:
-        return None
-    columns: list[NDArray[np.generic]] = [observations.mounts, settings(observations.angle_deg)]
-    if observations.procedure is not None:
-        columns.append(observations.procedure)
-    pose = labels(*columns)
-    place = observations.row - 1
-    length = int(observations.rows_read)
-    for count in range(min(_MOST_REALISATIONS, length // 6), 1, -1):
-        if length % count == 0 and _same_poses(pose, place // (length // count), count):
-            return place // (length // count) + 1
-    return None
-
-
-def _same_poses(pose: NDArray[np.int64], part: NDArray[np.int64], count: int) -> bool:
-    """Whether all parts have the same poses, a few rows set aside allowed for."""
-    visits = np.zeros((count, int(pose.max()) + 1))
-    np.add.at(visits, (part, pose), 1)
-    return bool(np.abs(visits - np.median(visits, axis=0)).sum() <= 0.02 * len(pose))

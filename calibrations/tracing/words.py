@@ -46,7 +46,7 @@ class Comparison:
 def headline(loop: Loop) -> str:
     """What was found, or that nothing was, and whether the poses agree with the model after all."""
     found = found_sentences(loop)
-    return " ".join((*found, _verdict(loop, bool(found)))).strip()
+    return " ".join(part for part in (*found, *withheld_sentences(loop), _verdict(loop, bool(found))) if part)
 
 
 def found_sentences(loop: Loop) -> list[str]:
@@ -62,9 +62,17 @@ def found_sentences(loop: Loop) -> list[str]:
 
 def _verdict(loop: Loop, found: bool) -> str:
     if loop.not_traced:
-        return f"Nothing was traced: {loop.not_traced}."
+        return " ".join((f"Nothing was traced: {loop.not_traced}.", *(loop.still.sentences if loop.still else ())))
+    limits = f"{loop.reach.limits}." if loop.reach and loop.reach.few else ""
+    return " ".join(part for part in (_agreement(loop, found, bool(limits)), limits) if part)
+
+
+def _agreement(loop: Loop, found: bool, few: bool) -> str:
+    """Whether the poses agree with the model; that nothing is left only where there are enough settings to say so."""
     p_value = loop.augmented.lack_of_fit_p
     unfit = p_value is not None and p_value < LACK_OF_FIT_P
+    if loop.unexplained and not loop.unexplained.shaped:
+        return ""
     if p_value is not None and found:
         verdict = "the poses still disagree" if unfit else "the poses agree"
         return f"With that taken into account {verdict} with the model (lack of fit: p {equals(p_value)})."
@@ -73,12 +81,17 @@ def _verdict(loop: Loop, found: bool) -> str:
             "Neither an effect of the catalogue nor any other structure was found, yet the poses disagree with the "
             f"declared model by more than the repeats explain (lack of fit: p {equals(p_value)})."
         )
-    if found:
+    if found or loop.withheld or few:
         return ""
     return (
         "Nothing is left that the scatter of the data does not explain: neither an effect of the catalogue nor any "
         "other structure stands out of it."
     )
+
+
+def withheld_sentences(loop: Loop) -> list[str]:
+    """What would fit the rows and is not stated, each with the reason."""
+    return [f"{each.name} would fit these rows and is not stated: {each.reason}." for each in loop.withheld]
 
 
 def unexplained_sentence(unexplained: Unexplained) -> str:
@@ -131,7 +144,8 @@ def comparisons(loop: Loop) -> list[Comparison]:
 
     Misread rows are in neither.
     """
-    if loop.unexplained is None and all(effect.name == MISREADING for effect in loop.effects):
+    shaped = loop.unexplained is not None and loop.unexplained.shaped
+    if not shaped and all(effect.name == MISREADING for effect in loop.effects):
         return []
     return [*_adequacy(loop.declared, loop.augmented), *_parameters(loop.declared, loop.augmented)]
 

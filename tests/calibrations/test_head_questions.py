@@ -24,7 +24,7 @@ def test_a_reference_that_counts_backwards_is_asked_about_and_nothing_else_is_st
         None,
         None,
     )
-    assert (content["settings"], content["cannot_be_known"], content["rows"]["set_aside"]) == ([], [], [])
+    assert (content["by_setting"], content["cannot_be_known"], content["rows"]["set_aside"]) == ([], [], [])
     assert content["noise"]["dwell_deg"] is None
 
 

@@ -76,7 +76,7 @@ def test_how_repeats_are_labelled_and_ordered_changes_nothing(five, labels):
 
 def test_the_document_gives_the_error_of_every_setting(five):
     content = document(five)
-    first = content["settings"][0]
+    first = content["by_setting"][0]
     assert (first["forward"]["visits"], first["backward"]["visits"]) == (5, 4)
     assert first["reversal_deg"] == pytest.approx(0.032, abs=5e-4)
     assert content["noise"]["pure_error_degrees_of_freedom"] == 38
