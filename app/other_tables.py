@@ -67,13 +67,15 @@ def _head(paths: Sequence[Path], show: bool, page: Path | None) -> dict[str, Any
     if show:
         for path, loop in zip(paths, loops, strict=True):
             show_head(path.name, loop)
+    comparison = compare(*loops) if len(loops) > 1 else None
     if page is not None:
         from calibrations.report.head_page import render_head  # matplotlib takes half a second
 
-        write_text(page, render_head(paths[-1].name, loops[-1]))
-    if len(loops) == 1:
+        against = None if comparison is None else (paths[0].name, comparison)
+        write_text(page, render_head(paths[-1].name, loops[-1], against))
+    if comparison is None:
         return documents[0]
-    comparison, names = compare(*loops), (paths[0].name, paths[1].name)
+    names = (paths[0].name, paths[1].name)
     if show:
         show_comparison(comparison, *names)
     return {

@@ -9,9 +9,19 @@ from markupsafe import Markup
 
 from calibrations.geometry import FloatArray
 from calibrations.quantities import format_concise, format_number
+from calibrations.reference.changes import Comparison
 from calibrations.reference.head_map import head_map
 from calibrations.reference.loop import ReferenceLoop
-from calibrations.reference.sentences import SETTINGS_HEADINGS, headline, setting_rows
+from calibrations.reference.sentences import (
+    CHANGES_HEADINGS,
+    PARTS_HEADINGS,
+    SETTINGS_HEADINGS,
+    change_rows,
+    headline,
+    part_rows,
+    sentences,
+    setting_rows,
+)
 from calibrations.report.drawing import COLOURS, INK, WIDE_IN, sheet, styled, to_svg
 from calibrations.report.stand import head_map_figure
 from calibrations.report.tables_page import Part, page
@@ -21,9 +31,27 @@ from calibrations.tracing.linear_loop import Model
 from calibrations.tracing.words import findings, unexplained_sentence
 
 
-def render_head(name: str, loop: ReferenceLoop) -> str:
-    """The whole page."""
-    return page("A dividing head measured against a reference", name, list(_parts(loop)), loop.warnings)
+def render_head(name: str, loop: ReferenceLoop, against: tuple[str, Comparison] | None = None) -> str:
+    """The whole page; `against` is the name of an earlier table of the same head, and how this one differs from it."""
+    compared = [] if against is None else list(_difference(against[1], against[0], name))
+    return page("A dividing head measured against a reference", name, [*compared, *_parts(loop)], loop.warnings)
+
+
+def _difference(comparison: Comparison, first: str, second: str) -> Iterator[Part]:
+    yield Part(
+        title=f"{second} minus {first}",
+        lines=[
+            *sentences(comparison, first, second),
+            *(f"In the difference: {unexplained_sentence(each)}" for each in comparison.unexplained),
+        ],
+        headings=[heading.capitalize() for heading in PARTS_HEADINGS],
+        rows=part_rows(comparison),
+    )
+    yield Part(
+        title="What the difference shows",
+        headings=[heading.capitalize() for heading in CHANGES_HEADINGS],
+        rows=change_rows(comparison),
+    )
 
 
 def _parts(loop: ReferenceLoop) -> Iterator[Part]:

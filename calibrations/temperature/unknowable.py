@@ -53,7 +53,7 @@ def _repeats(runs: Runs) -> Iterator[str]:
 def _withheld(explained: Mapping[str, Explained[RunTable]]) -> Iterator[str]:
     """Effects that would fit the runs and do not stand on the temperatures."""
     for name, one in explained.items():
-        yield from (f"In {name}, {sentence}" for sentence in one.withheld)
+        yield from (f"In {name}, {sentence}".replace(" settings", " temperatures") for sentence in one.withheld)
 
 
 def _thin_breaks(runs: Runs, explained: Mapping[str, Explained[RunTable]]) -> Iterator[str]:

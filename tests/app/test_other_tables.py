@@ -142,7 +142,10 @@ def test_repeats_give_a_table_of_settings_on_the_terminal_and_in_the_report(tmp_
 def test_a_joint_is_compared_as_a_map(tmp_path):
     write_table(joint(loaded=False), tmp_path / "unloaded.csv")
     write_table(joint(loaded=True), tmp_path / "loaded.csv")
-    ran, document = closed(tmp_path, tmp_path / "unloaded.csv", tmp_path / "loaded.csv")
+    ran, document = closed(
+        tmp_path, tmp_path / "unloaded.csv", tmp_path / "loaded.csv", "--report", tmp_path / "p.html"
+    )
+    assert "loaded.csv minus unloaded.csv" in (tmp_path / "p.html").read_text("utf-8")
     assert "loaded.csv minus unloaded.csv, at 101 angles that both visited" in " ".join(ran.out.split())
     above = [part["mean_deg"] for part in document["difference"]["parts"] if part["direction"] == 1]
     assert -1.2 < min(above) < max(above) < -0.35
