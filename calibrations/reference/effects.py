@@ -22,8 +22,8 @@ _READINGS_A_WAVE = 4
 _FEWEST_ANGLES = 5
 """A wave and an offset are three numbers; so many angles leave two to contradict them."""
 _FEWEST_FOR_A_SLOPE = 2
-_KNOWN_PERIODS = 0.8
-"""Once and twice a turn are known of circles: so much of a period must have been visited."""
+_ARC_DEG: Final = {1: 170.0, 2: 144.0}
+"""Once and twice a turn are known of circles: so much of the circle must have been visited to tell them."""
 _UNKNOWN_PERIODS = 2.0
 """What comes so many times a turn, nobody knows how many, was seen to come back only where that much was visited."""
 
@@ -40,7 +40,7 @@ def _periods(order: int) -> Forms[HeadScene]:
     def forms(scene: HeadScene) -> Sequence[Form]:
         if scene.distinct_angles < _FEWEST_ANGLES:
             return ()
-        seen = scene.arc_deg * order >= _KNOWN_PERIODS * 360.0
+        seen = scene.arc_deg >= _ARC_DEG[order]
         return (Form(columns=wave(scene, order), doubt=0.0 if seen else NEVER),)
 
     return forms

@@ -7,8 +7,11 @@ import numpy as np
 from calibrations.reference.scene import HeadScene
 from calibrations.reference.settings import Settings
 
-SHORT_DEG = 288.0
+SHORT_DEG = 170.0
 """On a shorter arc what happens once a turn is not told from a slope and a bend."""
+
+_SIDE = 0.2
+"""Part of the rows that must come from either side: single moves back to the start are none."""
 
 
 def limits(scene: HeadScene, settings: Settings) -> tuple[str, ...]:
@@ -36,8 +39,8 @@ def _repeats(settings: Settings) -> Iterator[str]:
 
 def _sides(scene: HeadScene) -> Iterator[str]:
     """Where each angle was reached from one side, and both sides occur."""
-    both = bool(np.any(scene.direction > 0) and np.any(scene.direction < 0))
-    if both and not scene.both_ways:
+    sides = [np.count_nonzero(scene.direction == sign) for sign in (1, -1)]
+    if min(sides) >= _SIDE * scene.rows and not scene.both_ways:
         yield (
             "Each part of the arc was visited in one direction only, so that backlash and the shape of the error are "
             "the same rows and cannot be told apart; visit some angles from both sides."

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from calibrations.quantities import format_concise, format_number
 from calibrations.reference.adequacy import AngleError, Side
-from calibrations.reference.changes import Comparison
+from calibrations.reference.changes import Change, Comparison
 from calibrations.reference.loop import ReferenceLoop
 from calibrations.reference.map_difference import Difference
 from calibrations.support import equals, series
@@ -115,10 +115,17 @@ def change_rows(comparison: Comparison) -> list[tuple[str, ...]]:
             change.name if change.order is None else f"{change.name}, {change.order} per turn",
             series(change.also_possible, "or") if change.also_possible else "",
             format_concise(change.difference, change.standard_uncertainty, change.unit),
-            *(format_number(size, change.unit) if size else "none" for size in (change.before, change.after)),
+            *(_alone(size, change) for size in (change.before, change.after)),
         )
         for change in comparison.changes
     ]
+
+
+def _alone(size: float, change: Change) -> str:
+    """Size in one table alone; not where another effect may have taken its place there."""
+    if change.also_possible:
+        return "not told apart"
+    return format_number(size, change.unit) if size else "none"
 
 
 def _side(side: Side | None) -> str:

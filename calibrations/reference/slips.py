@@ -64,16 +64,29 @@ def _unlike_repeats(
     error_deg: FloatArray, away_deg: FloatArray, rounding_deg: float, settings: Settings
 ) -> Iterator[tuple[int, str]]:
     """Dwells far from the median of the other visits to their setting; of two, the one that is off its neighbours."""
-    repeated = np.flatnonzero(settings.visits[settings.number] > 1).tolist()
-    apart_deg = {row: float(error_deg[row] - np.median(error_deg[settings.others(row)])) for row in repeated}
-    scale_deg = max(1.4826 * float(np.median(np.abs(list(apart_deg.values())))), rounding_deg / 2)
+    others_deg = _median_of_others(error_deg, settings)
+    repeated = settings.visits[settings.number] > 1
+    apart_deg = np.where(repeated, error_deg - others_deg, 0.0)
+    scale_deg = max(1.4826 * float(np.median(np.abs(apart_deg[repeated]))), rounding_deg / 2)
     limit_deg = gross_sigmas(len(error_deg) - len(settings.visits)) * scale_deg
-    for row, difference_deg in apart_deg.items():
+    for row in np.flatnonzero(np.abs(apart_deg) > limit_deg).tolist():
         others = settings.others(row)
-        other_is_off = len(others) + 1 == _PAIR and away_deg[others[0]] > away_deg[row]
-        if abs(difference_deg) > limit_deg and not other_is_off:
-            more = "more" if difference_deg > 0 else "less"
-            yield row, f"gross error: {abs(difference_deg):.3g}° {more} than the repeats of its setting"
+        if len(others) + 1 == _PAIR and away_deg[others[0]] > away_deg[row]:
+            continue
+        more = "more" if apart_deg[row] > 0 else "less"
+        yield row, f"gross error: {abs(apart_deg[row]):.3g}° {more} than the repeats of its setting"
+
+
+def _median_of_others(values: FloatArray, settings: Settings) -> FloatArray:
+    """Median of the other visits to the setting of each dwell, shape (rows,); its own value where there are none."""
+    middle = values.copy()
+    order = np.lexsort((values, settings.number))
+    for rows in np.split(order, np.cumsum(settings.visits)[:-1]):
+        if len(rows) > 1:
+            place, left = np.arange(len(rows)), len(rows) - 1
+            ranks = [rank + (rank >= place) for rank in ((left - 1) // 2, left // 2)]
+            middle[rows] = (values[rows[ranks[0]]] + values[rows[ranks[1]]]) / 2.0
+    return middle
 
 
 def _rounding_deg(reference_deg: FloatArray) -> float:
