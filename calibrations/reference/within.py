@@ -10,7 +10,7 @@ from calibrations.reference.shapes import HEAD_STRUCTURES
 from calibrations.tracing.within import Within, lies_within, trace_within
 
 _MOST_NUMBERS: Final = 5_000_000
-"""A mean for each of so many settings of so many rows takes some seconds; of longer tables the means alone are traced."""
+"""A mean for each of so many settings of so many rows takes seconds; of longer tables the means alone are traced."""
 
 
 def within_settings(scene: HeadScene, settings: Settings, error_deg: FloatArray) -> Within | None:
