@@ -1,20 +1,35 @@
 """What was found in tables of a head or of parameters against temperature, on the terminal."""
 
 from collections.abc import Sequence
+from pathlib import Path
 
 from rich.table import Table
 
 from app.console import results, warn
 from app.loop_console import findings_table
+from calibrations.observations import SetAside
 from calibrations.quantities import format_concise, format_number
-from calibrations.reference.changes import Change
+from calibrations.reference.changes import Comparison
 from calibrations.reference.loop import ReferenceLoop
+from calibrations.reference.sentences import (
+    CHANGES_HEADINGS,
+    PARTS_HEADINGS,
+    SETTINGS_HEADINGS,
+    change_rows,
+    headline,
+    most_telling,
+    part_rows,
+    sentences,
+    setting_rows,
+)
 from calibrations.support import series
 from calibrations.temperature.loop import ParameterLoop, TemperatureLoop
 from calibrations.temperature.shared import shared_sentence
 from calibrations.tracing.linear_loop import Model, Stated
 from calibrations.tracing.words import unexplained_sentence
 
+_SETTINGS = 40
+"""Of more angles than this those are shown that differ most."""
 _LISTED = 6
 """Of the rows that are set aside so many are listed, the rest counted."""
 
@@ -23,21 +38,30 @@ def show_head(name: str, loop: ReferenceLoop) -> None:
     """Effects, the error before and after, how the passes differ, and what to measure next."""
     warn(loop.warnings)
     console = results()
-    if aside := loop.observations.set_aside:
-        listed = series([f"{entry.row} ({entry.reason})" for entry in aside[:_LISTED]])
-        more = f" and {len(aside) - _LISTED} more" if len(aside) > _LISTED else ""
-        console.print(f"{name}: set aside: rows {listed}{more}", markup=False)
-    names = list(dict.fromkeys(effect.name for effect in loop.effects))
-    found = f"was traced to {series(names)}" if names else "shows no effect"
-    console.print(f"{name}: what the reference says beyond the head {found}.", markup=False)
+    _set_aside(name, loop.observations.set_aside)
+    console.print(f"{name}: {headline(loop)}", markup=False)
+    if loop.question:
+        return
     for unexplained in loop.unexplained:
         console.print(unexplained_sentence(unexplained), markup=False)
     if loop.effects:
         console.print(findings_table(loop.effects))
-    console.print(_before_and_after(loop))
+    if not loop.not_traced:
+        console.print(_before_and_after(loop))
+    if loop.by_setting:
+        console.print(_settings(loop))
+    for sentence in loop.limits:
+        console.print(f"- {sentence}", markup=False)
     for experiment in loop.next_experiment:
         told = " from ".join((experiment.separates[0], series(experiment.separates[1:], "or")))
         console.print(f"next, to tell {told}: {experiment.why}", markup=False)
+
+
+def _set_aside(name: str, aside: Sequence[SetAside]) -> None:
+    if aside:
+        listed = series([f"{entry.row} ({entry.reason})" for entry in aside[:_LISTED]])
+        more = f" and {len(aside) - _LISTED} more" if len(aside) > _LISTED else ""
+        results().print(f"{name}: set aside: rows {listed}{more}", markup=False)
 
 
 def _before_and_after(loop: ReferenceLoop) -> Table:
@@ -47,32 +71,57 @@ def _before_and_after(loop: ReferenceLoop) -> Table:
     table.add_row("held-out error, r.m.s.", *(_deg(model.held_out_rms) for model in (loop.declared, loop.augmented)))
     if loop.passes:
         table.add_row("forward minus backward, r.m.s.", _deg(loop.passes.before_deg), _deg(loop.passes.after_deg))
+    if any(loop.agreements):
+        table.add_row("lack of fit against the repeats", *(each.words if each else "" for each in loop.agreements))
     return table
 
 
-def show_changes(listed: Sequence[Change]) -> None:
-    """What is not the same in two tables of one head."""
-    if not listed:
-        results().print("Nothing changed beyond its uncertainty.")
+def _settings(loop: ReferenceLoop) -> Table:
+    """The error of each angle as its repeats say it; of many angles those with the largest reversal error."""
+    shown, left = most_telling(loop.by_setting, _SETTINGS)
+    title = "Error by setting" + (f" (of {left + len(shown)} angles those that differ most)" if left else "")
+    table = _table(title, *SETTINGS_HEADINGS)
+    for row in setting_rows(shown):
+        table.add_row(*row)
+    return table
+
+
+def show_comparison(comparison: Comparison, first: str, second: str) -> None:
+    """How two tables of one head differ as maps, where, and what of it has a name."""
+    console = results()
+    for sentence in sentences(comparison, first, second):
+        console.print(sentence, markup=False)
+    if comparison.difference is None:
         return
-    table = _table("What changed", "effect", "before", "after", "difference", "its standard uncertainty")
-    for change in listed:
-        name = change.name if change.order is None else f"{change.name}, {change.order} per turn"
-        sizes = [format_number(size, change.unit) if size else "none" for size in (change.before, change.after)]
-        apart = (
-            format_number(change.difference, change.unit),
-            format_number(change.standard_uncertainty, change.unit, 2),
-        )
-        table.add_row(name, *sizes, *apart)
-    results().print(table)
+    console.print(_parts(comparison, first, second))
+    for unexplained in comparison.unexplained:
+        console.print(f"In the difference: {unexplained_sentence(unexplained)}", markup=False)
+    if comparison.changes:
+        console.print(_changes(comparison))
+
+
+def _parts(comparison: Comparison, first: str, second: str) -> Table:
+    table = _table(f"{second} minus {first}", *PARTS_HEADINGS)
+    for row in part_rows(comparison):
+        table.add_row(*row)
+    return table
+
+
+def _changes(comparison: Comparison) -> Table:
+    table = _table("What changed", *CHANGES_HEADINGS)
+    for row in change_rows(comparison):
+        table.add_row(*row)
+    return table
 
 
 def show_temperature(loop: TemperatureLoop) -> None:
     """Every parameter before and after, what several share, and what these runs cannot tell."""
     console = results()
+    _set_aside(Path(loop.runs.source).name, loop.runs.set_aside)
+    word = loop.parameters[0].polynomials[-1].words
     table = _table(
-        f"Parameters against {loop.runs.temperature_name}: error of runs predicted from the others, r.m.s.",
-        *("parameter", "constant", "cubic", "with what was found", "traced to", "cubic leaves (s)"),
+        f"Parameters against {loop.runs.temperature_name}: error of temperatures predicted from the others, r.m.s.",
+        *("parameter", "constant", word, "with what was found", "traced to", f"{word} leaves (s)"),
     )
     for parameter in loop.parameters:
         table.add_row(parameter.name, *_errors(parameter), ", ".join(_effects(parameter)), _left(parameter))
@@ -84,7 +133,7 @@ def show_temperature(loop: TemperatureLoop) -> None:
 
 
 def _errors(parameter: ParameterLoop) -> list[str]:
-    errors = (parameter.declared, parameter.polynomials[-1], parameter.augmented)
+    errors = (parameter.polynomials[0], parameter.polynomials[-1], parameter.augmented)
     return [_number(error.held_out_rms, parameter.unit) for error in errors]
 
 
@@ -94,6 +143,8 @@ def _left(parameter: ParameterLoop) -> str:
 
 
 def _effects(parameter: ParameterLoop) -> list[str]:
+    if parameter.explained.table.not_traced:
+        return ["not looked for"]
     listed = []
     for effect in parameter.effects:
         at = effect.coefficients.get("at_degC")

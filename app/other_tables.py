@@ -5,15 +5,17 @@ from pathlib import Path
 from typing import Any
 
 from app.files import is_recording, write_text
-from app.other_console import show_changes, show_head, show_temperature
+from app.other_console import show_comparison, show_head, show_temperature
 from calibrations.bounded import check_bounded
-from calibrations.reference.changes import changes, changes_json
+from calibrations.known_tables import Kind, kind_of
+from calibrations.reference.changes import compare
+from calibrations.reference.comparison_document import comparison_json
 from calibrations.reference.document import document as head_document
 from calibrations.reference.loop import close_reference_loop
 from calibrations.table import TableError, read_table
 from calibrations.temperature.document import document as temperature_document
 from calibrations.temperature.loop import close_temperature_loop
-from calibrations.temperature.table import holds_runs, read_runs
+from calibrations.temperature.table import read_runs
 from procedures.errors import InputError
 
 _MOST_COMPARED = 2
@@ -31,27 +33,24 @@ def close_other_loop(paths: Sequence[Path], show: bool, page: Path | None = None
     """
     try:
         kinds = {_kind(path) for path in paths}
-        if kinds == {""}:
+        if kinds == {Kind.ACCELEROMETER}:
             return None
         if len(kinds) > 1:
             raise InputError(f"{paths[0]} and {paths[-1]} are tables of different kinds; give them one by one")
-        return _temperature(paths, show, page) if kinds == {"temperature"} else _head(paths, show, page)
+        return _temperature(paths, show, page) if kinds == {Kind.RUNS} else _head(paths, show, page)
     except (TableError, ValueError) as error:
         raise InputError(str(error)) from error
 
 
-def _kind(path: Path) -> str:
-    """What a file is a table of; empty for that of an accelerometer, or a recording."""
+def _kind(path: Path) -> Kind:
+    """What a file is a table of; a recording is one of an accelerometer. Raises `InputError`."""
     if is_recording(path):
-        return ""
+        return Kind.ACCELEROMETER
     try:
         check_bounded(path)
     except OSError as error:
         raise InputError(f"{path}: cannot be read ({error.strerror}); check the name and the rights") from error
-    if holds_runs(path):
-        return "temperature"
-    table = read_table(path)
-    return "head" if table.reference_deg is not None and table.voltage_v is None else ""
+    return kind_of(path)
 
 
 def _temperature(paths: Sequence[Path], show: bool, page: Path | None) -> dict[str, Any]:
@@ -75,13 +74,20 @@ def _head(paths: Sequence[Path], show: bool, page: Path | None) -> dict[str, Any
     if show:
         for path, loop in zip(paths, loops, strict=True):
             show_head(path.name, loop)
+    comparison = compare(*loops) if len(loops) > 1 else None
     if page is not None:
         from calibrations.report.head_page import render_head  # matplotlib takes half a second
 
-        write_text(page, render_head(paths[-1].name, loops[-1]))
-    if len(loops) == 1:
+        against = None if comparison is None else (paths[0].name, comparison)
+        write_text(page, render_head(paths[-1].name, loops[-1], against))
+    if comparison is None:
         return documents[0]
-    changed = changes(*loops)
+    names = (paths[0].name, paths[1].name)
     if show:
-        show_changes(changed)
-    return {"schema": documents[0]["schema"], "tables": documents, "changed": changes_json(changed)}
+        show_comparison(comparison, *names)
+    return {
+        "schema": documents[0]["schema"],
+        "method": documents[0]["method"],
+        "tables": documents,
+        **comparison_json(comparison, *names),
+    }

@@ -44,7 +44,7 @@ def unlike_repeats(
 
     Where all rows of a mounting are off, each by half as much at least, the seat is, and they are kept.
     """
-    limit_v = _sigmas(spare_rows) * scale_v
+    limit_v = gross_sigmas(spare_rows) * scale_v
     suspects = np.abs(residual_v) > limit_v
     mounting = mountings(observations)
     visits = np.bincount(mounting)
@@ -60,7 +60,7 @@ def unlike_repeats(
     )
 
 
-def _sigmas(spare_rows: int) -> float:
+def gross_sigmas(spare_rows: int) -> float:
     """How many robust standard deviations make a gross error: more where few rows are to spare."""
     from scipy.special import stdtrit  # takes a tenth of a second, in which a window is half up
 

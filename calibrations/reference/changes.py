@@ -1,93 +1,137 @@
 """What changed between two tables of one head and its reference: before and after a repair, say."""
 
-from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from calibrations.effects.effect import Quantity
+from calibrations.observations import Observations
+from calibrations.reference.explanation import explain_steady
+from calibrations.reference.limits import SHORT_DEG, confounded
 from calibrations.reference.loop import ReferenceLoop
-
-_CHANGED = 5.0
-"""What differs by so many standard uncertainties has changed."""
+from calibrations.reference.map_difference import Difference, Part, map_difference, parts
+from calibrations.reference.rows import as_they_are
+from calibrations.reference.scene import HeadScene
+from calibrations.reference.table import HeadTable, head_table, without_time
+from calibrations.tracing.findings import EffectFound, Unexplained
 
 
 @dataclass(frozen=True, kw_only=True)
 class Change:
-    """Something that is not the same in both tables: an effect, or the offset."""
+    """An effect that the difference of two maps shows."""
 
     name: str
     order: int | None
     """Periods a turn of a graduation."""
     unit: str
     before: float
-    """Size; 0 where it was not found."""
+    """Size in the first table alone; 0 where it was not found there."""
     after: float
     difference: float
-    """Size of the difference: of waves, of that between them, their phases known."""
+    """Size in the difference of the maps: of waves, of that between them, their phases known."""
     standard_uncertainty: float
-    """Of the difference; of what was not found nothing is known, and it is that of the other table."""
+    also_possible: tuple[str, ...] = ()
+    """What else the difference could be."""
 
 
 @dataclass(frozen=True, kw_only=True)
-class _Size:
-    """A coefficient as a complex number: of a wave, amplitude and phase."""
+class Comparison:
+    """Two tables of one head as maps."""
 
-    value: complex
-    standard_uncertainty: float
-    unit: str
+    difference: Difference | None
+    """None where they share too little, or one of them states nothing."""
+    parts: tuple[Part, ...]
+    changes: tuple[Change, ...]
+    """Effects that the difference shows, by size."""
+    unexplained: tuple[Unexplained, ...]
+    limits: tuple[str, ...]
+    """What they cannot tell, in sentences."""
+    slopes: tuple[tuple[float, float], tuple[float, float]] | None
+    """Slope of the error with the angle of each alone, with its standard uncertainty, in degrees per degree."""
+
+    whole_turn: bool = False
+    """Whether the common arc is most of a turn."""
+
+    @property
+    def changed(self) -> bool:
+        """Whether the head changed, the set-up apart."""
+        return bool(self.difference and (self.difference.varies or self.changes))
 
 
-def changes(before: ReferenceLoop, after: ReferenceLoop) -> tuple[Change, ...]:
-    """Effects and offset that differ by more than `_CHANGED` standard uncertainties; angles first, by size."""
+def compare(before: ReferenceLoop, after: ReferenceLoop) -> Comparison:
+    """The second table minus the first, as maps, and to what the difference is traced."""
+    difference = map_difference(before, after)
+    if difference is None:
+        return Comparison(difference=None, parts=(), changes=(), unexplained=(), limits=(), slopes=None)
+    streamed = before.explained.table.streamed or after.explained.table.streamed
+    table = replace(_table(difference), streamed=streamed)
+    explained = explain_steady(table)
+    found = explained.effects(explained.best)
     first, second = _sizes(before), _sizes(after)
-    listed = [_change(key, first.get(key), second.get(key)) for key in dict.fromkeys((*first, *second))]
-    changed = [change for change in listed if change.difference > _CHANGED * change.standard_uncertainty]
-    return tuple(sorted(changed, key=lambda change: (change.unit != "deg", -change.difference)))
-
-
-def _sizes(loop: ReferenceLoop) -> dict[tuple[str, int | None], _Size]:
-    sizes: dict[tuple[str, int | None], _Size] = {}
-    for effect in loop.effects:
-        order = effect.coefficients.get("order")
-        sizes[effect.name, None if order is None else round(order.value)] = _size(effect.coefficients)
-    offset = loop.augmented.parameters["offset"]
-    if offset.value is not None:
-        sizes["offset", None] = _Size(
-            value=offset.value, standard_uncertainty=offset.standard_uncertainty or 0.0, unit=offset.unit
-        )
-    return sizes
-
-
-def _size(coefficients: Mapping[str, Quantity]) -> _Size:
-    """Of a wave the amplitude with its phase, of anything else its only coefficient."""
-    amplitude, phase = coefficients.get("amplitude_deg"), coefficients.get("phase_deg")
-    if amplitude is None or phase is None:
-        (only,) = coefficients.values()
-        return _Size(value=only.value, standard_uncertainty=only.standard_uncertainty or 0.0, unit=only.unit)
-    across = amplitude.value * np.deg2rad(phase.standard_uncertainty or 0.0)
-    return _Size(
-        value=complex(amplitude.value * np.exp(1j * np.deg2rad(phase.value))),
-        standard_uncertainty=float(np.hypot(amplitude.standard_uncertainty or 0.0, across)),
-        unit=amplitude.unit,
+    listed = [_change(effect, first, second) for effect in found]
+    return Comparison(
+        difference=difference,
+        parts=parts(difference),
+        changes=tuple(sorted(listed, key=lambda change: (change.unit != "deg", -change.difference))),
+        unexplained=explained.unexplained,
+        limits=confounded(table.scene),
+        slopes=(_slope(before), _slope(after)),
+        whole_turn=table.scene.arc_deg >= SHORT_DEG,
     )
 
 
-def _change(key: tuple[str, int | None], first: _Size | None, second: _Size | None) -> Change:
-    known = [size for size in (first, second) if size is not None]
-    before, after = (size.value if size else 0.0 for size in (first, second))
-    wave = isinstance(before, complex) or isinstance(after, complex)
+def _table(difference: Difference) -> HeadTable:
+    """The difference as the table of a head."""
+    rows = Observations(
+        row=np.arange(1, len(difference) + 1),
+        angle_deg=difference.angle_deg,
+        reference_deg=difference.angle_deg + difference.difference_deg,
+        direction=difference.direction,
+    )
+    weights = difference.uncertainty_deg**-2.0
+    table = without_time(head_table(HeadScene(dwells=as_they_are(rows))))
+    return replace(table, weights=weights / weights.mean(), counted="settings")
+
+
+def _slope(loop: ReferenceLoop) -> tuple[float, float]:
+    """Of the error with the angle, by its settings, in degrees per degree."""
+    table = loop.explained.table
+    columns = np.column_stack([np.ones(table.rows), table.scene.angle_deg])
+    theta = np.linalg.lstsq(columns, table.output, rcond=None)[0]
+    left = table.output - columns @ theta
+    variance = float(left @ left) / max(table.rows - 2, 1) * np.linalg.pinv(columns.T @ columns)
+    return float(theta[1]), float(np.sqrt(variance[1, 1]))
+
+
+def _sizes(loop: ReferenceLoop) -> dict[tuple[str, int | None], float]:
+    """Effects of one table alone."""
+    return {_key(effect): _size(effect.coefficients)[0] for effect in loop.effects}
+
+
+def _key(effect: EffectFound) -> tuple[str, int | None]:
+    order = effect.coefficients.get("order")
+    return effect.name, None if order is None else round(order.value)
+
+
+def _size(coefficients: Mapping[str, Quantity]) -> tuple[float, float, str]:
+    """Of a wave the amplitude with its uncertainty, of anything else its only coefficient; and the unit."""
+    size = coefficients.get("amplitude_deg") or next(iter(coefficients.values()))
+    return size.value, size.standard_uncertainty or 0.0, size.unit
+
+
+def _change(
+    effect: EffectFound, first: Mapping[tuple[str, int | None], float], second: Mapping[tuple[str, int | None], float]
+) -> Change:
+    key = _key(effect)
+    size, uncertainty, unit = _size(effect.coefficients)
     return Change(
         name=key[0],
         order=key[1],
-        unit=known[0].unit,
-        before=abs(before) if wave else float(np.real(before)),
-        after=abs(after) if wave else float(np.real(after)),
-        difference=abs(after - before),
-        standard_uncertainty=float(np.sqrt(sum(size.standard_uncertainty**2 for size in known))),
+        unit=unit,
+        before=first.get(key, 0.0),
+        after=second.get(key, 0.0),
+        difference=abs(size),
+        standard_uncertainty=uncertainty,
+        also_possible=effect.also_possible,
     )
-
-
-def changes_json(listed: Sequence[Change]) -> list[dict[str, object]]:
-    """As plain data."""
-    return [asdict(change) for change in listed]

@@ -13,8 +13,19 @@ from calibrations.geometry import FloatArray
 from calibrations.reference.scene import HeadScene
 
 HIGHEST_ORDER: Final = 36
+TIMED: Final = ("reference_drift", "reference_temperature")
+"""What changes between two visits to one setting."""
+NEVER: Final = 1e9
+"""Doubt in a shape that the settings cannot show by themselves: it may stand for what was found, and is never found."""
 _READINGS_A_WAVE = 4
 """So many settings a wave are asked for: fewer would make a wave of any scatter."""
+_FEWEST_ANGLES = 5
+"""A wave and an offset are three numbers; so many angles leave two to contradict them."""
+_FEWEST_FOR_A_SLOPE = 2
+_ARC_DEG: Final = {1: 170.0, 2: 144.0}
+"""Once and twice a turn are known of circles: so much of the circle must have been visited to tell them."""
+_UNKNOWN_PERIODS = 2.0
+"""What comes so many times a turn, nobody knows how many, was seen to come back only where that much was visited."""
 
 
 def wave(scene: HeadScene, order: int) -> FloatArray:
@@ -24,24 +35,29 @@ def wave(scene: HeadScene, order: int) -> FloatArray:
 
 
 def _periods(order: int) -> Forms[HeadScene]:
-    return lambda scene: (Form(columns=wave(scene, order)),) if settings(scene) >= 3 else ()
+    """Waves that circles are known for. On a shorter arc they are rivals of whatever was found, and are never found."""
 
+    def forms(scene: HeadScene) -> Sequence[Form]:
+        if scene.distinct_angles < _FEWEST_ANGLES:
+            return ()
+        seen = scene.arc_deg >= _ARC_DEG[order]
+        return (Form(columns=wave(scene, order), doubt=0.0 if seen else NEVER),)
 
-def settings(scene: HeadScene) -> int:
-    """How many different degrees of the circle were visited."""
-    return len(np.unique(np.round(scene.angle_deg % 360.0)))
+    return forms
 
 
 def _order(order: int) -> Effect[HeadScene]:
     """So many periods a turn: each is an effect of its own, as a circle has any number of them."""
 
     def forms(scene: HeadScene) -> Sequence[Form]:
-        seen = settings(scene) >= _READINGS_A_WAVE * order
+        periods = scene.arc_deg * order / 360.0
+        seen = scene.distinct_angles >= _READINGS_A_WAVE * periods and periods >= _UNKNOWN_PERIODS
         return (Form(columns=wave(scene, order), scanned={"order": float(order)}),) if seen else ()
 
     return Effect(
         name=f"graduation {order}",
         family="graduation",
+        depends_on="angle",
         belongs_to="stand",
         symbol="A sin(nφ + p)",
         source="n per turn: graduation, worm, pole pairs of a resolver",
@@ -51,12 +67,12 @@ def _order(order: int) -> Effect[HeadScene]:
 
 
 def _scale(scene: HeadScene) -> Sequence[Form]:
-    return single(scene.turns) if np.ptp(scene.turns) > 0 else ()
+    return single(scene.turns) if scene.distinct_angles > _FEWEST_FOR_A_SLOPE else ()
 
 
 def _backlash(scene: HeadScene) -> Sequence[Form]:
-    back = (scene.direction < 0).astype(float)
-    return single(back) if back.any() and not back.all() else ()
+    """Play, where some angles were reached from both sides; else it is the same as a step of the error."""
+    return single((scene.direction < 0).astype(float)) if scene.both_ways else ()
 
 
 def _latency(scene: HeadScene) -> Sequence[Form]:
@@ -76,6 +92,7 @@ def _temperature(scene: HeadScene) -> Sequence[Form]:
 HEAD_EFFECTS: tuple[Effect[HeadScene], ...] = (
     Effect(
         name="head_eccentricity",
+        depends_on="angle",
         belongs_to="stand",
         symbol="A sin(φ + p)",
         source="once per turn: eccentricity of the circle",
@@ -84,6 +101,7 @@ HEAD_EFFECTS: tuple[Effect[HeadScene], ...] = (
     ),
     Effect(
         name="head_second_harmonic",
+        depends_on="angle",
         belongs_to="stand",
         symbol="A sin(2φ + p)",
         source="twice per turn: ellipticity or tilt of the circle",
@@ -93,6 +111,7 @@ HEAD_EFFECTS: tuple[Effect[HeadScene], ...] = (
     *(_order(order) for order in range(3, HIGHEST_ORDER + 1)),
     Effect(
         name="head_scale",
+        depends_on="angle",
         belongs_to="stand",
         symbol="s per turn",
         source="steps per degree that do not suit the drive, or steps that it loses",
@@ -101,6 +120,7 @@ HEAD_EFFECTS: tuple[Effect[HeadScene], ...] = (
     ),
     Effect(
         name="backlash",
+        depends_on="direction",
         belongs_to="stand",
         symbol="b after a move in - direction",
         source="play of the drive",
@@ -109,6 +129,7 @@ HEAD_EFFECTS: tuple[Effect[HeadScene], ...] = (
     ),
     Effect(
         name="latency",
+        depends_on="time",
         belongs_to="reference",
         symbol="-τ times speed",
         source="the reference is read late",
@@ -117,6 +138,7 @@ HEAD_EFFECTS: tuple[Effect[HeadScene], ...] = (
     ),
     Effect(
         name="reference_drift",
+        depends_on="time",
         belongs_to="reference",
         symbol="d t",
         source="reference or its coupling",
@@ -125,6 +147,7 @@ HEAD_EFFECTS: tuple[Effect[HeadScene], ...] = (
     ),
     Effect(
         name="reference_temperature",
+        depends_on="temperature",
         belongs_to="reference",
         symbol="c T",
         source="expansion of the coupling",

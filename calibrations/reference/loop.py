@@ -1,6 +1,6 @@
 """Closing the loop on a head that is measured against a reference."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -10,30 +10,22 @@ from numpy.typing import NDArray
 from calibrations.blas_threads import one_blas_thread
 from calibrations.geometry import FloatArray
 from calibrations.observations import Observations, SetAside
+from calibrations.reference.adequacy import Agreement, AngleError, Reversal, agreement, errors_by_setting, reversal
+from calibrations.reference.adequacy import by_setting as left_by_setting
 from calibrations.reference.experiments import next_reference_experiments
+from calibrations.reference.explanation import Explanation, explain_head, fit_found
+from calibrations.reference.limits import limits
 from calibrations.reference.passes import Passes, passes
 from calibrations.reference.questions import question
+from calibrations.reference.rows import as_dwells
 from calibrations.reference.scene import HeadScene
-from calibrations.reference.table import UNITS, HeadTable, first_look, head_table
+from calibrations.reference.settings import head_settings
+from calibrations.reference.slips import slips
+from calibrations.reference.table import UNITS, HeadTable, head_table
 from calibrations.tracing.experiments import Experiment
 from calibrations.tracing.findings import EffectFound, Unexplained
-from calibrations.tracing.fitting_noise import best_walk
-from calibrations.tracing.held_out import held_out_rms
-from calibrations.tracing.linear import LinearFit, fit_linear
-from calibrations.tracing.linear_loop import Explained, Model, as_stated, explain_linear, rms, stated
-from calibrations.tracing.noise import NoiseModel
-from calibrations.tracing.trace import trace_price
-
-_LOOKS = 5
-"""How often a table is looked at anew once it is known where the reference saw the head."""
-_MOVED_DEG = 1e-4
-"""A change of where the reference saw the head that changes nothing more."""
-_GROSS = 6.0
-"""A dwell so many times as far from its neighbours as all but one of twenty are is a gross error."""
-_ROUNDING_DEG = 1e-6
-"""Scatter below this is rounding."""
-_PARTS = 10
-"""A table is cut into so many stretches, each predicted from the others."""
+from calibrations.tracing.linear import LinearFit
+from calibrations.tracing.linear_loop import Explained, Model, as_stated, rms, stated, withheld
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -43,34 +35,60 @@ class ReferenceLoop:
     observations: Observations
     """The dwells that were used."""
     rows_read: int
+    question: str
+    """What there is to ask before anything is stated; empty where there is nothing."""
     declared: Model
     augmented: Model
+    agreements: tuple[Agreement | None, Agreement | None]
+    """Of both models with the repeats; None where no setting was visited twice."""
     effects: tuple[EffectFound, ...]
     unexplained: tuple[Unexplained, ...]
-    dwell_deg: float
-    """Standard deviation of a dwell about all that was found."""
+    by_setting: tuple[AngleError, ...]
+    """The error of each angle from each side; none where nothing was visited twice."""
+    reversal: Reversal | None
     passes: Passes | None
     """How forward and backward passes differ; None where the head was turned in one direction only."""
     warnings: tuple[str, ...]
-    explained: Explained[HeadTable]
+    limits: tuple[str, ...]
+    """What the table cannot tell, in sentences."""
+    explanation: Explanation
     """What it rests on."""
     fit: LinearFit
     """The best fit with uncertainties that know that neighbouring dwells err alike."""
 
     @property
+    def explained(self) -> Explained[HeadTable]:
+        """What settings, or dwells, were traced to."""
+        return self.explanation.between
+
+    @property
+    def not_traced(self) -> str:
+        """Why nothing was looked for; empty where it was."""
+        return self.question or self.explained.table.not_traced
+
+    @property
+    def dwell_deg(self) -> float:
+        """Standard deviation of a dwell about all that was found."""
+        squares = float(np.sum(self.explanation.residual_deg**2))
+        return float(np.sqrt(squares / max(self.degrees_of_freedom, 1)))
+
+    @property
     def degrees_of_freedom(self) -> int:
         """Of the noise of a dwell."""
-        return len(self.observations) - len(self.fit.coefficients) - len(UNITS)
+        return len(self.observations) - self.explanation.found - len(UNITS)
 
     @cached_property
     def next_experiment(self) -> tuple[Experiment, ...]:
         """What would part the rivals that are left."""
-        return next_reference_experiments(self.explained)
+        return () if self.not_traced else next_reference_experiments(self.explained)
 
 
 @one_blas_thread
 def close_reference_loop(observations: Observations) -> ReferenceLoop:
     """Find what makes a reference differ from the head.
+
+    Where settings were visited again, their means are traced and their scatter is the noise; else the dwells are. Of a
+    table that must be asked about, or of too few rows or settings, no parameter is stated.
 
     Raises
     ------
@@ -79,98 +97,95 @@ def close_reference_loop(observations: Observations) -> ReferenceLoop:
     """
     if not len(observations):
         raise ValueError(f"{observations.source}: no usable row")
-    asked = question(observations)
-    table = first_look(observations)
-    observations = _without(observations, table, _gross_errors(table.output))
-    explained = _explained(_traceable(observations, asked))
-    rejected = _gross_errors(explained.best.residual)
-    if rejected.any():
-        observations = _without(observations, explained.table, rejected)
-        explained = _explained(_traceable(observations, asked))
-    table, trace = explained.table, explained.trace
-    known = _known_noise(explained)
-    fit = fit_linear(table.wandering, replace(trace, noise=known), UNITS)
-    parts = _stretches(table.rows)
+    if asked := question(observations):
+        return _stated(observations, explain_head(_scene(observations), asked=True), asked[0])
+    observations = _without_slips(observations, head_table(_scene(observations)).output)
+    explanation = explain_head(_scene(observations), asked=False)
+    if not explanation.settings.repeated:  # what was found hid slips from their neighbours
+        cleaned = _without_slips(observations, explanation.residual_deg)
+        if len(cleaned) < len(observations):
+            observations, explanation = cleaned, explain_head(_scene(cleaned), asked=False)
+    return _stated(observations, explanation, "")
+
+
+def _scene(observations: Observations) -> HeadScene:
+    return HeadScene(dwells=as_dwells(observations))
+
+
+def _without_slips(observations: Observations, error_deg: FloatArray) -> Observations:
+    """The table without its gross errors, by what is left of the error of its dwells."""
+    scene = _scene(observations)
+    reference_deg = scene.dwells.observations.reference_deg
+    assert reference_deg is not None, "as_dwells sees to that"
+    found = slips(error_deg, reference_deg, _beside(scene), head_settings(scene))
+    dwell = scene.dwells.number.tolist()
+    rows = zip(observations.row.tolist(), dwell, strict=True)
+    return observations.without(
+        tuple(SetAside(row=row, reason=found[at], gross=True) for row, at in rows if at in found)
+    )
+
+
+def _beside(scene: HeadScene) -> NDArray[np.int64]:
+    """Dwells in an order in which neighbours err alike: of a stream as they came, else by direction and angle."""
+    if scene.dwells.streamed:
+        return np.arange(scene.rows)
+    return np.lexsort((scene.angle_deg, scene.direction))
+
+
+def _stated(observations: Observations, explanation: Explanation, asked: str) -> ReferenceLoop:
+    between, settings = explanation.between, explanation.settings
+    why = asked or between.table.not_traced
+    fit = fit_found(between)
+    before, after = (
+        agreement(residual_deg, len(UNITS) + found, settings)
+        for residual_deg, found in ((explanation.before_deg, 0), (explanation.residual_deg, explanation.found))
+    )
+    errors = () if asked else errors_by_setting(explanation.scene, explanation.error_deg, settings)
+    changing = reversal(errors, before.pure_degrees_of_freedom) if before else None
     return ReferenceLoop(
-        observations=replace(table.observations, set_aside=observations.set_aside),
+        observations=replace(explanation.scene.dwells.observations, set_aside=observations.set_aside),
         rows_read=observations.rows_read,
-        declared=Model(
-            parameters=as_stated(explained.before),
-            residual_rms=rms(explained.before.residual),
-            held_out_rms=_held_out_constant(table.output, parts),
-        ),
-        augmented=Model(
-            parameters=stated(explained, fit, UNITS),
-            residual_rms=rms(explained.best.residual),
-            held_out_rms=held_out_rms(explained.tracer, trace, parts),
-        ),
-        effects=explained.effects(fit),
-        unexplained=explained.unexplained,
-        dwell_deg=explained.best.dwell,
-        passes=passes(table, explained.before.residual, explained.best.residual),
-        warnings=tuple(filter(None, (*observations.warnings, *asked, table.not_traced))),
-        explained=explained,
+        question=asked,
+        declared=withheld(UNITS, why) if why else _declared(explanation),
+        augmented=withheld(UNITS, why) if why else _augmented(explanation, fit),
+        agreements=(None, None) if asked else (before, after),
+        effects=_effects(explanation, fit),
+        unexplained=() if asked else tuple(_unexplained(explanation, after, errors, changing)),
+        by_setting=errors,
+        reversal=changing,
+        passes=None if asked else passes(explanation.scene, explanation.before_deg, explanation.residual_deg),
+        warnings=tuple(filter(None, (*observations.warnings, why))),
+        limits=() if asked else (*between.withheld, *limits(explanation.scene, settings)),
+        explanation=explanation,
         fit=fit,
     )
 
 
-def _traceable(observations: Observations, asked: Sequence[str]) -> HeadTable:
-    """The table; with nothing to be found in it where it must be asked about first."""
-    table = first_look(observations)
-    return replace(table, effects=(), structures=()) if asked else table
-
-
-def _explained(table: HeadTable) -> Explained[HeadTable]:
-    """Trace a table; again, where what was found says that the reference saw the head elsewhere."""
-    looks = [explain_linear(table, UNITS)]
-    for _ in range(_LOOKS):
-        last = looks[-1]
-        scene = _scene(last)
-        if np.max(np.abs(scene.seen_deg - last.table.scene.seen_deg)) < _MOVED_DEG:
-            break
-        looks.append(explain_linear(head_table(scene), UNITS))
-    return min(looks, key=lambda look: trace_price(look.trace))
-
-
-def _scene(explained: Explained[HeadTable]) -> HeadScene:
-    """The rows as they are to be seen by what was found."""
-    scene, names = explained.table.scene, explained.trace.names
-    late_s, short_deg = (
-        explained.best.quantities(name)[name].value if name in names else 0.0 for name in ("latency", "backlash")
+def _declared(explanation: Explanation) -> Model:
+    return Model(
+        parameters=as_stated(explanation.between.before),
+        residual_rms=rms(explanation.before_deg),
+        held_out_rms=explanation.held_out_constant(),
     )
-    return replace(scene, late_s=late_s, short_deg=short_deg)
 
 
-def _known_noise(explained: Explained[HeadTable]) -> NoiseModel:
-    """The walk that what was found leaves, where it leaves one."""
-    table, forms = explained.table.wandering, explained.trace.forms
-    if not table.memory.modes.shape[1]:
-        return NoiseModel()
-    walk, deviance = best_walk(table, forms, NoiseModel())
-    return walk if deviance < table.deviance(forms, NoiseModel()) else NoiseModel()
+def _augmented(explanation: Explanation, fit: LinearFit) -> Model:
+    return Model(
+        parameters=stated(explanation.between, fit, UNITS),
+        residual_rms=rms(explanation.residual_deg),
+        held_out_rms=explanation.held_out_found(),
+    )
 
 
-def _gross_errors(residual: FloatArray) -> NDArray[np.bool_]:
-    """Dwells that lie far from their neighbours, shape (rows,), by what is left of the output."""
-    around = np.array([np.median(residual[max(0, row - 3) : row + 4]) for row in range(len(residual))])
-    away = np.abs(residual - around)
-    return np.asarray(away > _GROSS * max(float(np.quantile(away, 0.95)), _ROUNDING_DEG))
+def _effects(explanation: Explanation, fit: LinearFit) -> tuple[EffectFound, ...]:
+    inside = () if explanation.within is None else explanation.within.effects
+    return tuple(sorted((*explanation.between.effects(fit), *inside), key=lambda effect: effect.p_value))
 
 
-def _without(observations: Observations, table: HeadTable, rejected: NDArray[np.bool_]) -> Observations:
-    """The observations without the rows of these dwells of the table."""
-    rows = observations.row[rejected[table.scene.dwells.number]]
-    return observations.without(tuple(SetAside(row=int(row), reason="gross error", gross=True) for row in rows))
-
-
-def _stretches(rows: int) -> Sequence[NDArray[np.bool_]]:
-    """Which rows are held out together: neighbours, which err alike."""
-    number = np.arange(rows) * _PARTS // rows
-    return [number == part for part in range(min(_PARTS, rows))]
-
-
-def _held_out_constant(output: FloatArray, parts: Sequence[NDArray[np.bool_]]) -> float | None:
-    if len(output) < 2:
-        return None
-    error = np.concatenate([output[out] - output[~out].mean() for out in parts])
-    return rms(error)
+def _unexplained(
+    explanation: Explanation, after: Agreement | None, errors: tuple[AngleError, ...], changing: Reversal | None
+) -> Iterator[Unexplained]:
+    """Shapes without a name; where there are none, that settings differ by more than their repeats."""
+    inside = () if explanation.within is None else explanation.within.unexplained
+    shapes = (*explanation.between.unexplained, *inside)
+    yield from shapes or left_by_setting(after, errors, changing)

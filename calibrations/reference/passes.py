@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from calibrations.geometry import FloatArray
-from calibrations.reference.table import HeadTable
+from calibrations.reference.scene import HeadScene
 
 _BIN_DEG = 5.0
 _MOVING_DEG_S = 0.5
@@ -24,9 +24,8 @@ class Passes:
     """At how many angles both were seen."""
 
 
-def passes(table: HeadTable, before: FloatArray, after: FloatArray) -> Passes | None:
+def passes(scene: HeadScene, before: FloatArray, after: FloatArray) -> Passes | None:
     """Compare residuals of the declared model and of the augmented one, shape (rows,), between the two directions."""
-    scene = table.scene
     moving = scene.direction != 0
     if scene.velocity_deg_s is not None and np.abs(scene.velocity_deg_s).max() > _MOVING_DEG_S:
         moving &= np.abs(scene.velocity_deg_s) > _MOVING_DEG_S

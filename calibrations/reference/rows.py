@@ -76,7 +76,7 @@ def as_dwells(observations: Observations) -> Dwells:
     if unwrapped.velocity_deg_s is None:
         unwrapped = replace(unwrapped, velocity_deg_s=np.gradient(observations.angle_deg, time_s))
     number = _numbers(observations, time_s)
-    return Dwells(observations=_averaged(unwrapped, number), samples=unwrapped, number=number)
+    return Dwells(observations=averaged(unwrapped, number), samples=unwrapped, number=number)
 
 
 def _numbers(observations: Observations, time_s: FloatArray) -> NDArray[np.int64]:
@@ -93,7 +93,7 @@ def _after_gap(time_s: FloatArray, late_s: float) -> NDArray[np.bool_]:
     return np.asarray(time_s - time_s[begins] < late_s)
 
 
-def _averaged(observations: Observations, number: NDArray[np.int64]) -> Observations:
+def averaged(observations: Observations, number: NDArray[np.int64]) -> Observations:
     """Means of what can be averaged, the first of everything else."""
     first = np.unique(number, return_index=True)[1]
     counts = np.bincount(number)

@@ -11,6 +11,10 @@ from calibrations.reference.rows import Dwells
 
 _STILL_DEG, _STILL_DEG_S = 1e-4, 1e-3
 """A head that reports less of a move, or less of a speed, is at rest."""
+_GAP = 5.0
+"""A gap so many times as wide as the usual one is where the head was not."""
+_SHARED = 2
+"""So many dwells of each direction at least lie where both were."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -57,6 +61,29 @@ class HeadScene:
     def turns(self) -> FloatArray:
         """Head angle from the first row, in turns."""
         return np.asarray((self.angle_deg - self.angle_deg[0]) / 360.0)
+
+    @cached_property
+    def distinct_angles(self) -> int:
+        """How many different degrees of the circle were visited: a circle carries no more numbers than that."""
+        return len(np.unique(np.round(self.angle_deg % 360.0)))
+
+    @cached_property
+    def arc_deg(self) -> float:
+        """How much of the circle was visited, of 360°: all but the widest gap, as far as that is no usual step."""
+        at_deg = np.unique(np.round(self.angle_deg % 360.0, 3))
+        gaps_deg = np.diff(at_deg, append=at_deg[0] + 360.0)
+        widest_deg = float(gaps_deg.max())
+        return 360.0 - widest_deg if widest_deg > _GAP * float(np.median(gaps_deg)) else 360.0
+
+    @cached_property
+    def both_ways(self) -> bool:
+        """Whether some of the arc was visited from both sides, so that the direction is no function of the angle."""
+        forward, backward = (self.angle_deg[self.direction == sign] for sign in (1, -1))
+        if not len(forward) or not len(backward):
+            return False
+        low, high = max(forward.min(), backward.min()), min(forward.max(), backward.max())
+        shared = [int(np.count_nonzero((side >= low) & (side <= high))) for side in (forward, backward)]
+        return bool(high > low and min(shared) >= _SHARED)
 
     @cached_property
     def hours(self) -> FloatArray | None:

@@ -9,6 +9,8 @@ from calibrations.geometry import FloatArray
 from calibrations.reference.scene import HeadScene
 
 _WIDTHS_DEG = (5.0, 12.0, 25.0)
+_FEWEST_ANGLES = 8
+"""At fewer angles a bump or a step is any one of them."""
 
 
 def _column(values: FloatArray, **where: float) -> Form:
@@ -20,17 +22,23 @@ def _centres_deg(step_deg: float) -> list[float]:
 
 
 def _bells(scene: HeadScene) -> Sequence[Form]:
-    """An error near one angle of the head."""
+    """An error near one angle of the head, where there is one."""
+    if scene.distinct_angles < _FEWEST_ANGLES:
+        return ()
+    at = np.unique(np.round(scene.seen_deg % 360.0, 3))
     away = {deg: (scene.seen_deg - deg + 180.0) % 360.0 - 180.0 for deg in _centres_deg(5.0)}
     return [
         _column(np.exp(-0.5 * (away_deg / width) ** 2), centre_deg=centre, width_deg=width)
         for width in _WIDTHS_DEG
         for centre, away_deg in away.items()
+        if np.abs((at - centre + 180.0) % 360.0 - 180.0).min() < width
     ]
 
 
 def _edges(scene: HeadScene) -> Sequence[Form]:
     """An error that steps at one angle, the same in both directions."""
+    if scene.distinct_angles < _FEWEST_ANGLES:
+        return ()
     inside = [deg for deg in _centres_deg(2.5) if scene.seen_deg.min() + 5 < deg < scene.seen_deg.max() - 5]
     return [_column(0.5 * np.tanh((scene.seen_deg - deg) / 2.0), edge_deg=deg) for deg in inside]
 
@@ -38,14 +46,14 @@ def _edges(scene: HeadScene) -> Sequence[Form]:
 def _time_steps(scene: HeadScene) -> Sequence[Form]:
     if scene.hours is None or not np.ptp(scene.hours):
         return ()
-    places_h = np.linspace(0.02, 0.98, 49) * scene.hours[-1]
+    places_h = scene.hours.min() + np.linspace(0.02, 0.98, 49) * np.ptp(scene.hours)
     return [_column((scene.hours > at_h).astype(float), step_s=float(at_h) * 3600.0) for at_h in places_h]
 
 
 def _time_bends(scene: HeadScene) -> Sequence[Form]:
     if scene.hours is None or not np.ptp(scene.hours):
         return ()
-    part = scene.hours / scene.hours[-1]
+    part = (scene.hours - scene.hours.min()) / np.ptp(scene.hours)
     return [_column(part**power, power=float(power)) for power in (2, 3)]
 
 

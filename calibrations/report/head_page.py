@@ -9,8 +9,19 @@ from markupsafe import Markup
 
 from calibrations.geometry import FloatArray
 from calibrations.quantities import format_concise, format_number
+from calibrations.reference.changes import Comparison
 from calibrations.reference.head_map import head_map
 from calibrations.reference.loop import ReferenceLoop
+from calibrations.reference.sentences import (
+    CHANGES_HEADINGS,
+    PARTS_HEADINGS,
+    SETTINGS_HEADINGS,
+    change_rows,
+    headline,
+    part_rows,
+    sentences,
+    setting_rows,
+)
 from calibrations.report.drawing import COLOURS, INK, WIDE_IN, sheet, styled, to_svg
 from calibrations.report.stand import head_map_figure
 from calibrations.report.tables_page import Part, page
@@ -20,35 +31,62 @@ from calibrations.tracing.linear_loop import Model
 from calibrations.tracing.words import findings, unexplained_sentence
 
 
-def render_head(name: str, loop: ReferenceLoop) -> str:
-    """The whole page."""
-    return page("A dividing head measured against a reference", name, list(_parts(loop)), loop.warnings)
+def render_head(name: str, loop: ReferenceLoop, against: tuple[str, Comparison] | None = None) -> str:
+    """The whole page; `against` is the name of an earlier table of the same head, and how this one differs from it."""
+    compared = [] if against is None else list(_difference(against[1], against[0], name))
+    return page("A dividing head measured against a reference", name, [*compared, *_parts(loop)], loop.warnings)
+
+
+def _difference(comparison: Comparison, first: str, second: str) -> Iterator[Part]:
+    yield Part(
+        title=f"{second} minus {first}",
+        lines=[
+            *sentences(comparison, first, second),
+            *(f"In the difference: {unexplained_sentence(each)}" for each in comparison.unexplained),
+        ],
+        headings=[heading.capitalize() for heading in PARTS_HEADINGS],
+        rows=part_rows(comparison),
+    )
+    yield Part(
+        title="What the difference shows",
+        headings=[heading.capitalize() for heading in CHANGES_HEADINGS],
+        rows=change_rows(comparison),
+    )
 
 
 def _parts(loop: ReferenceLoop) -> Iterator[Part]:
-    explained = loop.explained
+    if loop.not_traced:
+        yield Part(title="To what it was traced", lines=[_sentence(headline(loop))])
+        return
     yield Part(
         title="What a constant offset leaves",
-        figure=residual_figure(loop, explained.before.residual, "before"),
+        figure=residual_figure(loop, loop.explanation.before_deg, "before"),
         caption="Reference minus head, mean taken off, against the angle of the head; each way in its own colour.",
     )
     yield Part(
         title="To what it was traced",
-        lines=[unexplained_sentence(each) for each in loop.unexplained],
+        lines=[_sentence(headline(loop)), *(unexplained_sentence(each) for each in loop.unexplained)],
         headings=("Effect", "Could also be", "Belongs to", "Coefficients", "p"),
         rows=[
             (each.name, each.also_possible or "told apart", each.belongs_to, each.coefficients, each.p_value)
             for each in findings(loop.effects)
         ],
     )
+    yield Part(
+        title="Error by setting",
+        caption="Means of the repeats of each setting, with standard uncertainties from their pooled scatter.",
+        headings=[heading.capitalize() for heading in SETTINGS_HEADINGS],
+        rows=setting_rows(loop.by_setting),
+    )
     yield Part(title="What would tell rivals apart", lines=[_next(each) for each in loop.next_experiment])
     yield Part(
         title="Before and after",
-        figure=residual_figure(loop, explained.best.residual, "after"),
+        figure=residual_figure(loop, loop.explanation.residual_deg, "after"),
         caption="What is left once everything that was found is taken off.",
         headings=("", "Constant offset", "With what was found"),
         rows=list(_comparison(loop)),
     )
+    yield Part(title="What the table cannot tell", lines=loop.limits)
     if found := head_map(loop):
         yield Part(
             title="Head map",
@@ -56,6 +94,10 @@ def _parts(loop: ReferenceLoop) -> Iterator[Part]:
             caption="True minus reported angle by the harmonics and the backlash that were found, with two standard "
             "uncertainties. Latency and what adds up from turn to turn are no part of it.",
         )
+
+
+def _sentence(words: str) -> str:
+    return words[:1].upper() + words[1:]
 
 
 def _next(experiment: Experiment) -> str:
@@ -70,6 +112,8 @@ def _comparison(loop: ReferenceLoop) -> Iterator[Sequence[str]]:
     yield "held-out error, r.m.s.", *(_deg(model.held_out_rms) for model in models)
     if loop.passes:
         yield "forward minus backward, r.m.s.", _deg(loop.passes.before_deg), _deg(loop.passes.after_deg)
+    if any(loop.agreements):
+        yield "lack of fit against the repeats", *(each.words if each else "" for each in loop.agreements)
 
 
 def _offset(model: Model) -> str:
@@ -86,7 +130,7 @@ def _deg(value: float | None) -> str:
 @styled
 def residual_figure(loop: ReferenceLoop, residual_deg: FloatArray, name: str) -> Markup:
     """A residual, shape (dwells,), against the angle of the head, each way and rests apart."""
-    scene = loop.explained.table.scene
+    scene = loop.explanation.scene
     speed = scene.velocity_deg_s
     still = np.zeros(scene.rows, dtype=bool) if speed is None or not speed.any() else np.abs(speed) < 1e-3
     kinds = {

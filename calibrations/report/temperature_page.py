@@ -21,15 +21,22 @@ def render_temperature(name: str, loop: TemperatureLoop) -> str:
 
 
 def _parts(loop: TemperatureLoop) -> Iterator[Part]:
+    word = loop.parameters[0].polynomials[-1].words
     yield Part(
         title="What is left",
         figure=left_figure(loop),
-        caption="What a cubic leaves (circles) and what is left with what was found (triangles) against temperature.",
+        caption=f"What a {word} leaves (circles) and what is left with what was found (triangles) against temperature.",
     )
     yield Part(
         title="Before and after",
-        lines=("Errors are of runs that were left out and predicted from the others, r.m.s.",),
-        headings=("Parameter", "Constant", "Cubic", "With what was found", "Cubic leaves, standard deviation"),
+        lines=("Errors are of runs at a temperature that was left out and predicted from the others, r.m.s.",),
+        headings=(
+            "Parameter",
+            "Constant",
+            word.capitalize(),
+            "With what was found",
+            f"{word.capitalize()} leaves, standard deviation",
+        ),
         rows=[_row(parameter) for parameter in loop.parameters],
     )
     yield Part(
@@ -43,7 +50,7 @@ def _parts(loop: TemperatureLoop) -> Iterator[Part]:
 
 def _row(parameter: ParameterLoop) -> Sequence[str]:
     cubic = parameter.polynomials[-1]
-    errors = (parameter.declared.held_out_rms, cubic.held_out_rms, parameter.augmented.held_out_rms)
+    errors = (parameter.polynomials[0].held_out_rms, cubic.held_out_rms, parameter.augmented.held_out_rms)
     numbers = (*errors, cubic.standard_deviation)
     return (parameter.name, *("none" if each is None else format_number(each, parameter.unit) for each in numbers))
 
@@ -64,9 +71,9 @@ def left_figure(loop: TemperatureLoop) -> Markup:
     temperature_degc = loop.runs.temperature_degc
     for panel, parameter in zip(panels, loop.parameters, strict=False):
         values = loop.runs.parameters[parameter.name]
-        cubic = np.polynomial.Polynomial.fit(temperature_degc, values, 3)
+        cubic = np.polynomial.Polynomial.fit(temperature_degc, values, parameter.polynomials[-1].power)
         panel.axhline(0.0, color=INK, linewidth=0.6)
-        for number, left in enumerate((values - cubic(temperature_degc), parameter.explained.best.residual)):
+        for number, left in enumerate((values - cubic(temperature_degc), parameter.residual)):
             marker = MARKERS[2 * number]
             panel.plot(temperature_degc, left, marker=marker, markersize=3, linewidth=0.7, color=COLOURS[number])
         panel.set_title(parameter.name, fontsize=8)

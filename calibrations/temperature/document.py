@@ -5,15 +5,21 @@ from typing import Any
 from calibrations.temperature.loop import ParameterLoop, Polynomial, TemperatureLoop
 from calibrations.temperature.shared import SharedCause
 from calibrations.tracing.document import SCHEMA, effect_json
-from calibrations.tracing.linear_loop import model_json
+from calibrations.tracing.linear_loop import model_json, withheld_json
 
 
 def document(loop: TemperatureLoop) -> dict[str, Any]:
     """The result; every parameter in the unit of its column."""
     return {
         "schema": SCHEMA,
+        "method": "temperature",
         "kind": "parameters against temperature",
-        "rows": {"read": len(loop.runs), "used": len(loop.runs), "set_aside": []},
+        "rows": {
+            "read": len(loop.runs) + len(loop.runs.set_aside),
+            "used": len(loop.runs),
+            "set_aside": [{"row": entry.row, "reason": entry.reason} for entry in loop.runs.set_aside],
+            "temperatures": loop.temperatures,
+        },
         "temperature": loop.runs.temperature_name,
         "parameters": {parameter.name: _parameter_json(parameter) for parameter in loop.parameters},
         "shared": [_shared_json(cause) for cause in loop.shared],
@@ -24,11 +30,23 @@ def document(loop: TemperatureLoop) -> dict[str, Any]:
 def _parameter_json(parameter: ParameterLoop) -> dict[str, Any]:
     return {
         "unit": parameter.unit,
+        "noise": _noise_json(parameter),
         "declared": model_json(parameter.declared, ""),
         "polynomials": [_polynomial_json(polynomial) for polynomial in parameter.polynomials],
         "effects": [effect_json(effect) for effect in parameter.effects],
+        "withheld": withheld_json(parameter.explained),
         "augmented": model_json(parameter.augmented, ""),
     }
+
+
+def _noise_json(parameter: ParameterLoop) -> dict[str, Any] | None:
+    """Scatter of runs at one temperature; None where none was visited twice from one side."""
+    pure = parameter.pure_error
+    return (
+        None
+        if pure is None
+        else {"pure_error": pure.standard_deviation_v, "degrees_of_freedom": pure.degrees_of_freedom}
+    )
 
 
 def _polynomial_json(polynomial: Polynomial) -> dict[str, Any]:

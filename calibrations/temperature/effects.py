@@ -5,11 +5,14 @@ from typing import Final
 
 import numpy as np
 
-from calibrations.effects.effect import Effect, Form, Forms, plain, scan, with_scanned
+from calibrations.effects.effect import Effect, Form, Forms, plain, scan, single, with_scanned
 from calibrations.temperature.scene import RunScene
 
 BREAK: Final = "temperature_break"
 DRIFT: Final = "run_drift"
+HYSTERESIS: Final = "temperature_hysteresis"
+_FEWEST_BOTH_WAYS = 3
+"""So many temperatures must show heating and cooling: a gap at one or two of them is any error of those."""
 CUBIC: Final = ("temperature_linear", "temperature_quadratic", "temperature_cubic")
 """What a cubic consists of."""
 _EXPECTED = 8.0
@@ -23,7 +26,7 @@ def _power(order: int) -> Forms[RunScene]:
     """Chebyshev's polynomial over the range, where there are runs enough for it."""
 
     def forms(scene: RunScene) -> Sequence[Form]:
-        if len(np.unique(scene.temperature_degc)) < order + 3:
+        if len(scene.known_degc) < order + 3:
             return ()
         column = np.polynomial.Chebyshev.basis(order)(scene.relative)
         return (Form(columns=column[:, None], doubt=-_EXPECTED),)
@@ -39,12 +42,17 @@ def _break(scene: RunScene, at_degc: float) -> Form:
 
 def _steps(scene: RunScene) -> Sequence[Form]:
     """Another level above a temperature, half way between two runs."""
-    known = np.unique(scene.temperature_degc)
+    known = scene.known_degc
     places = ((known[1:] + known[:-1]) / 2)[1:-1]
     return [
         Form(columns=(scene.temperature_degc > at_degc).astype(float)[:, None], scanned={"at_degC": float(at_degc)})
         for at_degc in places
     ]
+
+
+def _hysteresis(scene: RunScene) -> Sequence[Form]:
+    """Half above and half below, where some temperatures were reached by heating and by cooling."""
+    return single(scene.direction / 2.0) if scene.both_ways >= _FEWEST_BOTH_WAYS else ()
 
 
 def _order(scene: RunScene) -> Sequence[Form]:
@@ -56,6 +64,7 @@ def run_effects(unit: str) -> tuple[Effect[RunScene], ...]:
     polynomials = [
         Effect(
             name=f"temperature_{word}",
+            depends_on="temperature",
             belongs_to="unit",
             symbol=f"c T_{order}",
             source="polynomial of Chebyshev over the range of the runs",
@@ -68,6 +77,7 @@ def run_effects(unit: str) -> tuple[Effect[RunScene], ...]:
         *polynomials,
         Effect(
             name=BREAK,
+            depends_on="temperature",
             belongs_to="unit",
             symbol="c max(0, T - T_b)",
             source="a part that comes to its stop, a glass transition, an adhesive that softens",
@@ -77,6 +87,7 @@ def run_effects(unit: str) -> tuple[Effect[RunScene], ...]:
         ),
         Effect(
             name="temperature_step",
+            depends_on="temperature",
             belongs_to="unit",
             symbol="c above T_s",
             source="a contact or a part that slips",
@@ -84,7 +95,17 @@ def run_effects(unit: str) -> tuple[Effect[RunScene], ...]:
             report=with_scanned(plain("step", unit), at_degC="degC"),
         ),
         Effect(
+            name=HYSTERESIS,
+            depends_on="direction",
+            belongs_to="unit",
+            symbol="c after heating - after cooling",
+            source="stress that stays after a change of temperature",
+            forms=_hysteresis,
+            report=plain(HYSTERESIS, unit),
+        ),
+        Effect(
             name=DRIFT,
+            depends_on="order",
             belongs_to="unit",
             symbol="c run",
             source="ageing from run to run",

@@ -8,18 +8,17 @@ from numpy.typing import NDArray
 
 from calibrations.blas_threads import one_blas_thread
 from calibrations.geometry import FloatArray
+from calibrations.repeats import PureError
 from calibrations.support import series
-from calibrations.temperature.effects import CUBIC, run_effects
+from calibrations.temperature.effects import CUBIC
 from calibrations.temperature.scene import RunScene
+from calibrations.temperature.settled import RunTable, run_table, settled_runs
 from calibrations.temperature.shared import SharedCause, shared_causes
 from calibrations.temperature.table import Runs, unit_of
 from calibrations.temperature.unknowable import cannot_be_known
-from calibrations.tracing.declared import Linear
 from calibrations.tracing.findings import EffectFound
-from calibrations.tracing.linear_loop import Explained, Model, as_stated, explain_linear, rms, stated
-from calibrations.tracing.noise import Memory
+from calibrations.tracing.linear_loop import Explained, Model, as_stated, explain_linear, rms, stated, withheld
 from calibrations.tracing.quantified import form_in
-from calibrations.tracing.table import Table
 
 _WORSE = 1.1
 """A larger error of runs left out, by more than this, is a worse prediction."""
@@ -35,7 +34,12 @@ class Polynomial:
     standard_deviation: float
     """Of what it leaves, divisor runs - 1."""
     held_out_rms: float
-    """Of runs predicted from the others."""
+    """Of runs at a temperature, predicted from those at others."""
+
+    @property
+    def words(self) -> str:
+        """How it is called."""
+        return ("constant", "line", "parabola", "cubic")[self.power]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -49,7 +53,12 @@ class ParameterLoop:
     polynomials: tuple[Polynomial, ...]
     augmented: Model
     effects: tuple[EffectFound, ...]
-    explained: Explained[Table]
+    explained: Explained[RunTable]
+    """Of the means of what was run at one temperature, reached from one side."""
+    residual: FloatArray
+    """What is left of every run, shape (runs,)."""
+    pure_error: PureError | None
+    """Scatter of runs at one temperature, in the square of the unit; None where none was visited twice."""
 
     @property
     def best_polynomial(self) -> Polynomial:
@@ -70,6 +79,8 @@ class TemperatureLoop:
 
     runs: Runs
     parameters: tuple[ParameterLoop, ...]
+    temperatures: int
+    """How many different ones were visited."""
     shared: tuple[SharedCause, ...]
     unknowable: tuple[str, ...]
     """What these runs cannot tell, in sentences, each with the experiment that would."""
@@ -78,7 +89,8 @@ class TemperatureLoop:
 @one_blas_thread
 def close_temperature_loop(runs: Runs) -> TemperatureLoop:
     """Trace every parameter of a table of runs, and find causes that several of them share."""
-    parameters = tuple(_parameter(runs, name, values) for name, values in runs.parameters.items())
+    scene = _scene(runs)
+    parameters = tuple(_parameter(scene, name, values) for name, values in runs.parameters.items())
     explained = {parameter.name: parameter.explained for parameter in parameters}
     shared = shared_causes(explained)
     few = next((one.table.not_traced for one in explained.values()), "")
@@ -87,7 +99,13 @@ def close_temperature_loop(runs: Runs) -> TemperatureLoop:
         *cannot_be_known(runs, explained, shared),
         *_only_described(parameters),
     )
-    return TemperatureLoop(runs=runs, parameters=parameters, shared=shared, unknowable=unknowable)
+    return TemperatureLoop(
+        runs=runs,
+        parameters=parameters,
+        temperatures=len(scene.known_degc),
+        shared=shared,
+        unknowable=unknowable,
+    )
 
 
 def _only_described(parameters: Sequence[ParameterLoop]) -> Iterator[str]:
@@ -100,74 +118,70 @@ def _only_described(parameters: Sequence[ParameterLoop]) -> Iterator[str]:
         )
 
 
-def _parameter(runs: Runs, name: str, values: FloatArray) -> ParameterLoop:
+def _parameter(scene: RunScene, name: str, values: FloatArray) -> ParameterLoop:
     unit = unit_of(name)
     units: Mapping[str, str] = {"constant": unit}
-    table = run_table(_scene(runs), values, unit)
-    explained = explain_linear(table, units)
+    settled = settled_runs(scene, values, unit)
+    explained = explain_linear(settled.table, units)
+    powers = range(min(HIGHEST_POWER, max(len(scene.known_degc) - 2, 0)) + 1)
+    polynomials = tuple(_polynomial(scene, values, power) for power in powers)
+    few = settled.table.not_traced
     return ParameterLoop(
         name=name,
         unit=unit,
-        declared=Model(
+        declared=withheld(units, few)
+        if few
+        else Model(
             parameters=as_stated(explained.before),
-            residual_rms=rms(explained.before.residual),
-            held_out_rms=_polynomial(runs, values, 0).held_out_rms,
+            residual_rms=rms(values - values.mean()),
+            held_out_rms=polynomials[0].held_out_rms,
         ),
-        polynomials=tuple(_polynomial(runs, values, power) for power in range(min(HIGHEST_POWER, len(runs) - 2) + 1)),
-        augmented=Model(
+        polynomials=polynomials,
+        augmented=withheld(units, few)
+        if few
+        else Model(
             parameters=stated(explained, explained.best, units),
-            residual_rms=rms(explained.best.residual),
-            held_out_rms=_held_out(table, units),
+            residual_rms=rms(settled.residual(explained)),
+            held_out_rms=settled.with_repeats(_held_out(settled.table, units)),
         ),
-        effects=explained.effects(explained.best),
+        effects=tuple(sorted((*explained.effects(explained.best), *settled.drift), key=lambda each: each.p_value)),
         explained=explained,
+        residual=settled.residual(explained),
+        pure_error=settled.pure_error,
     )
 
 
 def _scene(runs: Runs) -> RunScene:
     hours = None if runs.time_s is None else (runs.time_s - runs.time_s.min()) / 3600.0
-    return RunScene(temperature_degc=runs.temperature_degc, order=runs.order, hours=hours)
+    made = np.argsort(runs.order, kind="stable")
+    direction = np.zeros(len(runs), dtype=np.int64)
+    direction[made[1:]] = np.sign(np.diff(runs.temperature_degc[made]))
+    return RunScene(temperature_degc=runs.temperature_degc, order=runs.order, hours=hours, direction=direction)
 
 
-def run_table(scene: RunScene, values: FloatArray, unit: str) -> Table:
-    """The runs of one parameter as a table that may be traced."""
-    rows = len(values)
-    return Table(
-        model=Linear(functions=np.ones((rows, 1))),
-        output=values,
-        unit=unit,
-        weights=np.ones(rows),
-        scene=scene,
-        effects=run_effects(unit),
-        structures=(),
-        memory=Memory(modes=np.empty((rows, 0))),
-    )
+def _held_out(table: RunTable, units: Mapping[str, str]) -> float:
+    """Root mean square error of predicting each temperature after tracing the others."""
+    scene = table.runs
+    return rms(np.concatenate([_missed(table, scene.at != number, units) for number in range(len(scene.known_degc))]))
 
 
-def _held_out(table: Table, units: Mapping[str, str]) -> float:
-    """Root mean square error of predicting each run after tracing the others."""
-    scene = table.scene
-    assert isinstance(scene, RunScene), "run_table makes it"
-    errors = [_missed(table, scene, np.arange(table.rows) != out, units) for out in range(table.rows)]
-    return rms(np.array(errors))
-
-
-def _missed(table: Table, scene: RunScene, kept: NDArray[np.bool_], units: Mapping[str, str]) -> float:
-    """What the run that is left out shows beyond what the others predict for it."""
+def _missed(table: RunTable, kept: NDArray[np.bool_], units: Mapping[str, str]) -> FloatArray:
+    """What the runs that are left out show beyond what the others predict for them."""
+    scene = table.runs
     best = explain_linear(run_table(scene.only(kept), table.output[kept], table.unit), units).best
     forms = [form_in(scene.over(scene.only(kept)), item).columns @ best.coefficients[columns]
              for item, columns in zip(best.found, best.columns, strict=True)]  # fmt: skip
     predicted = best.parameters["constant"].value + sum(forms, np.zeros(table.rows))
-    return float((table.output - predicted)[~kept][0])
+    return np.asarray((table.output - predicted)[~kept])
 
 
-def _polynomial(runs: Runs, values: FloatArray, power: int) -> Polynomial:
-    temperature_degc = runs.temperature_degc
+def _polynomial(scene: RunScene, values: FloatArray, power: int) -> Polynomial:
+    temperature_degc = scene.temperature_degc
     left = values - np.polynomial.Polynomial.fit(temperature_degc, values, power)(temperature_degc)
     errors = []
-    for out in range(len(values)):
-        kept = np.arange(len(values)) != out
+    for out in range(len(scene.known_degc)):
+        kept = scene.at != out
         fitted = np.polynomial.Polynomial.fit(temperature_degc[kept], values[kept], power)
-        errors.append(values[out] - fitted(temperature_degc[out]))
+        errors.append(values[~kept] - fitted(temperature_degc[~kept]))
     deviation = float(left.std(ddof=1))
-    return Polynomial(power=power, standard_deviation=deviation, held_out_rms=rms(np.array(errors)))
+    return Polynomial(power=power, standard_deviation=deviation, held_out_rms=rms(np.concatenate(errors)))

@@ -6,7 +6,16 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from calibrations.clusters import clusters
 from calibrations.geometry import FloatArray
+
+_ROUNDINGS_K = (0.05, 0.1, 0.2, 0.5, 1.0, 2.0)
+"""How closely a temperature may be set again."""
+
+
+def temperature_numbers(temperature_degc: FloatArray) -> NDArray[np.int64]:
+    """Number of the temperature of each run, from 0 upwards; those that a chamber sets alike share one."""
+    return clusters(temperature_degc, _ROUNDINGS_K)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -16,6 +25,8 @@ class RunScene:
     temperature_degc: FloatArray
     order: FloatArray
     """Which run was made when, shape (runs,)."""
+    direction: NDArray[np.int64]
+    """1 where the run before was colder, -1 where it was warmer, 0 of the first, shape (runs,)."""
     hours: FloatArray | None = None
     """Time since the first run; None where the table does not say."""
     range_degc: tuple[float, float] | None = None
@@ -24,12 +35,34 @@ class RunScene:
     def only(self, kept: NDArray[np.bool_]) -> "RunScene":
         """Some of the runs."""
         hours = None if self.hours is None else self.hours[kept]
-        return replace(self, temperature_degc=self.temperature_degc[kept], order=self.order[kept], hours=hours)
+        return replace(
+            self,
+            temperature_degc=self.temperature_degc[kept],
+            order=self.order[kept],
+            direction=self.direction[kept],
+            hours=hours,
+        )
 
     def over(self, other: "RunScene") -> "RunScene":
         """The same runs, seen over the range of others."""
         low, high = float(other.temperature_degc.min()), float(other.temperature_degc.max())
         return replace(self, range_degc=(low, high))
+
+    @cached_property
+    def at(self) -> NDArray[np.int64]:
+        """Number of the temperature of each run, from 0 upwards, shape (runs,)."""
+        return temperature_numbers(self.temperature_degc)
+
+    @cached_property
+    def known_degc(self) -> FloatArray:
+        """Temperatures that were visited, ascending: runs carry no more numbers than there are of them."""
+        return np.asarray(np.bincount(self.at, weights=self.temperature_degc) / np.bincount(self.at))
+
+    @cached_property
+    def both_ways(self) -> int:
+        """How many temperatures were reached by heating and by cooling."""
+        sides = [set(self.direction[self.at == number].tolist()) for number in range(len(self.known_degc))]
+        return sum({1, -1} <= side for side in sides)
 
     @property
     def rows(self) -> int:
@@ -45,7 +78,7 @@ class RunScene:
     @cached_property
     def between_degc(self) -> FloatArray:
         """Temperatures between which runs lie on both sides, in quarters of the way from each run to the next."""
-        known = np.unique(self.temperature_degc)
+        known = self.known_degc
         inside = known[1:-1]
         fine = np.linspace(inside[0], inside[-1], 4 * (len(inside) - 1) + 1) if len(inside) > 1 else inside
         return np.asarray(fine)

@@ -9,10 +9,9 @@ from scipy.special import chdtrc
 from calibrations.effects.effect import Form
 from calibrations.support import equals, series
 from calibrations.temperature.effects import BREAK
-from calibrations.temperature.scene import RunScene
+from calibrations.temperature.settled import RunTable
 from calibrations.tracing.fitting_noise import golden_section
 from calibrations.tracing.linear_loop import Explained
-from calibrations.tracing.table import Table
 from calibrations.tracing.trace import Found
 
 _AGREE = 0.01
@@ -42,7 +41,7 @@ class _Break:
     """The break of one parameter."""
 
     name: str
-    explained: Explained[Table]
+    explained: Explained[RunTable]
     found: Found
 
     @property
@@ -58,7 +57,7 @@ class _Break:
         return table.deviance([*others, at(table.scene, at_degc)], noise)
 
 
-def shared_causes(explained: Mapping[str, Explained[Table]]) -> tuple[SharedCause, ...]:
+def shared_causes(explained: Mapping[str, Explained[RunTable]]) -> tuple[SharedCause, ...]:
     """Breaks that several parameters may share: in one gap between runs, or at one temperature by their fits."""
     breaks = [
         _Break(name=name, explained=one, found=item)
@@ -99,9 +98,7 @@ def _cause(group: Sequence[_Break]) -> SharedCause:
 
 def _gap(one: _Break, at_degc: float) -> tuple[float, float]:
     """The runs between which a temperature lies."""
-    scene = one.explained.table.scene
-    assert isinstance(scene, RunScene), "the table is one of runs"
-    known = np.unique(scene.temperature_degc)
+    known = one.explained.table.runs.known_degc
     place = int(np.clip(np.searchsorted(known, at_degc), 1, len(known) - 1))
     return float(known[place - 1]), float(known[place])
 

@@ -1,19 +1,31 @@
 """A table of parameters, one run of calibration a line, with the temperature of each."""
 
-import csv
-import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
+from calibrations.cells import Line, is_missing
 from calibrations.geometry import FloatArray
+from calibrations.observations import SetAside
 from calibrations.table import TableError, read_lines
+from calibrations.temperature.columns import Column, column_of, holds_numbers, named, says_runs
+from calibrations.temperature.columns import unit_of as known_unit
 
-_TEMPERATURE = re.compile(r"_degC$")
 _ORDER = "run"
 _TIME = "time_s"
+_FEWEST = 4
+_LARGEST = 1e30
+"""Beyond this a value is none."""
+_KELVIN = 200.0
+"""No sensor is calibrated at so many degrees Celsius throughout."""
+_LOG_S = 60.0
+"""Runs of calibration do not follow each other so fast."""
+_LOG_ROWS = 200
+"""Nor are there so many."""
+_FAR = 100.0
+"""A value so many times as far from all others as these from each other is none."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -29,6 +41,8 @@ class Runs:
     parameters: Mapping[str, FloatArray]
     """Values by the name of the column, unit included."""
     source: str
+    set_aside: tuple[SetAside, ...] = ()
+    """Runs in which a value is missing."""
 
     def __len__(self) -> int:
         """Return the number of runs."""
@@ -36,82 +50,115 @@ class Runs:
 
 
 def unit_of(name: str) -> str:
-    """Unit in the name of a column: what stands after its last underscore; none where there is no underscore."""
-    return name.rsplit("_", 1)[1] if "_" in name else ""
+    """Unit in the name of a column: the one that it is known by, else what stands after its last underscore."""
+    return known_unit(name) or (name.rsplit("_", 1)[1] if "_" in name else "")
 
 
 def holds_runs(path: Path) -> bool:
-    """Whether a file is a table of parameters against temperature: it has a temperature, and no angle of a head."""
+    """Whether a file is a table of parameters against temperature; False where it cannot be read."""
     try:
-        with path.open(encoding="utf-8-sig", newline="") as file:
-            header = next((row for row in csv.reader(file) if row and not row[0].startswith("#")), [])
-    except (OSError, UnicodeDecodeError, csv.Error):
+        header, lines = read_lines(path)
+    except TableError:
         return False
-    names = [name.strip() for name in header]
-    return "angle_deg" not in names and "voltage_V" not in names and any(map(_TEMPERATURE.search, names))
+    return "angle_deg" not in header and says_runs([n for place, n in enumerate(header) if holds_numbers(place, lines)])
 
 
 def read_runs(path: Path) -> Runs:
     """Read a table of parameters: `run`, `time_s` where they are given, temperatures `…_degC`, then parameters.
 
-    The temperature is that of the sensor (`sensor_degC`) where there are several, else the first. A column whose name
-    ends in a unit has that unit.
+    The temperature is that of the sensor (`sensor_degC`) where there are several, else the first. Times, counts and
+    remarks are no parameters.
 
     Raises
     ------
     TableError
-        Missing, unreadable or malformed file, or one with fewer than four runs.
+        Missing, unreadable or malformed file, one with fewer than four runs, or one that is a log and no table of runs.
     """
     header, lines = read_lines(path)
-    columns = {
-        name: _numbers(name, place, lines, path) for place, name in enumerate(header) if _holds_numbers(place, lines)
-    }
-    temperatures = [name for name in columns if _TEMPERATURE.search(name)]
+    numbers = {name: place for place, name in enumerate(header) if holds_numbers(place, lines)}
+    lines, set_aside = _complete(numbers, lines)
+    columns = {name: _numbers(name, place, lines, path) for name, place in numbers.items()}
+    temperatures = named(list(columns), Column.TEMPERATURE)
     if not temperatures:
         raise TableError(f"{path}: no column of a temperature (…_degC) holds numbers; correct it")
-    named = "sensor_degC" if "sensor_degC" in temperatures else temperatures[0]
-    others = {_ORDER, _TIME, *temperatures}
-    parameters = {name: values for name, values in columns.items() if name not in others}
+    at = "sensor_degC" if "sensor_degC" in temperatures else temperatures[0]
+    parameters = {name: values for name, values in columns.items() if column_of(name) is Column.PARAMETER}
     if not parameters:
-        raise TableError(f"{path}, line 1: there is no parameter beside the temperature; add a column for each")
-    if len(lines) < _FEWEST or np.ptp(columns[named]) <= 0:
-        raise TableError(f"{path}: {len(lines)} runs at {len(np.unique(columns[named]))} temperatures tell nothing")
+        raise TableError(
+            f"{path}, line 1: there is no parameter beside the temperature; add a column for each, its unit in its name"
+        )
+    if len(lines) < _FEWEST or np.ptp(columns[at]) <= 0:
+        raise TableError(f"{path}: {len(lines)} runs at {len(np.unique(columns[at]))} temperatures tell nothing")
+    _check_temperatures(at, columns[at], path)
+    _check_pace(columns.get(_TIME), len(lines), path)
+    for name, values in parameters.items():
+        _check_gross(name, values, lines, path)
     return Runs(
-        temperature_degc=columns[named],
-        temperature_name=named,
+        temperature_degc=columns[at],
+        temperature_name=at,
         order=_order(columns, len(lines)),
         time_s=columns.get(_TIME),
         parameters=parameters,
         source=str(path),
+        set_aside=set_aside,
     )
 
 
-_FEWEST = 4
-_LARGEST = 1e30
-"""Beyond this a value is none."""
+def _complete(numbers: Mapping[str, int], lines: list[Line]) -> tuple[list[Line], tuple[SetAside, ...]]:
+    """Runs in which nothing is missing, and the others with what is; a `nan` that somebody wrote is no missing cell."""
+    missing = {
+        row: next((name for name, place in numbers.items() if _is_blank(cells[place])), "")
+        for row, (_, cells) in enumerate(lines)
+    }
+    aside = tuple(SetAside(row=row + 1, reason=f"{name} has no value") for row, name in missing.items() if name)
+    return [line for row, line in enumerate(lines) if not missing[row]], aside
+
+
+def _is_blank(cell: str) -> bool:
+    return is_missing(cell) and cell.lower() != "nan"
+
+
+def _check_temperatures(name: str, values_degc: FloatArray, path: Path) -> None:
+    if values_degc.min() > _KELVIN:
+        raise TableError(
+            f"{path}, column {name}: temperatures from {values_degc.min():g} to {values_degc.max():g} °C; are these "
+            "kelvin? Write degrees Celsius"
+        )
+
+
+def _check_pace(time_s: FloatArray | None, runs: int, path: Path) -> None:
+    """Refuse a log: rows that follow each other as no runs of calibration can."""
+    pace_s = float("inf") if time_s is None else float(np.median(np.diff(np.sort(time_s))))
+    if pace_s < _LOG_S or runs > _LOG_ROWS:
+        why = f"{runs} rows" if pace_s >= _LOG_S else f"rows {pace_s:g} s apart"
+        raise TableError(
+            f"{path}: {why} look like a log and not like runs of calibration; give one row for each run, or "
+            "angle_deg with the output"
+        )
+
+
+def _check_gross(name: str, values: FloatArray, lines: Sequence[Line], path: Path) -> None:
+    """Refuse a value that is of another order than all the others."""
+    row = int(np.argmax(np.abs(values - np.median(values))))
+    others = np.delete(values, row)
+    spread = float(np.ptp(others))
+    if spread > 0 and abs(values[row] - np.median(others)) > _FAR * spread:
+        raise TableError(
+            f"{path}, line {lines[row][0]}, column {name}: {values[row]:g} lies more than {_FAR:.0f} times as far from "
+            "the other runs as these from each other; correct it or leave the run out"
+        )
 
 
 def _order(columns: Mapping[str, FloatArray], runs: int) -> FloatArray:
     """Which run was made when: as the table says, by its times, or else line by line."""
     if _ORDER in columns:
         return columns[_ORDER]
-    if _TIME in columns:
-        return np.argsort(np.argsort(columns[_TIME])).astype(np.float64) + 1.0
+    if times := [name for name in columns if column_of(name) is Column.TIME]:
+        return np.argsort(np.argsort(columns[times[0]])).astype(np.float64) + 1.0
     return np.arange(1.0, runs + 1)
 
 
-def _holds_numbers(place: int, lines: list[tuple[int, list[str]]]) -> bool:
-    """Whether any cell of a column is a number; a column of remarks is left out."""
-    for _, cells in lines:
-        try:
-            float(cells[place])
-        except ValueError:
-            continue
-        return True
-    return False
-
-
-def _numbers(name: str, place: int, lines: list[tuple[int, list[str]]], path: Path) -> FloatArray:
+def _numbers(name: str, place: int, lines: Sequence[Line], path: Path) -> FloatArray:
     values = []
     for number, cells in lines:
         try:

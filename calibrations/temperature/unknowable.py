@@ -6,20 +6,27 @@ import numpy as np
 
 from calibrations.support import series
 from calibrations.temperature.effects import BREAK, DRIFT
+from calibrations.temperature.settled import RunTable
 from calibrations.temperature.shared import SharedCause
 from calibrations.temperature.table import Runs
 from calibrations.tracing.linear_loop import Explained
-from calibrations.tracing.table import Table
 
 _FEW = 2
 """A break with so few runs on one side could as well be a bend or a step."""
 
 
 def cannot_be_known(
-    runs: Runs, explained: Mapping[str, Explained[Table]], shared: Sequence[SharedCause]
+    runs: Runs, explained: Mapping[str, Explained[RunTable]], shared: Sequence[SharedCause]
 ) -> tuple[str, ...]:
     """All of it, the most general first."""
-    return (*_order(runs), *_repeats(runs), *_thin_breaks(runs, explained), *_rivals(explained), *_near_causes(shared))
+    return (
+        *_order(runs),
+        *_repeats(runs),
+        *_withheld(explained),
+        *_thin_breaks(runs, explained),
+        *_rivals(explained),
+        *_near_causes(shared),
+    )
 
 
 def _order(runs: Runs) -> Iterator[str]:
@@ -43,7 +50,13 @@ def _repeats(runs: Runs) -> Iterator[str]:
         )
 
 
-def _thin_breaks(runs: Runs, explained: Mapping[str, Explained[Table]]) -> Iterator[str]:
+def _withheld(explained: Mapping[str, Explained[RunTable]]) -> Iterator[str]:
+    """Effects that would fit the runs and do not stand on the temperatures."""
+    for name, one in explained.items():
+        yield from (f"In {name}, {sentence}".replace(" settings", " temperatures") for sentence in one.withheld)
+
+
+def _thin_breaks(runs: Runs, explained: Mapping[str, Explained[RunTable]]) -> Iterator[str]:
     """Breaks beyond which there are hardly any runs."""
     thin: dict[tuple[float, ...], list[str]] = {}
     for name, one in explained.items():
@@ -61,7 +74,7 @@ def _thin_breaks(runs: Runs, explained: Mapping[str, Explained[Table]]) -> Itera
         )
 
 
-def _rivals(explained: Mapping[str, Explained[Table]]) -> Iterator[str]:
+def _rivals(explained: Mapping[str, Explained[RunTable]]) -> Iterator[str]:
     """Effects that explain a parameter as well as those that were found."""
     for name, one in explained.items():
         for effect, rivals in one.close.items():

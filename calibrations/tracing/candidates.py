@@ -71,7 +71,7 @@ def _numbered(tried: Sequence[tuple[Effect[Any], Sequence[Form]]], rows: int, sp
                 columns=slice(start, start + width),
                 entry=_entry(width, chance, rows, spare) + handicap + form.doubt,
                 again=_entry(width, second, rows, spare) + handicap + form.doubt,
-                chance=FALSE_ALARM / len(tried) / (1 if effect.at else len(forms)),
+                chance=_doubted(len(tried) * (1 if effect.at else len(forms)), form.doubt),
             )
             start += width
 
@@ -87,6 +87,14 @@ def _seen_in_several_rows(form: Form, span: FloatArray) -> bool:
     squares = (form.columns - span @ (span.T @ form.columns)) ** 2
     rest = np.sort(squares, axis=0)[:-2].sum(axis=0)
     return bool(np.all(rest >= _REST * squares.sum(axis=0)))
+
+
+def _doubted(tried: int, doubt: float) -> float:
+    """Chance at which one of so many shapes is believed; doubt in -2 ln L changes its odds by exp(-doubt/2).
+
+    What is expected rather than sought (doubt below 0) is no false alarm, and shares that chance with nothing.
+    """
+    return float(FALSE_ALARM / (tried if doubt >= 0.0 else 1) * np.exp(-doubt / 2.0))
 
 
 def _entry(width: int, chance: float, rows: int, spare: int) -> float:

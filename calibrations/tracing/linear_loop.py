@@ -35,7 +35,8 @@ class Model:
     """One of the two models of a table: declared, or with what was found."""
 
     parameters: Mapping[str, Stated]
-    residual_rms: float
+    residual_rms: float | None
+    """None where nothing is stated."""
     held_out_rms: float | None
     """On rows that neither chose an effect nor fitted its coefficients; None where too few remain."""
 
@@ -64,6 +65,11 @@ class Explained(Generic[_T]):
     def near(self) -> Mapping[str, Sequence[Rival]]:
         """Near rivals of each effect of the trace."""
         return self.judged.near
+
+    @property
+    def withheld(self) -> tuple[str, ...]:
+        """What would fit the rows and does not stand, in sentences; shapes without a name are not told of."""
+        return tuple(f"{each.name} is not stated: {each.reason}." for each in self.judged.withheld if not each.unnamed)
 
     @property
     def table(self) -> _T:
@@ -114,6 +120,12 @@ def stated(explained: Explained[Any], fit: LinearFit, units: Mapping[str, str]) 
     return parameters
 
 
+def withheld(units: Mapping[str, str], reason: str) -> Model:
+    """A model of which nothing is stated, and why: the table is to be asked about, or holds too little."""
+    parameters = {name: Stated(unit=unit, reason=reason) for name, unit in units.items()}
+    return Model(parameters=parameters, residual_rms=None, held_out_rms=None)
+
+
 def rms(values: FloatArray) -> float:
     """Root mean square."""
     return float(np.sqrt(np.mean(values**2)))
@@ -135,6 +147,11 @@ def _judged(parameter: Stated, other: float, name: str, rival: str) -> Stated:
         return parameter
     reason = f"it differs between {name} and {rival}, which this table does not clearly tell apart"
     return replace(parameter, value=None, standard_uncertainty=None, reason=reason)
+
+
+def withheld_json(explained: Explained[Any]) -> list[dict[str, str]]:
+    """What would fit the rows and does not stand."""
+    return [{"name": each.name, "reason": each.reason} for each in explained.judged.withheld if not each.unnamed]
 
 
 def model_json(model: Model, unit: str) -> dict[str, Any]:

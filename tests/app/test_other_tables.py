@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 from app_jobs import tumble
 from head_tables import rests, stream
+from public_heads import backwards, five_settings, joint
 
 from calibrations.table import read_table, write_table
 
@@ -102,6 +103,81 @@ def test_a_malformed_table_of_runs_ends_with_one_sentence(tmp_path):
     ran = tumble("close-loop", tmp_path / "runs.csv")
     assert (ran.status, ran.err.count("\n")) == (2, 1)
     assert "line 3, column bias_mV: 'x' is not a number" in ran.err
+
+
+def test_a_reference_that_counts_backwards_is_asked_about_and_nothing_else_is_stated(tmp_path):
+    write_table(backwards(), tmp_path / "back.csv")
+    page = tmp_path / "back.html"
+    ran = tumble("close-loop", tmp_path / "back.csv", "--report", page)
+    assert ran.status == 0
+    assert "it turns against the head; change its sign" in " ".join(ran.err.split())
+    assert ran.out.strip() == "back.csv: nothing is stated before that is answered."
+    text = page.read_text("utf-8")
+    assert "change its sign" in text
+    assert "Nothing is stated before that is answered." in text
+    for stated in ("shows no effect", "Before and after", "What a constant offset leaves"):
+        assert stated not in text
+
+
+def test_too_few_rows_are_said_to_be_too_few_and_nothing_is_stated(tmp_path):
+    (tmp_path / "few.csv").write_text("angle_deg,reference_deg\n0,0.1\n90,90.1\n180,180.2\n", "utf-8")
+    ran, document = closed(tmp_path, tmp_path / "few.csv")
+    assert "nothing was looked for: 3 rows are too few; at least 6 are needed" in ran.out
+    assert "Before and after" not in ran.out
+    assert document["declared"]["parameters"]["offset"]["value"] is None
+    assert document["declared"]["parameters"]["offset"]["reason"] == "3 rows are too few; at least 6 are needed"
+
+
+def test_repeats_give_a_table_of_settings_on_the_terminal_and_in_the_report(tmp_path):
+    write_table(five_settings(), tmp_path / "five.csv")
+    page = tmp_path / "five.html"
+    ran = tumble("close-loop", tmp_path / "five.csv", "--report", page)
+    assert "F(9, 38) = 497" in ran.out
+    for text in (ran.out, page.read_text("utf-8")):
+        assert "Error by setting" in text
+        assert "0.0320(13)°" in text
+        assert "eccentricity" not in text
+
+
+def test_a_joint_is_compared_as_a_map(tmp_path):
+    write_table(joint(loaded=False), tmp_path / "unloaded.csv")
+    write_table(joint(loaded=True), tmp_path / "loaded.csv")
+    ran, document = closed(
+        tmp_path, tmp_path / "unloaded.csv", tmp_path / "loaded.csv", "--report", tmp_path / "p.html"
+    )
+    assert "loaded.csv minus unloaded.csv" in (tmp_path / "p.html").read_text("utf-8")
+    assert "loaded.csv minus unloaded.csv, at 101 angles that both visited" in " ".join(ran.out.split())
+    above = [part["mean_deg"] for part in document["difference"]["parts"] if part["direction"] == 1]
+    assert -1.2 < min(above) < max(above) < -0.35
+    assert document["difference"]["head_changed"]
+    assert [round(each["value"], 3) for each in document["difference"]["slopes_deg_per_deg"]] == [0.049, 0.039]
+
+
+@pytest.mark.parametrize(
+    ("header", "said"),
+    [
+        ("temperature_degC,humidity_percent,time_h", "looks like a table of the climate of a room"),
+        ("angle_degs,Voltage_v,temperature_degC", "is angle_degs angle_deg and Voltage_v voltage_V?"),
+        ("outer_deg,inner_deg,u_x_V,temperature_degC", "looks like a table of a triad on a two-axis stand"),
+    ],
+)
+def test_a_table_that_is_not_known_is_refused_by_name(tmp_path, header, said):
+    width = header.count(",") + 1
+    rows = [",".join([str(20 + 5 * row)] * width) for row in range(8)]
+    (tmp_path / "log.csv").write_text("\n".join([header, *rows, ""]), "utf-8")
+    ran = tumble("close-loop", tmp_path / "log.csv")
+    assert (ran.status, ran.out) == (2, "")
+    assert said in " ".join(ran.err.split())
+
+
+def test_two_temperatures_are_too_few_and_nothing_is_stated(tmp_path):
+    lines = [f"{run},{20 + 40 * (run % 2)},{0.1 * run}" for run in range(1, 13)]
+    (tmp_path / "runs.csv").write_text("\n".join(["run,sensor_degC,bias_mV", *lines, ""]), "utf-8")
+    ran, document = closed(tmp_path, tmp_path / "runs.csv")
+    assert "2 temperatures (visited 12 times) are too few" in " ".join(ran.out.split())
+    assert "not looked for" in ran.out
+    assert document["parameters"]["bias_mV"]["augmented"]["parameters"]["constant"]["value"] is None
+    assert tumble("close-loop", tmp_path / "runs.csv", "--report", tmp_path / "runs.html").status == 0
 
 
 STAND = """

@@ -1,0 +1,93 @@
+"""What changes between two visits to one setting: seen free of whatever the settings differ by."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from calibrations.effects.effect import Effect, Structure
+from calibrations.geometry import FloatArray
+from calibrations.tracing.declared import Linear
+from calibrations.tracing.findings import EffectFound, Unexplained
+from calibrations.tracing.linear_loop import Explained, explain_linear
+from calibrations.tracing.noise import Memory
+from calibrations.tracing.table import Table, View
+
+_SPREAD = 0.25
+"""Where so much of the scatter of the times lies within settings, they are what shows a drift."""
+_SPARE_ROWS = 6
+"""So many rows more than settings are needed."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class WithinTable(Table):
+    """Rows beside the mean of their setting."""
+
+    @property
+    def fewest_rows(self) -> int:
+        """A mean for each setting, and some rows to spare."""
+        return self.model.parameters + _SPARE_ROWS
+
+
+@dataclass(frozen=True, kw_only=True)
+class Within:
+    """What was found within the settings."""
+
+    explained: Explained[WithinTable]
+
+    @cached_property
+    def shift(self) -> FloatArray:
+        """What it adds to the output of every row, shape (rows,)."""
+        best = self.explained.best
+        parts = [item.form.columns @ best.coefficients[columns]
+                 for item, columns in zip(best.found, best.columns, strict=True)]  # fmt: skip
+        return np.asarray(sum(parts, np.zeros(self.explained.table.rows)))
+
+    @property
+    def effects(self) -> tuple[EffectFound, ...]:
+        """Those with a name."""
+        return self.explained.effects(self.explained.best)
+
+    @property
+    def unexplained(self) -> tuple[Unexplained, ...]:
+        """What has none."""
+        return self.explained.unexplained
+
+
+def too_few(rows: int, fewest: int, counted: str, visits: int = 0) -> str:
+    """Why nothing is looked for in so many settings, `counted` in words, that were visited so often; else empty."""
+    visited = f" (visited {visits} times)" if visits else ""
+    return f"{rows} {counted}{visited} are too few; at least {fewest} are needed" if rows < fewest else ""
+
+
+def lies_within(times: FloatArray, setting: NDArray[np.int64]) -> bool:
+    """Whether settings were visited again after some time, so that a drift shows between their visits."""
+    within = times - (np.bincount(setting, weights=times) / np.bincount(setting))[setting]
+    about = times - times.mean()
+    return bool(about @ about > 0 and within @ within >= _SPREAD * (about @ about))
+
+
+def trace_within(
+    scene: View,
+    setting: NDArray[np.int64],
+    output: FloatArray,
+    unit: str,
+    effects: Sequence[Effect[Any]],
+    structures: Sequence[Structure[Any]] = (),
+) -> Within:
+    """Trace what the rows of a setting differ by; `setting` numbers them from 0."""
+    count = int(setting.max()) + 1
+    table = WithinTable(
+        model=Linear(functions=(setting[:, None] == np.arange(count)).astype(np.float64)),
+        output=output,
+        unit=unit,
+        weights=np.ones(len(output)),
+        scene=scene,
+        effects=tuple(effects),
+        structures=tuple(structures),
+        memory=Memory(modes=np.empty((len(output), 0))),
+    )
+    return Within(explained=explain_linear(table, {f"setting {number}": unit for number in range(count)}))

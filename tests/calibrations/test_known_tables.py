@@ -1,0 +1,119 @@
+import pytest
+
+from calibrations.known_tables import Kind, kind_of
+from calibrations.table import TableError
+from calibrations.temperature.columns import Column, column_of
+from calibrations.temperature.table import read_runs, unit_of
+
+TRIAD = (
+    "run,ambient_degC,sensor_degC,bias_x_arcsec,bias_y_arcsec,bias_z_arcsec,scale_x_percent,scale_y_percent,"
+    "scale_z_percent,angle_1_arcsec,angle_2_arcsec,angle_3_arcsec,angle_4_arcsec,angle_5_arcsec,angle_6_arcsec"
+)
+"""Header of tables 4.11 to 4.14 of Dzuev 2018."""
+
+
+def table(tmp_path, header, rows=8):
+    width = header.count(",") + 1
+    lines = [",".join([str(20 + 5 * row)] * width) for row in range(rows)]
+    (tmp_path / "table.csv").write_text("\n".join([header, *lines, ""]), "utf-8")
+    return tmp_path / "table.csv"
+
+
+@pytest.mark.parametrize(
+    ("header", "kind"),
+    [
+        ("angle_deg,voltage_V,temperature_degC", Kind.ACCELEROMETER),
+        ("angle_deg,voltage_V,reference_deg", Kind.ACCELEROMETER),
+        ("angle_deg,reference_deg,temperature_degC", Kind.HEAD),
+        ("run,sensor_degC,bias_V", Kind.RUNS),
+        ("temperature_degC,time_h,samples,u0_V,kx_V_per_g,kxy_mV", Kind.RUNS),
+        ("sensor_degC,bias_deg_h,scale_ppm", Kind.RUNS),
+        (TRIAD, Kind.RUNS),
+    ],
+)
+def test_a_table_is_known_by_its_columns(tmp_path, header, kind):
+    assert kind_of(table(tmp_path, header)) is kind
+
+
+@pytest.mark.parametrize(
+    ("header", "looks"),
+    [
+        ("temperature_degC,humidity_percent,time_h", "the climate of a room (humidity_percent)"),
+        ("tau_s,adev_ug,temperature_degC", "Allan deviations"),
+        ("position_id,outer_deg,inner_deg,u_x_V,u_y_V,u_z_V,temperature_degC", "a triad on a two-axis stand"),
+        ("temperature_degC,u_x_V,u_y_V,u_z_V", "a triad of accelerometers"),
+        ("time_s,u_x_counts,u_y_counts,u_z_counts", "a triad of accelerometers"),
+        ("time_s,azimuth_deg,rate_deg_h,temperature_degC", "gyrocompassing"),
+        ("time_s,rate_deg_s,temperature_degC", "a gyro"),
+        ("time_s,apparatus,ai_g,output_ug,temperature_degC", "vibration rectification"),
+        ("dwell,time_s,kind,drive_Hz,output_g", "vibrated dwells"),
+    ],
+)
+def test_what_is_of_another_kind_is_refused_by_its_name(tmp_path, header, looks):
+    with pytest.raises(TableError) as refused:
+        kind_of(table(tmp_path, header))
+    assert f"line 1: this looks like a table of {looks}" in str(refused.value)
+    assert "which this version does not analyse; tumble reads an accelerometer on a head" in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("header", "said"),
+    [
+        ("angle_degs,Voltage_v,temperature_degC", "is angle_degs angle_deg and Voltage_v voltage_V? Rename"),
+        ("angle_deg,Voltage_v", "column voltage_V (or reference_deg) is missing; is Voltage_v voltage_V?"),
+        ("angle_deg,refrence_deg", "is refrence_deg reference_deg?"),
+        ("Angle_deg,voltage_V", "is Angle_deg angle_deg?"),
+        ("temperature_degC,battery_V", "column battery_V says no parameter of a sensor with its unit"),
+        ("temperature_degC,bias", "column bias says no parameter of a sensor with its unit"),
+        ("temperature_degC,a_x_g,a_y_g,a_z_g", "columns a_x_g, a_y_g and a_z_g say no parameter"),
+        ("temperature_degC,bias_mV,fan_percent", "column fan_percent says no parameter"),
+        ("temperature_K,bias_mV", "column angle_deg, or a temperature in °C (…_degC) is missing"),
+        ("first,second", "column angle_deg is missing; the columns are first, second; tumble reads"),
+    ],
+)
+def test_a_table_of_no_kind_is_refused_with_what_is_there(tmp_path, header, said):
+    with pytest.raises(TableError) as refused:
+        kind_of(table(tmp_path, header))
+    assert said in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    "name", ["time_s", "time_h", "t_min", "run", "row", "samples", "date", "dwell_s", "duration_h"]
+)
+def test_times_and_counts_are_no_parameters(name):
+    assert column_of(name) in (Column.TIME, Column.ORDINAL)
+
+
+@pytest.mark.parametrize(
+    ("name", "unit"),
+    [("bias_deg_h", "deg_h"), ("kx_V_per_g", "V_per_g"), ("scale_x_percent", "percent"), ("angle_1_arcsec", "arcsec")],
+)
+def test_a_unit_is_read_whole(name, unit):
+    assert (column_of(name), unit_of(name)) == (Column.PARAMETER, unit)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (
+            "time_s,sensor_degC,bias_V\n" + "\n".join(f"{n},{20 + n},1" for n in range(9)),
+            "rows 1 s apart look like a log",
+        ),
+        ("sensor_degC,bias_V\n" + "\n".join(f"{n % 60},1" for n in range(300)), "300 rows look like a log"),
+        ("sensor_degC,bias_V\n253,1\n273,1\n293,1\n313,1", "from 253 to 313 °C; are these kelvin"),
+        ("sensor_degC,bias_V\n10,1\n20,1.1\n30,1e6\n40,1.2", "line 4, column bias_V: 1e[+]06 lies more than 100 times"),
+        ("sensor_degC,time_h\n10,1\n20,2\n30,3\n40,4", "there is no parameter beside the temperature"),
+    ],
+)
+def test_what_cannot_be_runs_of_calibration_is_refused(tmp_path, text, said):
+    (tmp_path / "runs.csv").write_text(text + "\n", "utf-8")
+    with pytest.raises(TableError, match=said):
+        read_runs(tmp_path / "runs.csv")
+
+
+def test_a_run_with_a_missing_value_is_set_aside_by_name(tmp_path):
+    lines = ["sensor_degC,bias_V", "10,1.0", "20,#N/A", "30,1.2", "40,1.3", "50,1.4"]
+    (tmp_path / "runs.csv").write_text("\n".join(lines) + "\n", "utf-8")
+    runs = read_runs(tmp_path / "runs.csv")
+    assert len(runs) == 4
+    assert [(entry.row, entry.reason) for entry in runs.set_aside] == [(2, "bias_V has no value")]
