@@ -6,7 +6,7 @@ import click
 
 from app.commands import options
 from app.console import warn
-from app.files import RECORDING_SUFFIX, check_result, is_recording, replacing
+from app.files import RECORDING_SUFFIX, is_recording, replacing
 from app.kinds import Kind
 from app.measurements import read_measurement
 from app.terminal import say
@@ -22,7 +22,6 @@ def command(recording: Path, out: Path | None) -> None:
     if not is_recording(recording):
         raise InputError(f"{recording}: is no recording; name a file that ends in {RECORDING_SUFFIX}")
     table = out or recording.with_suffix(".csv")
-    check_result(table, Kind.TABLE)
     measurement = read_measurement(recording)
     with replacing(table, Kind.TABLE) as begun:
         write_table(measurement.observations, begun)

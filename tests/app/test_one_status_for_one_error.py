@@ -1,5 +1,6 @@
 """One kind of error has one exit status and one sentence, in every command: the table of docs/files.md."""
 
+import errno
 import os
 import sys
 
@@ -109,12 +110,18 @@ def test_what_cannot_be_written_is_a_matter_of_storage(folder, calibrated, tiny_
     told(tumble(*(known.get(each, each) for each in arguments)), 5)
 
 
-@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="Linux has it")  # noqa: PTH110
 @pytest.mark.parametrize("arguments", list(WRITING.values())[:4], ids=list(WRITING)[:4])
-def test_a_full_disk_is_a_matter_of_storage(calibrated, arguments):
-    known = {"OUT": "/dev/full", "STORE": calibrated.store}
+def test_a_full_disk_is_a_matter_of_storage(folder, calibrated, monkeypatch, arguments):
+    def full(_path):
+        raise OSError(errno.ENOSPC, "No space left on device")
 
-    told(tumble(*(known.get(each, each) for each in arguments)), 5)
+    monkeypatch.setattr("app.files._make_durable", full)
+    known = {"OUT": "new", "STORE": calibrated.store}
+
+    ran = tumble(*(known.get(each, each) for each in arguments))
+
+    assert (ran.status, "No space left on device" in ran.err.splitlines()[-1]) == (5, True)
+    assert not (folder / "new").exists()
 
 
 STORES = {

@@ -56,7 +56,7 @@ PHASES = {
     "serving": ("app.commands.emulate.time.sleep", ["emulate", "--head-port", "0", "--daq-port", "0"]),
     "emulating": ("app.commands.emulate.emulate", ["emulate"]),
     "opening a store": ("app.commands.records.open_store", ["records", "list"]),
-    "verifying": ("app.commands.records.verify_record", ["records", "verify", "--store", "STORE"]),
+    "verifying": ("app.commands.records.verified_record", ["records", "verify", "--store", "STORE"]),
     "listing stand records": ("app.commands.stand.list_stand_records", ["stand", "list"]),
     "looking for what is cut off": ("app.commands.resume.find", ["resume", "RECORDING"]),
 }

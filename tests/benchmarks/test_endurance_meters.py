@@ -30,6 +30,9 @@ points = 3
 """
 STAND = """\
 name = "emulated"
+[simulated]
+seed = 3
+
 [head]
 driver = "zaber"
 url = "{head}"
