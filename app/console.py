@@ -12,6 +12,7 @@ from rich.text import Text
 
 from app.analysing import Analysed
 from app.terminal import LONGEST_LINE, lead_nowhere
+from calibrations.observations import Observations
 from calibrations.quantities import format_concise, format_freedom, format_interval, format_number, format_probability
 from calibrations.result import Calibration, Parameter
 from calibrations.support import series, support
@@ -183,13 +184,18 @@ def _remark(parameter: Parameter) -> str:
     return parameter.reason if parameter.value is None else parameter.condition
 
 
-def _adequacy_lines(calibration: Calibration) -> Iterator[str]:
-    observations, noise = calibration.observations, calibration.noise
+def row_lines(observations: Observations) -> Iterator[str]:
+    """How many rows were used, and which were set aside, why."""
     yield f"rows: {observations.rows_read} read, {len(observations)} used, {len(observations.set_aside)} set aside"
     for entry in observations.set_aside[:_LISTED]:
         yield f"  row {entry.row}: {entry.reason}"
     if len(observations.set_aside) > _LISTED:
         yield f"  and {len(observations.set_aside) - _LISTED} more; --json lists all"
+
+
+def _adequacy_lines(calibration: Calibration) -> Iterator[str]:
+    noise = calibration.noise
+    yield from row_lines(calibration.observations)
     if noise.pure_error_v is not None:
         yield f"pure error of a dwell: {format_number(noise.pure_error_v, 'V')} ({noise.degrees_of_freedom} dof)"
     used = format_number(noise.used_v, "V")

@@ -72,5 +72,5 @@ def _load_module(path: Path) -> ModuleType:
         raise
     except BaseException as error:  # whatever another's file raises, the operator needs to know which file it was
         reason = visible(f"{type(error).__name__}: {error}", _LONGEST_REASON)
-        raise ValueError(f"{path} could not be loaded ({reason}); correct it") from error
+        raise ValueError(f"{path} could not be loaded ({reason})") from error
     return module

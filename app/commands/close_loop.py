@@ -15,7 +15,7 @@ from app.closing import MOST_EXPERIMENTS, Closing, act, begin
 from app.commands import options
 from app.commands.measuring import Wanted, may_measure
 from app.commands.telling import leave_by
-from app.console import messages, run_display, show_verdict, warn
+from app.console import messages, results, row_lines, run_display, show_verdict, warn
 from app.files import is_recording
 from app.joining import read_together
 from app.learning import contradictions_of, learn
@@ -27,6 +27,7 @@ from app.stand import read_stand
 from app.stand_records import with_stand_record
 from app.terminal import say
 from calibrations.montecarlo import TRIALS
+from calibrations.observations import Observations
 from calibrations.tracing.chain import Chain
 from procedures.announcer import Listener
 from procedures.errors import InputError
@@ -136,12 +137,20 @@ def _has_rows(path: Path) -> bool:
         return False
 
 
+def _tell_set_aside(observations: Observations) -> None:
+    """Say which rows were not used, where there are any."""
+    if observations.set_aside:
+        for line in row_lines(observations):
+            results().print(line, markup=False, soft_wrap=True)
+
+
 def _tell(traced: Traced, chain: Chain | None, json_path: Path | None, page: Path | None) -> None:
     """Show the result where it is wanted. Raises `SystemExit` where limits are not met or not decided."""
     warn(traced.loop.augmented.warnings)
     if str(json_path) != "-":
         show_verdict(traced.verdict)
         show_loop(traced.loop)
+        _tell_set_aside(traced.loop.augmented.observations)
     warn(contradictions_of(traced))
     options.write_json(traced.loop_json() | (chain.as_json() if chain else {}), json_path)
     if page is not None:
