@@ -13,6 +13,8 @@ from calibrations.tracing.seen import SEEN, Seen, beside
 
 WITHIN: Final = 0.1
 """What varies by less than this part within blocks is a function of the block."""
+_AGREE_P: Final = 0.05
+"""Above this blocks agree on the size of an effect by their repeats."""
 _RIDGE: Final = 1e-9
 IntArray = NDArray[np.int64]
 
@@ -57,6 +59,7 @@ def lack_of_fit(seen: Seen, block: IntArray) -> Lack:
     rank = int(np.count_nonzero(told)) + int(np.count_nonzero(values > SEEN))
     return _judged(
         blocks=len(np.unique(block)),
+        inside_too=not constant,
         explained=(explained, seen.own.shape[1]),
         between=(max(rest - scatter, 0.0), rank - everything.shape[1]),
         inside=(scatter, len(seen.left) - rank),
@@ -67,20 +70,28 @@ _Squares = tuple[float, int]
 """A sum of squares with its degrees of freedom."""
 
 
-def _judged(blocks: int, explained: _Squares, between: _Squares, inside: _Squares) -> Lack:
-    """Analysis of variance: the effect against the larger of lack of fit and pure error, with the former's freedom."""
+def _judged(blocks: int, inside_too: bool, explained: _Squares, between: _Squares, inside: _Squares) -> Lack:
+    """Analysis of variance: the effect against the larger of lack of fit and pure error, with the former's freedom.
+
+    An effect that is seen inside each block is measured by the repeats there; if three blocks or more agree on its
+    size, both are one ruler.
+    """
     freedom, width = max(between[1], 0), explained[1]
     lack, pure = _mean_square(between), _mean_square(inside)
-    mean_square = max(lack, pure, 1e-300)
+    mean_square, ruler = max(lack, pure, 1e-300), freedom
+    alike = float(fdtrc(freedom, inside[1], lack / pure)) if freedom > 0 and pure > 0 else 1.0
+    if inside_too and freedom > 1 and inside[1] > 0 and alike > _AGREE_P:
+        ruler = freedom + inside[1]
+        mean_square = max((between[0] + inside[0]) / ruler, 1e-300)
     testable = freedom > 0 and width > 0
     return Lack(
         blocks=blocks,
         freedom=freedom,
         mean_square=mean_square,
-        p_value=float(fdtrc(width, freedom, explained[0] / width / mean_square)) if testable else 1.0,
+        p_value=float(fdtrc(width, ruler, explained[0] / width / mean_square)) if testable else 1.0,
         between=lack,
         pure=pure,
-        alike=float(fdtrc(freedom, inside[1], lack / pure)) if freedom > 0 and pure > 0 else 1.0,
+        alike=alike,
     )
 
 

@@ -37,7 +37,7 @@ class Candidate:
     again: float
     """The same for a second form of an effect that is there already: its shape need not be one of the catalogue's."""
     chance: float
-    """At which this effect, in any of its forms, would be found where it is not."""
+    """At which this form would be found where it is not."""
 
     @property
     def coefficients(self) -> int:
@@ -71,7 +71,7 @@ def _numbered(tried: Sequence[tuple[Effect[Any], Sequence[Form]]], rows: int, sp
                 columns=slice(start, start + width),
                 entry=_entry(width, chance, rows, spare) + handicap + form.doubt,
                 again=_entry(width, second, rows, spare) + handicap + form.doubt,
-                chance=_doubted(len(tried) * (1 if effect.at else len(forms)), form.doubt),
+                chance=_doubted(len(tried) * len(forms), form.doubt),
             )
             start += width
 
