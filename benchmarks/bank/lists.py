@@ -1,7 +1,7 @@
 """What the bank consists of: lists of (spec, seed), each with seeds of its own.
 
 The seeds are fixed beforehand. Those of `DEVELOPMENT` may be looked at while an analysis is written; those of
-`REPORTED` are run once, for the numbers that are published; six earlier sets, from 5,000,000 to 10,000,000 on, were
+`REPORTED` are run once, for the numbers that are published; seven earlier sets, from 5,000,000 to 11,000,000 on, were
 given up when they had brought faults of the analysis to light. No seed is in both, nor in two lists.
 """
 
@@ -17,7 +17,7 @@ from benchmarks.bank.table import Spec
 Wanted = list[tuple[Spec, int]]
 
 DEVELOPMENT: Final = range(1_000_000, 2_000_000)
-REPORTED: Final = range(11_000_000, 12_000_000)
+REPORTED: Final = range(12_000_000, 13_000_000)
 
 _LISTS = ("singles", "pairs", "triples", "novel", "clean", "missing_columns", "heavy", "mixture", "power")
 _SHARE = 100_000
