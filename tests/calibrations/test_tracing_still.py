@@ -47,7 +47,7 @@ def left_still(procedure=None):
 
 
 def test_a_head_that_never_turned_is_asked_about_with_how_to_say_that_it_was_meant():
-    (question,) = close_loop(left_still()).augmented.warnings
+    (question, _stand) = close_loop(left_still()).augmented.warnings
     assert question.endswith("If the unit was left still on purpose, write still into the column procedure")
 
 
