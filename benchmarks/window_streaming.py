@@ -199,7 +199,7 @@ def measure(minutes: float) -> dict[str, Any]:
     job = Job(stand=load_stand(), programme=programme_from_text(_PROGRAMME, "stream"), serial_number="STREAM")
     running.window.open(running.window.run)
     view.begin(job.plan())
-    running.window.run.phase = Phase.RUNNING
+    running.window.run._now.phase = Phase.RUNNING
     beat = QTimer(interval=BEAT_MS, timerType=Qt.TimerType.PreciseTimer)
     beat.timeout.connect(meter.beat)
     beat.start()
@@ -226,7 +226,7 @@ def measure(minutes: float) -> dict[str, Any]:
         late_s = float(streaming.stderr.read())
     beat.stop()
     drawn = view.map.done
-    running.window.run.phase = Phase.IDLE
+    running.window.run._now.phase = Phase.IDLE
     running.window.leave()
     return summary(meter) | {
         "blocks": taken[0],

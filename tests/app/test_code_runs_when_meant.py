@@ -78,6 +78,7 @@ def ran(tmp_path):
 def run(write, tiny, tmp_path, monkeypatch):
     """Runs six dwells at a stand without waiting; returns what was said and the recording."""
     monkeypatch.setattr("drivers.clock.time.sleep", lambda _: None)
+    monkeypatch.setattr("procedures.motion._STANDSTILL_S", 0.1)
     answers = write("answers.toml", ANSWERS)
 
     def measure(stand):
