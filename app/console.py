@@ -135,7 +135,7 @@ def show_result(analysed: Analysed, console: Console | None = None) -> None:
     use = analysed.usable
     calibration = use.calibration
     show_verdict(analysed.verdict, console)
-    console.print(_parameter_table(analysed))
+    console.print(parameter_table(analysed))
     if use.model is Model.AUGMENTED:
         console.print("values with what was found taken into account; the declared model's stand below", markup=False)
     if record := calibration.stand_record:
@@ -157,7 +157,8 @@ def show_verdict(verdict: Verdict, console: Console | None = None) -> None:
         console.print(f"- {judgement.sentence}", markup=False, soft_wrap=True)
 
 
-def _parameter_table(analysed: Analysed) -> Table:
+def parameter_table(analysed: Analysed) -> Table:
+    """The values to use, each with its interval and what is to be said of it."""
     provenance = analysed.provenance
     table = Table(title=f"{provenance.serial_number} {provenance.programme_name}".strip(), title_justify="left")
     for heading in ("parameter", "value (standard uncertainty)", "95% interval", "dof", "remark"):

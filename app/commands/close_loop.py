@@ -15,7 +15,7 @@ from app.closing import MOST_EXPERIMENTS, Closing, act, begin
 from app.commands import options
 from app.commands.measuring import Wanted, may_measure
 from app.commands.telling import leave_by
-from app.console import messages, results, row_lines, run_display, show_verdict, warn
+from app.console import messages, parameter_table, results, row_lines, run_display, show_verdict, warn
 from app.files import is_recording
 from app.joining import read_together
 from app.learning import contradictions_of, learn
@@ -29,6 +29,7 @@ from app.terminal import say
 from calibrations.montecarlo import TRIALS
 from calibrations.observations import Observations
 from calibrations.tracing.chain import Chain
+from calibrations.tracing.words import comparisons
 from procedures.announcer import Listener
 from procedures.errors import InputError
 from procedures.programme import load_programme
@@ -150,6 +151,8 @@ def _tell(traced: Traced, chain: Chain | None, json_path: Path | None, page: Pat
     if str(json_path) != "-":
         show_verdict(traced.verdict)
         show_loop(traced.loop)
+        if not comparisons(traced.loop):  # which holds the values, too
+            results().print(parameter_table(traced))
         _tell_set_aside(traced.loop.augmented.observations)
     warn(contradictions_of(traced))
     options.write_json(traced.loop_json() | (chain.as_json() if chain else {}), json_path)
