@@ -215,7 +215,7 @@ def _rounded(observations: Observations) -> str:
     if len(values) > len(observations) / 2 or not np.allclose(steps_v / step_v, np.round(steps_v / step_v), atol=1e-3):
         return ""
     repeats = pure_error(observations.output_v, pose_groups(observations), np.ones(len(observations)))
-    if not repeats.degrees_of_freedom or repeats.standard_deviation_v > step_v / _COARSE:
+    if not repeats.degrees_of_freedom or repeats.standard_deviation > step_v / _COARSE:
         return ""
     return (
         f"{observations.source}: the output is rounded to {step_v:.4g} V, far more than repeats scatter; what is "
