@@ -44,12 +44,12 @@ class ProblemDialog(Dialog):
 
 def keep_details(error: BaseException) -> Path:
     """Add an exception with its traceback to the file of the window's faults."""
-    path = state_folder() / "window-faults.log"
     try:
+        path = state_folder() / "window-faults.log"
         path.parent.mkdir(parents=True, exist_ok=True)
         with path.open("a", encoding="utf-8") as file:
             file.write(f"{datetime.now(tz=UTC).isoformat(timespec='seconds')}\n{_details(error)}\n")
-    except OSError:
+    except (OSError, RuntimeError):  # of a user without a home
         return Path("-")
     return path
 
