@@ -14,11 +14,11 @@ UNEQUAL_P = 1e-3
 """Kinds of dwell are weighted differently only where their repeats differ beyond this chance."""
 
 
-def settings(angle_deg: FloatArray) -> NDArray[np.int64]:
-    """Number of the head setting of each row: rows whose angles lie within `SAME_ANGLE_DEG` share one."""
-    order = np.argsort(angle_deg, kind="stable")
-    number = np.empty(len(angle_deg), dtype=np.int64)
-    number[order] = np.cumsum(np.diff(angle_deg[order], prepend=angle_deg[order[:1]]) > SAME_ANGLE_DEG)
+def settings(values: FloatArray, same: float = SAME_ANGLE_DEG) -> NDArray[np.int64]:
+    """Number of the setting of each row, ascending; values (angles in degrees) closer than `same` share one."""
+    order = np.argsort(values, kind="stable")
+    number = np.empty(len(values), dtype=np.int64)
+    number[order] = np.cumsum(np.diff(values[order], prepend=values[order[:1]]) > same)
     return number
 
 

@@ -9,16 +9,13 @@ import numpy as np
 from calibrations.cells import Line, is_missing
 from calibrations.cells import number as as_number
 from calibrations.geometry import FloatArray
-from calibrations.observations import SetAside
+from calibrations.observations import OVERLOAD_V, SetAside
 from calibrations.table import TableError, read_lines
 from calibrations.temperature.clock import clock_s
-from calibrations.temperature.columns import Column, column_of, holds_numbers, named, says_runs
-from calibrations.temperature.columns import unit_of as known_unit
+from calibrations.temperature.columns import Column, column_of, holds_numbers, named
 
 _ORDER = "run"
 _FEWEST = 4
-_LARGEST = 1e30
-"""Beyond this a value is none."""
 _KELVIN = 200.0
 """No sensor is calibrated at so many degrees Celsius throughout."""
 _LOG_S = 60.0
@@ -49,20 +46,6 @@ class Runs:
     def __len__(self) -> int:
         """Return the number of runs."""
         return len(self.temperature_degc)
-
-
-def unit_of(name: str) -> str:
-    """Unit in the name of a column: the one that it is known by, else what stands after its last underscore."""
-    return known_unit(name) or (name.rsplit("_", 1)[1] if "_" in name else "")
-
-
-def holds_runs(path: Path) -> bool:
-    """Whether a file is a table of parameters against temperature; False where it cannot be read."""
-    try:
-        header, lines = read_lines(path)
-    except TableError:
-        return False
-    return "angle_deg" not in header and says_runs([n for place, n in enumerate(header) if holds_numbers(place, lines)])
 
 
 def read_runs(path: Path) -> Runs:
@@ -168,7 +151,7 @@ def _numbers(name: str, place: int, lines: Sequence[Line], path: Path) -> FloatA
             value = as_number(cells[place])
         except ValueError:
             raise TableError(f"{path}, line {number}, column {name}: {cells[place]!r} is not a number") from None
-        if not abs(value) < _LARGEST:
+        if not abs(value) < OVERLOAD_V:
             raise TableError(f"{path}, line {number}, column {name}: {cells[place]} is no value; leave the run out")
         values.append(value)
     return np.array(values)

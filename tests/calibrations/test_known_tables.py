@@ -1,9 +1,9 @@
 import pytest
 
 from calibrations.known_tables import Kind, kind_of
-from calibrations.table import TableError
-from calibrations.temperature.columns import Column, column_of, holds_numbers
-from calibrations.temperature.table import read_runs, unit_of
+from calibrations.table import TableError, read_header
+from calibrations.temperature.columns import Column, column_of, holds_numbers, unit_of
+from calibrations.temperature.table import read_runs
 
 TRIAD = (
     "run,ambient_degC,sensor_degC,bias_x_arcsec,bias_y_arcsec,bias_z_arcsec,scale_x_percent,scale_y_percent,"
@@ -159,3 +159,14 @@ def test_how_long_something_took_is_no_time_of_a_run(tmp_path):
 
 def test_digits_with_an_underline_between_them_are_a_remark():
     assert not holds_numbers(0, [(2, ["1_0"]), (3, [""])])
+
+
+@pytest.mark.parametrize("header", ["angle_deg;voltage_V", "#N/A,angle_deg,voltage_V", "sep=;\nangle_deg;voltage_V"])
+def test_a_header_is_split_as_the_rows_are(tmp_path, header):
+    (tmp_path / "t.csv").write_text(f"{header}\n", "utf-8")
+    assert {"angle_deg", "voltage_V"} <= set(read_header(tmp_path / "t.csv"))
+
+
+def test_a_header_without_an_end_is_none(tmp_path):
+    (tmp_path / "t.csv").write_bytes(b"\0" * 100_000)
+    assert read_header(tmp_path / "t.csv") == []
