@@ -57,6 +57,7 @@ endurance: setup
 	$(BIN)/python -m benchmarks.endurance.pairs
 	$(BIN)/python -m benchmarks.endurance.zaber_frames
 	$(BIN)/python -m benchmarks.endurance.scpi_frames
+	$(BIN)/python -m benchmarks.endurance.scpi_dialogues
 	$(BIN)/python -m benchmarks.endurance.can_frames
 	$(BIN)/python -m benchmarks.endurance.faults
 	$(BIN)/python -m benchmarks.endurance.soak

@@ -62,7 +62,7 @@ def report_path(folder: Path, record: Record) -> Path:
 
 
 def has_report(path: Path) -> bool:
-    """Whether a report is there to its end; the first version left half of one where the disk was full."""
+    """Whether a report is there to its end."""
     return path.is_file() and path.read_bytes().rstrip().endswith(b"</html>")
 
 

@@ -86,13 +86,6 @@ def limit_blas_threads() -> None:
         os.environ.setdefault(name, "1")
 
 
-def _redirect_as_utf_8() -> None:
-    """Write UTF-8 into files and pipes: not every system has a sign for arc seconds, and JSON is nothing else."""
-    for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, io.TextIOWrapper) and not stream.isatty():
-            stream.reconfigure(encoding="utf-8")
-
-
 def _carry_out(arguments: list[str]) -> int:
     """Call the command that the arguments name; return its exit status."""
     check_text(arguments)

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from app.exits import Exit, JobError
+from app.exits import Exit, JobError, status_of
 from app.kinds import BEGINNING_BYTES, Kind, kind_of
 from procedures.errors import InputError
 from procedures.recording.file import synchronise_folder
@@ -56,19 +56,18 @@ def replacing(path: Path, kind: Kind | None) -> Iterator[Path]:
     check_result(path, kind)
     with _storage(path):
         place = _place(path)
-        place.parent.mkdir(parents=True, exist_ok=True)
         begun = place.with_name(f".tumble-{secrets.token_hex(8)}.tmp")
-        try:
+        place.parent.mkdir(parents=True, exist_ok=True)
+    try:
+        with _storage(path):
             begun.touch(exist_ok=False)
+        with _storage(path, of=begun):
             yield begun
-            _make_durable(begun)
-            if place.exists():
-                begun.chmod(stat.S_IMODE(place.stat().st_mode))
-            os.replace(begun, place)  # noqa: PTH105  # the same; named as the systems' manuals do
-        finally:
-            with suppress(OSError):
-                begun.unlink(missing_ok=True)
-        synchronise_folder(place.parent)
+        with _storage(path):
+            _put_in_place(begun, place)
+    finally:
+        with suppress(OSError):
+            begun.unlink(missing_ok=True)
 
 
 def write_text(path: Path, text: str) -> None:
@@ -121,16 +120,23 @@ def _check_folder(path: Path, folder: Path) -> None:
         raise JobError(f"{path}: cannot be written ({folder} is write-protected); choose another place", Exit.STORAGE)
 
 
-def _make_durable(path: Path) -> None:
-    with path.open("r+b") as file:
+def _put_in_place(begun: Path, place: Path) -> None:
+    with begun.open("r+b") as file:
         os.fsync(file.fileno())
+    if place.exists():
+        begun.chmod(stat.S_IMODE(place.stat().st_mode))
+    os.replace(begun, place)  # noqa: PTH105  # the same; named as the systems' manuals do
+    synchronise_folder(place.parent)
 
 
 @contextmanager
-def _storage(path: Path) -> Iterator[None]:
-    """Say in a sentence what the disk refuses."""
+def _storage(path: Path, of: Path | None = None) -> Iterator[None]:
+    """Say in a sentence what the disk refuses; with `of`, only what it refuses of that file or for want of room."""
     try:
         yield
     except OSError as error:
-        sentence = f"{path}: cannot be written ({error.strerror or error}); make room or choose another place"
+        if of is not None and error.filename != str(of) and (error.filename or status_of(error) is not Exit.STORAGE):
+            raise
+        first = "close whatever has it open, see to its rights" if isinstance(error, PermissionError) else "make room"
+        sentence = f"{path}: cannot be written ({error.strerror or error}); {first} or choose another place"
         raise JobError(sentence, Exit.STORAGE) from error

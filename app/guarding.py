@@ -6,16 +6,15 @@ from contextlib import contextmanager
 from functools import wraps
 from typing import Any, Final, TypeVar
 
-from drivers.errors import DeviceError, Interrupted
+from drivers.errors import DeviceError, is_of_the_user
 from drivers.own_file import is_own_file
-from drivers.text import visible
+from drivers.text import reason_of
 from procedures.errors import InputError, ProcedureError, StopRequestedError, StorageError, UnansweredError
 
 Made = TypeVar("Made")
 
 _MEANT: Final = (
     DeviceError,
-    Interrupted,
     InputError,
     ProcedureError,
     StopRequestedError,
@@ -27,7 +26,6 @@ HEAD_NEEDS: Final = frozenset({"home", "identify", "limits_deg", "speed_deg_s", 
 """Members of `DividingHead`."""
 DAQ_NEEDS: Final = frozenset({"acquire", "identify"})
 """Members of `Daq`."""
-_LONGEST_REASON: Final = 300
 _ABSENT: Final = object()
 
 
@@ -84,7 +82,7 @@ def _blamed(device: str, driver: str, meant: tuple[type[BaseException], ...] = _
     except meant:
         raise
     except BaseException as error:
-        reason = visible(f"{type(error).__name__}: {error}", _LONGEST_REASON)
-        raise DeviceError(
-            device, f"its driver {driver} failed ({reason})", "correct it, then resume the run"
-        ) from error
+        if is_of_the_user(error):
+            raise
+        failed = f"its driver {driver} failed ({reason_of(error)})"
+        raise DeviceError(device, failed, "correct it, then resume the run") from error

@@ -1,7 +1,6 @@
 """What a recording's header says, held against what can be known otherwise."""
 
 from collections.abc import Mapping
-from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
@@ -31,7 +30,7 @@ def check_header(path: Path, header: Header, stand: Mapping[str, Any] | None = N
     InputError
         The header was damaged or altered.
     """
-    if sha256(header.programme_text.encode()).hexdigest() != header.programme_sha256:
+    if not header.has_its_programme:
         raise InputError(
             f"{path}: the programme in its header is not the one that was run (its SHA-256 differs); "
             "restore the recording from a copy"

@@ -21,7 +21,7 @@ class Kind(StrEnum):
 _PAGE: Final = (
     rb'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
     rb'(<meta name="generator" content="tumble">\n'
-    rb'|<meta name="viewport" content="width=device-width, initial-scale=1">\n<title>Calibration of )'  # before 0.2
+    rb'|<meta name="viewport" content="width=device-width, initial-scale=1">\n<title>Calibration of )'  # of version 0.1
 )
 _COLUMNS: Final = (
     rb"time_s,realisation,procedure,mount,angle_deg,direction,(temperature_degC,)?voltage_V,voltage_sd_V,samples\n"

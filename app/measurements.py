@@ -13,6 +13,7 @@ from app.header_checks import check_header
 from app.identity import program_identity
 from app.stand import RecordedStand, Site
 from calibrations.budget import StandUncertainty
+from calibrations.judging import inside
 from calibrations.observations import Observations
 from calibrations.provenance import LimitCheck, Provenance
 from calibrations.records.raw import file_sha256, stored_path
@@ -157,14 +158,8 @@ def check_limits(parameters: Mapping[str, Parameter], programme: Programme | Non
     checks = []
     for name, limit in (programme.limits if programme else {}).items():
         value = parameters[name].value
-        checks.append(
-            LimitCheck(
-                name=name,
-                minimum=limit.min,
-                maximum=limit.max,
-                inside=value is not None and limit.min <= value <= limit.max,
-            )
-        )
+        check = LimitCheck(name=name, minimum=limit.min, maximum=limit.max, inside=False)
+        checks.append(replace(check, inside=value is not None and inside(value, check)))
     return tuple(checks)
 
 

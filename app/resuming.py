@@ -8,7 +8,6 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from hashlib import sha256
 from pathlib import Path
 
 from app.exits import Exit, JobError
@@ -45,7 +44,7 @@ class Unfinished:
     def programme(self) -> Programme:
         """What the run carries out. Raises `InputError` where the recording was altered."""
         header = self.recording.header
-        if sha256(header.programme_text.encode()).hexdigest() != header.programme_sha256:
+        if not header.has_its_programme:
             raise InputError(
                 f"{self.recording.path}: its programme is not the one that was begun (its SHA-256 differs); "
                 "a run goes on with its own programme only"

@@ -20,6 +20,7 @@ from app.identity import program_identity
 from app.signals import handled_by
 from app.stand import LoadedStand, WrittenStand
 from app.stand_lock import holding_recording
+from app.terminal import lead_nowhere
 from app.wiring import Connected
 from drivers.clock import Clock
 from drivers.errors import Interrupted
@@ -108,10 +109,11 @@ def run(
     """
     job.plan()
     header = replace(_header(job, connected.stand.clock, purpose), follows=[str(path) for path in connected.ran])
-    recorder = begin_recording(recording, header, connected.stand.clock)
-    connected.ran.append(recording.resolve())
-    with recorder, holding_recording(recording, job.serial_number):
-        return carry_out(lambda engine: engine.run(job.programme.procedure()), job, connected, recorder, listeners)
+    with holding_recording(recording, job.serial_number):
+        recorder = begin_recording(recording, header, connected.stand.clock)
+        connected.ran.append(recording.resolve())
+        with recorder:
+            return carry_out(lambda engine: engine.run(job.programme.procedure()), job, connected, recorder, listeners)
 
 
 def begin_recording(
@@ -248,4 +250,4 @@ def _leave_lost_terminal() -> None:
     for stream in (sys.stdout, sys.stderr):
         with suppress(OSError, ValueError):  # redirected to what is no file
             if stat.S_ISCHR(os.fstat(stream.fileno()).st_mode) and not stream.isatty():
-                os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+                lead_nowhere(stream)

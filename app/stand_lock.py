@@ -58,7 +58,7 @@ def _addresses(loaded: LoadedStand) -> dict[str, str]:
 
 @contextmanager
 def _holding(place: str, what: str, serial_number: str) -> Iterator[None]:
-    path = lock_folder() / f"tumble-{sha256(place.encode('utf-8', 'surrogatepass')).hexdigest()[:32]}.lock"
+    path = _folder(what) / f"tumble-{sha256(place.encode('utf-8', 'surrogatepass')).hexdigest()[:32]}.lock"
     with _locked(path, what) as stream:
         with suppress(OSError):  # of another user, on Windows: it says who had it before
             stream.seek(0)
@@ -70,6 +70,15 @@ def _holding(place: str, what: str, serial_number: str) -> Iterator[None]:
         finally:
             with suppress(OSError):  # another user's, or open on Windows; it is then taken over as it is
                 path.unlink()
+
+
+def _folder(what: str) -> Path:
+    """Where all users lock. Raises `JobError` where the system refuses it."""
+    try:
+        return lock_folder()
+    except OSError as error:
+        where = error.filename or "the folder of the locks"
+        raise JobError(_taken(where, what, error.strerror or str(error)), Exit.DEVICE_FAULT) from error
 
 
 @contextmanager
@@ -98,7 +107,7 @@ def _is_still(path: Path, stream: IO[bytes]) -> bool:
         return False
 
 
-def _taken(path: Path, what: str, reason: str) -> str:
+def _taken(path: Path | str, what: str, reason: str) -> str:
     return (
         f"{what} cannot be had to oneself: {path}, where all users lock it, cannot be used ({reason}); "
         "make sure that nobody measures there, and have its owner or an administrator take it away"

@@ -108,7 +108,7 @@ def connect(
         serials={"head": loaded.file.head.serial, "daq": loaded.file.daq.serial},
     )
     warnings = (_UNASKED.format(loaded.file.name),) if backstage and attendant.imagined else ()
-    connected = Connected(
+    made = Connected(
         stand=stand,
         operator=operator(),
         eyepiece=person.eyepiece,
@@ -116,7 +116,7 @@ def connect(
         warnings=warnings,
         links=links,
     )
-    return _behind_the_scenes(connected, backstage) if backstage else connected
+    return _behind_the_scenes(made, backstage) if backstage else made
 
 
 def _backstage(loaded: LoadedStand) -> Backstage | None:
@@ -126,10 +126,10 @@ def _backstage(loaded: LoadedStand) -> Backstage | None:
     return find_backstage((loaded.file.head.address, loaded.file.daq.address))
 
 
-def _behind_the_scenes(connected: Connected, backstage: Backstage) -> Connected:
+def _behind_the_scenes(made: Connected, backstage: Backstage) -> Connected:
     """An emulated stand, where nobody seats the unit but who emulates it."""
-    operator = SeatingOperator(connected.operator, backstage.seat)
-    return replace(connected, operator=operator, listeners=(switching_on(backstage.switch_on),))
+    operator = SeatingOperator(made.operator, backstage.seat)
+    return replace(made, operator=operator, listeners=(switching_on(backstage.switch_on),))
 
 
 def _simulated(loaded: LoadedStand, attendant: Attendant, past: Sequence[Past]) -> Connected:

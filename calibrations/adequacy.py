@@ -21,8 +21,8 @@ FEW_SETTINGS = 12
 class LackOfFit:
     """Scatter of the pose means about the model against the scatter of repeats (Draper and Smith, 2.1)."""
 
-    variance_v2: float
-    """Mean square of the lack of fit, in square volts; NaN without spare poses."""
+    variance: float
+    """Mean square of the lack of fit, in the square of the unit of the output; NaN without spare poses."""
     degrees_of_freedom: int
     p_value: float | None
     """Chance of so large a ratio if the model were complete; None where there are no repeats or no spare poses."""
@@ -34,13 +34,13 @@ def lack_of_fit(squares_v2: float, rows: int, fitted: int, error: PureError) -> 
 
     freedom = rows - fitted - error.degrees_of_freedom
     if freedom < 1:
-        return LackOfFit(variance_v2=float("nan"), degrees_of_freedom=0, p_value=None)
-    pure = error.variance_v2 * error.degrees_of_freedom if error.degrees_of_freedom else 0.0
+        return LackOfFit(variance=float("nan"), degrees_of_freedom=0, p_value=None)
+    pure = error.variance * error.degrees_of_freedom if error.degrees_of_freedom else 0.0
     variance = max(squares_v2 - pure, 0.0) / freedom
-    if not error.degrees_of_freedom or error.variance_v2 <= 0:
-        return LackOfFit(variance_v2=variance, degrees_of_freedom=freedom, p_value=None)
-    p_value = float(fdtrc(freedom, error.degrees_of_freedom, variance / error.variance_v2))
-    return LackOfFit(variance_v2=variance, degrees_of_freedom=freedom, p_value=p_value)
+    if not error.degrees_of_freedom or error.variance <= 0:
+        return LackOfFit(variance=variance, degrees_of_freedom=freedom, p_value=None)
+    p_value = float(fdtrc(freedom, error.degrees_of_freedom, variance / error.variance))
+    return LackOfFit(variance=variance, degrees_of_freedom=freedom, p_value=p_value)
 
 
 def held_out_parts(observations: Observations) -> list[NDArray[np.bool_]]:

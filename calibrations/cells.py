@@ -55,6 +55,12 @@ def read_cells(text: str, path: Path) -> tuple[list[str], list[Line]]:
     return header, [(line, [_ascii_number(cell, delimiter) for cell in cells]) for line, cells in rows]
 
 
+def header_cells(text: str, path: Path) -> list[str]:
+    """Names of the columns of a table of which `text` is the beginning; none without one. Raises `TableError`."""
+    first = next(_lines(text, path), None)
+    return _split(first, _delimiter(first[1]), path)[1] if first else []
+
+
 def is_missing(cell: str) -> bool:
     """Whether a cell holds no value: empty, a word for nothing, or a spreadsheet's error."""
     return cell.lower() in MISSING or bool(_SPREADSHEET_ERROR.fullmatch(cell))
@@ -71,12 +77,7 @@ def number(cell: str) -> float:
 
 def shown(cell: str) -> str:
     """Return a cell as a message repeats it: quoted, without control characters, and not at any length."""
-    return ascii_controls(repr(cell if len(cell) <= _SHOWN else f"{cell[:_SHOWN]}…"))
-
-
-def ascii_controls(text: str) -> str:
-    """Return text with everything that is not printable as an escape."""
-    return "".join(sign if sign.isprintable() else ascii(sign)[1:-1] for sign in text)
+    return repr(cell if len(cell) <= _SHOWN else f"{cell[:_SHOWN]}…")
 
 
 def _lines(text: str, path: Path) -> Iterator[tuple[int, str]]:

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from calibrations.geometry import FloatArray
+from calibrations.repeats import settings
 
 _APART = 10.0
 """Settings lie so many times as far apart as one of them scatters."""
@@ -20,18 +21,11 @@ def clusters(values: FloatArray, roundings: Sequence[float]) -> NDArray[np.int64
     and lie far apart beside it; the first of them where that is so at none.
     """
     for rounding in roundings:
-        number = _within(values, rounding)
+        number = settings(values, rounding)
         often = len(values) >= _COME_BACK * (number.max(initial=0) + 1)
         if often and _clear(values, number, rounding):
             return number
-    return _within(values, roundings[0])
-
-
-def _within(values: FloatArray, rounding: float) -> NDArray[np.int64]:
-    order = np.argsort(values, kind="stable")
-    number = np.empty(len(values), dtype=np.int64)
-    number[order] = np.cumsum(np.diff(values[order], prepend=values[order[:1]]) > rounding)
-    return number
+    return settings(values, roundings[0])
 
 
 def _clear(values: FloatArray, number: NDArray[np.int64], rounding: float) -> bool:

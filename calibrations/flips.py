@@ -89,7 +89,7 @@ def _flip_mean(observations: Observations, axis: str, expected_v: FloatArray, er
     return FlipMean(
         u0_v=float(np.mean([voltage[mask].mean() for mask in at])),
         standard_uncertainty_v=float(
-            error.standard_deviation_v * np.sqrt(sum(1 / n for n in counts)) / 2 if error.degrees_of_freedom else 0.0
+            error.standard_deviation * np.sqrt(sum(1 / n for n in counts)) / 2 if error.degrees_of_freedom else 0.0
         ),
         expected_v=float(np.mean([expected_v[mask].mean() for mask in at])),
     )

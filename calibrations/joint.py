@@ -150,7 +150,7 @@ def _noise(fit: JointFit, rows: int, error: PureError, lack: LackOfFit) -> Noise
     significant = lack.p_value is not None and lack.p_value < LACK_OF_FIT_P
     if significant:
         used, used_freedom, basis_text = (
-            lack.variance_v2,
+            lack.variance,
             lack.degrees_of_freedom,
             "scatter of the poses about the model",
         )
@@ -158,7 +158,7 @@ def _noise(fit: JointFit, rows: int, error: PureError, lack: LackOfFit) -> Noise
         used, used_freedom = fit.squares_v2 / max(freedom, 1), freedom
         basis_text = "scatter about the fit, repeats included"
     return Noise(
-        pure_error_v=error.standard_deviation_v if error.degrees_of_freedom else None,
+        pure_error_v=error.standard_deviation if error.degrees_of_freedom else None,
         degrees_of_freedom=error.degrees_of_freedom,
         used_v=max(float(np.sqrt(used)), ROUNDING_V),
         used_degrees_of_freedom=max(used_freedom, 0),

@@ -1,6 +1,5 @@
 """Which kind of table a header is of; a table of no kind that is known is refused by name, with what is there."""
 
-import csv
 import difflib
 from collections.abc import Sequence
 from enum import Enum
@@ -8,7 +7,7 @@ from pathlib import Path
 from typing import Final
 
 from calibrations.support import series
-from calibrations.table import FIELDS, TableError, read_lines
+from calibrations.table import FIELDS, TableError, read_header, read_lines
 from calibrations.temperature.columns import Column, holds_numbers, named, says_runs
 
 READ: Final = (
@@ -58,7 +57,7 @@ def kind_of(path: Path) -> Kind:
     TableError
         Unreadable, or of no kind that is read: what it looks like or what its columns are, and what is read.
     """
-    if kind := _measured(_header(path)):
+    if kind := _measured(read_header(path)):
         return kind
     header, lines = read_lines(path)  # a malformed table is told of as such
     if kind := _measured(header):
@@ -81,16 +80,6 @@ def _measured(header: Sequence[str]) -> Kind | None:
     if "voltage_V" in header:
         return Kind.ACCELEROMETER
     return Kind.HEAD if "reference_deg" in header else None
-
-
-def _header(path: Path) -> list[str]:
-    """Names of the columns; none where the file cannot be read."""
-    try:
-        with path.open(encoding="utf-8-sig", newline="") as file:
-            header = next((row for row in csv.reader(file) if row and not row[0].startswith("#")), [])
-    except (OSError, UnicodeDecodeError, csv.Error):
-        return []
-    return [name.strip() for name in header]
 
 
 def _foreign(header: Sequence[str]) -> str:

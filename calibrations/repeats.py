@@ -14,11 +14,11 @@ UNEQUAL_P = 1e-3
 """Kinds of dwell are weighted differently only where their repeats differ beyond this chance."""
 
 
-def settings(angle_deg: FloatArray) -> NDArray[np.int64]:
-    """Number of the head setting of each row: rows whose angles lie within `SAME_ANGLE_DEG` share one."""
-    order = np.argsort(angle_deg, kind="stable")
-    number = np.empty(len(angle_deg), dtype=np.int64)
-    number[order] = np.cumsum(np.diff(angle_deg[order], prepend=angle_deg[order[:1]]) > SAME_ANGLE_DEG)
+def settings(values: FloatArray, same: float = SAME_ANGLE_DEG) -> NDArray[np.int64]:
+    """Number of the setting of each row, ascending; values (angles in degrees) closer than `same` share one."""
+    order = np.argsort(values, kind="stable")
+    number = np.empty(len(values), dtype=np.int64)
+    number[order] = np.cumsum(np.diff(values[order], prepend=values[order[:1]]) > same)
     return number
 
 
@@ -68,23 +68,23 @@ def mountings(observations: Observations) -> NDArray[np.int64]:
 class PureError:
     """Pooled variance of one dwell mean between repeats."""
 
-    variance_v2: float
-    """Square volts; NaN without repeats."""
+    variance: float
+    """In the square of the unit of the values; NaN without repeats."""
     degrees_of_freedom: int
 
     @property
-    def standard_deviation_v(self) -> float:
-        """Scatter of one dwell mean between repeats, in volts."""
-        return float(np.sqrt(self.variance_v2))
+    def standard_deviation(self) -> float:
+        """Scatter of one dwell mean between repeats, in the unit of the values."""
+        return float(np.sqrt(self.variance))
 
 
 def pure_error(values: FloatArray, groups: NDArray[np.int64], weights: FloatArray) -> PureError:
-    """Pooled weighted variance of `values` (volts) within `groups`; a row of weight w has the variance / w."""
+    """Pooled weighted variance of `values` within `groups`; a row of weight w has the variance / w."""
     total = np.bincount(groups, weights)
     mean = np.bincount(groups, weights * values) / np.where(total > 0, total, 1.0)
     freedom = len(values) - int(np.count_nonzero(total))
     squares = float(np.sum(weights * (values - mean[groups]) ** 2))
-    return PureError(variance_v2=squares / freedom if freedom else float("nan"), degrees_of_freedom=freedom)
+    return PureError(variance=squares / freedom if freedom else float("nan"), degrees_of_freedom=freedom)
 
 
 def dwell_weights(observations: Observations, residual_v: FloatArray, groups: NDArray[np.int64]) -> FloatArray:
@@ -99,8 +99,8 @@ def dwell_weights(observations: Observations, residual_v: FloatArray, groups: ND
               for kind in range(kinds.max(initial=0) + 1)]  # fmt: skip
     if len(errors) < 2 or not _scatter_differs(errors):
         return ones
-    pooled = pure_error(residual_v, groups, ones).variance_v2
-    variances = np.array([e.variance_v2 if e.degrees_of_freedom > 1 else pooled for e in errors])
+    pooled = pure_error(residual_v, groups, ones).variance
+    variances = np.array([e.variance if e.degrees_of_freedom > 1 else pooled for e in errors])
     weights: FloatArray = 1.0 / variances[kinds]
     return np.asarray(weights / weights.mean())
 
@@ -117,11 +117,11 @@ def _kinds(observations: Observations) -> NDArray[np.int64]:
 def _scatter_differs(errors: list[PureError]) -> bool:
     from scipy.special import chdtrc  # takes a tenth of a second, in which a window is half up
 
-    known = [e for e in errors if e.degrees_of_freedom > 1 and e.variance_v2 > 0]
+    known = [e for e in errors if e.degrees_of_freedom > 1 and e.variance > 0]
     if len(known) < 2:
         return False
     freedom = np.array([e.degrees_of_freedom for e in known], dtype=float)
-    variance = np.array([e.variance_v2 for e in known])
+    variance = np.array([e.variance for e in known])
     total = freedom.sum()
     pooled = float(np.sum(freedom * variance) / total)
     correction = 1 + (np.sum(1 / freedom) - 1 / total) / (3 * (len(known) - 1))

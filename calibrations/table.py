@@ -7,13 +7,13 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.bounded import MOST_ROWS, read_bounded
-from calibrations.cells import Line, TableError, is_missing, number, read_cells, shown
+from calibrations.bounded import MOST_ROWS, check_bounded, read_bounded
+from calibrations.cells import Line, TableError, header_cells, is_missing, number, read_cells, shown
 from calibrations.geometry import MOUNTS
 from calibrations.observations import Observations, SetAside
 from calibrations.screening import set_aside_bad_rows
 
-__all__ = ["FIELDS", "TableError", "read_lines", "read_table", "write_table"]
+__all__ = ["FIELDS", "TableError", "read_header", "read_lines", "read_table", "write_table"]
 
 FIELDS = {
     "time_s": "time_s",
@@ -39,6 +39,8 @@ _LEFT_OUT: Final = {"temperature_degC", "voltage_sd_V", "direction"}
 """Columns without which a row is still used."""
 _MOST = 2**53
 """Beyond this a floating-point number no longer counts."""
+_BEGINNING_BYTES: Final = 1 << 16
+"""A header is shorter."""
 _LISTED = 10
 """Lines that a warning names."""
 
@@ -75,6 +77,17 @@ def read_table(path: Path) -> Observations:
 def read_lines(path: Path) -> tuple[list[str], list[Line]]:
     """Header of any table of this format, and number and cells of each of its rows. Raises `TableError`."""
     return read_cells(_read_text(path)[0], path)
+
+
+def read_header(path: Path) -> list[str]:
+    """Names of the columns of any table of this format; none where its beginning cannot be read as such."""
+    try:
+        check_bounded(path)
+        with path.open("rb") as file:
+            beginning = file.read(_BEGINNING_BYTES)
+        return header_cells(beginning.decode("utf-8-sig", "replace"), path)
+    except (OSError, TableError):
+        return []
 
 
 def write_table(observations: Observations, path: Path) -> None:

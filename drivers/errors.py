@@ -1,4 +1,7 @@
-"""What can go wrong at an instrument."""
+"""What can go wrong at an instrument, and what is no fault of it."""
+
+import signal
+import threading
 
 
 class DeviceError(Exception):
@@ -35,3 +38,15 @@ class NoReplyError(DeviceError):
 
 class Interrupted(KeyboardInterrupt):  # named as what it is a kind of
     """The program was told to stop, by the signal that it names: nothing that a driver or its file did."""
+
+
+def is_of_the_user(error: BaseException) -> bool:
+    """Whether an exception comes from whoever runs the program, and not from the code in which it was raised.
+
+    Where nothing turns signals into `Interrupted`, as in a Python session, Ctrl+C is a plain `KeyboardInterrupt` in the
+    main thread. Anywhere else such a one was raised by the code.
+    """
+    if isinstance(error, Interrupted):
+        return True
+    plain = signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    return isinstance(error, KeyboardInterrupt) and plain and threading.current_thread() is threading.main_thread()

@@ -10,11 +10,10 @@ from pathlib import Path
 from types import ModuleType
 from typing import Final
 
-from drivers.errors import Interrupted
-from drivers.text import visible
+from drivers.errors import is_of_the_user
+from drivers.text import reason_of
 
 _REMOTE: Final = re.compile(r"[\\/]{2}|[A-Za-z][A-Za-z0-9+.-]+:[\\/]{1,2}")
-_LONGEST_REASON: Final = 300
 
 
 def load_from_file(reference: str, base_path: Path) -> object:
@@ -68,9 +67,8 @@ def _load_module(path: Path) -> ModuleType:
     sys.modules[module.__name__] = module  # dataclasses look themselves up there
     try:
         exec(compile(path.read_bytes(), str(path), "exec"), module.__dict__)
-    except Interrupted:
-        raise
     except BaseException as error:  # whatever another's file raises, the operator needs to know which file it was
-        reason = visible(f"{type(error).__name__}: {error}", _LONGEST_REASON)
-        raise ValueError(f"{path} could not be loaded ({reason})") from error
+        if is_of_the_user(error):
+            raise
+        raise ValueError(f"{path} could not be loaded ({reason_of(error)})") from error
     return module

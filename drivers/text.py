@@ -6,6 +6,8 @@ from typing import Final
 LONGEST_NAME: Final = 100
 """Characters of a serial number or a name that a person can still read."""
 
+_LONGEST_REASON: Final = 300
+"""Characters of what somebody else's code says of an error."""
 _UNSEEN: Final = re.compile(
     "["
     "\x00-\x1f\x7f-\x9f"  # control characters, the escape that commands a terminal among them
@@ -29,6 +31,11 @@ def visible(text: str, most: int | None = None) -> str:
     """
     shown = _UNSEEN.sub(_escape, _shortened(text, most))
     return _shortened(shown, most)
+
+
+def reason_of(error: BaseException) -> str:
+    """Kind and text of an error that somebody else's code raised, on one line of bearable length."""
+    return visible(f"{type(error).__name__}: {error}", _LONGEST_REASON)
 
 
 def _shortened(text: str, most: int | None) -> str:

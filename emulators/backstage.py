@@ -36,7 +36,6 @@ class BackstageSession:
     `seat MOUNT`; `switch on`; `turn ANGLE`, which begins to turn the head, `turn off`, which leaves it where it is;
     `look`, which is answered `turning` as long as it turns.
 
-
     The fault `not_seated` has it answer so without having seated the unit.
     """
 
@@ -150,13 +149,7 @@ def find_backstage(addresses: Sequence[str]) -> Backstage | None:
             clock = FasterClock(**known["pace"]) if known["pace"] else SystemClock()
             backstage = Backstage(int(known["port"]), clock)
             running = known["started"] and started(int(known["process"])) == known["started"]
-        except (
-            OSError,
-            ValueError,
-            KeyError,
-            TypeError,
-            RuntimeError,
-        ):  # the last: deep nesting, no home
+        except (OSError, ValueError, KeyError, TypeError, RuntimeError):  # the last: deep nesting, no home
             continue
         if running and backstage.alive():
             return backstage

@@ -149,7 +149,9 @@ class ConsoleOperator:
         self._typed: Queue[str | None] = Queue(maxsize=100)
         self._at_end = False
         self._trouble = ""
-        Thread(target=self._read, args=(lines,), name="console", daemon=True).start()
+        self._reader = Thread(target=self._read, args=(lines,), name="console", daemon=True)
+        """Ends with the input; nothing else can end its wait for a line."""
+        self._reader.start()
 
     def ask_mount(self, mount: str, prompt: str) -> None:
         """Show the prompt."""

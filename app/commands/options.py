@@ -41,7 +41,6 @@ stand = click.option("--stand", "stand_path", type=EXISTING, help="Stand file; t
 store = click.option(
     "--store", "folder", type=EXISTING, default=STORE, show_default=True, help="Folder of the records."
 )
-stand_store = click.option("--store", "folder", type=EXISTING, help="Folder that holds the stand record to be applied.")
 json_out = click.option("--json", "json_path", type=RESULT, help="Write the result as JSON; - for standard output.")
 
 

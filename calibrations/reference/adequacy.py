@@ -45,7 +45,7 @@ def agreement(residual_deg: FloatArray, fitted: int, settings: Settings) -> Agre
         return None
     error = settings.pure_error(residual_deg)
     test = lack_of_fit(float(residual_deg @ residual_deg), len(residual_deg), fitted, error)
-    f = test.variance_v2 / error.variance_v2 if error.variance_v2 > 0 and test.degrees_of_freedom else None
+    f = test.variance / error.variance if error.variance > 0 and test.degrees_of_freedom else None
     return Agreement(test=test, pure_degrees_of_freedom=error.degrees_of_freedom, f=f)
 
 
@@ -89,7 +89,7 @@ def errors_by_setting(scene: HeadScene, error_deg: FloatArray, settings: Setting
     """Error of each angle by the side from which it was reached, angles ascending; none where nothing was repeated."""
     if not settings.repeated:
         return ()
-    scatter_deg = settings.pure_error(error_deg).standard_deviation_v
+    scatter_deg = settings.pure_error(error_deg).standard_deviation
     number = angle_numbers(scene.angle_deg)
 
     def side(at: int, direction: int) -> Side | None:

@@ -54,7 +54,7 @@ def _noise_json(loop: ReferenceLoop) -> dict[str, Any]:
     return {
         "dwell_deg": loop.dwell_deg,
         "degrees_of_freedom": loop.degrees_of_freedom,
-        "pure_error_deg": pure.standard_deviation_v if pure else None,
+        "pure_error_deg": pure.standard_deviation if pure else None,
         "pure_error_degrees_of_freedom": pure.degrees_of_freedom if pure else 0,
         "basis": "repeats" if pure else "residual",
     }

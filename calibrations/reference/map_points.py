@@ -69,7 +69,7 @@ def _uncertainty(explanation: Explanation) -> tuple[FloatArray | None, int]:
     settings = explanation.settings
     if settings.repeated:
         error = settings.pure_error(explanation.settled_deg)
-        return np.asarray(error.standard_deviation_v / np.sqrt(settings.visits)), error.degrees_of_freedom
+        return np.asarray(error.standard_deviation / np.sqrt(settings.visits)), error.degrees_of_freedom
     if settings.streamed:  # neighbours err alike: the scatter beside them would promise too much
         return np.full(len(settings.visits), rms(explanation.residual_deg)), explanation.parts
     return None, 0

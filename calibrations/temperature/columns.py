@@ -3,10 +3,13 @@
 A name is the quantity, then its unit. Only what says both is taken for a parameter of a sensor.
 """
 
+import math
 import re
 from collections.abc import Sequence
 from enum import Enum
 from typing import Final
+
+from calibrations.cells import number
 
 _UNITS: Final = (
     *("V_per_g", "mV_per_g", "uV_per_g", "V_g", "mV_g", "uV_g", "µV_g", "V_g2", "V/g", "mV/g", "uV/g", "µV/g", "V/g^2"),
@@ -105,7 +108,6 @@ def holds_numbers(place: int, lines: Sequence[tuple[int, Sequence[str]]]) -> boo
 
 def _is_number(cell: str) -> bool:
     try:
-        float(cell)
+        return not math.isnan(number(cell)) or cell.lower() == "nan"
     except ValueError:
         return False
-    return True

@@ -43,9 +43,7 @@ def _noise_json(parameter: ParameterLoop) -> dict[str, Any] | None:
     """Scatter of runs at one temperature; None where none was visited twice from one side."""
     pure = parameter.pure_error
     return (
-        None
-        if pure is None
-        else {"pure_error": pure.standard_deviation_v, "degrees_of_freedom": pure.degrees_of_freedom}
+        None if pure is None else {"pure_error": pure.standard_deviation, "degrees_of_freedom": pure.degrees_of_freedom}
     )
 
 

@@ -10,11 +10,12 @@ from calibrations.blas_threads import one_blas_thread
 from calibrations.geometry import FloatArray
 from calibrations.repeats import PureError
 from calibrations.support import series
+from calibrations.temperature.columns import unit_of
 from calibrations.temperature.effects import CUBIC
 from calibrations.temperature.scene import RunScene
 from calibrations.temperature.settled import RunTable, run_table, settled_runs
 from calibrations.temperature.shared import SharedCause, shared_causes
-from calibrations.temperature.table import Runs, unit_of
+from calibrations.temperature.table import Runs
 from calibrations.temperature.unknowable import cannot_be_known
 from calibrations.tracing.findings import EffectFound
 from calibrations.tracing.linear_loop import Explained, Model, as_stated, explain_linear, rms, stated, withheld

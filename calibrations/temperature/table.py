@@ -7,17 +7,15 @@ from pathlib import Path
 import numpy as np
 
 from calibrations.cells import Line, is_missing
+from calibrations.cells import number as as_number
 from calibrations.geometry import FloatArray
-from calibrations.observations import SetAside
+from calibrations.observations import OVERLOAD_V, SetAside
 from calibrations.table import TableError, read_lines
-from calibrations.temperature.columns import Column, column_of, holds_numbers, named, says_runs
-from calibrations.temperature.columns import unit_of as known_unit
+from calibrations.temperature.clock import clock_s
+from calibrations.temperature.columns import Column, column_of, holds_numbers, named
 
 _ORDER = "run"
-_TIME = "time_s"
 _FEWEST = 4
-_LARGEST = 1e30
-"""Beyond this a value is none."""
 _KELVIN = 200.0
 """No sensor is calibrated at so many degrees Celsius throughout."""
 _LOG_S = 60.0
@@ -38,6 +36,7 @@ class Runs:
     """Column from which it comes."""
     order: FloatArray
     time_s: FloatArray | None
+    """When each was made, by `clock_s`; None where no column says it."""
     parameters: Mapping[str, FloatArray]
     """Values by the name of the column, unit included."""
     source: str
@@ -49,22 +48,8 @@ class Runs:
         return len(self.temperature_degc)
 
 
-def unit_of(name: str) -> str:
-    """Unit in the name of a column: the one that it is known by, else what stands after its last underscore."""
-    return known_unit(name) or (name.rsplit("_", 1)[1] if "_" in name else "")
-
-
-def holds_runs(path: Path) -> bool:
-    """Whether a file is a table of parameters against temperature; False where it cannot be read."""
-    try:
-        header, lines = read_lines(path)
-    except TableError:
-        return False
-    return "angle_deg" not in header and says_runs([n for place, n in enumerate(header) if holds_numbers(place, lines)])
-
-
 def read_runs(path: Path) -> Runs:
-    """Read a table of parameters: `run`, `time_s` where they are given, temperatures `…_degC`, then parameters.
+    """Read a table of parameters: `run` and a time (`time_s`, `time_h`) where known, temperatures `…_degC`, parameters.
 
     The temperature is that of the sensor (`sensor_degC`) where there are several, else the first. Times, counts and
     remarks are no parameters.
@@ -90,14 +75,15 @@ def read_runs(path: Path) -> Runs:
     if len(lines) < _FEWEST or np.ptp(columns[at]) <= 0:
         raise TableError(f"{path}: {len(lines)} runs at {len(np.unique(columns[at]))} temperatures tell nothing")
     _check_temperatures(at, columns[at], path)
-    _check_pace(columns.get(_TIME), len(lines), path)
+    time_s = clock_s(columns)
+    _check_pace(time_s, len(lines), path)
     for name, values in parameters.items():
         _check_gross(name, values, lines, path)
     return Runs(
         temperature_degc=columns[at],
         temperature_name=at,
         order=_order(columns, len(lines)),
-        time_s=columns.get(_TIME),
+        time_s=time_s,
         parameters=parameters,
         source=str(path),
         set_aside=set_aside,
@@ -162,10 +148,10 @@ def _numbers(name: str, place: int, lines: Sequence[Line], path: Path) -> FloatA
     values = []
     for number, cells in lines:
         try:
-            value = float(cells[place])
+            value = as_number(cells[place])
         except ValueError:
             raise TableError(f"{path}, line {number}, column {name}: {cells[place]!r} is not a number") from None
-        if not abs(value) < _LARGEST:
+        if not abs(value) < OVERLOAD_V:
             raise TableError(f"{path}, line {number}, column {name}: {cells[place]} is no value; leave the run out")
         values.append(value)
     return np.array(values)

@@ -12,6 +12,7 @@ from calibrations.gross import robust_residual
 from calibrations.model import basis, coefficients
 from calibrations.observations import Observations
 from calibrations.repeats import pose_groups, pure_error
+from calibrations.screening import MOST_V
 from calibrations.tracing.realisations import with_passes
 from calibrations.tracing.seats import wrong_seat
 from calibrations.tracing.still import PROCEDURE, in_one_pose, on_purpose
@@ -26,8 +27,6 @@ _MOSTLY = 0.6
 _RESOLUTION = 1e-12
 _COARSE = 7.0
 """A rounding step of so many standard deviations of a dwell is twice as large in effect as the noise."""
-_MOST_V = 100.0
-"""No accelerometer gives more."""
 _PAUSE_S = 30.0
 _WHOLE_TURN_RAD = 7.5
 
@@ -215,7 +214,7 @@ def _rounded(observations: Observations) -> str:
     if len(values) > len(observations) / 2 or not np.allclose(steps_v / step_v, np.round(steps_v / step_v), atol=1e-3):
         return ""
     repeats = pure_error(observations.output_v, pose_groups(observations), np.ones(len(observations)))
-    if not repeats.degrees_of_freedom or repeats.standard_deviation_v > step_v / _COARSE:
+    if not repeats.degrees_of_freedom or repeats.standard_deviation > step_v / _COARSE:
         return ""
     return (
         f"{observations.source}: the output is rounded to {step_v:.4g} V, far more than repeats scatter; what is "
@@ -226,6 +225,6 @@ def _rounded(observations: Observations) -> str:
 def _millivolts(observations: Observations) -> str:
     """Ask about outputs that no accelerometer has."""
     largest_v = float(np.abs(observations.output_v).max())
-    if largest_v < _MOST_V:
+    if largest_v < MOST_V:
         return ""
     return f"{observations.source}: outputs reach {largest_v:.4g} V; are these millivolts? Write volts"

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from calibrations.effects.effect import Effect, Structure
 from calibrations.geometry import FloatArray
+from calibrations.tracing.blocks import within
 from calibrations.tracing.declared import Linear
 from calibrations.tracing.findings import EffectFound, Unexplained
 from calibrations.tracing.linear_loop import Explained, explain_linear
@@ -65,9 +66,7 @@ def too_few(rows: int, fewest: int, counted: str, visits: int = 0) -> str:
 
 def lies_within(times: FloatArray, setting: NDArray[np.int64]) -> bool:
     """Whether settings were visited again after some time, so that a drift shows between their visits."""
-    within = times - (np.bincount(setting, weights=times) / np.bincount(setting))[setting]
-    about = times - times.mean()
-    return bool(about @ about > 0 and within @ within >= _SPREAD * (about @ about))
+    return bool(np.ptp(times) > 0 and within(times, setting) >= _SPREAD)
 
 
 def trace_within(

@@ -26,7 +26,6 @@ class Mode(IntEnum):
 
 TARGET_REACHED: Final = 1 << 10
 """Bit of the statusword: at the target, homed, or standing after a stop."""
-LIMIT_ACTIVE: Final = 1 << 11
 ACKNOWLEDGED: Final = 1 << 12
 """Bit of the statusword in profile position: the new set-point was taken."""
 HOMING_ATTAINED: Final = 1 << 12

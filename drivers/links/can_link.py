@@ -12,6 +12,7 @@ import can
 from drivers.errors import LinkLostError
 from drivers.links.can_address import CanAddress
 from drivers.links.patience import PAUSE_S, in_words, is_gone, patiently
+from drivers.links.places import check_server
 from drivers.links.slcan import SlcanBus
 from drivers.links.socketcand import SocketcandBus
 from drivers.links.tally import Tally
@@ -181,9 +182,8 @@ def _unusable(message: can.Message) -> str:
 def _open(address: CanAddress) -> can.BusABC:
     options: dict[str, Any] = dict(address.options)
     if address.interface == "socketcand":
-        if not {"host", "port"} <= options.keys():
-            raise ValueError("socketcand needs the options host and port")
-        return SocketcandBus(address.channel, **options)
+        check_server(address)
+        return SocketcandBus(address.channel, options["host"], options["port"])
     if address.interface == "slcan":
         return SlcanBus(address.channel, **options)
     return can.Bus(channel=address.channel, interface=address.interface, **options)

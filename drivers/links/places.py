@@ -16,6 +16,8 @@ _SCHEMES: Final = (*_NETWORKED, "alt", "cp2110", "hwgrep", "loop", "spy")
 """What pyserial opens by a URL (its documentation, "URL Handlers")."""
 _PORTS: Final = range(65536)
 """0 among them, which an emulated stand takes for any that is free."""
+_OF_SERVERS: Final = ("host", "port", "tcp_tune")
+"""Options of a bus behind a server; python-can's `tcp_tune` is always on here."""
 
 
 def one_name(address: str) -> str:
@@ -60,10 +62,17 @@ def check_scheme(url: str) -> None:
 
 
 def check_server(bus: CanAddress) -> None:
-    """Make sure that a bus behind a socketcand server names it. Raises `ValueError` with what is wrong with it."""
-    if bus.interface == "socketcand" and not (bus.options.get("host") and bus.options.get("port") in _PORTS):
+    """Make sure that a bus behind a server names it, and nothing else. Raises `ValueError` with what is wrong."""
+    if bus.interface != "socketcand":
+        return
+    if not (bus.options.get("host") and bus.options.get("port") in _PORTS):
         raise ValueError(
             f"{bus.url!r} names no server; write such as socketcand:can0?host=127.0.0.1&port=29536, a port to 65535"
+        )
+    if unknown := [name for name in bus.options if name not in _OF_SERVERS]:
+        raise ValueError(
+            f"{bus.url!r}: socketcand has no option {', '.join(unknown)}, only {', '.join(_OF_SERVERS)}; leave it out "
+            "(the bit rate is set at the server)"
         )
 
 

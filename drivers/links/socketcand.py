@@ -33,7 +33,7 @@ class SocketcandBus(can.BusABC):
         There is no server, or it does not let anybody on the bus.
     """
 
-    def __init__(self, channel: str, host: str, port: int, **_: object) -> None:
+    def __init__(self, channel: str, host: str, port: int) -> None:
         self.channel_info = f"socketcand on {channel}@{host}:{port}"
         self._heard = bytearray()
         self._socket = socket.create_connection((host, int(port)), CONNECT_TIMEOUT_S)

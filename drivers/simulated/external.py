@@ -2,18 +2,16 @@
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Final, TypeAlias
+from typing import TypeAlias
 
-from drivers.errors import DeviceError, Interrupted
+from drivers.errors import DeviceError, is_of_the_user
 from drivers.own_file import load_from_file
-from drivers.text import visible
+from drivers.text import reason_of
 
 Response: TypeAlias = Callable[[float, float, float, float, float], float]
 """`response(ax_g, ay_g, az_g, temperature_degC, time_s) -> volts`, noise-free."""
 HeadError: TypeAlias = Callable[[float, int, float], float]
 """`head_error(angle_deg, direction, time_s) -> degrees`; true angle = reported + error."""
-
-_LONGEST_REASON: Final = 300
 
 
 def load_function(reference: str, base_path: Path) -> Callable[..., float]:
@@ -28,10 +26,12 @@ def load_function(reference: str, base_path: Path) -> Callable[..., float]:
     def call(*given: float) -> float:
         try:
             return float(function(*given))
-        except (DeviceError, Interrupted):
+        except DeviceError:
             raise
         except BaseException as error:
-            reason = visible(f"{type(error).__name__}: {error}", _LONGEST_REASON)
-            raise DeviceError("simulated stand", f"{reference} failed ({reason})", "correct it, then resume") from error
+            if is_of_the_user(error):
+                raise
+            failed = f"{reference} failed ({reason_of(error)})"
+            raise DeviceError("simulated stand", failed, "correct it, then resume") from error
 
     return call

@@ -59,6 +59,11 @@ class Header:
         """Whether damage to it would have been noticed."""
         return self.format_version >= PROTECTED_SINCE
 
+    @property
+    def has_its_programme(self) -> bool:
+        """Whether the programme is the one that was begun, by its hash."""
+        return hashlib.sha256(self.programme_text.encode()).hexdigest() == self.programme_sha256
+
     def __post_init__(self) -> None:
         object.__setattr__(self, "follows", tuple(self.follows))  # a list in a recording
         if "simulated" in self.stand:

@@ -63,6 +63,14 @@ BAD = {
         ('[daq]\ndriver = "simulated"', '[daq]\ndriver = "can"\nurl = "socketcand:can0?host=127.0.0.1&port=99999"'),
         "line 10: daq: 'socketcand:can0?host=127.0.0.1&port=99999' names no server; write such as socketcand:can0?",
     ),
+    "an option that no server has": (
+        (
+            '[daq]\ndriver = "simulated"',
+            '[daq]\ndriver = "can"\nurl = "socketcand:can0?host=127.0.0.1&port=7003&bitrat=5"',
+        ),
+        "line 10: daq: 'socketcand:can0?host=127.0.0.1&port=7003&bitrat=5': socketcand has no option bitrat, only "
+        "host, port, tcp_tune; leave it out (the bit rate is set at the server)",
+    ),
 }
 
 

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from app_jobs import at_call, raiser, tumble
 
-from app.exits import JobError
+from app.exits import Exit, JobError
 from app.files import check_result, replacing, write_text
 from app.kinds import Kind, kind_of
 from drivers.simulated.head import SimulatedHead
@@ -234,6 +234,32 @@ def test_an_interrupted_result_leaves_the_earlier_one(write, tmp_path):
 
     assert there.read_text() == RESULT
     assert list(tmp_path.iterdir()) == [there]
+
+
+def test_a_result_that_another_program_has_open_is_to_be_closed_there(write, monkeypatch):
+    there = write("out.json", RESULT)
+    monkeypatch.setattr("app.files.os.replace", raiser(PermissionError(errno.EACCES, "Access is denied")))
+    with pytest.raises(JobError, match=r"Access is denied\); close whatever has it open") as told:
+        write_text(there, RESULT)
+
+    assert told.value.status is Exit.STORAGE
+    assert there.read_text() == RESULT
+
+
+def test_what_fails_elsewhere_while_a_result_is_written_is_not_blamed_on_the_result(write, tmp_path):
+    there = write("out.json", RESULT)
+    with pytest.raises(FileNotFoundError, match=r"other\.csv"), replacing(there, Kind.RESULT):
+        (tmp_path / "other.csv").read_text()
+
+    assert list(tmp_path.iterdir()) == [there]
+
+
+def test_a_disk_that_is_full_while_a_result_is_written_is_status_5(write):
+    there = write("out.json", RESULT)
+    with pytest.raises(JobError, match="make room") as told, replacing(there, Kind.RESULT):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    assert told.value.status is Exit.STORAGE
 
 
 def test_a_folder_that_is_a_file_is_found_before_anything_is_done(write):

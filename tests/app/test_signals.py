@@ -6,8 +6,11 @@ from contextlib import suppress
 import pytest
 from app_jobs import STAND, tumble
 
+from app.guarding import connected
 from app.signals import STOPPING_SIGNALS, interrupting
 from drivers.errors import Interrupted
+from drivers.own_file import load_from_file
+from drivers.simulated.external import load_function
 
 SIGNALS = [pytest.param(number, id=signal.Signals(number).name) for number in STOPPING_SIGNALS]
 TABLE = "angle_deg,voltage_V\n" + "".join(f"{10 * n},{2.5 + 0.01 * n}\n" for n in range(37))
@@ -109,3 +112,29 @@ def test_a_second_interrupt_from_the_keyboard_does():
 def test_an_interrupt_that_somebody_swallowed_is_told_at_the_end():
     with pytest.raises(Interrupted), interrupting(), suppress(KeyboardInterrupt):
         signal.raise_signal(signal.SIGTERM)
+
+
+PRESSED = "import signal\nsignal.raise_signal(signal.SIGINT)\n"
+
+
+def test_ctrl_c_in_a_python_session_is_no_fault_of_the_file_that_is_loaded(write, tmp_path):
+    write("lab.py", PRESSED)
+    with pytest.raises(KeyboardInterrupt):
+        load_from_file("lab.py:HEAD", tmp_path)
+
+
+def test_ctrl_c_in_a_python_session_is_no_fault_of_the_physics(write, tmp_path):
+    write("physics.py", f"def response(*_):\n    {PRESSED.replace(chr(10), ';')}\n")
+    with pytest.raises(KeyboardInterrupt):
+        load_function("physics.py:response", tmp_path)(0.0)
+
+
+def test_ctrl_c_in_a_python_session_is_no_fault_of_a_driver():
+    with pytest.raises(KeyboardInterrupt):
+        connected(raising(signal.SIGINT), "lab.py:HEAD", "head", frozenset())
+
+
+def test_what_a_file_raises_is_its_own_fault_where_signals_are_told_apart(write, tmp_path):
+    write("lab.py", "raise KeyboardInterrupt\n")
+    with pytest.raises(ValueError, match=r"could not be loaded \(KeyboardInterrupt"), interrupting():
+        load_from_file("lab.py:HEAD", tmp_path)

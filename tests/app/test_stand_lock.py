@@ -5,13 +5,13 @@ import sys
 from pathlib import Path
 
 import pytest
-from app_jobs import tumble
+from app_jobs import raiser, tumble
 
 from app import shared_lock_files
-from app.exits import JobError
+from app.exits import Exit, JobError
 from app.running import Job, run
 from app.stand import load_stand
-from app.stand_lock import holding
+from app.stand_lock import holding, holding_recording
 from app.wiring import connect
 from procedures.events import PointCompleted
 from procedures.programme import load_programme
@@ -189,3 +189,22 @@ def test_a_run_that_is_going_on_is_not_resumed(tiny, tmp_path):
     assert attempt.complaint.startswith(f"the recording {recording} is in use by process {os.getpid()} on ")
     assert read_recording(recording).complete
     assert [path.name for path in tmp_path.glob("*.mcap")] == ["x.mcap"]
+
+
+def test_a_recording_that_somebody_else_has_is_not_begun(tiny, tmp_path):
+    recording = tmp_path / "x.mcap"
+    job = Job(stand=load_stand(), programme=load_programme(tiny), serial_number="A")
+    with holding_recording(recording, "B"), pytest.raises(JobError, match="is in use by process"):
+        run(job, connect(job.stand), recording)
+
+    assert not recording.exists()
+
+
+def test_a_folder_of_locks_that_the_system_refuses_is_told_with_the_stand(stand, monkeypatch):
+    monkeypatch.setattr(
+        "app.stand_lock.lock_folder", raiser(PermissionError(13, "Access is denied", "C:/ProgramData/tumble/locks"))
+    )
+    with pytest.raises(JobError, match=r"C:/ProgramData/tumble/locks, .* \(Access is denied\)") as told:
+        holding(load_stand(stand), "A").__enter__()
+
+    assert told.value.status is Exit.DEVICE_FAULT

@@ -13,23 +13,23 @@ NO_KXY = {"u0": 2.5, "kx": 1.0, "ky": 0.01, "kz": 0.002, "kxy": 0.0, "alpha0": 0
 def test_lack_of_fit_is_the_classical_f_test():
     # Draper and Smith, Applied Regression Analysis, 3rd edition, 2.1: 24 observations, pure error 7.055 on 10 dof,
     # lack of fit 8.233 on 11 dof... here the ratio is 1.061 and not significant.
-    lack = lack_of_fit(7.055 + 8.233, 23, 2, PureError(variance_v2=0.7055, degrees_of_freedom=10))
+    lack = lack_of_fit(7.055 + 8.233, 23, 2, PureError(variance=0.7055, degrees_of_freedom=10))
 
     assert lack.degrees_of_freedom == 11
-    assert lack.variance_v2 / 0.7055 == pytest.approx(1.061, abs=0.001)
+    assert lack.variance / 0.7055 == pytest.approx(1.061, abs=0.001)
     assert 0.4 < lack.p_value < 0.6
 
 
 def test_without_spare_poses_there_is_no_test():
-    assert lack_of_fit(1.0, 10, 4, PureError(variance_v2=0.1, degrees_of_freedom=6)).p_value is None
+    assert lack_of_fit(1.0, 10, 4, PureError(variance=0.1, degrees_of_freedom=6)).p_value is None
 
 
 def test_without_repeats_there_is_no_test():
-    assert lack_of_fit(1.0, 10, 4, PureError(variance_v2=float("nan"), degrees_of_freedom=0)).p_value is None
+    assert lack_of_fit(1.0, 10, 4, PureError(variance=float("nan"), degrees_of_freedom=0)).p_value is None
 
 
 def close(rows, sigma_v=1e-3, freedom=18):
-    return flip_closure(rows, np.zeros(len(rows)), PureError(variance_v2=sigma_v**2, degrees_of_freedom=freedom))
+    return flip_closure(rows, np.zeros(len(rows)), PureError(variance=sigma_v**2, degrees_of_freedom=freedom))
 
 
 def test_the_flips_of_a_linear_unit_close():

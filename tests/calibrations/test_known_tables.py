@@ -1,9 +1,9 @@
 import pytest
 
 from calibrations.known_tables import Kind, kind_of
-from calibrations.table import TableError
-from calibrations.temperature.columns import Column, column_of
-from calibrations.temperature.table import read_runs, unit_of
+from calibrations.table import TableError, read_header
+from calibrations.temperature.columns import Column, column_of, holds_numbers, unit_of
+from calibrations.temperature.table import read_runs
 
 TRIAD = (
     "run,ambient_degC,sensor_degC,bias_x_arcsec,bias_y_arcsec,bias_z_arcsec,scale_x_percent,scale_y_percent,"
@@ -99,6 +99,22 @@ def test_a_unit_is_read_whole(name, unit):
             "time_s,sensor_degC,bias_V\n" + "\n".join(f"{n},{20 + n},1" for n in range(9)),
             "rows 1 s apart look like a log",
         ),
+        (
+            "timestamp_s,sensor_degC,bias_V\n" + "\n".join(f"{n},{20 + n},1" for n in range(9)),
+            "rows 1 s apart look like a log",
+        ),
+        (
+            "t_ms,sensor_degC,bias_V\n" + "\n".join(f"{2000 * n},{20 + n},1" for n in range(9)),
+            "rows 2 s apart look like a log",
+        ),
+        (
+            "time_h,sensor_degC,bias_V\n" + "\n".join(f"{0.01 * n},{20 + n},1" for n in range(9)),
+            "rows 36 s apart look like a log",
+        ),
+        (
+            "sensor_degC,bias_V\n10,1\n20,1_0\n30,1\n40,1",
+            "line 3, column bias_V: '1_0' is not a number",
+        ),
         ("sensor_degC,bias_V\n" + "\n".join(f"{n % 60},1" for n in range(300)), "300 rows look like a log"),
         ("sensor_degC,bias_V\n253,1\n273,1\n293,1\n313,1", "from 253 to 313 °C; are these kelvin"),
         ("sensor_degC,bias_V\n10,1\n20,1.1\n30,1e6\n40,1.2", "line 4, column bias_V: 1e[+]06 lies more than 100 times"),
@@ -117,3 +133,40 @@ def test_a_run_with_a_missing_value_is_set_aside_by_name(tmp_path):
     runs = read_runs(tmp_path / "runs.csv")
     assert len(runs) == 4
     assert [(entry.row, entry.reason) for entry in runs.set_aside] == [(2, "bias_V has no value")]
+
+
+def runs_with(tmp_path, column, values):
+    lines = [f"{value},{10 * place},{1 + 0.1 * place}" for place, value in enumerate(values)]
+    (tmp_path / "runs.csv").write_text("\n".join([f"{column},sensor_degC,bias_V", *lines]) + "\n", "utf-8")
+    return read_runs(tmp_path / "runs.csv")
+
+
+@pytest.mark.parametrize(
+    ("column", "values", "time_s"),
+    [
+        ("time_h", [0, 1, 2, 4], [0, 3600, 7200, 14400]),
+        ("timestamp_ms", [0, 9e4, 18e4, 27e4], [0, 90, 180, 270]),
+        ("elapsed_min", [5, 15, 10, 20], [300, 900, 600, 1200]),
+    ],
+)
+def test_the_times_of_runs_are_known_in_seconds_whatever_their_unit(tmp_path, column, values, time_s):
+    assert runs_with(tmp_path, column, values).time_s.tolist() == pytest.approx(time_s)
+
+
+def test_how_long_something_took_is_no_time_of_a_run(tmp_path):
+    assert runs_with(tmp_path, "settling_s", [30, 31, 30, 29]).time_s is None
+
+
+def test_digits_with_an_underline_between_them_are_a_remark():
+    assert not holds_numbers(0, [(2, ["1_0"]), (3, [""])])
+
+
+@pytest.mark.parametrize("header", ["angle_deg;voltage_V", "#N/A,angle_deg,voltage_V", "sep=;\nangle_deg;voltage_V"])
+def test_a_header_is_split_as_the_rows_are(tmp_path, header):
+    (tmp_path / "t.csv").write_text(f"{header}\n", "utf-8")
+    assert {"angle_deg", "voltage_V"} <= set(read_header(tmp_path / "t.csv"))
+
+
+def test_a_header_without_an_end_is_none(tmp_path):
+    (tmp_path / "t.csv").write_bytes(b"\0" * 100_000)
+    assert read_header(tmp_path / "t.csv") == []

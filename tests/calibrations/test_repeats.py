@@ -15,7 +15,7 @@ def test_the_seed_programme_has_344_degrees_of_freedom_for_pure_error():
     error = pure_error(rows.voltage_v, pose_groups(rows), np.ones(len(rows)))
 
     assert error.degrees_of_freedom == 430 - 86
-    assert error.standard_deviation_v == pytest.approx(1e-4, rel=0.1)
+    assert error.standard_deviation == pytest.approx(1e-4, rel=0.1)
 
 
 def test_rows_of_other_direction_are_other_poses():

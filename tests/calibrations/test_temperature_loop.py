@@ -3,9 +3,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from calibrations.known_tables import Kind, kind_of
 from calibrations.table import TableError
 from calibrations.temperature.loop import close_temperature_loop
-from calibrations.temperature.table import Runs, holds_runs, read_runs
+from calibrations.temperature.table import Runs, read_runs
 
 PRINTED = {
     "bias_x_arcsec": 4.3,
@@ -146,8 +147,8 @@ def written(tmp_path, text):
 
 
 def test_a_table_of_runs_is_known_by_its_temperature_and_by_having_no_angle(tmp_path):
-    assert holds_runs(written(tmp_path, "run,sensor_degC,bias_V\n1,20,0.1\n"))
-    assert not holds_runs(written(tmp_path, "angle_deg,voltage_V,temperature_degC\n0,1,20\n"))
+    assert kind_of(written(tmp_path, "run,sensor_degC,bias_V\n1,20,0.1\n")) is Kind.RUNS
+    assert kind_of(written(tmp_path, "angle_deg,voltage_V,temperature_degC\n0,1,20\n")) is Kind.ACCELEROMETER
 
 
 @pytest.mark.parametrize(

@@ -68,7 +68,7 @@ def test_repeats_say_how_well_a_run_repeats():
     loop = close_temperature_loop(runs(UP_AND_DOWN * 2, lambda at, order, heating: 0.1 * at))
     parameter, names = only(loop)
     assert names == ["temperature_linear"]
-    assert parameter.pure_error.standard_deviation_v == pytest.approx(0.02, rel=0.3)
+    assert parameter.pure_error.standard_deviation == pytest.approx(0.02, rel=0.3)
     assert document(loop)["parameters"]["bias_mV"]["noise"]["degrees_of_freedom"] > 20
 
 

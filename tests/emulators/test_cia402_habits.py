@@ -1,4 +1,4 @@
-"""Drives as they really are, through the bus: each habit from a public report (sources in the issue's cases)."""
+"""Drives as they really are, through the bus: each habit from a public report."""
 
 import time
 

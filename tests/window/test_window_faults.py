@@ -1,4 +1,5 @@
 import sys
+from pathlib import Path
 
 from PySide6.QtCore import Qt
 from window_driver import TINY
@@ -7,7 +8,7 @@ from drivers.errors import DeviceError
 from drivers.simulated.daq import SimulatedDaq
 from procedures.events import FinishReason
 from procedures.recording.reader import read_recording
-from window.widgets.problem import ProblemDialog
+from window.widgets.problem import ProblemDialog, keep_details
 from window.work.live_fit import fit_live
 
 LOST = DeviceError("voltmeter", "does not answer", "check its cable, then resume the run")
@@ -117,3 +118,11 @@ def test_a_gross_error_is_ringed_at_once(driver, tmp_path, monkeypatch, write):
     ]
     driver.run.view.residual.draw_fit(spoilt, fit_live(spoilt))
     assert driver.run.view.residual.ringed == 1
+
+
+def test_details_of_a_user_without_a_home_are_kept_nowhere(monkeypatch):
+    def homeless():
+        raise RuntimeError("Could not determine home directory.")
+
+    monkeypatch.setattr("window.widgets.problem.state_folder", homeless)
+    assert keep_details(ZeroDivisionError("x")) == Path("-")

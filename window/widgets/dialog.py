@@ -10,6 +10,7 @@ from typing import Final
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QFileDialog, QFrame, QHBoxLayout, QLabel, QPushButton, QScrollArea, QVBoxLayout, QWidget
 
+from window.look.plain import PlainLabel
 from window.widgets.motion_button import MotionButton
 
 YES_KEY: Final = "F3"
@@ -27,8 +28,7 @@ class Dialog(QFrame):
         super().__init__(parent)
         self.setObjectName(kind)
         self.setAccessibleName(title)
-        self._text = QLabel(text)
-        self._text.setTextFormat(Qt.TextFormat.PlainText)
+        self._text = PlainLabel(text)
         self._text.setWordWrap(True)
         self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._text.setVisible(bool(text))

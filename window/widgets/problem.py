@@ -6,10 +6,10 @@ from pathlib import Path
 from typing import Final
 
 from PySide6.QtCore import QCoreApplication
-from PySide6.QtWidgets import QLabel
 
 from app.exits import status_of
 from drivers.private_files import state_folder
+from window.look.plain import PlainLabel
 from window.look.sentences import in_language
 from window.widgets.dialog import Dialog
 
@@ -24,8 +24,7 @@ class ProblemDialog(Dialog):
         text = translate("ProblemDialog", "A fault of the program; the head was told to stop.")
         title = translate("ProblemDialog", "Something went wrong")
         super().__init__(title, in_language(str(error)) if known else text, "fault")
-        self._details = QLabel()
-        self._details.setTextFormat(self._text.textFormat())
+        self._details = PlainLabel()
         self._details.setWordWrap(True)
         if not known:
             told = self.tr("{error}\nThe details are in {place}.")
@@ -44,12 +43,12 @@ class ProblemDialog(Dialog):
 
 def keep_details(error: BaseException) -> Path:
     """Add an exception with its traceback to the file of the window's faults."""
-    path = state_folder() / "window-faults.log"
     try:
+        path = state_folder() / "window-faults.log"
         path.parent.mkdir(parents=True, exist_ok=True)
         with path.open("a", encoding="utf-8") as file:
             file.write(f"{datetime.now(tz=UTC).isoformat(timespec='seconds')}\n{_details(error)}\n")
-    except OSError:
+    except (OSError, RuntimeError):  # of a user without a home
         return Path("-")
     return path
 

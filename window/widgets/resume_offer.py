@@ -5,8 +5,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QPushButton, QWidget
 
+from window.look.plain import PlainLabel
 from window.look.sentences import in_language
 from window.widgets.motion_button import MotionButton
 
@@ -25,8 +26,7 @@ class ResumeOffer(QFrame):
         self.setObjectName("question")
         self._run: CutOff | None = None
         self._declined: set[Path] = set()
-        self._text = QLabel()
-        self._text.setTextFormat(Qt.TextFormat.PlainText)
+        self._text = PlainLabel()
         self._text.setWordWrap(True)
         self.button = MotionButton(self.tr("Go on with it"), "F7")
         self.button.setObjectName("primary")

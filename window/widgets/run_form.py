@@ -8,14 +8,13 @@ from PySide6.QtWidgets import QComboBox, QGridLayout, QLabel, QLineEdit, QPushBu
 
 from app.running import Job
 from app.stand import LoadedStand
+from drivers.text import LONGEST_NAME
 from procedures.errors import InputError
 from procedures.programme import load_programme, shipped_programmes
 from window.look.numbers import local, minutes
 from window.look.plain import PlainLabel
 from window.look.sentences import in_language
 from window.widgets.dialog import FileDialog
-
-_LONGEST_SERIAL = 100
 
 
 class RunForm(QWidget):
@@ -32,7 +31,7 @@ class RunForm(QWidget):
         super().__init__(parent)
         self._stand = stand
         self.serial, self.operator, self.programme = QLineEdit(), QLineEdit(), QComboBox()
-        self.serial.setMaxLength(_LONGEST_SERIAL)
+        self.serial.setMaxLength(LONGEST_NAME)
         self.serial.setPlaceholderText(self.tr("type or scan"))
         self.serial.returnPressed.connect(self.await_scan)
         self.programme.addItems(shipped_programmes())
