@@ -93,7 +93,7 @@ def _check_earlier(path: Path, place: Path, there: os.stat_result, kind: Kind | 
 def _refuse_names_of_raw_data(path: Path) -> None:
     if is_recording(path):
         raise InputError(f"{path}: has the name of a recording, and those are never overwritten; choose another name")
-    if path.suffix.lower() == _STORE_SUFFIX:
+    if path.suffix.lower().startswith(_STORE_SUFFIX):  # SQLite's own files beside it too: .sqlite-wal
         raise InputError(f"{path}: has the name of a store, and those are never overwritten; choose another name")
 
 

@@ -18,6 +18,11 @@ MOST_V: Final = 100.0
 """Beyond any accelerometer's output."""
 _MOSTLY: Final = 0.5
 """Where more rows than this part are beyond `MOST_V`, the column is in another unit and is asked about."""
+_LONE_K: Final = 2.0
+_LONE_TIMES: Final = 20.0
+"""A temperature that leaves both its neighbours by so much, and so many times their usual difference, is garbled."""
+_FEWEST_STEPS: Final = 8
+"""Fewer differences do not tell what is usual."""
 SENSORS_DEGC: Final = (-100.0, 250.0)
 """Beyond these no sensor at a dividing head reads a temperature."""
 
@@ -74,7 +79,19 @@ def _with_likely_temperatures(observations: Observations) -> Observations:
     unlikely = (temperature_degc < SENSORS_DEGC[0]) | (temperature_degc > SENSORS_DEGC[1])
     if np.count_nonzero(unlikely) > _MOSTLY * len(temperature_degc):
         return observations
-    return _used_without(observations, "temperature_degc", "temperature_degC", unlikely)
+    return _used_without(observations, "temperature_degc", "temperature_degC", unlikely | _alone(temperature_degc))
+
+
+def _alone(values: FloatArray) -> NDArray[np.bool_]:
+    """Which single values, in the order of the rows, lie far to one side of both neighbours; at an end, of two."""
+    steps = np.diff(values)
+    if len(steps) < _FEWEST_STEPS or not np.isfinite(steps).any():
+        return np.zeros(len(values), dtype=bool)
+    limit = max(_LONE_K, _LONE_TIMES * float(np.nanmedian(np.abs(steps))))
+    before = np.concatenate([[values[0] - values[2]], steps])
+    after = np.concatenate([-steps, [values[-1] - values[-3]]])
+    far = np.minimum(np.abs(before), np.abs(after)) > limit
+    return np.asarray(far & (np.sign(before) == np.sign(after)))
 
 
 def _with_likely_scatter(observations: Observations) -> Observations:

@@ -17,6 +17,7 @@ from drivers.names import Name
 MOST_SAMPLES: Final = 10_000_000
 """More in one dwell is a slip of the pen."""
 
+_TURN_ARCSEC: Final = 360.0 * 3600.0
 _DAY: Final = re.compile(r"\d{4}-\d{2}-\d{2}", re.ASCII)
 
 Mount: TypeAlias = Literal["face-up", "face-up-90", "face-down", "edge", "edge-back", "end"]
@@ -116,9 +117,9 @@ class HeadTable(Instrument):
     cable_turns: float | None = Field(default=None, gt=0.0)
     """Turns to either side of zero that the cable of the unit allows; without it, what the limits allow."""
     speed_deg_s: float = Field(default=20.0, ge=1e-3, le=1e4)
-    accuracy_arcsec: float | None = Field(default=None, ge=0.0)
+    accuracy_arcsec: float | None = Field(default=None, ge=0.0, le=_TURN_ARCSEC)
     """Standard uncertainty of the reading; None where nobody states it."""
-    seating_arcsec: float | None = Field(default=None, ge=0.0)
+    seating_arcsec: float | None = Field(default=None, ge=0.0, le=_TURN_ARCSEC)
     """Repeatability of the unit in its seat, per mounting; None where nobody states it."""
     mounts: tuple[Mount, ...] | None = Field(default=None, min_length=1)
     """Mounts that the seat allows; without it, all."""
@@ -146,7 +147,7 @@ class DaqTable(Instrument):
     samples: int = Field(default=100, ge=2, le=MOST_SAMPLES)
     """Per dwell, unless the programme says otherwise."""
     rate_hz: float = Field(default=100.0, ge=1e-2, le=1e6)
-    gain_uncertainty: float | None = Field(default=None, ge=0.0)
+    gain_uncertainty: float | None = Field(default=None, ge=0.0, lt=1.0)
     """Relative standard uncertainty; None where nobody states it."""
-    offset_uncertainty_v: float | None = Field(default=None, ge=0.0)
+    offset_uncertainty_v: float | None = Field(default=None, ge=0.0, le=100.0)
     """Standard uncertainty; None where nobody states it."""

@@ -35,7 +35,11 @@ def visible(text: str, most: int | None = None) -> str:
 
 def reason_of(error: BaseException) -> str:
     """Kind and text of an error that somebody else's code raised, on one line of bearable length."""
-    return visible(f"{type(error).__name__}: {error}", _LONGEST_REASON)
+    try:
+        text = str(error)
+    except Exception:
+        text = "it cannot say why"
+    return visible(f"{type(error).__name__}: {text}", _LONGEST_REASON)
 
 
 def _shortened(text: str, most: int | None) -> str:

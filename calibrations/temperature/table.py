@@ -10,6 +10,7 @@ from calibrations.cells import Line, is_missing
 from calibrations.cells import number as as_number
 from calibrations.geometry import FloatArray
 from calibrations.observations import OVERLOAD_V, SetAside
+from calibrations.screening import SENSORS_DEGC
 from calibrations.table import TableError, read_lines
 from calibrations.temperature.clock import clock_s
 from calibrations.temperature.columns import Column, column_of, holds_numbers, named
@@ -74,7 +75,7 @@ def read_runs(path: Path) -> Runs:
         )
     if len(lines) < _FEWEST or np.ptp(columns[at]) <= 0:
         raise TableError(f"{path}: {len(lines)} runs at {len(np.unique(columns[at]))} temperatures tell nothing")
-    _check_temperatures(at, columns[at], path)
+    _check_temperatures(at, columns[at], lines, path)
     time_s = clock_s(columns)
     _check_pace(time_s, len(lines), path)
     for name, values in parameters.items():
@@ -104,11 +105,18 @@ def _is_blank(cell: str) -> bool:
     return is_missing(cell) and cell.lower() != "nan"
 
 
-def _check_temperatures(name: str, values_degc: FloatArray, path: Path) -> None:
+def _check_temperatures(name: str, values_degc: FloatArray, lines: Sequence[Line], path: Path) -> None:
     if values_degc.min() > _KELVIN:
         raise TableError(
             f"{path}, column {name}: temperatures from {values_degc.min():g} to {values_degc.max():g} °C; are these "
             "kelvin? Write degrees Celsius"
+        )
+    unlikely = (values_degc < SENSORS_DEGC[0]) | (values_degc > SENSORS_DEGC[1])
+    if unlikely.any():
+        row = int(np.argmax(unlikely))
+        raise TableError(
+            f"{path}, line {lines[row][0]}, column {name}: no sensor of a run reads {values_degc[row]:g} °C; is it in "
+            "another unit? Correct it or leave the run out"
         )
 
 

@@ -170,3 +170,12 @@ def test_a_header_is_split_as_the_rows_are(tmp_path, header):
 def test_a_header_without_an_end_is_none(tmp_path):
     (tmp_path / "t.csv").write_bytes(b"\0" * 100_000)
     assert read_header(tmp_path / "t.csv") == []
+
+
+def test_one_temperature_in_another_unit_is_named_by_its_line(tmp_path):
+    path = tmp_path / "runs.csv"
+    rows = ("20,2.5,1000", "25,2.6,1001", "293,2.7,1002", "35,2.8,1003", "40,2.9,1004", "45,3,1005")
+    path.write_text("temperature_degC,u0_V,kx_mV\n" + "\n".join(rows) + "\n")
+
+    with pytest.raises(TableError, match=r"line 4, column temperature_degC: no sensor of a run reads 293 °C"):
+        read_runs(path)

@@ -104,3 +104,26 @@ def test_a_scatter_that_is_none_is_left_out_and_told(scatter_v):
 
     assert np.isnan(screened.voltage_sd_v[1])
     assert f"voltage_sd_V is {scatter_v:g} in row 2" in screened.warnings[0]
+
+
+@pytest.mark.parametrize("place", [0, 1, 7, 18, 19])
+@pytest.mark.parametrize("garbled", [0.0, 2.41, 76.1])
+def test_a_single_temperature_far_from_its_neighbours_is_left_out_wherever_the_row_stands(place, garbled):
+    temperature_degc = np.linspace(24.0, 24.2, 20)
+    temperature_degc[place] = garbled
+
+    screened = set_aside_bad_rows(table(voltage_v=np.ones(20), temperature_degc=temperature_degc))
+
+    assert np.flatnonzero(np.isnan(screened.temperature_degc)).tolist() == [place]
+    assert f"temperature_degC is {garbled:g} in row {place + 1}" in screened.warnings[0]
+
+
+@pytest.mark.parametrize(
+    "temperature_degc",
+    [np.repeat([20.0, 60.0], 10), np.tile([20.0, 60.0], 10), np.linspace(-40.0, 85.0, 20), np.full(20, 23.0)],
+    ids=["step", "to and fro", "ramp", "constant"],
+)
+def test_temperatures_of_a_chamber_stay(temperature_degc):
+    screened = set_aside_bad_rows(table(voltage_v=np.ones(20), temperature_degc=temperature_degc))
+
+    assert (np.isnan(screened.temperature_degc).sum(), screened.warnings) == (0, ())

@@ -2,7 +2,7 @@
 
 import pytest
 
-from drivers.text import LONGEST_NAME, check_name, visible
+from drivers.text import LONGEST_NAME, check_name, reason_of, visible
 
 
 @pytest.mark.parametrize(
@@ -45,3 +45,11 @@ def test_plain_text_is_a_name(text):
 def test_what_cannot_be_seen_or_read_is_no_name(text):
     with pytest.raises(ValueError, match=r"are no name|cannot be seen"):
         check_name(text)
+
+
+def test_an_error_that_cannot_say_why_has_a_reason_all_the_same():
+    class SilentError(Exception):
+        def __str__(self):
+            raise self
+
+    assert reason_of(SilentError()) == "SilentError: it cannot say why"
