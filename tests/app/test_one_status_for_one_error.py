@@ -112,10 +112,10 @@ def test_what_cannot_be_written_is_a_matter_of_storage(folder, calibrated, tiny_
 
 @pytest.mark.parametrize("arguments", list(WRITING.values())[:4], ids=list(WRITING)[:4])
 def test_a_full_disk_is_a_matter_of_storage(folder, calibrated, monkeypatch, arguments):
-    def full(_path):
+    def full(*_places):
         raise OSError(errno.ENOSPC, "No space left on device")
 
-    monkeypatch.setattr("app.files._make_durable", full)
+    monkeypatch.setattr("app.files._put_in_place", full)
     known = {"OUT": "new", "STORE": calibrated.store}
 
     ran = tumble(*(known.get(each, each) for each in arguments))
