@@ -1,5 +1,6 @@
 """What several tests share."""
 
+import signal
 from pathlib import Path
 
 import pytest
@@ -8,6 +9,9 @@ from hypothesis import settings
 from app.cli import limit_blas_threads
 
 limit_blas_threads()  # as the program does, before numpy is loaded
+signal.signal(signal.SIGINT, signal.default_int_handler)  # programs that tests start hear it, in the background too
+if hasattr(signal, "SIGHUP"):
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)
 settings.register_profile("any machine", deadline=None)  # a busy machine is no failure
 settings.load_profile("any machine")
 

@@ -11,6 +11,7 @@ from typing import Final
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QSessionManager
 from PySide6.QtWidgets import QApplication
+from pyqtgraph.util.garbage_collector import GarbageCollector
 
 from window.look.language import speak
 from window.look.theme import dress
@@ -34,6 +35,7 @@ class Application(QObject):
     def __init__(self, application: QApplication, store: Path) -> None:
         super().__init__(application)
         sys.setswitchinterval(_TURN_S)
+        self._garbage = GarbageCollector()  # a widget is destroyed where the event loop is, whoever computes meanwhile
         self._application, self._store = application, store
         self._showing = False
         self.faulted.connect(self._show_fault)

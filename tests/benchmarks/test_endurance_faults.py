@@ -29,7 +29,7 @@ mount = "face-up"
 step_deg = 50.0
 points = 4
 """
-SPEED = 20.0
+SPEED = 10.0
 GOOD, DEVICE, STOPPED, STORAGE = Exit.GOOD, Exit.DEVICE_FAULT, Exit.STOPPED, Exit.STORAGE
 
 posix = pytest.mark.skipif(os.name == "nt", reason="there is no such signal, limit or removal on Windows")
@@ -102,7 +102,7 @@ def results():
     wanted = [case_named(*parameters, SPEED) for parameters in happening]
     alone = [case for case in wanted if case.kind.device == "program" and os.name != "nt"]
     together = [case for case in wanted if case.kind.device != "program"]
-    with ThreadPoolExecutor(6) as pool:
+    with ThreadPoolExecutor(3) as pool:
         done = dict(zip(together, pool.map(happen, together), strict=True))
     return done | {case: happen(case) for case in alone}
 

@@ -1,5 +1,6 @@
 """The real main window, on a screen that nobody sees, with settings and a store of its own."""
 
+import gc
 import os
 from pathlib import Path
 
@@ -19,6 +20,13 @@ def qapp():
     """The one application, under the name that its settings have."""
     QSettings.setDefaultFormat(QSettings.Format.IniFormat)
     return application()
+
+
+@pytest.fixture(scope="module", autouse=True)
+def garbage():
+    """A window collects garbage itself; whatever else these tests do in the same process has Python do it again."""
+    yield
+    gc.enable()
 
 
 @pytest.fixture(autouse=True)
