@@ -15,10 +15,10 @@ class Ring:
 
 
 def test_garbage_is_freed_in_the_thread_of_the_window_though_another_computes(driver):
-    freed = []
+    freed, computed = [], []
     Ring(freed)
 
-    busy = threading.Thread(target=lambda: [[] for _ in range(100_000)])
+    busy = threading.Thread(target=lambda: computed.extend([] for _ in range(100_000)))
     busy.start()
     busy.join()
     driver.wait(lambda: freed)
