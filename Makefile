@@ -3,16 +3,18 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 WORKERS ?= 2
+RELATIVE ?= 1e-9
 TEXTS := window/translations/tumble_uk
 
 .DEFAULT_GOAL := help
-.PHONY: help setup gui texts demo test test-screen check endurance lock clean
+.PHONY: help setup gui texts demo test test-screen frozen check endurance lock clean
 
 help:
 	@echo "make demo   run the main job on the simulated stand: recording, record and report in tumble-store/"
 	@echo "make gui    open the operator's window"
 	@echo "make test   style, types, import contracts and all tests"
 	@echo "make test-screen   tests of the window on a real X11 screen that nobody sees (needs xvfb)"
+	@echo "make frozen RELATIVE=1e-6   results of all tables and recordings against the frozen ones"
 	@echo "make endurance   kills, cuts, flips, runs through the wire, faults at every step, a soak, mutated frames (two hours)"
 	@echo "make texts  collect the texts of the window for its translators"
 	@echo "make lock   pin the dependencies anew"
@@ -41,6 +43,9 @@ test-screen: setup
 	    tests/window/test_stop_everywhere.py
 	xvfb-run --auto-servernum --server-args="-screen 0 1280x800x24" env QT_QPA_PLATFORM=xcb \
 	    $(BIN)/python -m benchmarks.window_streaming --minutes 0.25
+
+frozen: setup
+	$(BIN)/python -m benchmarks.frozen --relative $(RELATIVE) --workers $(WORKERS)
 
 check: setup
 	$(BIN)/ruff check .
