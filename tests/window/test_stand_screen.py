@@ -1,7 +1,14 @@
 from datetime import UTC, datetime, timedelta
 
+import pytest
 from PySide6.QtCore import Qt
 from window_driver import STAND
+
+
+@pytest.fixture
+def driver(lent_driver):
+    """A window that was lent."""
+    return lent_driver
 
 
 def connect(driver):

@@ -1,6 +1,7 @@
 import sys
 from pathlib import Path
 
+import pytest
 from PySide6.QtCore import Qt
 from window_driver import TINY
 
@@ -12,6 +13,12 @@ from window.widgets.problem import ProblemDialog, keep_details
 from window.work.live_fit import fit_live
 
 LOST = DeviceError("voltmeter", "does not answer", "check its cable, then resume the run")
+
+
+@pytest.fixture
+def driver(lent_driver):
+    """A window that was lent."""
+    return lent_driver
 
 
 def at_call(monkeypatch, number, error):

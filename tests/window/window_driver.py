@@ -2,6 +2,7 @@
 
 from PySide6.QtCore import Qt
 
+from app.stand import load_stand
 from window.screens.run import Phase
 
 STAND = """\
@@ -40,6 +41,35 @@ class Driver:
     def __init__(self, qtbot, running):
         self.bot = qtbot
         self.running = running
+
+    def begin_anew(self, store):
+        """Show a window that was used as one that nobody has touched, with another store."""
+        window = self.window
+        window.store = store
+        window.stand.simulation.speed.setCurrentIndex(0)
+        window.stand.simulation.imagined.setChecked(False)
+        window.stand.jog.angle.clear()
+        window.run.form.programme.setCurrentText("seed")
+        window.run.form.serial.clear()
+        window.run.view.points = []
+        window.run.view.log.clear()
+        window.run.offered.offer([])
+        window.run._broken_off = False
+        window.result.presentation = None
+        window.records.tabs.setCurrentIndex(0)
+        window.records.refresh()
+        window.open(window.stand)
+        self.wait(lambda: not window.background._under_way)
+
+    def finish(self):
+        """Stop, leave the stand, close the dialogs: nothing goes on when another test begins."""
+        window = self.window
+        window.worker.stop()
+        self.wait_for_end()
+        window.stand.use(load_stand())
+        self.wait(lambda: not (window.worker.session.is_connected or window.background._under_way))
+        while window.dialogs.close_newest():
+            pass
 
     @property
     def window(self):
