@@ -40,9 +40,11 @@ def few_trials():
 
 
 @pytest.fixture
-def no_report(monkeypatch):
-    """Drawing takes two seconds; a test of something else does without."""
-    monkeypatch.setattr("calibrations.report.render_report", lambda *_, **__: "<html></html>")
+def no_report():
+    """Drawing takes two seconds; a test of something else does without, whatever else it undoes."""
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr("calibrations.report.render_report", lambda *_, **__: "<html></html>")
+        yield
 
 
 @pytest.fixture

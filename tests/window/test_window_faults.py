@@ -114,7 +114,7 @@ def test_a_programme_that_the_stand_forbids_moves_nothing(driver, write):
     assert not driver.window.busy
 
 
-def test_a_gross_error_is_ringed_at_once(driver, tmp_path, monkeypatch, write):
+def test_a_gross_error_is_ringed_at_once(driver, write, no_report):
     driver.start(write("sweep.toml", TINY.replace("points = 6", "points = 36").replace("60.0", "10.0")))
     driver.wait_for_points(36)
     points = driver.run.view.points

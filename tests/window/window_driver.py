@@ -45,7 +45,7 @@ class Driver:
     def begin_anew(self, store):
         """Show a window that was used as one that nobody has touched, with another store."""
         window = self.window
-        window.store = store
+        window.store = self.running._store = store
         window.stand.simulation.speed.setCurrentIndex(0)
         window.stand.simulation.imagined.setChecked(False)
         window.stand.jog.angle.clear()
