@@ -70,7 +70,7 @@ def driver(qtbot, qapp, settings, tmp_path, monkeypatch):
 def take_away(qapp, running):
     """Leave a window, and have Qt forget it."""
     running.window.leave()
-    deadline = time.monotonic() + 20.0
+    deadline = time.monotonic() + 60.0
     while running.window.isVisible():
         assert time.monotonic() < deadline, "the window does not close"
         qapp.processEvents()

@@ -36,7 +36,7 @@ LONG = TINY.replace("tiny", "long").replace("points = 6", "points = 600").replac
 
 
 class Driver:
-    """Keys and clicks, and waiting for what comes of them, never for long."""
+    """Keys and clicks, and waiting for what comes of them: no longer than a machine takes that is busy with more."""
 
     def __init__(self, qtbot, running):
         self.bot = qtbot
@@ -83,7 +83,7 @@ class Driver:
     def log(self):
         return self.run.view.log.toPlainText()
 
-    def wait(self, condition, timeout_s=20):
+    def wait(self, condition, timeout_s=60):
         self.bot.waitUntil(lambda: bool(condition()), timeout=round(timeout_s * 1000))
 
     def press(self, key, modifiers=Qt.KeyboardModifier.NoModifier, at=None):
@@ -116,10 +116,10 @@ class Driver:
     def wait_for_points(self, count):
         self.wait(lambda: len(self.run.view.points) >= count)
 
-    def wait_for_end(self, timeout_s=30):
+    def wait_for_end(self, timeout_s=60):
         self.wait(lambda: self.run.phase is Phase.IDLE and not self.window.busy, timeout_s)
 
-    def wait_for_result(self, timeout_s=60):
+    def wait_for_result(self, timeout_s=120):
         self.wait(lambda: self.window.result.presentation is not None or self.complaints, timeout_s)
         assert not self.complaints
         return self.window.result.presentation
