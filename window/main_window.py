@@ -180,6 +180,7 @@ class MainWindow(QMainWindow):
 
     def _show_stand(self, loaded: LoadedStand) -> None:
         self.setWindowTitle(f"{loaded.file.name} – tumble")
+        self.stop_bar.show_head(None)
         self.run.show_stand()
 
     def _begin(self, activity: Activity, points: tuple[object, ...] = ()) -> None:

@@ -8,13 +8,13 @@ from pathlib import Path
 from types import TracebackType
 from typing import Final
 
+from pyqtgraph.util.garbage_collector import GarbageCollector
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QSessionManager
 from PySide6.QtWidgets import QApplication
-from pyqtgraph.util.garbage_collector import GarbageCollector
 
 from window.look.language import speak
-from window.look.theme import dress
+from window.look.theme import dress, dress_window
 from window.main_window import MainWindow
 from window.menus import language, shade, text_scale
 from window.place import keep_on_screen
@@ -65,6 +65,7 @@ class Application(QObject):
 
     def _dress(self) -> None:
         dress(self._application, shade(), text_scale())
+        dress_window(self.window, text_scale())
         keep_on_screen(self.window)
 
     def end_session(self, manager: QSessionManager) -> None:
@@ -76,6 +77,7 @@ class Application(QObject):
         speak(language())
         dress(self._application, shade(), text_scale())
         window = MainWindow(self._store)
+        dress_window(window, text_scale())
         window.dress_wanted.connect(self._dress)
         window.restart_wanted.connect(self._restart, Qt.ConnectionType.QueuedConnection)
         window.show()

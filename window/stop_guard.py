@@ -3,11 +3,13 @@
 from typing import Final
 
 from PySide6.QtCore import QEvent, QObject, QPoint, QRect, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QKeySequence, QMouseEvent
+from PySide6.QtGui import QKeyEvent, QKeySequence, QMouseEvent, QShowEvent
 from PySide6.QtWidgets import QApplication, QWidget
 
 STOP_KEYS: Final = ("F12", "Pause", "Ctrl+.")
 """The first is written on the button. None of them types anything, and no part of the window uses them."""
+_KINDS: Final = (QKeyEvent, QMouseEvent, QShowEvent)
+"""What an event is costs less to tell than its type: there are thousands a second."""
 _HEARD: Final = frozenset({QEvent.Type.KeyPress, QEvent.Type.MouseButtonPress, QEvent.Type.Show})
 
 
@@ -29,8 +31,7 @@ class StopGuard(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802  # Qt's name
         """Stop on the stop key, which goes no further, and on a press on STOP, which does."""
-        kind = event.type()
-        if kind not in _HEARD:
+        if not isinstance(event, _KINDS) or event.type() not in _HEARD:
             return False
         if isinstance(event, QKeyEvent):
             return self._hear_key(event)

@@ -2,6 +2,7 @@
 
 import gc
 import os
+import time
 from pathlib import Path
 
 os.environ.setdefault("QT_QPA_PLATFORM", f"offscreen:configfile={Path(__file__).with_name('screen.json')}")
@@ -29,17 +30,21 @@ def garbage():
     gc.enable()
 
 
-@pytest.fixture(autouse=True)
-def few_trials(monkeypatch):
+@pytest.fixture(scope="module", autouse=True)
+def few_trials():
     """Monte Carlo takes most of the time of a fit; how well it does is tested elsewhere."""
     simulate = analysis.monte_carlo
-    monkeypatch.setattr(analysis, "monte_carlo", lambda *arguments: simulate(*arguments[:-1], 100))
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr(analysis, "monte_carlo", lambda *arguments: simulate(*arguments[:-1], 100))
+        yield
 
 
 @pytest.fixture
-def no_report(monkeypatch):
-    """Drawing takes two seconds; a test of something else does without."""
-    monkeypatch.setattr("calibrations.report.render_report", lambda *_, **__: "<html></html>")
+def no_report():
+    """Drawing takes two seconds; a test of something else does without, whatever else it undoes."""
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr("calibrations.report.render_report", lambda *_, **__: "<html></html>")
+        yield
 
 
 @pytest.fixture
@@ -59,16 +64,24 @@ def driver(qtbot, qapp, settings, tmp_path, monkeypatch):
     settings.setValue("simulation/speed", 0)
     running = Application(qapp, tmp_path / "store")
     yield Driver(qtbot, running)
+    take_away(qapp, running)
+
+
+def take_away(qapp, running):
+    """Leave a window, and have Qt forget it."""
     running.window.leave()
-    qtbot.waitUntil(lambda: not running.window.isVisible(), timeout=20_000)
+    deadline = time.monotonic() + 60.0
+    while running.window.isVisible():
+        assert time.monotonic() < deadline, "the window does not close"
+        qapp.processEvents()
     for made in (running.window, running):
         made.deleteLater()
     qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
 
 @pytest.fixture(scope="module")
-def shared_window(qapp, tmp_path_factory):
-    """One window for the tests of a module that do not mind each other, with settings and a store of its own."""
+def home(qapp, tmp_path_factory):
+    """Settings, state and store of the windows that a module shares."""
     home = tmp_path_factory.mktemp("window")
     with pytest.MonkeyPatch.context() as patched:
         patched.setenv("XDG_STATE_HOME", str(home / "state"))
@@ -76,17 +89,43 @@ def shared_window(qapp, tmp_path_factory):
         QSettings().clear()
         QSettings().setValue("look/language", str(Language.ENGLISH))
         QSettings().setValue("look/shade", "light")
-        running = Application(qapp, home / "store")
-        yield running
-        running.window.leave()
-        while running.window.isVisible():
-            qapp.processEvents()
-        for made in (running.window, running):
-            made.deleteLater()
-        qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+        yield home
+
+
+@pytest.fixture(scope="module")
+def shared_window(qapp, home):
+    """One window for the tests of a module that do not mind each other, with settings and a store of its own."""
+    running = Application(qapp, home / "store")
+    yield running
+    take_away(qapp, running)
+
+
+@pytest.fixture(scope="module")
+def windows(qapp, home):
+    """The window that a module lends to its tests; those that close it leave none, and the next one has another."""
+    windows = []
+    yield windows
+    for running in windows:
+        take_away(qapp, running)
 
 
 @pytest.fixture
+def lent_driver(qtbot, qapp, home, windows, tmp_path, monkeypatch):
+    """As `driver`, with a window that other tests have had, which looks as if it were new."""
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
+    if not windows:
+        QSettings().setValue("simulation/speed", 0)
+        windows.append(Application(qapp, tmp_path / "store"))
+    driver = Driver(qtbot, windows[0])
+    driver.begin_anew(tmp_path / "store")
+    yield driver
+    if not driver.window.isVisible():
+        take_away(qapp, windows.pop())
+        return
+    driver.finish()
+
+
+@pytest.fixture(scope="session")
 def driver_of():
     """Makes of a window that is shared what a person does with it."""
     return Driver

@@ -14,6 +14,12 @@ from window.work import printing
 FAULT = "A fault of the program; the head was told to stop."
 
 
+@pytest.fixture
+def driver(lent_driver):
+    """A window that was lent."""
+    return lent_driver
+
+
 def told(driver):
     return [dialog.informativeText() for dialog in driver.window.dialogs.open]
 

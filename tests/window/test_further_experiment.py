@@ -51,7 +51,7 @@ def test_the_closed_loop_asks_for_an_experiment_that_a_key_runs(driver, write, m
 
     monkeypatch.setattr("window.screens.result.load_programme", lambda name: load_programme(probes[name]))
     driver.press(Qt.Key.Key_F5)
-    driver.wait(lambda: result.presentation is not first or driver.complaints, 60)
+    driver.wait(lambda: result.presentation is not first or driver.complaints, 120)
 
     assert driver.complaints == []
     effects = {effect.name: effect.also_possible for effect in result.presentation.concluded.traced.loop.effects}

@@ -19,6 +19,12 @@ from window.widgets.dialog import QuestionDialog
 
 
 @pytest.fixture
+def driver(lent_driver):
+    """A window that was lent."""
+    return lent_driver
+
+
+@pytest.fixture
 def stands(write):
     """Files of two stands."""
     return write("a.toml", STAND.replace("bench-1", "A")), write("b.toml", STAND.replace("bench-1", "B"))
@@ -145,6 +151,18 @@ def test_what_is_told_of_a_stand_that_was_left_is_not_shown(driver, stands):
     driver.bot.wait(50)
     assert driver.window.stand.dial.accessibleName() == ""
     assert driver.run.view.dial.accessibleName() == ""
+
+
+def test_a_stand_that_was_chosen_is_not_connected_though_the_one_before_was(driver, stands):
+    a, _ = stands
+    stand = driver.window.stand
+    stand.connect_button.click()
+    driver.wait(stand.jog.isEnabled)
+    stand.open(a)
+    assert stand.connect_button.isEnabled()
+    assert not stand.disconnect_button.isEnabled()
+    assert not stand.jog.isEnabled()
+    assert driver.window.stop_bar._angle.text() == "not connected"
 
 
 def test_an_instrument_that_names_itself_anew_in_a_run_is_shown(driver):

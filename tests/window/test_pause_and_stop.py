@@ -8,6 +8,12 @@ from procedures.recording.reader import read_recording
 from window.screens.run import Phase
 
 
+@pytest.fixture
+def driver(lent_driver):
+    """A window that was lent."""
+    return lent_driver
+
+
 def recording(tmp_path):
     (path,) = (tmp_path / "store").glob("recordings/SN-1/*.mcap")
     return read_recording(path)

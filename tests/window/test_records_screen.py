@@ -1,22 +1,50 @@
 import json
+import shutil
 
 import pytest
 from PySide6.QtCore import QDate
+from pytestqt.qtbot import QtBot
+from window_driver import TINY
 
 from calibrations.records.store import Store
 
 
+@pytest.fixture(scope="module")
+def two_records(request, shared_window, driver_of, tmp_path_factory):
+    """A window, and its store with two units of which each has one record."""
+    programme = tmp_path_factory.mktemp("programme") / "tiny.toml"
+    programme.write_text(TINY, encoding="utf-8")
+    shared_window.window.stand.simulation.speed.setCurrentIndex(0)
+    driver = driver_of(QtBot(request), shared_window)
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr("calibrations.report.render_report", lambda *_, **__: "<html></html>")
+        for serial in ("A-1", "B-2"):
+            driver.start(programme, serial)
+            driver.wait_for_result()
+            driver.window.result.presentation = None
+    return shared_window, shared_window.window.store
+
+
 @pytest.fixture
-def measured(driver, tiny, no_report):
-    """Two units of which each has one record."""
-    for serial in ("A-1", "B-2"):
-        driver.start(tiny, serial)
-        driver.wait_for_result()
-        driver.window.result.presentation = None
-    records = driver.window.records
+def measured(qtbot, two_records, driver_of, tmp_path, no_report):
+    """The window with a store of its own that holds those, nothing chosen and nothing looked for."""
+    running, store = two_records
+    shutil.copytree(store, tmp_path / "store")
+    driver = driver_of(qtbot, running)
+    records, search = driver.window.records, driver.window.records.search
+    driver.window.store = tmp_path / "store"
+    driver.window.result.presentation = None
+    while driver.window.dialogs.close_newest():
+        pass
+    search.serial.clear()
+    search.verdict.setCurrentIndex(0)
+    search.until.setDate(search.until.minimumDate())
+    records.said.clear()
     driver.window.open(records)
     records.refresh()
-    driver.wait(lambda: records.table.rowCount() == 2)
+    driver.wait(lambda: not driver.window.background._under_way)
+    records.table.clearSelection()
+    assert units(driver) == ["A-1", "B-2"]
     return driver
 
 

@@ -12,6 +12,12 @@ UNREAD = "its standstill could not be read back"
 
 
 @pytest.fixture
+def driver(lent_driver):
+    """A window that was lent."""
+    return lent_driver
+
+
+@pytest.fixture
 def restless(driver):
     """Makes a head that never says that it stands, until the window is left."""
     status = SimulatedHead.status

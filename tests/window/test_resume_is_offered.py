@@ -12,6 +12,12 @@ from procedures.recording.writer import Recorder
 
 
 @pytest.fixture
+def driver(lent_driver):
+    """A window that was lent."""
+    return lent_driver
+
+
+@pytest.fixture
 def interrupted(driver, tiny, tmp_path, monkeypatch):
     """A run of which a fault has left two points."""
     acquire, calls = SimulatedDaq.acquire, []

@@ -1,7 +1,17 @@
 from datetime import UTC, datetime, timedelta
 
-from PySide6.QtCore import Qt
+import pytest
+from PySide6.QtCore import QSettings, Qt
+from PySide6.QtWidgets import QWidget
 from window_driver import STAND
+
+from window.look.theme import DARK, LIGHT, colours
+
+
+@pytest.fixture
+def driver(lent_driver):
+    """A window that was lent."""
+    return lent_driver
 
 
 def connect(driver):
@@ -87,3 +97,15 @@ def test_settings_are_remembered(driver, write):
     assert driver.window.run.form.programme.currentText() == "reversal"
     assert driver.run.isVisible()
     assert driver.window.height() == 701
+
+
+def test_colours_that_are_chosen_anew_reach_everything_at_once(driver):
+    try:
+        QSettings().setValue("look/shade", "dark")
+        driver.window.dress_wanted.emit()
+        assert f"QFrame#card {{ background: {DARK.paper};" in driver.window.styleSheet()
+        assert {colours(part) for part in driver.window.findChildren(QWidget)} == {DARK}
+    finally:
+        QSettings().setValue("look/shade", "light")
+        driver.window.dress_wanted.emit()
+    assert f"QFrame#card {{ background: {LIGHT.paper};" in driver.window.styleSheet()

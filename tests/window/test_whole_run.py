@@ -1,6 +1,13 @@
+import pytest
 from PySide6.QtCore import Qt
 
 from calibrations.records.store import Store
+
+
+@pytest.fixture
+def driver(lent_driver):
+    """A window that was lent."""
+    return lent_driver
 
 
 def test_seed_from_serial_number_to_stored_record(driver, tmp_path):

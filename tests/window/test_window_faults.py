@@ -1,6 +1,7 @@
 import sys
 from pathlib import Path
 
+import pytest
 from PySide6.QtCore import Qt
 from window_driver import TINY
 
@@ -12,6 +13,12 @@ from window.widgets.problem import ProblemDialog, keep_details
 from window.work.live_fit import fit_live
 
 LOST = DeviceError("voltmeter", "does not answer", "check its cable, then resume the run")
+
+
+@pytest.fixture
+def driver(lent_driver):
+    """A window that was lent."""
+    return lent_driver
 
 
 def at_call(monkeypatch, number, error):
@@ -107,7 +114,7 @@ def test_a_programme_that_the_stand_forbids_moves_nothing(driver, write):
     assert not driver.window.busy
 
 
-def test_a_gross_error_is_ringed_at_once(driver, tmp_path, monkeypatch, write):
+def test_a_gross_error_is_ringed_at_once(driver, write, no_report):
     driver.start(write("sweep.toml", TINY.replace("points = 6", "points = 36").replace("60.0", "10.0")))
     driver.wait_for_points(36)
     points = driver.run.view.points

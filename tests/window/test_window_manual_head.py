@@ -1,3 +1,4 @@
+import pytest
 from PySide6.QtCore import Qt
 from window_driver import STAND
 
@@ -15,6 +16,12 @@ kind = "sweep"
 step_deg = 12.0
 points = 30
 """
+
+
+@pytest.fixture
+def driver(lent_driver):
+    """A window that was lent."""
+    return lent_driver
 
 
 def begin(driver, write):

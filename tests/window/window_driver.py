@@ -2,6 +2,7 @@
 
 from PySide6.QtCore import Qt
 
+from app.stand import load_stand
 from window.screens.run import Phase
 
 STAND = """\
@@ -35,11 +36,40 @@ LONG = TINY.replace("tiny", "long").replace("points = 6", "points = 600").replac
 
 
 class Driver:
-    """Keys and clicks, and waiting for what comes of them, never for long."""
+    """Keys and clicks, and waiting for what comes of them: no longer than a machine takes that is busy with more."""
 
     def __init__(self, qtbot, running):
         self.bot = qtbot
         self.running = running
+
+    def begin_anew(self, store):
+        """Show a window that was used as one that nobody has touched, with another store."""
+        window = self.window
+        window.store = self.running._store = store
+        window.stand.simulation.speed.setCurrentIndex(0)
+        window.stand.simulation.imagined.setChecked(False)
+        window.stand.jog.angle.clear()
+        window.run.form.programme.setCurrentText("seed")
+        window.run.form.serial.clear()
+        window.run.view.points = []
+        window.run.view.log.clear()
+        window.run.offered.offer([])
+        window.run._broken_off = False
+        window.result.presentation = None
+        window.records.tabs.setCurrentIndex(0)
+        window.records.refresh()
+        window.open(window.stand)
+        self.wait(lambda: not window.background._under_way)
+
+    def finish(self):
+        """Stop, leave the stand, close the dialogs: nothing goes on when another test begins."""
+        window = self.window
+        window.worker.stop()
+        self.wait_for_end()
+        window.stand.use(load_stand())
+        self.wait(lambda: not (window.worker.session.is_connected or window.background._under_way))
+        while window.dialogs.close_newest():
+            pass
 
     @property
     def window(self):
@@ -53,7 +83,7 @@ class Driver:
     def log(self):
         return self.run.view.log.toPlainText()
 
-    def wait(self, condition, timeout_s=20):
+    def wait(self, condition, timeout_s=60):
         self.bot.waitUntil(lambda: bool(condition()), timeout=round(timeout_s * 1000))
 
     def press(self, key, modifiers=Qt.KeyboardModifier.NoModifier, at=None):
@@ -86,10 +116,10 @@ class Driver:
     def wait_for_points(self, count):
         self.wait(lambda: len(self.run.view.points) >= count)
 
-    def wait_for_end(self, timeout_s=30):
+    def wait_for_end(self, timeout_s=60):
         self.wait(lambda: self.run.phase is Phase.IDLE and not self.window.busy, timeout_s)
 
-    def wait_for_result(self, timeout_s=60):
+    def wait_for_result(self, timeout_s=120):
         self.wait(lambda: self.window.result.presentation is not None or self.complaints, timeout_s)
         assert not self.complaints
         return self.window.result.presentation

@@ -4,6 +4,7 @@ from typing import Any
 
 import pyqtgraph as pg
 from PySide6.QtCore import QEvent, QSize, Signal
+from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QWidget
 
 from window.look.numbers import local
@@ -25,14 +26,12 @@ class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
     """Axes with a grid; in other colours after the palette has changed, and told so with `recoloured`."""
 
     recoloured = Signal()
-    _made = False
-    """Whether there are axes yet: the palette changes while they are being made."""
+    _look: tuple[Colours, QFont] | None = None
+    """Colours and font that it was drawn in; None while its axes are being made."""
 
     def __init__(self, bottom: str, left: str, parent: QWidget | None = None) -> None:
         axes = {side: LocalAxis(side) for side in ("left", "bottom")}
-        super().__init__(parent, axisItems=axes)
-        self._made = True
-        self.setMenuEnabled(False)
+        super().__init__(parent, axisItems=axes, enableMenu=False)
         self.hideButtons()
         self.getPlotItem().setContentsMargins(0, 4, 8, 0)
         self.name_axes(bottom, left)
@@ -69,11 +68,14 @@ class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802  # Qt's name
         """Take over another palette."""
         super().changeEvent(event)
-        if self._made and event.type() in (QEvent.Type.PaletteChange, QEvent.Type.FontChange):
+        if self._look is None or event.type() not in (QEvent.Type.PaletteChange, QEvent.Type.FontChange):
+            return
+        if self._look != (colours(self), self.font()):
             self._recolour()
             self.recoloured.emit()
 
     def _recolour(self) -> None:
+        self._look = colours(self), self.font()
         chosen, line = colours(self), self.fontMetrics().height()
         self.setMinimumSize(_WIDE_LINES * line, _HIGH_LINES * line)
         self.setBackground(chosen.paper)

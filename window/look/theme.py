@@ -14,6 +14,7 @@ DATA: Final = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 MARKERS: Final = ("o", "s", "t1", "d", "t", "p")
 """Shapes of pyqtgraph beside the colours."""
 _POINT_SIZE: Final = 10.5
+_STYLE: Final = "fusion"
 _HALF: Final = 128
 _LOUD: Final = 1.3
 """How much larger STOP and the state are than other text."""
@@ -80,15 +81,24 @@ def is_dark(palette: QPalette) -> bool:
 
 
 def dress(application: QApplication, shade: Shade, text_scale: float) -> None:
-    """Give every window its colours and its size of text."""
-    application.setStyle("Fusion")
+    """Give every window its colours and its size of text; what is so already is left alone."""
+    if application.style().name() != _STYLE:
+        application.setStyle(_STYLE)
     dark = shade is Shade.DARK or (shade is Shade.DESKTOP and is_dark(application.style().standardPalette()))
-    chosen = DARK if dark else LIGHT
-    application.setPalette(_palette(chosen, dark))
+    application.setPalette(_palette(DARK if dark else LIGHT, dark))
     font = QFont(application.font())
     font.setPointSizeF(_POINT_SIZE * text_scale)
-    application.setFont(font)
-    application.setStyleSheet(_sheet(chosen, round(4 * text_scale), _LOUD * _POINT_SIZE * text_scale))
+    if font != application.font():
+        application.setFont(font)
+
+
+def dress_window(window: QWidget, text_scale: float) -> None:
+    """Give a window what palette and font do not say, in the colours that were chosen.
+
+    All at once, when its parts are in their places: each of them would be dressed anew with every move.
+    """
+    chosen = DARK if is_dark(QApplication.palette()) else LIGHT
+    window.setStyleSheet(_sheet(chosen, round(4 * text_scale), _LOUD * _POINT_SIZE * text_scale))
 
 
 def _palette(chosen: Colours, dark: bool) -> QPalette:

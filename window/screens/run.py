@@ -229,8 +229,10 @@ class RunScreen(QWidget):
         self.reading.hide()
 
     def _count(self, done: int, left: TimeLeft | None) -> None:
+        self._bar.setUpdatesEnabled(False)  # it would be painted at once, and with it whatever else has changed
         self._bar.setValue(done)
         self._bar.setFormat(f"{done} / {self._bar.maximum()}")
+        self._bar.setUpdatesEnabled(True)
         text = "" if left is None else self.tr("{time} ± {error} left")
         self._left.setText(text.format(time=minutes(left.time_s), error=minutes(left.standard_error_s)) if left else "")
 

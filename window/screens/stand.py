@@ -77,8 +77,7 @@ class StandScreen(QWidget):
         self.table.show_stand(loaded)
         self.simulation.setVisible(loaded.file.simulates)
         QSettings().setValue("stand/path", str(loaded.path) if loaded.path else "")
-        self.dial.show_status(None)
-        self._refresh()
+        self._show_disconnected()  # the one before is left, and what that tells is no longer heard
 
     def _connect(self, bridge: EventBridge) -> None:
         worker = self._worker

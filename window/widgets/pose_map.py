@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Final, TypeAlias
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtGui import QBrush, QColor, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QWidget
 
 from procedures.steps import Dwell
@@ -39,6 +39,7 @@ class PoseMap(QWidget):
         self._planned: Counter[Pose] = Counter()
         self._done: Counter[Pose] = Counter()
         self._now: Pose = _NEVER
+        self._placed: tuple[QSize, list[QPointF]] | None = None
         self.setMinimumSize(220, 130)
 
     def sizeHint(self) -> QSize:  # noqa: N802  # Qt's name
@@ -59,6 +60,7 @@ class PoseMap(QWidget):
         """Show a programme of which so many dwells are done."""
         poses = [pose_of(dwell) for dwell in dwells]
         self._planned, self._done, self._now = Counter(poses), Counter(poses[:done]), _NEVER
+        self._placed = None
         self.update()
 
     def begin(self, dwell: Dwell) -> None:
@@ -83,8 +85,7 @@ class PoseMap(QWidget):
         cells = self._cells()
         for mount, cell in cells.items():
             self._draw_circle(painter, chosen, mount, cell)
-        for pose in self._planned:
-            self._draw_pose(painter, chosen, pose, cells[pose[0]])
+        self._draw_poses(painter, chosen, cells)
         if self._now in self._planned:
             self._draw_now(painter, chosen, cells[self._now[0]])
 
@@ -120,17 +121,29 @@ class PoseMap(QWidget):
         planned = sum(count for (of, _), count in self._planned.items() if of == mount)
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, f"{mount}\n{done}/{planned}")
 
-    def _draw_pose(self, painter: QPainter, chosen: Colours, pose: Pose, cell: Cell) -> None:
-        share = self._done[pose] / self._planned[pose]
-        place, size = _on(cell, pose[1]), max(2.2, min(5.0, cell.radius * 0.06))
-        painter.setPen(QPen(QColor(chosen.accent if share else chosen.pale), 1.2))
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.drawEllipse(place, size, size)
-        if not share:
-            return
-        painter.setBrush(QColor(chosen.accent))
-        box = QRectF(place.x() - size, place.y() - size, 2 * size, 2 * size)
-        painter.drawPie(box, 90 * 16, round(-360 * 16 * min(share, 1.0)))
+    def _draw_poses(self, painter: QPainter, chosen: Colours, cells: dict[str, Cell]) -> None:
+        to_come, done = QPen(QColor(chosen.pale), 1.2), QPen(QColor(chosen.accent), 1.2)
+        hollow, filled = QBrush(Qt.BrushStyle.NoBrush), QBrush(QColor(chosen.accent))
+        painter.setPen(to_come)
+        painter.setBrush(hollow)
+        for (pose, planned), place in zip(self._planned.items(), self._places(cells), strict=True):
+            share, size = self._done.get(pose, 0) / planned, _size(cells[pose[0]])
+            if not share:
+                painter.drawEllipse(place, size, size)
+                continue
+            painter.setPen(done)
+            painter.drawEllipse(place, size, size)
+            painter.setBrush(filled)
+            box = QRectF(place.x() - size, place.y() - size, 2 * size, 2 * size)
+            painter.drawPie(box, 90 * 16, round(-360 * 16 * min(share, 1.0)))
+            painter.setPen(to_come)
+            painter.setBrush(hollow)
+
+    def _places(self, cells: dict[str, Cell]) -> list[QPointF]:
+        """Of every pose; they stay where they are until the map is as large as another one, or of another programme."""
+        if self._placed is None or self._placed[0] != self.size():
+            self._placed = self.size(), [_on(cells[mount], angle_deg) for mount, angle_deg in self._planned]
+        return self._placed[1]
 
     def _draw_now(self, painter: QPainter, chosen: Colours, cell: Cell) -> None:
         place, size = _on(cell, self._now[1]), max(6.0, cell.radius * 0.11)
@@ -138,6 +151,10 @@ class PoseMap(QWidget):
         painter.setBrush(QColor(chosen.now))
         corners = [QPointF(0, -size), QPointF(size, 0), QPointF(0, size), QPointF(-size, 0)]
         painter.drawPolygon(QPolygonF([place + corner for corner in corners]))
+
+
+def _size(cell: Cell) -> float:
+    return max(2.2, min(5.0, cell.radius * 0.06))
 
 
 def _on(cell: Cell, angle_deg: float) -> QPointF:
