@@ -23,6 +23,8 @@ from emulators.world import SharedWorld
 FACTOR = 50.0
 STEPS_PER_DEG = -1000.0
 DEADLINE_S = 10.0
+LOOK_S = 0.005
+"""Between two looks at a head, which are messages to and fro."""
 
 _numbers = count()
 
@@ -90,6 +92,7 @@ def until(head, holds) -> HeadStatus:
         if holds(status):
             return status
         assert time.monotonic() < deadline_s, status
+        time.sleep(LOOK_S)
 
 
 def raised(kind: type[Exception], ask) -> Exception:
@@ -100,4 +103,5 @@ def raised(kind: type[Exception], ask) -> Exception:
             ask()
         except kind as error:
             return error
+        time.sleep(LOOK_S)
     raise AssertionError(f"no {kind.__name__} came")
