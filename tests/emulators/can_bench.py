@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import count
@@ -75,9 +76,8 @@ def can_bench(*faults: dict, frames: DaqFrames | None = None) -> Iterator[CanBen
     try:
         yield CanBench(world=world, clock=clock, channel=channel, link=link, node=drive)
     finally:
-        link.close()
-        daq.close()
-        drive.close()
+        with ThreadPoolExecutor(3) as together:  # each waits for threads of its own
+            list(together.map(lambda each: each.close(), (link, daq, drive)))
 
 
 def rested(head: Cia402Head) -> HeadStatus:
