@@ -1,6 +1,7 @@
 """Stand files as they are written: what stands where, how well it is known, and how to reach it."""
 
 from datetime import date
+from functools import lru_cache
 from typing import Self
 
 from pydantic import BaseModel, ConfigDict, Field, create_model, model_validator
@@ -108,6 +109,7 @@ class RecordedStand(StandFile):
     daq: RecordedDaq
 
 
+@lru_cache(maxsize=32)
 def stand_file_with(head: type[HeadTable], daq: type[DaqTable]) -> type[StandFile]:
     """A stand file with the keys of these tables."""
     return create_model("StandFile", __base__=StandFile, head=(head, ...), daq=(daq, ...))

@@ -1,4 +1,4 @@
-"""One fault at one step of a run on an emulated stand, and what came of it."""
+"""Faults at steps of runs on emulated stands, and what came of each."""
 
 import math
 import re
@@ -6,8 +6,12 @@ import sys
 import tempfile
 import time
 from collections import Counter
+from collections.abc import Sequence
+from concurrent.futures import ProcessPoolExecutor
 from contextlib import suppress
 from dataclasses import dataclass, field
+from functools import partial
+from multiprocessing import get_context
 from pathlib import Path
 from typing import Final
 
@@ -210,7 +214,16 @@ def reached(stand: EmulatedStand) -> Connected:
     return stand.connect()
 
 
-def of_case(case: Case) -> Result:
+def of_case(case: Case, programme: str = PROGRAMME) -> Result:
     """Have one fault happen in a folder of its own."""
     with tempfile.TemporaryDirectory() as name:
-        return carried_out(case, Path(name))
+        return carried_out(case, Path(name), programme)
+
+
+def of_cases(cases: Sequence[Case], processes: int, programme: str = PROGRAMME) -> dict[Case, Result]:
+    """What came of each, in so many processes: a stand never waits for the interpreter of another.
+
+    What happens to a whole process, a signal or a full disk, happens to one that has nothing else to do.
+    """
+    with ProcessPoolExecutor(processes, mp_context=get_context("spawn")) as pool:
+        return dict(zip(cases, pool.map(partial(of_case, programme=programme), cases), strict=True))

@@ -12,14 +12,12 @@ import re
 import sys
 from collections import Counter
 from collections.abc import Iterable
-from concurrent.futures import ProcessPoolExecutor
 from itertools import product
-from multiprocessing import get_context
 from typing import Final
 
 from app.exits import Exit
 from benchmarks.endurance.emulated import Pair
-from benchmarks.endurance.fault_runs import SPEED, Case, Result, of_case
+from benchmarks.endurance.fault_runs import SPEED, Case, Result, of_cases
 from benchmarks.endurance.kinds import KINDS, Kind
 from benchmarks.endurance.moments import MOMENTS
 
@@ -127,8 +125,7 @@ def main() -> None:
     options = parser.parse_args()
     chosen = [kind for kind in KINDS if options.kind in kind.name]
     wanted = [case for case in cases(chosen, options.speed) if options.moment in (None, case.moment)]
-    with ProcessPoolExecutor(options.processes, mp_context=get_context("spawn")) as pool:
-        results = dict(zip(wanted, pool.map(of_case, wanted), strict=True))
+    results = of_cases(wanted, options.processes)
     for pair in PAIRS:
         print(table(pair, results), end="\n\n")
     print(sentences(results), end="\n\n")

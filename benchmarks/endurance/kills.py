@@ -131,31 +131,37 @@ def at_boundaries(job: Job, every: int = 1) -> list[Survived]:
     return _survive(job, kill, lambda expected: range(0, len(expected.points), every))
 
 
-def at_random(job: Job, count: int, seed: int) -> list[Survived]:
-    """Kill at random moments; a run that was done before its moment is run again, with another one."""
+def at_random(job: Job, count: int, seed: int, expected: Undisturbed | None = None) -> list[Survived]:
+    """Kill at random moments; a run that was done before its moment is run again, with another one.
+
+    `expected` is the undisturbed run, which is made where it is not given.
+    """
 
     def kill(number: int, recording: Path, expected: Undisturbed) -> None:
         moments = random.Random(seed + number)
         while not killed_after(moments.uniform(0.0, expected.duration_s * TOGETHER), job, recording):
             recording.unlink()
 
-    return _survive(job, kill, lambda _: range(count))
+    return _survive(job, kill, lambda _: range(count), expected)
 
 
 def _survive(
-    job: Job, kill: Callable[[int, Path, Undisturbed], None], numbers: Callable[[Undisturbed], Iterable[int]]
+    job: Job,
+    kill: Callable[[int, Path, Undisturbed], None],
+    numbers: Callable[[Undisturbed], Iterable[int]],
+    expected: Undisturbed | None = None,
 ) -> list[Survived]:
     """Run, kill, resume and compare, for every number."""
     with tempfile.TemporaryDirectory() as name, ThreadPoolExecutor(TOGETHER) as pool:
         folder = Path(name)
-        expected = carried_out(job, folder)
+        whole = expected or carried_out(job, folder)
 
         def survive(number: int) -> Survived:
             recording = folder / f"{number}.mcap"
-            kill(number, recording, expected)
-            return resumed(recording, job, expected)
+            kill(number, recording, whole)
+            return resumed(recording, job, whole)
 
-        return list(pool.map(survive, numbers(expected)))
+        return list(pool.map(survive, numbers(whole)))
 
 
 def summary(name: str, survived: list[Survived]) -> str:

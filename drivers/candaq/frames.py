@@ -5,6 +5,7 @@ from collections import defaultdict
 from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import cache
 from importlib.resources import as_file, files
 from pathlib import Path
 from typing import Final, Self
@@ -86,8 +87,7 @@ class DaqFrames:
         """Read a DBC file, or the one that comes along. Raises `OSError`, `ValueError`."""
         if path is not None:
             return cls(load_dbc(path, strict=not names), names)
-        with as_file(files("drivers.candaq") / "tumble_daq.dbc") as ours:
-            return cls(load_dbc(ours, strict=True), names)
+        return cls(_ours(), names)
 
     @property
     def free_running(self) -> bool:
@@ -165,3 +165,10 @@ class DaqFrames:
 
     def _theirs(self, message: str, name: str, value: Value) -> Value:
         return value if isinstance(value, str) else self._units[message, name].to_theirs(value)
+
+
+@cache
+def _ours() -> Database:
+    """The DBC file that comes along, which nobody changes, read once. Raises `OSError`."""
+    with as_file(files("drivers.candaq") / "tumble_daq.dbc") as path:
+        return load_dbc(path, strict=True)

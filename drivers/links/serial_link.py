@@ -24,9 +24,15 @@ DISCARD_S: Final = 1.0
 FAILING_S: Final = 1.0
 """How long a port may fail in passing, in real time."""
 
+RECONNECT_S: Final = 0.3
+"""A server is given so long to notice that a client has gone before the next comes, as pyserial has it."""
+
 _CHUNK_BYTES: Final = 1 << 16
 _SLICE_S: Final = 0.05
 """One wait inside pyserial. It stays as it is, since pyserial sets the whole port anew whenever it is changed."""
+
+_hung_up_s: Final[dict[str, float]] = {}
+"""When this program last left each address of a network, by `time.monotonic`."""
 
 
 class SerialLink:
@@ -116,6 +122,7 @@ class SerialLink:
     def reopen(self) -> None:
         """Close and open the port anew, with nothing waiting. Raises `LinkLostError` while it is not there."""
         self.close()
+        self._let_server_notice()
         telnet = self.url.startswith("rfc2217://")  # pyserial offers no write timeout there
         open_port = partial(
             serial.serial_for_url,
@@ -142,10 +149,20 @@ class SerialLink:
         if port is None:
             return
         connection = getattr(port, "_socket", None)
+        if self._is_socket and connection is not None:
+            _hang_up(connection)
+            port.is_open = False  # pyserial's way waits for the server whether anybody comes back or not
+            _hung_up_s[self.url] = time.monotonic()
         with suppress(Exception):  # what is lost cannot be closed properly
             port.close()
         if connection is not None:  # pyserial forgets one that the other end has shut down
             connection.close()
+
+    def _let_server_notice(self) -> None:
+        """Wait where this address was left a moment ago."""
+        left_s = _hung_up_s.pop(self.url, None)
+        if left_s is not None:
+            time.sleep(max(left_s + RECONNECT_S - time.monotonic(), 0.0))
 
     def _drain(self, port: serial.Serial) -> None:
         deadline_s = time.monotonic() + DISCARD_S
@@ -195,6 +212,12 @@ class SerialLink:
 def _is_passing_at_opening(error: Exception) -> bool:
     """Whether a port may be there a moment later; one that another program has will not, though pyserial says so."""
     return is_passing(error) and not isinstance(error, serial.SerialException)
+
+
+def _hang_up(connection: socket.socket) -> None:
+    with suppress(OSError):  # the other end has hung up before
+        connection.shutdown(socket.SHUT_RDWR)
+    connection.close()
 
 
 def _send_at_once(port: serial.Serial) -> None:

@@ -38,6 +38,7 @@ MESSAGES: Mapping[int, str] = {
 _UNIT = re.compile(r"""\s*(?P<header>[*:]?[A-Za-z][A-Za-z0-9_:]*\??)(?:\s+(?P<parameters>.*?))?\s*""", re.DOTALL)
 _NUMBER = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:\s*E\s*[+-]?\d{1,3})?)\s*([A-Z/%]*)")
 _NODE = re.compile(r"(\[?):?([A-Z]+)([a-z]*)")
+_ENCLOSING = frozenset("\"'()")
 _PREFIXES: Mapping[str, float] = {"": 1.0, "N": 1e-9, "U": 1e-6, "M": 1e-3, "K": 1e3, "MA": 1e6}
 
 
@@ -113,6 +114,8 @@ def units(message: str) -> Iterator[Unit]:
 
 def split(text: str, separator: str) -> list[str]:
     """Divide at separators outside quotation marks and parentheses. Raises `ScpiError` for an open quotation."""
+    if not _ENCLOSING.intersection(text):
+        return text.split(separator)
     parts, begin, quote, depth = [], 0, "", 0
     for place, character in enumerate(text):
         if quote:

@@ -1,14 +1,11 @@
 """Every kind of fault once through the wire, at one kind of step; the benchmark has all of them at every kind."""
 
 import os
-import tempfile
-from concurrent.futures import ThreadPoolExecutor
-from pathlib import Path
 
 import pytest
 
 from app.exits import Exit
-from benchmarks.endurance.fault_runs import carried_out, case_named
+from benchmarks.endurance.fault_runs import case_named, of_cases
 from benchmarks.endurance.faults import cases, is_bad
 from benchmarks.endurance.kinds import KINDS
 
@@ -30,6 +27,8 @@ step_deg = 50.0
 points = 4
 """
 SPEED = 10.0
+PROCESSES = 3
+"""Most of the time is spent waiting."""
 GOOD, DEVICE, STOPPED, STORAGE = Exit.GOOD, Exit.DEVICE_FAULT, Exit.STOPPED, Exit.STORAGE
 
 posix = pytest.mark.skipif(os.name == "nt", reason="there is no such signal, limit or removal on Windows")
@@ -87,24 +86,12 @@ HAPPENED = [
 ]
 
 
-def happen(case):
-    with tempfile.TemporaryDirectory() as folder:
-        return carried_out(case, Path(folder), SHORT)
-
-
 @pytest.fixture(scope="module")
 def results():
-    """What came of each: most of the time is spent waiting, so it is spent together.
-
-    What happens to the whole process happens in the main thread, which hears signals, when nothing else runs.
-    """
-    happening = [getattr(parameters, "values", parameters)[:3] for parameters in HAPPENED]
-    wanted = [case_named(*parameters, SPEED) for parameters in happening]
-    alone = [case for case in wanted if case.kind.device == "program" and os.name != "nt"]
-    together = [case for case in wanted if case.kind.device != "program"]
-    with ThreadPoolExecutor(3) as pool:
-        done = dict(zip(together, pool.map(happen, together), strict=True))
-    return done | {case: happen(case) for case in alone}
+    """What came of each, in processes that trace no coverage: each stand has its interpreter to itself."""
+    here = [parameters for parameters in HAPPENED if os.name != "nt" or posix not in getattr(parameters, "marks", ())]
+    happening = [getattr(parameters, "values", parameters)[:3] for parameters in here]
+    return of_cases([case_named(*parameters, SPEED) for parameters in happening], PROCESSES, SHORT)
 
 
 @pytest.mark.parametrize(("kind", "moment", "pair", "status", "said"), HAPPENED)

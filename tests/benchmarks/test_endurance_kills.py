@@ -50,8 +50,8 @@ def whole(programme, tmp_path_factory):
     return folder / "whole.mcap", carried_out(Job(programme=programme), folder)
 
 
-def test_a_run_that_is_killed_at_a_random_moment_ends_with_the_same_bits(programme):
-    survived = at_random(Job(programme=programme), count=1, seed=1)
+def test_a_run_that_is_killed_at_a_random_moment_ends_with_the_same_bits(programme, whole):
+    survived = at_random(Job(programme=programme), count=1, seed=1, expected=whole[1])
     assert len(survived) == 1
     assert safe(survived) and identical(survived), survived
 

@@ -2,6 +2,7 @@
 
 import errno
 import itertools
+import socket
 
 import pytest
 import serial
@@ -187,3 +188,19 @@ def test_a_port_that_another_program_has_is_told_at_once(monkeypatch):
     with pytest.raises(LinkLostError, match="exclusively lock"):
         SerialLink("COM7")
     assert len(tries) == 1
+
+
+def test_a_server_has_time_to_notice_that_a_client_has_gone_before_it_comes_again_and_only_then(monkeypatch):
+    naps = []
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        link = SerialLink(f"socket://127.0.0.1:{server.getsockname()[1]}")
+        monkeypatch.setattr(serial_link, "RECONNECT_S", 100.0)
+        monkeypatch.setattr(serial_link.time, "sleep", naps.append)
+        link.close()
+        assert naps == []
+
+        link.reopen()
+        link.close()
+
+    (nap_s,) = naps
+    assert 0.0 < nap_s <= 100.0

@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import count
@@ -23,6 +24,8 @@ from emulators.world import SharedWorld
 FACTOR = 50.0
 STEPS_PER_DEG = -1000.0
 DEADLINE_S = 10.0
+LOOK_S = 0.005
+"""Between two looks at a head, which are messages to and fro."""
 
 _numbers = count()
 
@@ -73,9 +76,8 @@ def can_bench(*faults: dict, frames: DaqFrames | None = None) -> Iterator[CanBen
     try:
         yield CanBench(world=world, clock=clock, channel=channel, link=link, node=drive)
     finally:
-        link.close()
-        daq.close()
-        drive.close()
+        with ThreadPoolExecutor(3) as together:  # each waits for threads of its own
+            list(together.map(lambda each: each.close(), (link, daq, drive)))
 
 
 def rested(head: Cia402Head) -> HeadStatus:
@@ -90,6 +92,7 @@ def until(head, holds) -> HeadStatus:
         if holds(status):
             return status
         assert time.monotonic() < deadline_s, status
+        time.sleep(LOOK_S)
 
 
 def raised(kind: type[Exception], ask) -> Exception:
@@ -100,4 +103,5 @@ def raised(kind: type[Exception], ask) -> Exception:
             ask()
         except kind as error:
             return error
+        time.sleep(LOOK_S)
     raise AssertionError(f"no {kind.__name__} came")

@@ -48,7 +48,7 @@ SIG_VALTYPE_ 2566844673 Rate : 1;
 
 @pytest.fixture(autouse=True)
 def impatient(monkeypatch):
-    monkeypatch.setattr(drivers.candaq.daq, "LATENESS_S", 0.2)
+    monkeypatch.setattr(drivers.candaq.daq, "LATENESS_S", 1.0)
     monkeypatch.setattr(drivers.candaq.daq, "REPLY_TIMEOUT_S", 0.2)
 
 

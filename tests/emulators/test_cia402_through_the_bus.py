@@ -90,10 +90,10 @@ def test_homing_gives_the_reference_and_another_master_hears_of_it(bench: CanBen
 
 def test_a_move_ends_where_it_was_sent(bench: CanBench):
     head = bench.homed_head()
-    head.start_move(-12.345)
+    head.start_move(-172.345)  # long enough to be seen under way on a slow computer
     assert until(head, lambda status: status.moving).moving
-    assert rested(head).angle_deg == -12.345
-    assert bench.world.head.status().angle_deg == -12.345
+    assert rested(head).angle_deg == -172.345
+    assert bench.world.head.status().angle_deg == -172.345
 
 
 def test_a_move_under_way_is_replaced(bench: CanBench):

@@ -52,6 +52,7 @@ def settled_deg(head: ZaberHead) -> float:
     deadline_s = time.monotonic() + 10.0
     while (status := head.status()).moving:
         assert time.monotonic() < deadline_s
+        time.sleep(0.005)
     return status.angle_deg
 
 
