@@ -1,12 +1,16 @@
 """Runs of `tumble` inside the tests' own process, and the small files that they are given."""
 
 import io
+import pickle
 import sys
-from contextlib import redirect_stderr, redirect_stdout
-from dataclasses import dataclass
+from contextlib import contextmanager, redirect_stderr, redirect_stdout
+from dataclasses import dataclass, replace
 from unittest.mock import patch
 
+from matplotlib.figure import Figure
+
 from app.cli import main
+from calibrations import analysis
 
 STAND = """\
 name = "bench-1"
@@ -68,6 +72,35 @@ def tumble(*arguments):
         except SystemExit as leaving:
             status = leaving.code
     return Ran(status=status, out=out.getvalue(), err=err.getvalue())
+
+
+def few_trials_of(simulate):
+    """Monte Carlo with a hundred trials: it takes most of the time of a fit."""
+    return lambda *arguments: simulate(*arguments[:-1], 100)
+
+
+@contextmanager
+def cheaply(blank="report"):
+    """A blank report, or one with blank "figures", and few trials: for fixtures of tests that look at other things."""
+    drawn = {
+        "report": patch("calibrations.report.render_report", lambda *_, **__: "<html></html>"),
+        "figures": patch.object(Figure, "savefig", lambda _, buffer, **__: buffer.write("<svg ></svg>")),
+    }
+    with patch.object(analysis, "monte_carlo", few_trials_of(analysis.monte_carlo)), drawn[blank]:
+        yield
+
+
+def remembering(explain):
+    """`explain`, which traces the same rows of the same stand once, from whatever file they come."""
+    known = {}
+
+    def explain_once(observations, *stand):
+        rows = pickle.dumps((replace(observations, source=""), stand))
+        if rows not in known:
+            known[rows] = explain(observations, *stand)
+        return known[rows]
+
+    return explain_once
 
 
 def at_call(monkeypatch, owner, name, first, happen, last=None):

@@ -4,11 +4,13 @@ import json
 import shutil
 from dataclasses import dataclass
 from pathlib import Path
+from unittest.mock import patch
 
 import pytest
-from app_jobs import STAND, TINY, Ran, tumble
+from app_jobs import STAND, TINY, Ran, few_trials_of, remembering, tumble
 
 from calibrations import analysis
+from calibrations.tracing.loop import explain
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -39,8 +41,15 @@ def calibrated(tmp_path_factory):
 @pytest.fixture(autouse=True)
 def few_trials(monkeypatch):
     """Monte Carlo takes most of the time of a fit; how well it does is tested elsewhere."""
-    simulate = analysis.monte_carlo
-    monkeypatch.setattr(analysis, "monte_carlo", lambda *arguments: simulate(*arguments[:-1], 100))
+    monkeypatch.setattr(analysis, "monte_carlo", few_trials_of(analysis.monte_carlo))
+
+
+@pytest.fixture(scope="module")
+def traced_once():
+    """Rows that several runs of `tumble` in a module have in common are traced by the first of them."""
+    once = remembering(explain)
+    with patch("app.analysing.explain", once), patch("app.closing.explain", once):
+        yield
 
 
 @pytest.fixture
