@@ -2,6 +2,7 @@
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import pairwise
 
 import numpy as np
@@ -177,7 +178,7 @@ def _nominal_point(dwell: Dwell, index: int) -> Point:
     return Point(
         index=index,
         angle_deg=dwell.angle_deg,
-        voltage_v=float(projections([dwell.mount], np.array([dwell.angle_deg]))[0, 0]),
+        voltage_v=_nominal_v(dwell.mount, dwell.angle_deg),
         voltage_sd_v=0.0,
         samples=1,
         time_s=0.0,
@@ -188,3 +189,8 @@ def _nominal_point(dwell: Dwell, index: int) -> Point:
         mount=dwell.mount,
         settled=True,
     )
+
+
+@lru_cache(maxsize=4096)  # realisations and programmes come back to the same angles
+def _nominal_v(mount: str, angle_deg: float) -> float:
+    return float(projections([mount], np.array([angle_deg]))[0, 0])
