@@ -3,7 +3,7 @@
 import io
 import pickle
 import sys
-from contextlib import contextmanager, redirect_stderr, redirect_stdout
+from contextlib import ExitStack, contextmanager, redirect_stderr, redirect_stdout
 from dataclasses import dataclass, replace
 from unittest.mock import patch
 
@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 
 from app.cli import main
 from calibrations import analysis
+from calibrations.tracing.loop import explain
 
 STAND = """\
 name = "bench-1"
@@ -82,25 +83,31 @@ def few_trials_of(simulate):
 @contextmanager
 def cheaply(blank="report"):
     """A blank report, or one with blank "figures", and few trials: for fixtures of tests that look at other things."""
-    drawn = {
-        "report": patch("calibrations.report.render_report", lambda *_, **__: "<html></html>"),
-        "figures": patch.object(Figure, "savefig", lambda _, buffer, **__: buffer.write("<svg ></svg>")),
-    }
-    with patch.object(analysis, "monte_carlo", few_trials_of(analysis.monte_carlo)), drawn[blank]:
+    with ExitStack() as stack:
+        stack.enter_context(patch.object(analysis, "monte_carlo", few_trials_of(analysis.monte_carlo)))
+        if blank == "report":
+            stack.enter_context(patch("calibrations.report.render_report", lambda *_, **__: "<html></html>"))
+        else:
+            stack.enter_context(patch("calibrations.report.drawing._lay_out", lambda _: None))
+            stack.enter_context(patch.object(Figure, "savefig", lambda _, file, **__: file.write("<svg ></svg>")))
         yield
 
 
-def remembering(explain):
-    """`explain`, which traces the same rows of the same stand once, from whatever file they come."""
-    known = {}
+_traced = {}
 
-    def explain_once(observations, *stand):
-        rows = pickle.dumps((replace(observations, source=""), stand))
-        if rows not in known:
-            known[rows] = explain(observations, *stand)
-        return known[rows]
 
-    return explain_once
+def _explain_once(observations, *stand):
+    rows = pickle.dumps((replace(observations, source=""), stand))
+    if rows not in _traced:
+        _traced[rows] = explain(observations, *stand)
+    return _traced[rows]
+
+
+@contextmanager
+def tracing_once():
+    """The same rows of the same stand are traced once, from whatever file they come."""
+    with patch("app.analysing.explain", _explain_once), patch("app.closing.explain", _explain_once):
+        yield
 
 
 def at_call(monkeypatch, owner, name, first, happen, last=None):
