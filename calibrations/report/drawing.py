@@ -8,6 +8,7 @@ from typing import Any, Final
 import matplotlib as mpl
 from markupsafe import Markup
 from matplotlib.axes import Axes
+from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
 
 from calibrations.geometry import FloatArray
@@ -29,6 +30,9 @@ HALF_IN: Final = 4.5
 """Widths of a figure that fills the page and of one that shares it, in inches."""
 DENSE_ROWS: Final = 600
 """From here a cloud of marks goes into the page as a picture: as vectors it would weigh 90 bytes a mark."""
+
+_SVG_DPI: Final = 72
+"""Texts are as large as that in an SVG file, whatever else is asked for."""
 
 _STYLE: Final[dict[Any, Any]] = {
     "svg.fonttype": "path",  # the same on every machine and printer, without its fonts
@@ -78,12 +82,23 @@ def to_svg(figure: Figure, name: str, description: str) -> Markup:
 
     Its ids begin with `name`; `description` is what a screen reader says.
     """
+    _lay_out(figure)
     buffer = io.StringIO()
     figure.savefig(buffer, format="svg", metadata=dict.fromkeys(("Creator", "Date", "Format", "Type")))
     text = buffer.getvalue()
     text = text[text.index("<svg") :]
     text = re.sub(r'(\bid="|href="#|url\(#)', rf"\g<1>{name}-", text)
     return Markup(text.replace("<svg ", f'<svg role="img" aria-label="{escape(description)}" ', 1))
+
+
+def _lay_out(figure: Figure) -> None:
+    """Place the axes once and for all: left to `savefig`, it would draw the figure twice, first without output."""
+    engine = figure.get_layout_engine()
+    if engine is not None:
+        FigureCanvasSVG(figure)  # texts are as wide as in the file
+        figure.set_dpi(_SVG_DPI)
+        engine.execute(figure)
+        figure.set_layout_engine("none")
 
 
 def cloud(panel: Axes, x: FloatArray, y: FloatArray, colour: int, *, strong: bool) -> None:

@@ -1,12 +1,17 @@
 """Runs of `tumble` inside the tests' own process, and the small files that they are given."""
 
 import io
+import pickle
 import sys
-from contextlib import redirect_stderr, redirect_stdout
-from dataclasses import dataclass
+from contextlib import ExitStack, contextmanager, redirect_stderr, redirect_stdout
+from dataclasses import dataclass, replace
 from unittest.mock import patch
 
+from matplotlib.figure import Figure
+
 from app.cli import main
+from calibrations import analysis
+from calibrations.tracing.loop import explain
 
 STAND = """\
 name = "bench-1"
@@ -68,6 +73,41 @@ def tumble(*arguments):
         except SystemExit as leaving:
             status = leaving.code
     return Ran(status=status, out=out.getvalue(), err=err.getvalue())
+
+
+def few_trials_of(simulate):
+    """Monte Carlo with a hundred trials: it takes most of the time of a fit."""
+    return lambda *arguments: simulate(*arguments[:-1], 100)
+
+
+@contextmanager
+def cheaply(blank="report"):
+    """A blank report, or one with blank "figures", and few trials: for fixtures of tests that look at other things."""
+    with ExitStack() as stack:
+        stack.enter_context(patch.object(analysis, "monte_carlo", few_trials_of(analysis.monte_carlo)))
+        if blank == "report":
+            stack.enter_context(patch("calibrations.report.render_report", lambda *_, **__: "<html></html>"))
+        else:
+            stack.enter_context(patch("calibrations.report.drawing._lay_out", lambda _: None))
+            stack.enter_context(patch.object(Figure, "savefig", lambda _, file, **__: file.write("<svg ></svg>")))
+        yield
+
+
+_traced = {}
+
+
+def _explain_once(observations, *stand):
+    rows = pickle.dumps((replace(observations, source=""), stand))
+    if rows not in _traced:
+        _traced[rows] = explain(observations, *stand)
+    return _traced[rows]
+
+
+@contextmanager
+def tracing_once():
+    """The same rows of the same stand are traced once, from whatever file they come."""
+    with patch("app.analysing.explain", _explain_once), patch("app.closing.explain", _explain_once):
+        yield
 
 
 def at_call(monkeypatch, owner, name, first, happen, last=None):

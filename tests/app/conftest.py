@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
-from app_jobs import STAND, TINY, Ran, tumble
+from app_jobs import STAND, TINY, Ran, cheaply, few_trials_of, tracing_once, tumble
 
 from calibrations import analysis
 
@@ -26,12 +26,13 @@ class Done:
 
 @pytest.fixture(scope="session")
 def calibrated(tmp_path_factory):
-    """`tumble calibrate` on the built-in stand, to be looked at only."""
+    """`tumble calibrate` on the built-in stand, to be looked at only; nobody looks at the figures of its report."""
     folder = tmp_path_factory.mktemp("calibrated")
-    ran = tumble(
-        "calibrate", "--programme", "quick", "--serial", "SN-7", "--operator", "Оксана",
-        "--store", folder / "store", "--json", folder / "fit.json",
-    )  # fmt: skip
+    with cheaply(blank="figures"), tracing_once():
+        ran = tumble(
+            "calibrate", "--programme", "quick", "--serial", "SN-7", "--operator", "Оксана",
+            "--store", folder / "store", "--json", folder / "fit.json",
+        )  # fmt: skip
     assert ran.status == 0, ran.err
     return Done(ran=ran, store=folder / "store", document=json.loads((folder / "fit.json").read_text("utf-8")))
 
@@ -39,8 +40,14 @@ def calibrated(tmp_path_factory):
 @pytest.fixture(autouse=True)
 def few_trials(monkeypatch):
     """Monte Carlo takes most of the time of a fit; how well it does is tested elsewhere."""
-    simulate = analysis.monte_carlo
-    monkeypatch.setattr(analysis, "monte_carlo", lambda *arguments: simulate(*arguments[:-1], 100))
+    monkeypatch.setattr(analysis, "monte_carlo", few_trials_of(analysis.monte_carlo))
+
+
+@pytest.fixture(scope="module")
+def traced_once():
+    """Rows that several runs of `tumble` have in common are traced by the first of them."""
+    with tracing_once():
+        yield
 
 
 @pytest.fixture
@@ -83,6 +90,13 @@ def tiny_recording(tmp_path_factory):
         tumble("run", "--programme", folder / "tiny.toml", "--serial", "SN-7", "--out", folder / "x.mcap").status == 0
     )
     return folder / "x.mcap"
+
+
+@pytest.fixture
+def no_figures():
+    """A report has blank figures where a test looks at what stands beside them, or whether there is one at all."""
+    with cheaply(blank="figures"):
+        yield
 
 
 @pytest.fixture

@@ -23,6 +23,7 @@ kind = "sweep"
 step_deg = 10.0
 points = 36
 """
+pytestmark = pytest.mark.usefixtures("traced_once")
 RIVALS = {"k_xx", "k_yy", "k_zz", "axis_tilt", "head_eccentricity"}
 
 
@@ -52,7 +53,7 @@ class Bench:
 
 
 @pytest.fixture(scope="module")
-def told_apart(tmp_path_factory):
+def told_apart(tmp_path_factory, traced_once):
     bench = Bench(tmp_path_factory.mktemp("told"))
     ran = bench.close_loop()
     assert ran.status == 0, ran.err

@@ -10,6 +10,9 @@ from tables import table
 from app.joining import read_together
 from app.measurements import provenance
 from calibrations.table import write_table
+from calibrations.tracing.loop import explain
+
+pytestmark = pytest.mark.usefixtures("traced_once")
 
 
 @pytest.fixture(scope="session")
@@ -151,7 +154,8 @@ def test_a_calibration_is_stored_and_reported_with_its_loop(calibrated):
     assert "What the model left unexplained" in page.read_text("utf-8")
 
 
-def test_a_record_with_its_loop_is_verified(calibrated):
+def test_a_record_with_its_loop_is_verified(calibrated, monkeypatch):
+    monkeypatch.setattr("app.analysing.explain", explain)
     ran = tumble("records", "verify", "--store", calibrated.store)
 
     assert (ran.status, "every parameter comes back" in ran.out) == (0, True)

@@ -4,6 +4,10 @@ import shutil
 import pytest
 from app_jobs import STAND, tumble
 
+from calibrations.tracing.loop import explain
+
+pytestmark = pytest.mark.usefixtures("traced_once")
+
 
 def listed(store, *arguments):
     return json.loads(tumble("records", "list", "--store", store, "--json", "-", *arguments).out)["records"]
@@ -109,7 +113,9 @@ def test_a_comparison_knows_two_analyses_of_one_raw_file(copied):
     assert "kx did not change: both records come from one raw file." in text
 
 
-def test_an_untouched_record_is_verified(calibrated):
+def test_an_untouched_record_is_verified(calibrated, monkeypatch):
+    monkeypatch.setattr("app.analysing.explain", explain)
+
     ran = tumble("records", "verify", "--store", calibrated.store)
 
     assert ran.status == 0

@@ -5,6 +5,7 @@ import subprocess
 import sys
 from dataclasses import replace
 from pathlib import Path
+from unittest.mock import patch
 
 import pytest
 from app_jobs import STAND, tumble
@@ -15,6 +16,7 @@ from procedures.events import FinishReason, PointCompleted, PointVerified, RunFi
 from procedures.recording.reader import iter_samples, read_recording
 from procedures.recording.writer import Recorder
 
+pytestmark = pytest.mark.usefixtures("traced_once")
 TWICE = """\
 name = "twice"
 realisations = 2
@@ -73,14 +75,36 @@ def copy_at(monkeypatch):
     return arrange
 
 
+@pytest.fixture(scope="module")
+def cut_everywhere(tmp_path_factory):
+    """The programme run once: the whole recording, and what was on the disk after each point; to be copied."""
+    folder = tmp_path_factory.mktemp("whole")
+    (folder / "twice.toml").write_text(TWICE, "utf-8")
+    record = Recorder.record
+
+    def record_and_copy(recorder, event):
+        record(recorder, event)
+        if isinstance(event, PointCompleted):
+            shutil.copyfile(recorder.path, folder / f"{event.point.index}.mcap")
+
+    with patch.object(Recorder, "record", record_and_copy):
+        ran = tumble("run", "--programme", folder / "twice.toml", "--serial", "A", "--out", folder / "whole.mcap")
+    assert ran.status == 0, ran.err
+    return folder
+
+
 @pytest.fixture
-def cut(programme, tmp_path, copy_at):
+def cut(programme, tmp_path, copy_at, cut_everywhere):
     """Runs a programme; returns the whole recording, and one that was cut off after a number of points."""
 
     def run(points, *options):
         whole, broken = tmp_path / "whole.mcap", tmp_path / "run.mcap"
-        copy_at(points - 1, broken)
-        assert tumble("run", "--programme", programme, "--serial", "A", "--out", whole, *options).status == 0
+        if options:
+            copy_at(points - 1, broken)
+            assert tumble("run", "--programme", programme, "--serial", "A", "--out", whole, *options).status == 0
+        else:
+            shutil.copyfile(cut_everywhere / "whole.mcap", whole)
+            shutil.copyfile(cut_everywhere / f"{points - 1}.mcap", broken)
         assert len(read_recording(broken).points) == points
         return whole, broken
 

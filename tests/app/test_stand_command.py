@@ -4,9 +4,10 @@ import json
 import shutil
 
 import pytest
-from app_jobs import tumble
+from app_jobs import cheaply, tumble
 
 from app.stand_records import head_map_curve, list_stand_records
+from calibrations.tracing.loop import explain
 
 STAND = """\
 name = "bench-1"
@@ -32,19 +33,45 @@ settle_s = 0.0
     f'[[procedure]]\nkind = "sweep"\nmount = "{mount}"\nstep_deg = 20.0\npoints = 18\norder = "there-and-back"\n'
     for mount in ("face-up", "face-down", "face-up-90")
 )
+pytestmark = pytest.mark.usefixtures("traced_once")
 UNITS = {"A": (1, 1.0), "B": (2, 1.02), "C": (3, 0.98)}
 
 
 @pytest.fixture(scope="module")
-def known(tmp_path_factory):
-    """A store in which two units were calibrated, with what the terminal said of each, and a third one's recording."""
+def known(tmp_path_factory, traced_once):
+    """A store in which two units were calibrated, with what the terminal said of each; to be looked at only."""
     folder = tmp_path_factory.mktemp("known")
     said = {}
     for serial_number in ("A", "B"):
-        ran = calibrated(folder, serial_number)
+        with cheaply():
+            ran = calibrated(folder, serial_number)
         assert ran.status == 0, ran.err
         said[serial_number] = ran.err.splitlines()
     return folder, said
+
+
+@pytest.fixture(scope="module")
+def third(known, tmp_path_factory):
+    """The same with a third unit calibrated, and what the terminal said of it; to be looked at only."""
+    folder = shutil.copytree(known[0], tmp_path_factory.mktemp("third") / "copy")
+    with cheaply():
+        return folder, calibrated(folder, "C")
+
+
+@pytest.fixture(scope="module")
+def learned(third, tmp_path_factory):
+    """The same with what the third unit teaches, and what was said of that; to be looked at only."""
+    folder = shutil.copytree(third[0], tmp_path_factory.mktemp("learned") / "copy")
+    (recording,) = (folder / "store" / "recordings" / "C").iterdir()
+    return folder, tumble("stand", "learn", recording, "--store", folder / "store")
+
+
+@pytest.fixture(scope="module")
+def changed(known, tmp_path_factory):
+    """The third unit calibrated when the head had changed, and what the terminal said; to be looked at only."""
+    folder = shutil.copytree(known[0], tmp_path_factory.mktemp("changed") / "copy")
+    with cheaply(blank="figures"):
+        return folder, calibrated(folder, "C", amplitude_deg=0.08)
 
 
 @pytest.fixture
@@ -131,7 +158,9 @@ def test_a_list_has_a_line_for_every_version(known):
     assert "simulated H-1" in tumble("stand", "list", "--store", known[0] / "store").out
 
 
-def test_records_are_derived_again_from_their_raw_files(known):
+def test_records_are_derived_again_from_their_raw_files(known, monkeypatch):
+    monkeypatch.setattr("app.analysing.explain", explain)
+
     ran = tumble("stand", "verify", "--store", known[0] / "store")
 
     assert ran.status == 0
@@ -148,11 +177,11 @@ def test_a_record_whose_raw_file_is_gone_is_not_verified(copy):
     assert "1 of 2 stand records come back" in ran.out
 
 
-def test_a_third_unit_is_corrected_and_the_result_says_by_what(copy):
-    ran = calibrated(copy, "C")
+def test_a_third_unit_is_corrected_and_the_result_says_by_what(third):
+    folder, ran = third
 
-    result = json.loads((copy / "C.json").read_text("utf-8"))
-    record = shown(copy)
+    result = json.loads((folder / "C.json").read_text("utf-8"))
+    record = shown(folder)
     assert "corrected by stand record 2 of bench-1, learned from A and B" not in ran.err
     assert result["stand_record"] == {key: record[key] for key in ("id", "version", "content_sha256")}
     assert "stand record 2" in [line["name"] for line in result["budget"]]
@@ -161,36 +190,24 @@ def test_a_third_unit_is_corrected_and_the_result_says_by_what(copy):
     assert not any("contradict" in line or "this run says" in line for line in ran.err.splitlines())
 
 
-def test_a_corrected_calibration_is_verified_and_reported_again_with_the_same_record(copy):
-    calibrated(copy, "C")
-    store = copy / "store"
-    record = json.loads((copy / "C.json").read_text("utf-8"))["record"]
-    tumble("stand", "learn", next((store / "recordings" / "C").iterdir()), "--store", store)
-    assert shown(copy)["version"] == 3
+def test_a_corrected_calibration_is_verified_and_reported_again_with_the_same_record(learned, tmp_path):
+    folder, _ = learned
+    store = folder / "store"
+    record = json.loads((folder / "C.json").read_text("utf-8"))["record"]
+    assert shown(folder)["version"] == 3
 
     assert tumble("records", "verify", record, "--store", store).status == 0
-    page = copy / "again.html"
-    tumble("report", record, "--store", store, "--out", page)
+    page = tmp_path / "again.html"
+    with cheaply(blank="figures"):
+        tumble("report", record, "--store", store, "--out", page)
     assert "corrected by stand record 2 of bench-1" in page.read_text("utf-8")
 
 
-def test_a_further_unit_that_agrees_makes_a_new_version(copy):
-    tumble(
-        "run",
-        "--stand",
-        stand(copy, "C"),
-        "--programme",
-        copy / "sweeps.toml",
-        "--serial",
-        "C",
-        "--out",
-        copy / "c.mcap",
-    )
-
-    ran = tumble("stand", "learn", copy / "c.mcap", "--store", copy / "store")
+def test_a_further_unit_that_agrees_makes_a_new_version(learned):
+    folder, ran = learned
 
     assert "units A, B and C agree" in ran.out
-    assert tumble("stand", "verify", "--store", copy / "store").status == 0
+    assert tumble("stand", "verify", "--store", folder / "store").status == 0
 
 
 def test_a_file_that_was_learned_from_teaches_nothing_new(known):
@@ -201,30 +218,19 @@ def test_a_file_that_was_learned_from_teaches_nothing_new(known):
     assert ran.out == f"{recording}: nothing of its stand is to be learned that is not known\n"
 
 
-def test_a_head_that_changed_contradicts_the_record(copy):
-    ran = calibrated(copy, "C", amplitude_deg=0.08)
+def test_a_head_that_changed_contradicts_the_record(changed):
+    folder, ran = changed
 
     (sentence,) = [line for line in ran.err.splitlines() if line.startswith("stand record 2 says")]
     assert ", this run says head_eccentricity amplitude 0.0" in sentence
-    (page,) = [page for page in (copy / "store" / "reports").iterdir() if "this run says" in page.read_text("utf-8")]
-    assert json.loads((copy / "C.json").read_text("utf-8"))["report"] == str(page)
+    (page,) = [page for page in (folder / "store" / "reports").iterdir() if "this run says" in page.read_text("utf-8")]
+    assert json.loads((folder / "C.json").read_text("utf-8"))["report"] == str(page)
 
 
-def test_a_unit_that_disagrees_puts_nothing_in_force(copy):
-    stand(copy, "C", amplitude_deg=0.08)
-    tumble(
-        "run",
-        "--stand",
-        copy / "C.toml",
-        "--programme",
-        copy / "sweeps.toml",
-        "--serial",
-        "C",
-        "--out",
-        copy / "c.mcap",
-    )
+def test_a_unit_that_disagrees_puts_nothing_in_force(copy, changed):
+    (recording,) = (changed[0] / "store" / "recordings" / "C").iterdir()
 
-    ran = tumble("stand", "learn", copy / "c.mcap", "--store", copy / "store")
+    ran = tumble("stand", "learn", recording, "--store", copy / "store")
 
     assert "this run contradicts stand record 2 (p < 0.0001), which stays in force" in ran.out
     assert [(r.version, str(r.status)) for r in list_stand_records(copy / "store")][-2:] == [
@@ -263,7 +269,7 @@ def test_a_unit_that_sees_nothing_confirms_nothing(known, tmp_path):
     assert [record.version for record in list_stand_records(tmp_path / "store")] == [1]
 
 
-def test_another_head_is_another_stand(copy):
+def test_another_head_is_another_stand(copy, no_report):
     ran = calibrated(copy, "C", head="H-2")
 
     (warning,) = [line for line in ran.err.splitlines() if "does not apply" in line]

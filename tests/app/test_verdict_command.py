@@ -1,9 +1,10 @@
 """The verdict of every command that has limits: alike on terminal, in JSON, record and exit status."""
 
 import json
+import shutil
 
 import pytest
-from app_jobs import STAND, TINY, tumble
+from app_jobs import STAND, TINY, cheaply, tumble
 
 from calibrations.records.store import Store
 
@@ -30,6 +31,10 @@ ky = { min = -0.03, max = 0.03 }
 """The published method in short: alpha0 and ky rest on the curvature kxy."""
 
 
+K_XX = "{ k_xx = 2e-3 }"
+pytestmark = pytest.mark.usefixtures("traced_once")
+
+
 def stand_with(write, effects, parameters="{}"):
     text = f"{STAND}noise_v = 3e-4\neffects = {effects}\nparameters = {parameters}\n"
     return write("bench-1.toml", text)
@@ -38,23 +43,29 @@ def stand_with(write, effects, parameters="{}"):
 @pytest.fixture
 def k_xx_stand(write):
     """A good unit with an undeclared k_xx, which puts the declared ky at half a volt per g."""
-    return stand_with(write, "{ k_xx = 2e-3 }")
+    return stand_with(write, K_XX)
 
 
-@pytest.fixture
-def calibrated_k_xx(k_xx_stand, write, tmp_path, no_report):
-    """`tumble calibrate` of that unit; the run, its JSON and the store."""
-    store = tmp_path / "store"
-    ran = tumble(
-        "calibrate", "--stand", k_xx_stand, "--programme", write("p.toml", SEED), "--serial", "A", "--store", store,
-        "--json", tmp_path / "result.json",
-    )  # fmt: skip
-    return ran, json.loads((tmp_path / "result.json").read_text("utf-8")), store
+@pytest.fixture(scope="module")
+def calibrated_k_xx(tmp_path_factory, traced_once):
+    """`tumble calibrate` of that unit; the run, its JSON and the store, to be looked at only."""
+    folder = tmp_path_factory.mktemp("k_xx")
+
+    def write(name, text):
+        (folder / name).write_text(text, "utf-8")
+        return folder / name
+
+    with cheaply():
+        ran = tumble(
+            "calibrate", "--stand", stand_with(write, K_XX), "--programme", write("p.toml", SEED), "--serial", "A",
+            "--store", folder / "store", "--json", folder / "result.json",
+        )  # fmt: skip
+    return ran, json.loads((folder / "result.json").read_text("utf-8")), folder / "store"
 
 
-def test_what_the_loop_withdraws_decides_nothing_in_any_command(calibrated_k_xx):
+def test_what_the_loop_withdraws_decides_nothing_in_any_command(calibrated_k_xx, tmp_path):
     ran, document, store = calibrated_k_xx
-    (recording,) = store.glob("recordings/A/*.mcap")
+    (recording,) = shutil.copytree(store, tmp_path / "store").glob("recordings/A/*.mcap")
 
     fitted, closed = (tumble(command, recording, "--json", "-") for command in ("fit", "close-loop"))
     resumed = tumble("resume", recording, "--json", "-")

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 import numpy as np
 
@@ -75,6 +76,12 @@ class FakeHead:
         return self._to_deg if turned_deg >= abs(way_deg) else self._from_deg + np.sign(way_deg) * turned_deg
 
 
+@lru_cache(maxsize=4096)
+def ax_at(mount: str, angle_deg: float) -> float:
+    """What an ideal unit feels along its x axis, in g."""
+    return float(projections([mount], np.array([angle_deg]))[0, 0])
+
+
 class FakeDaq:
     """Gives 2.5 V and 1 V/g along x, and 1 mV of fixed ripple."""
 
@@ -96,7 +103,7 @@ class FakeDaq:
     def acquire(self, samples: int, rate_hz: float) -> SampleBlock:
         self.on_acquire()
         began_s = self._clock.monotonic_s()
-        ax_g = projections([self.mount], np.array([self._head.status().angle_deg]))[0, 0]
+        ax_g = ax_at(self.mount, self._head.status().angle_deg)
         voltage_v = 2.5 + ax_g + self.creep_v * self.blocks + 1e-3 * (-1.0) ** np.arange(samples - self.short_by)
         if self.blocks in self.overload_at:
             voltage_v[0] = 9.9e37
