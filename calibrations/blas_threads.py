@@ -8,6 +8,7 @@ where another program has the other core they wait for each other: tracing then 
 
 from collections.abc import Callable
 from functools import cache, wraps
+from threading import local
 from typing import TYPE_CHECKING, ParamSpec, TypeVar
 
 if TYPE_CHECKING:
@@ -15,6 +16,8 @@ if TYPE_CHECKING:
 
 _Arguments = ParamSpec("_Arguments")
 _Result = TypeVar("_Result")
+_here = local()
+"""What this thread has limited already: a call within a limited one need not limit anything."""
 
 
 def one_blas_thread(function: Callable[_Arguments, _Result]) -> Callable[_Arguments, _Result]:
@@ -26,8 +29,14 @@ def one_blas_thread(function: Callable[_Arguments, _Result]) -> Callable[_Argume
 
     @wraps(function)
     def limited(*arguments: _Arguments.args, **named: _Arguments.kwargs) -> _Result:
-        with _libraries().limit(limits=1):
+        if getattr(_here, "limited", False):
             return function(*arguments, **named)
+        _here.limited = True
+        try:
+            with _libraries().limit(limits=1):
+                return function(*arguments, **named)
+        finally:
+            _here.limited = False
 
     return limited
 

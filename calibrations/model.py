@@ -6,6 +6,7 @@ quarter turn further on, the model is a fixed set of ten functions of the pose t
 parameters: all that is nonlinear sits in alpha0.
 """
 
+import math
 from typing import Final
 
 import numpy as np
@@ -17,11 +18,14 @@ UNITS: Final = {"u0": "V", "kx": "V/g", "ky": "V/g", "kz": "V/g", "kxy": "V/g^2"
 """Unit of every parameter, in the order of the parameter vector. g is local gravity."""
 
 PARAMETERS: Final = tuple(UNITS)
+_RAD_PER_DEG: Final = math.radians(1.0)
 LINEAR: Final = PARAMETERS[:-1]
 """The parameters in which the model is linear once alpha0 is known."""
 ALPHA0: Final = PARAMETERS.index("alpha0")
 
 BASIS_SIZE: Final = 10
+_STRAIGHT, _TURNED = slice(1, 7, 2), slice(2, 7, 2)
+"""The three projections among the ten functions, and the same a quarter turn further on."""
 
 
 def basis(observations: Observations) -> FloatArray:
@@ -73,9 +77,26 @@ def design_slope(alpha0_deg: float) -> FloatArray:
     return np.deg2rad(matrix)
 
 
+def seen_at(functions: FloatArray, alpha0_deg: float) -> tuple[FloatArray, FloatArray]:
+    """Columns of the linear parameters at given alpha0, and their derivative per degree, each of shape (rows, 5).
+
+    `functions @ design(alpha0_deg)` and `functions @ design_slope(alpha0_deg)` for the ten functions, shape (rows, 10).
+    """
+    cos, sin = math.cos(math.radians(alpha0_deg)), math.sin(math.radians(alpha0_deg))
+    straight, turned, products = functions[:, _STRAIGHT], functions[:, _TURNED], functions[:, 7:]
+    columns, slope = np.empty((len(functions), ALPHA0)), np.zeros((len(functions), ALPHA0))
+    columns[:, 0] = functions[:, 0]
+    columns[:, 1:4], slope[:, 1:4] = cos * straight + sin * turned, cos * turned - sin * straight
+    columns[:, 4] = products @ (cos**2, cos * sin, sin**2)
+    slope[:, 4] = products @ (-2 * cos * sin, cos**2 - sin**2, 2 * cos * sin)
+    return columns, slope * _RAD_PER_DEG
+
+
 def parameter_vector(linear: FloatArray, alpha0_deg: FloatArray | float) -> FloatArray:
     """Put alpha0 in its place among linear parameters of shape (..., 5 + terms)."""
-    return np.insert(linear, ALPHA0, alpha0_deg, axis=-1)
+    theta = np.empty((*linear.shape[:-1], linear.shape[-1] + 1))
+    theta[..., :ALPHA0], theta[..., ALPHA0], theta[..., ALPHA0 + 1 :] = linear[..., :ALPHA0], alpha0_deg, linear[..., ALPHA0:]
+    return theta
 
 
 def linear_parameters(theta: FloatArray) -> FloatArray:
@@ -88,8 +109,15 @@ def coefficients(theta: FloatArray) -> FloatArray:
 
     Parameters are in the units of `UNITS`, those of further columns in volts per unit of the column.
     """
-    matrix = design(theta[..., ALPHA0], theta.shape[-1] - len(PARAMETERS))
-    return np.asarray(np.einsum("...ij,...j->...i", matrix, linear_parameters(theta)))
+    alpha0_rad = np.deg2rad(theta[..., ALPHA0])
+    cos, sin, kxy = np.cos(alpha0_rad), np.sin(alpha0_rad), theta[..., 4]
+    result = np.empty((*theta.shape[:-1], theta.shape[-1] - len(PARAMETERS) + BASIS_SIZE))
+    result[..., 0] = theta[..., 0]
+    result[..., _STRAIGHT] = cos[..., None] * theta[..., 1:4]
+    result[..., _TURNED] = sin[..., None] * theta[..., 1:4]
+    result[..., 7], result[..., 8], result[..., 9] = cos**2 * kxy, cos * sin * kxy, sin**2 * kxy
+    result[..., BASIS_SIZE:] = theta[..., len(PARAMETERS) :]
+    return result
 
 
 def coefficients_jacobian(theta: FloatArray) -> FloatArray:

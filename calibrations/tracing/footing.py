@@ -74,13 +74,13 @@ class Footing:
 
     def compressed(self, further: Split) -> Compressed:
         """The rows as only the declared model and further columns see them; those of the declared come first."""
-        q, r, z = self._beside(further)
-        size = self._size
-        whole = np.zeros((size + r.shape[0], size + r.shape[1]))
+        size, terms = self._size, further.along.shape[1]
+        triangular = np.linalg.qr(np.column_stack([further.beside, self.output.beside]), mode="r")
+        r, z, rest = triangular[:terms, :terms], triangular[:terms, terms], triangular[terms:, terms]
+        whole = np.zeros((size + r.shape[0], size + terms))
         whole[:size, :size] = self.r
         whole[:size, size:] = further.along
         whole[size:, size:] = r
-        rest = self.output.beside[:, 0] - q @ z
         return Compressed(
             r=whole,
             z=np.concatenate([self.output.along[:, 0], z]),
@@ -99,8 +99,3 @@ class Footing:
     def deviance(self, fit: Fitted) -> float:
         """-2 ln L of a fit, up to a constant of the table."""
         return self.rows * float(np.log(max(fit.squares, 1e-300) / self.rows)) + self._white.log_determinant
-
-    def _beside(self, further: Split) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Orthonormal directions of further columns, the columns along them, and the output along them."""
-        q, r = np.linalg.qr(further.beside)
-        return q, r, np.asarray(q.T @ self.output.beside[:, 0])

@@ -53,6 +53,8 @@ class Problem:
         self._squares = np.sum(along**2, axis=0) + np.einsum("ij,ij->j", beside, beside)
         self._with_output = along.T @ output.along[:, 0] + beside.T @ output.beside[:, 0]
         self._rows = footing.rows
+        self._explained: dict[tuple[int, ...], Explanation] = {}
+        self._promised: dict[tuple[int, ...], FloatArray] = {}
         self.offered = tuple(offered)
         self.entries = np.array([candidate.entry for candidate in offered])
         self.entries_again = np.array([candidate.again for candidate in offered])
@@ -85,6 +87,11 @@ class Problem:
 
     def explain(self, chosen: tuple[int, ...]) -> Explanation:
         """Fit the declared model with the chosen candidates."""
+        if chosen not in self._explained:
+            self._explained[chosen] = self._fitted(chosen)
+        return self._explained[chosen]
+
+    def _fitted(self, chosen: tuple[int, ...]) -> Explanation:
         fit = self._footing.fit(self._split.pick(self.columns_of(chosen)))
         return Explanation(chosen=chosen, fit=fit, deviance=self._footing.deviance(fit))
 
@@ -104,6 +111,11 @@ class Problem:
 
     def gains(self, explanation: Explanation) -> FloatArray:
         """By how much each candidate would lower the deviance, linearised at the explanation; shape (candidates,)."""
+        if explanation.chosen not in self._promised:
+            self._promised[explanation.chosen] = self._gains(explanation)
+        return self._promised[explanation.chosen]
+
+    def _gains(self, explanation: Explanation) -> FloatArray:
         span, residual = self._linearised(explanation)
         falls = self._falls(span, self._with_output - span.T @ residual[0])
         falls[list(explanation.chosen)] = 0.0
