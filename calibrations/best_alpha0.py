@@ -10,9 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from calibrations.compression import Compressed
-from calibrations.conditional import SINGULAR, least_squares, smallest_solution
+from calibrations.conditional import SINGULAR, smallest_solution
 from calibrations.geometry import FloatArray
-from calibrations.model import BASIS_SIZE, PARAMETERS, coefficients, design, parameter_vector, seen_at
+from calibrations.model import BASIS_SIZE, PARAMETERS, coefficients, design, design_slope, parameter_vector
 
 ALPHA0_REACH_DEG = 45.0
 """Beyond this the declared model repeats itself with the axes renamed."""
@@ -56,13 +56,14 @@ class _Rows:
 
     def at(self, alpha0_deg: float) -> "_Least":
         """The best linear parameters at an alpha0; of those that fit equally well the smallest."""
-        columns, slope = seen_at(self.r, alpha0_deg)
-        linear = least_squares(columns / self.length, self.z, SINGULAR) / self.length
-        left = self.z - columns @ linear
+        shapes = design(alpha0_deg)
+        linear = np.linalg.lstsq(self.r @ shapes / self.length, self.z, rcond=SINGULAR)[0] / self.length
+        left = self.z - self.r @ (shapes @ linear)
+        turning = self.r @ (design_slope(alpha0_deg) @ linear)
         return _Least(
             alpha0_deg=alpha0_deg,
             linear=linear,
-            slope=-float(left @ (slope @ linear)),
+            slope=-float(left @ turning),
             squares_v2=float(left @ left) + self.rest_v2,
         )
 

@@ -1,7 +1,6 @@
 """Least squares for given alpha0: everything else in the declared model is then linear."""
 
 from dataclasses import dataclass
-from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -70,7 +69,7 @@ def smallest_solution(matrix: FloatArray, right: FloatArray) -> FloatArray:
     """Least-squares solution of one system, shape (p,); of those that fit equally well the smallest, columns scaled."""
     norm = np.linalg.norm(matrix, axis=0)
     scale = np.where(norm > SINGULAR * norm.max(), norm, np.inf)
-    return least_squares(matrix / scale, right, SINGULAR) / scale
+    return np.asarray(np.linalg.lstsq(matrix / scale, right, rcond=SINGULAR)[0] / scale)
 
 
 def triangular_solution(matrix: FloatArray, right: FloatArray) -> FloatArray:
@@ -84,37 +83,3 @@ def triangular_solution(matrix: FloatArray, right: FloatArray) -> FloatArray:
         if dtrcon(scaled)[0] > _CERTAIN:
             return np.asarray(dtrtrs(scaled, right)[0] / scale)
     return smallest_solution(matrix, right)
-
-
-def least_squares(matrix: FloatArray, right: FloatArray, singular: float) -> FloatArray:
-    """Least-squares solution of one system of shape (m, p); of those that fit equally well the smallest.
-
-    What `numpy.linalg.lstsq` does, which for a few numbers takes longer to look at them than to solve.
-
-    Raises
-    ------
-    numpy.linalg.LinAlgError
-        A number is not finite.
-    """
-    from scipy.linalg.lapack import dgelsd
-
-    rows, unknowns = matrix.shape
-    solution, _, _, failed = dgelsd(matrix, _padded(right, unknowns), *_room(rows, unknowns), cond=singular)
-    if failed:
-        raise np.linalg.LinAlgError("SVD did not converge in linear least squares")
-    return np.asarray(solution[:unknowns])
-
-
-def _padded(right: FloatArray, unknowns: int) -> FloatArray:
-    """The right side with room for as many unknowns."""
-    short = unknowns - len(right)
-    return right if short <= 0 else np.concatenate([right, np.zeros(short)])
-
-
-@cache
-def _room(rows: int, unknowns: int) -> tuple[int, int]:
-    """How many numbers, and how many integers, LAPACK works in."""
-    from scipy.linalg.lapack import dgelsd_lwork
-
-    numbers, integers, _ = dgelsd_lwork(rows, unknowns, 1)
-    return int(numbers), int(integers)

@@ -6,7 +6,6 @@ quarter turn further on, the model is a fixed set of ten functions of the pose t
 parameters: all that is nonlinear sits in alpha0.
 """
 
-import math
 from typing import Final
 
 import numpy as np
@@ -18,7 +17,6 @@ UNITS: Final = {"u0": "V", "kx": "V/g", "ky": "V/g", "kz": "V/g", "kxy": "V/g^2"
 """Unit of every parameter, in the order of the parameter vector. g is local gravity."""
 
 PARAMETERS: Final = tuple(UNITS)
-_RAD_PER_DEG: Final = math.radians(1.0)
 LINEAR: Final = PARAMETERS[:-1]
 """The parameters in which the model is linear once alpha0 is known."""
 ALPHA0: Final = PARAMETERS.index("alpha0")
@@ -61,7 +59,8 @@ def design(alpha0_deg: FloatArray | float, terms: int = 0) -> FloatArray:
         matrix[..., 1 + 2 * axis, 1 + axis] = cos
         matrix[..., 2 + 2 * axis, 1 + axis] = sin
     matrix[..., 7, 4], matrix[..., 8, 4], matrix[..., 9, 4] = cos**2, cos * sin, sin**2
-    matrix[..., BASIS_SIZE:, ALPHA0:] = np.eye(terms)
+    if terms:
+        matrix[..., BASIS_SIZE:, ALPHA0:] = np.eye(terms)
     return matrix
 
 
@@ -75,21 +74,6 @@ def design_slope(alpha0_deg: float) -> FloatArray:
         matrix[2 + 2 * axis, 1 + axis] = cos
     matrix[7:, 4] = -2 * cos * sin, cos**2 - sin**2, 2 * cos * sin
     return np.deg2rad(matrix)
-
-
-def seen_at(functions: FloatArray, alpha0_deg: float) -> tuple[FloatArray, FloatArray]:
-    """Columns of the linear parameters at given alpha0, and their derivative per degree, each of shape (rows, 5).
-
-    `functions @ design(alpha0_deg)` and `functions @ design_slope(alpha0_deg)` for the ten functions, shape (rows, 10).
-    """
-    cos, sin = math.cos(math.radians(alpha0_deg)), math.sin(math.radians(alpha0_deg))
-    straight, turned, products = functions[:, _STRAIGHT], functions[:, _TURNED], functions[:, 7:]
-    columns, slope = np.empty((len(functions), ALPHA0)), np.zeros((len(functions), ALPHA0))
-    columns[:, 0] = functions[:, 0]
-    columns[:, 1:4], slope[:, 1:4] = cos * straight + sin * turned, cos * turned - sin * straight
-    columns[:, 4] = products @ (cos**2, cos * sin, sin**2)
-    slope[:, 4] = products @ (-2 * cos * sin, cos**2 - sin**2, 2 * cos * sin)
-    return columns, slope * _RAD_PER_DEG
 
 
 def parameter_vector(linear: FloatArray, alpha0_deg: FloatArray | float) -> FloatArray:
