@@ -6,6 +6,8 @@ where another program has the other core they wait for each other: tracing then 
 (`app.cli`); what is called from another program limits it for the time of the call.
 """
 
+import os
+import sys
 from collections.abc import Callable
 from functools import cache, wraps
 from threading import local
@@ -41,10 +43,19 @@ def one_blas_thread(function: Callable[_Arguments, _Result]) -> Callable[_Argume
     return limited
 
 
-@cache
 def _libraries() -> "ThreadpoolController":
-    """The BLAS libraries of this process; scipy brings one of its own, which must be loaded to be found."""
-    import scipy.linalg  # noqa: F401
+    """The BLAS libraries of this process.
+
+    SciPy brings one of its own, which must be loaded to be found; where the environment asks for one thread, it will
+    have one whenever it is loaded.
+    """
+    return _controller("scipy.linalg" in sys.modules or os.environ.get("OPENBLAS_NUM_THREADS") != "1")
+
+
+@cache
+def _controller(with_scipy: bool) -> "ThreadpoolController":
     from threadpoolctl import ThreadpoolController
 
+    if with_scipy:
+        import scipy.linalg  # noqa: F401
     return ThreadpoolController().select(user_api="blas")

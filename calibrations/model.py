@@ -79,7 +79,11 @@ def design_slope(alpha0_deg: float) -> FloatArray:
 def parameter_vector(linear: FloatArray, alpha0_deg: FloatArray | float) -> FloatArray:
     """Put alpha0 in its place among linear parameters of shape (..., 5 + terms)."""
     theta = np.empty((*linear.shape[:-1], linear.shape[-1] + 1))
-    theta[..., :ALPHA0], theta[..., ALPHA0], theta[..., ALPHA0 + 1 :] = linear[..., :ALPHA0], alpha0_deg, linear[..., ALPHA0:]
+    theta[..., :ALPHA0], theta[..., ALPHA0], theta[..., ALPHA0 + 1 :] = (
+        linear[..., :ALPHA0],
+        alpha0_deg,
+        linear[..., ALPHA0:],
+    )
     return theta
 
 

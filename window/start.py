@@ -8,10 +8,10 @@ from pathlib import Path
 from types import TracebackType
 from typing import Final
 
+from pyqtgraph.util.garbage_collector import GarbageCollector
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QSessionManager
 from PySide6.QtWidgets import QApplication
-from pyqtgraph.util.garbage_collector import GarbageCollector
 
 from window.look.language import speak
 from window.look.theme import dress

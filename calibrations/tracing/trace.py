@@ -1,8 +1,8 @@
 """Traces what the declared model leaves to named effects, to noise that remembers, or to structure without a name."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
 from copy import copy
+from dataclasses import dataclass, replace
 from typing import Any, Generic, Self, TypeVar
 
 from calibrations.effects.effect import Effect, Form, Structure
