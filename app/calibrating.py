@@ -3,6 +3,7 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from app.analysing import Traced, fit, trace
 from app.exits import Exit, JobError
@@ -14,13 +15,17 @@ from app.stand_records import with_stand_record
 from app.wiring import Connected
 from calibrations.records.errors import StoreError
 from calibrations.records.record import Record
-from calibrations.records.store import Store
 from calibrations.tracing.chain import Chain
 from procedures.announcer import Listener
+
+if TYPE_CHECKING:
+    from calibrations.records.store import Store
 
 
 def store(traced: Traced, folder: Path) -> Record:
     """Store a calibration; a raw file that was calibrated before gets a further revision. Raises `JobError`."""
+    from calibrations.records.store import Store  # takes half a second, for those that keep records
+
     try:
         records = Store(folder)
         origin = traced.provenance
@@ -39,6 +44,8 @@ def store(traced: Traced, folder: Path) -> Record:
 
 def make_ready(folder: Path) -> None:
     """Find out before anything is measured whether the store will take the result. Raises `JobError`."""
+    from calibrations.records.store import Store
+
     try:
         Store(folder)
         (folder / "reports").mkdir(exist_ok=True)
@@ -49,7 +56,7 @@ def make_ready(folder: Path) -> None:
         raise JobError(sentence, Exit.STORAGE) from error
 
 
-def standing_record(records: Store, serial_number: str, raw_sha256: str) -> Record | None:
+def standing_record(records: "Store", serial_number: str, raw_sha256: str) -> Record | None:
     """The record of a raw file that stands, which a new analysis of it supersedes; None where there is none."""
     same_unit = records.find(serial_number=serial_number)
     same_file = [record for record in same_unit if record.provenance.raw_sha256 == raw_sha256]

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from app.analysing import Traced
 from app.identity import program_identity
@@ -14,9 +15,11 @@ from calibrations.stand_records.applying import contradictions
 from calibrations.stand_records.corrections import Corrections, chi_square_p
 from calibrations.stand_records.evidence import doubts
 from calibrations.stand_records.record import Contribution, StandIdentity, StandRecord, Status, validity_of
-from calibrations.stand_records.store import StandRecords
 from calibrations.stand_records.terms import Term
 from calibrations.support import equals, series
+
+if TYPE_CHECKING:
+    from calibrations.stand_records.store import StandRecords
 
 _MOST_TRIED = 3
 """Of the units that said something provisional, so many are asked again, the last ones first."""
@@ -53,6 +56,8 @@ def learn(traced: Traced, folder: Path) -> Learned:
     if source.run.objections:
         reason = f"nothing is learned of stand {identity.stand} from this run: {series(source.run.objections)}"
         return Learned(sentences=(*said, reason) if source.run.terms else said)
+    from calibrations.stand_records.store import StandRecords
+
     learned = _Stand(StandRecords(folder), identity).hear(source)
     return replace(learned, sentences=(*said, *learned.sentences))
 
@@ -67,7 +72,7 @@ def contradictions_of(traced: Traced) -> tuple[str, ...]:
 class _Stand:
     """One stand, and what is known of it."""
 
-    def __init__(self, records: StandRecords, identity: StandIdentity) -> None:
+    def __init__(self, records: "StandRecords", identity: StandIdentity) -> None:
         self._records = records
         self._identity = identity
         self._known = records.find(identity)

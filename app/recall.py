@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from app.analysing import fit, trace
 from app.calibrating import report_path, standing_record, write_report
@@ -10,18 +10,22 @@ from app.files import is_recording
 from app.identity import program_identity
 from app.measurements import Measurement, read_measurement
 from app.stand_records import corrected_by
+from calibrations.records import DATABASE
 from calibrations.records.errors import RecordError, StoreError
 from calibrations.records.raw import file_sha256
 from calibrations.records.record import Record
-from calibrations.records.store import DATABASE, Store
 from calibrations.records.verify import Verification, verify
-from calibrations.stand_records.store import StandRecords
 from procedures.errors import InputError
 from procedures.recording.errors import RecordingError
 
+if TYPE_CHECKING:
+    from calibrations.records.store import Store
 
-def open_store(folder: Path) -> Store:
+
+def open_store(folder: Path) -> "Store":
     """Open a store for reading. Raises `InputError` where there is none, `StoreError` where it cannot be used."""
+    from calibrations.records.store import Store  # takes half a second, which many a command need not wait for
+
     try:
         return Store.existing(folder)
     except StoreError as error:
@@ -40,6 +44,8 @@ def recall(folder: Path, record_id: str) -> tuple[Record, Measurement]:
 
 def record_of(recording: Path, serial_number: str, folder: Path) -> Record | None:
     """The record of a recording that stands in a store; None where there is none."""
+    from calibrations.records.store import Store
+
     try:
         return standing_record(Store.existing(folder), serial_number, file_sha256(recording))
     except StoreError:
@@ -55,7 +61,7 @@ def report_again(folder: Path, record_id: str, path: Path | None = None) -> Path
     return page
 
 
-def verify_record(store: Store, record: Record) -> Verification:
+def verify_record(store: "Store", record: Record) -> Verification:
     """Hash again, fit again from the raw file, compare."""
 
     def refit(path: Path, stand: Mapping[str, Any]) -> dict[str, Any]:
@@ -88,6 +94,8 @@ def _as_corrected(measurement: Measurement, record: Record, folder: Path) -> Mea
     applied = record.result.get("stand_record")
     if applied is None:
         return measurement
+    from calibrations.stand_records.store import StandRecords
+
     stand_record = StandRecords(folder).get(applied["id"])
     if stand_record.content_sha256 != applied["content_sha256"] or not stand_record.intact:
         raise RecordError(f"{folder}: stand record {stand_record.version} is not the one that was applied; restore it")

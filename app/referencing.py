@@ -11,7 +11,6 @@ from calibrations.records.raw import stored_path
 from calibrations.reference.head_map import ReferenceRun, reference_run
 from calibrations.reference.loop import close_reference_loop
 from calibrations.stand_records.record import Contribution, StandRecord, Status, Validity
-from calibrations.stand_records.store import StandRecords
 from procedures.errors import InputError
 
 REFERENCE = "reference"
@@ -63,6 +62,8 @@ def learn_from_reference(path: Path, stand: Mapping[str, Any], folder: Path) -> 
         standard_uncertainties=tuple((run.whole.covariance.diagonal() ** 0.5).tolist()),
     )
     angle_deg = measurement.observations.angle_deg
+    from calibrations.stand_records.store import StandRecords
+
     return StandRecords(folder).add(
         identity=identity,
         status=Status.IN_FORCE,

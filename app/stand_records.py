@@ -3,16 +3,18 @@
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from app.measurements import Measurement
-from calibrations.records.store import DATABASE
+from calibrations.records import DATABASE
 from calibrations.stand_records.applying import corrected
 from calibrations.stand_records.head_map import Curve
 from calibrations.stand_records.record import StandIdentity, StandRecord, Status
-from calibrations.stand_records.store import StandRecords
 from calibrations.tracing.questions import questioned
 from procedures.errors import InputError
+
+if TYPE_CHECKING:
+    from calibrations.stand_records.store import StandRecords
 
 
 def identity_of(measurement: Measurement) -> StandIdentity | None:
@@ -56,7 +58,7 @@ def with_stand_record(measurement: Measurement, folder: Path | None) -> Measurem
     if not measurement.uses_stand_record or measurement.observations.voltage_v is None:
         return measurement
     identity = identity_of(measurement)
-    records = StandRecords(folder) if folder is not None and (folder / DATABASE).is_file() else None
+    records = _stand_records(folder) if folder is not None and (folder / DATABASE).is_file() else None
     record = records.in_force(identity) if records and identity else None
     if record is None:
         sentence = f"{measurement.path}: {_why_not(records, identity, folder)}; the run is not corrected"
@@ -74,7 +76,7 @@ def corrected_by(record: StandRecord, measurement: Measurement) -> Measurement:
     return _warned(done, f"{measurement.path}: beyond what stand record {record.version} knows: {', '.join(beyond)}")
 
 
-def _why_not(records: StandRecords | None, identity: StandIdentity | None, folder: Path | None) -> str:
+def _why_not(records: "StandRecords | None", identity: StandIdentity | None, folder: Path | None) -> str:
     if records is None or identity is None:
         where = f"{folder} holds none" if folder is not None else "no store was named (--store)"
         return f"its stand file wants the stand record, but {where}"
@@ -88,6 +90,12 @@ def _why_not(records: StandRecords | None, identity: StandIdentity | None, folde
     return f"no stand record of {identity.stand} is in force: two units must agree on one (tumble stand learn)"
 
 
+def _stand_records(folder: Path) -> "StandRecords":
+    from calibrations.stand_records.store import StandRecords  # takes half a second, for those that have some
+
+    return StandRecords(folder)
+
+
 def _warned(measurement: Measurement, sentence: str) -> Measurement:
     rows = measurement.observations
     return replace(measurement, observations=replace(rows, warnings=(*rows.warnings, sentence)))
@@ -97,7 +105,7 @@ def list_stand_records(folder: Path, stand: str | None = None) -> tuple[StandRec
     """Stand records of a store, each stand's in the order of their versions. Raises `InputError`, `StoreError`."""
     if not (folder / DATABASE).is_file():
         raise InputError(f"{folder}: there is no {DATABASE} in this folder; name the folder of a store")
-    return StandRecords(folder).find(stand=stand)
+    return _stand_records(folder).find(stand=stand)
 
 
 def head_map_curve(record: StandRecord, direction: int = 1, step_deg: float = 1.0) -> Curve | None:

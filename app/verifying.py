@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from app.exits import JobError
 from app.files import RECORDING_SUFFIX
@@ -13,9 +14,11 @@ from app.resuming import is_set_aside
 from calibrations.records.errors import RecordError, StoreError
 from calibrations.records.inventory import Inventory
 from calibrations.records.raw import resolved_path
-from calibrations.records.store import Store
 from procedures.errors import InputError
 from procedures.recording.errors import RecordingError
+
+if TYPE_CHECKING:
+    from calibrations.records.store import Store
 
 _ID = re.compile(r"\d{8}-\d{6}-[0-9a-f]{6}")
 
@@ -48,7 +51,7 @@ class Finding:
         return self.judgement in (Judgement.VERIFIED, Judgement.UNRECORDED)
 
 
-def verified_record(store: Store, record_id: str) -> Finding:
+def verified_record(store: "Store", record_id: str) -> Finding:
     """Verify one record; what keeps that from being done is a finding like another."""
     try:
         record = store.get(record_id)
@@ -63,7 +66,7 @@ def verified_record(store: Store, record_id: str) -> Finding:
     return Finding(name=record.id, judgement=judgement, sentences=(*found.sentences, *([old] if old else [])))
 
 
-def leftovers(store: Store) -> tuple[Finding, ...]:
+def leftovers(store: "Store") -> tuple[Finding, ...]:
     """What in a store's folder and tables belongs to no record, and what SQLite finds wrong with the file.
 
     A run that was to be calibrated has a record once it is complete; one that was only measured (`tumble run`, an

@@ -21,6 +21,7 @@ _RIDGE = 1e-13
 """Part of the trace that keeps the normal equations of the scan solvable where rows do not tell a parameter."""
 _FUNCTIONS_OF_EACH = (0, 1, 3, 5, 7)
 """Where those of the ten functions begin that belong to each linear parameter."""
+_SHAPES = design(GRID_DEG)
 _STEPS = 60
 _CONVERGED = 1e-12
 """A step that changes the sum of squares by less than this part is the last."""
@@ -32,9 +33,9 @@ def best_parameters(compressed: Compressed) -> FloatArray:
     seen = BASIS_SIZE + np.flatnonzero(norm[BASIS_SIZE:] > SINGULAR * norm.max())
     further = compressed.r[:, seen]
     rows = _declared_alone(compressed, further)
-    alpha0_deg = _zero_of_slope(rows, *_bracket(rows))
+    best = _zero_of_slope(rows, *_bracket(rows))
     theta = np.zeros(len(PARAMETERS) + compressed.terms)
-    theta[: len(PARAMETERS)] = parameter_vector(rows.linear(alpha0_deg), alpha0_deg)
+    theta[: len(PARAMETERS)] = parameter_vector(best.linear, best.alpha0_deg)
     if further.size:
         left = compressed.z - compressed.r @ coefficients(theta)
         theta[seen + len(PARAMETERS) - BASIS_SIZE] = smallest_solution(further, left)
@@ -53,26 +54,39 @@ class _Rows:
     length: FloatArray
     """Shape (5,): what the rows show of each linear parameter at most, further columns or not."""
 
-    def linear(self, alpha0_deg: float) -> FloatArray:
-        """The best linear parameters, shape (5,); of those that fit equally well the smallest."""
-        seen = self.r @ design(alpha0_deg) / self.length
-        return np.asarray(np.linalg.lstsq(seen, self.z, rcond=SINGULAR)[0] / self.length)
-
-    def slope(self, alpha0_deg: float) -> tuple[float, float]:
-        """Half the derivative of the sum of squares, per degree, and the sum of squares."""
-        linear = self.linear(alpha0_deg)
-        left = self.z - self.r @ (design(alpha0_deg) @ linear)
-        return -float(left @ (self.r @ (design_slope(alpha0_deg) @ linear))), float(left @ left) + self.rest_v2
+    def at(self, alpha0_deg: float) -> "_Least":
+        """The best linear parameters at an alpha0; of those that fit equally well the smallest."""
+        shapes = design(alpha0_deg)
+        linear = np.linalg.lstsq(self.r @ shapes / self.length, self.z, rcond=SINGULAR)[0] / self.length
+        left = self.z - self.r @ (shapes @ linear)
+        turning = self.r @ (design_slope(alpha0_deg) @ linear)
+        return _Least(
+            alpha0_deg=alpha0_deg,
+            linear=linear,
+            slope=-float(left @ turning),
+            squares_v2=float(left @ left) + self.rest_v2,
+        )
 
     def scanned(self) -> FloatArray:
         """What of the sum of squares the model takes at every alpha0 of the grid, shape (37,)."""
-        shapes = design(GRID_DEG)
-        turned = np.swapaxes(shapes, -1, -2)
-        normal = turned @ (self.r.T @ self.r) @ shapes
+        turned = np.swapaxes(_SHAPES, -1, -2)
+        normal = turned @ (self.r.T @ self.r) @ _SHAPES
         trace = np.trace(normal, axis1=-2, axis2=-1)[:, None, None]
         ridge = _RIDGE * np.where(trace > 0.0, trace, 1.0) * np.eye(normal.shape[-1])  # further columns may take all
         right = turned @ (self.r.T @ self.z)
         return np.asarray(np.sum(right * np.linalg.solve(normal + ridge, right[..., None])[..., 0], axis=-1))
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Least:
+    """The least that the declared model leaves at an alpha0."""
+
+    alpha0_deg: float
+    linear: FloatArray
+    """Shape (5,)."""
+    slope: float
+    """Half the derivative of the sum of squares, per degree."""
+    squares_v2: float
 
 
 def _declared_alone(compressed: Compressed, further: FloatArray) -> _Rows:
@@ -93,22 +107,21 @@ def _bracket(rows: _Rows) -> tuple[float, float]:
     return float(GRID_DEG[max(best - 1, 0)]), float(GRID_DEG[min(best + 1, len(GRID_DEG) - 1)])
 
 
-def _zero_of_slope(rows: _Rows, low: float, high: float) -> float:
+def _zero_of_slope(rows: _Rows, low: float, high: float) -> _Least:
     """Where the slope changes from falling to rising: by secants that keep to the bracket (Illinois), else by halving.
 
     The end of the reach where it only falls, or only rises.
     """
-    at_low, at_high = rows.slope(low)[0], rows.slope(high)[0]
-    trial, fell = low, 0
+    least = rows.at(low)
+    at_low, at_high, fell = least.slope, rows.at(high).slope, 0
     for _ in range(_STEPS):
         crossing = low - at_low * (high - low) / (at_high - at_low) if at_low < 0.0 < at_high else low
-        trial = crossing if low < crossing < high else (low + high) / 2
-        at_trial, squares = rows.slope(trial)
-        if abs(at_trial) * (high - low) < _CONVERGED * squares:
+        least = rows.at(crossing if low < crossing < high else (low + high) / 2)
+        if abs(least.slope) * (high - low) < _CONVERGED * least.squares_v2:
             break
-        if at_trial > 0.0:
-            high, at_high, at_low = trial, at_trial, at_low / (2 if fell > 0 else 1)
+        if least.slope > 0.0:
+            high, at_high, at_low = least.alpha0_deg, least.slope, at_low / (2 if fell > 0 else 1)
         else:
-            low, at_low, at_high = trial, at_trial, at_high / (2 if fell < 0 else 1)
-        fell = 1 if at_trial > 0.0 else -1
-    return trial
+            low, at_low, at_high = least.alpha0_deg, least.slope, at_high / (2 if fell < 0 else 1)
+        fell = 1 if least.slope > 0.0 else -1
+    return least

@@ -6,8 +6,11 @@ where another program has the other core they wait for each other: tracing then 
 (`app.cli`); what is called from another program limits it for the time of the call.
 """
 
+import os
+import sys
 from collections.abc import Callable
 from functools import cache, wraps
+from threading import local
 from typing import TYPE_CHECKING, ParamSpec, TypeVar
 
 if TYPE_CHECKING:
@@ -15,6 +18,8 @@ if TYPE_CHECKING:
 
 _Arguments = ParamSpec("_Arguments")
 _Result = TypeVar("_Result")
+_here = local()
+"""What this thread has limited already: a call within a limited one need not limit anything."""
 
 
 def one_blas_thread(function: Callable[_Arguments, _Result]) -> Callable[_Arguments, _Result]:
@@ -26,16 +31,31 @@ def one_blas_thread(function: Callable[_Arguments, _Result]) -> Callable[_Argume
 
     @wraps(function)
     def limited(*arguments: _Arguments.args, **named: _Arguments.kwargs) -> _Result:
-        with _libraries().limit(limits=1):
+        if getattr(_here, "limited", False):
             return function(*arguments, **named)
+        _here.limited = True
+        try:
+            with _libraries().limit(limits=1):
+                return function(*arguments, **named)
+        finally:
+            _here.limited = False
 
     return limited
 
 
-@cache
 def _libraries() -> "ThreadpoolController":
-    """The BLAS libraries of this process; scipy brings one of its own, which must be loaded to be found."""
-    import scipy.linalg  # noqa: F401
+    """The BLAS libraries of this process.
+
+    SciPy brings one of its own, which must be loaded to be found; where the environment asks for one thread, it will
+    have one whenever it is loaded.
+    """
+    return _controller("scipy.linalg" in sys.modules or os.environ.get("OPENBLAS_NUM_THREADS") != "1")
+
+
+@cache
+def _controller(with_scipy: bool) -> "ThreadpoolController":
     from threadpoolctl import ThreadpoolController
 
+    if with_scipy:
+        import scipy.linalg  # noqa: F401
     return ThreadpoolController().select(user_api="blas")

@@ -7,12 +7,17 @@ profile or a Monte Carlo trial works on some ten numbers instead of thousands of
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from typing import TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from calibrations.geometry import FloatArray
 from calibrations.model import BASIS_SIZE
+
+_BLOCK = 32
+"""Columns that LAPACK takes at a time."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -56,3 +61,18 @@ def compress(basis: FloatArray, voltage_v: FloatArray, weights: FloatArray, whit
     z = q.T @ weighted_v
     rest = weighted_v - q @ z
     return Compressed(r=r, z=z, rotation=whiten(q) * root[:, None], rest_v2=float(rest @ rest))
+
+
+def triangular_factor(columns: FloatArray) -> FloatArray:
+    """R of columns = Q R, shape (min(rows, n), n): all that a fit needs where the rows themselves are not asked for."""
+    from scipy.linalg.lapack import dgeqrf
+
+    rows, size = columns.shape
+    factored = dgeqrf(columns, lwork=_BLOCK * max(size, 1))[0][: min(rows, size)]
+    return np.where(_upper(*factored.shape), factored, 0.0)
+
+
+@cache
+def _upper(rows: int, columns: int) -> NDArray[np.bool_]:
+    """Where an upper triangle is."""
+    return np.triu(np.ones((rows, columns), dtype=bool))

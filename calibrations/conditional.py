@@ -11,6 +11,8 @@ from calibrations.model import design
 
 SINGULAR = 1e-8
 """Directions weaker than this, relative to the strongest, are taken as not observed: rounding, not physics."""
+_CERTAIN = 1e-5
+"""Columns whose reciprocal condition is estimated larger than this have no direction that is singular."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -68,3 +70,16 @@ def smallest_solution(matrix: FloatArray, right: FloatArray) -> FloatArray:
     norm = np.linalg.norm(matrix, axis=0)
     scale = np.where(norm > SINGULAR * norm.max(), norm, np.inf)
     return np.asarray(np.linalg.lstsq(matrix / scale, right, rcond=SINGULAR)[0] / scale)
+
+
+def triangular_solution(matrix: FloatArray, right: FloatArray) -> FloatArray:
+    """The same where the matrix is upper triangular: put in from below unless that is near a singular one."""
+    from scipy.linalg.lapack import dtrcon, dtrtrs
+
+    rows, unknowns = matrix.shape
+    scale = np.linalg.norm(matrix, axis=0)
+    if rows == unknowns and scale.all():
+        scaled = matrix / scale
+        if dtrcon(scaled)[0] > _CERTAIN:
+            return np.asarray(dtrtrs(scaled, right)[0] / scale)
+    return smallest_solution(matrix, right)

@@ -22,6 +22,8 @@ LINEAR: Final = PARAMETERS[:-1]
 ALPHA0: Final = PARAMETERS.index("alpha0")
 
 BASIS_SIZE: Final = 10
+_STRAIGHT, _TURNED = slice(1, 7, 2), slice(2, 7, 2)
+"""The three projections among the ten functions, and the same a quarter turn further on."""
 
 
 def basis(observations: Observations) -> FloatArray:
@@ -57,7 +59,8 @@ def design(alpha0_deg: FloatArray | float, terms: int = 0) -> FloatArray:
         matrix[..., 1 + 2 * axis, 1 + axis] = cos
         matrix[..., 2 + 2 * axis, 1 + axis] = sin
     matrix[..., 7, 4], matrix[..., 8, 4], matrix[..., 9, 4] = cos**2, cos * sin, sin**2
-    matrix[..., BASIS_SIZE:, ALPHA0:] = np.eye(terms)
+    if terms:
+        matrix[..., BASIS_SIZE:, ALPHA0:] = np.eye(terms)
     return matrix
 
 
@@ -75,7 +78,13 @@ def design_slope(alpha0_deg: float) -> FloatArray:
 
 def parameter_vector(linear: FloatArray, alpha0_deg: FloatArray | float) -> FloatArray:
     """Put alpha0 in its place among linear parameters of shape (..., 5 + terms)."""
-    return np.insert(linear, ALPHA0, alpha0_deg, axis=-1)
+    theta = np.empty((*linear.shape[:-1], linear.shape[-1] + 1))
+    theta[..., :ALPHA0], theta[..., ALPHA0], theta[..., ALPHA0 + 1 :] = (
+        linear[..., :ALPHA0],
+        alpha0_deg,
+        linear[..., ALPHA0:],
+    )
+    return theta
 
 
 def linear_parameters(theta: FloatArray) -> FloatArray:
@@ -88,8 +97,15 @@ def coefficients(theta: FloatArray) -> FloatArray:
 
     Parameters are in the units of `UNITS`, those of further columns in volts per unit of the column.
     """
-    matrix = design(theta[..., ALPHA0], theta.shape[-1] - len(PARAMETERS))
-    return np.asarray(np.einsum("...ij,...j->...i", matrix, linear_parameters(theta)))
+    alpha0_rad = np.deg2rad(theta[..., ALPHA0])
+    cos, sin, kxy = np.cos(alpha0_rad), np.sin(alpha0_rad), theta[..., 4]
+    result = np.empty((*theta.shape[:-1], theta.shape[-1] - len(PARAMETERS) + BASIS_SIZE))
+    result[..., 0] = theta[..., 0]
+    result[..., _STRAIGHT] = cos[..., None] * theta[..., 1:4]
+    result[..., _TURNED] = sin[..., None] * theta[..., 1:4]
+    result[..., 7], result[..., 8], result[..., 9] = cos**2 * kxy, cos * sin * kxy, sin**2 * kxy
+    result[..., BASIS_SIZE:] = theta[..., len(PARAMETERS) :]
+    return result
 
 
 def coefficients_jacobian(theta: FloatArray) -> FloatArray:

@@ -11,3 +11,6 @@
 
 Nothing is imported here, so that `errors` comes without SQLAlchemy.
 """
+
+DATABASE = "records.sqlite"
+"""Name of the database in the folder of a store."""

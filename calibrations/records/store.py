@@ -11,6 +11,7 @@ from sqlalchemy import ColumnElement, Connection, Select, exists, func, insert, 
 
 from calibrations.judging import judge
 from calibrations.provenance import LimitCheck, Provenance
+from calibrations.records import DATABASE as DATABASE
 from calibrations.records.canonical import canonical_sha256, plain
 from calibrations.records.database import open_database, storage_errors, writing
 from calibrations.records.errors import RecordError, StoreError
@@ -25,8 +26,6 @@ from calibrations.result import Calibration
 from calibrations.tracing.document import result_document
 from calibrations.tracing.loop import Loop
 from calibrations.verdict import Outcome, Verdict
-
-DATABASE = "records.sqlite"
 
 _NEWER = RECORDS.alias("newer")
 _STANDS = ~exists().where(_NEWER.c.supersedes == RECORDS.c.id)

@@ -4,15 +4,17 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from calibrations.records.canonical import plain
 from calibrations.records.export import document, is_intact
 from calibrations.records.raw import file_sha256
 from calibrations.records.record import Record, models_from_json
 from calibrations.records.rows import parameter_rows, record_row
-from calibrations.records.store import Store
 from calibrations.result import Parameter
+
+if TYPE_CHECKING:
+    from calibrations.records.store import Store
 
 TOLERANCE = 1e-6
 """By how much of its standard uncertainty a number may differ from the one recorded.
@@ -90,7 +92,7 @@ class Verification:
         return tuple(lines)
 
 
-def verify(record: Record, store: Store, refit: Refit, program_version: str) -> Verification:
+def verify(record: Record, store: "Store", refit: Refit, program_version: str) -> Verification:
     """Hash the raw file and the record again, and fit again from the raw file.
 
     Parameters
@@ -122,7 +124,7 @@ def _raw_file(path: Path, sha256: str) -> RawFile:
     return RawFile.INTACT if file_sha256(path) == sha256 else RawFile.CHANGED
 
 
-def _altered(record: Record, store: Store) -> tuple[str, ...]:
+def _altered(record: Record, store: "Store") -> tuple[str, ...]:
     row, parameters = store.rows(record)
     columns = [f"column {name}" for name, value in record_row(record).items() if row[name] != value]
     return (

@@ -9,11 +9,11 @@ from typing import Any
 
 from sqlalchemy import Connection, Select, func, insert, inspect, select
 
+from calibrations.records import DATABASE
 from calibrations.records.canonical import canonical_sha256
 from calibrations.records.database import open_database, storage_errors, writing
 from calibrations.records.errors import RecordError
 from calibrations.records.schema import METADATA, STAND_RECORDS
-from calibrations.records.store import DATABASE
 from calibrations.records.times import utc_now
 from calibrations.stand_records.corrections import Corrections
 from calibrations.stand_records.record import (

@@ -1,7 +1,6 @@
 """Blocks of rows that share a value of a variable: what they differ by, and how well each is told by the others."""
 
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import Final
 
 import numpy as np
@@ -122,17 +121,31 @@ def press(directions_: FloatArray, output: FloatArray, block: IntArray) -> float
     shown = directions_.T @ output
     order = np.argsort(block, kind="stable")
     starts = np.flatnonzero(np.diff(block[order], prepend=-1))
+    lengths = np.diff(starts, append=len(order))
     if len(starts) == len(output):
         alone = 1.0 - np.sum(directions_**2, axis=1)
         told = alone > _RIDGE
         left = output - directions_ @ shown
         return float(np.sum(np.where(told, left / np.where(told, alone, 1.0), output) ** 2))
-    parts = (order[start:stop] for start, stop in pairwise([*starts.tolist(), len(output)]))
-    return sum(_block_error(directions_[rows], output[rows], shown) for rows in parts)
+    alike = (starts[lengths == length, None] + np.arange(length) for length in np.unique(lengths))
+    return sum(_blocks_error(directions_[order[rows]], output[order[rows]], shown) for rows in alike)
 
 
-def _block_error(q: FloatArray, y: FloatArray, shown: FloatArray) -> float:
-    """Sum of squares of the errors of one block; `shown` is what all rows show along the directions."""
-    others = (1.0 + _RIDGE) * np.eye(q.shape[1]) - q.T @ q
-    error = y - q @ np.linalg.solve(others, shown - q.T @ y)
-    return float(error @ error)
+def _blocks_error(q: FloatArray, y: FloatArray, shown: FloatArray) -> float:
+    """Sum of squares of the errors of n blocks of m rows: `q` has shape (n, m, directions), `y` shape (n, m).
+
+    `shown` is what all rows show along the directions. Whichever is smaller is solved for: as
+    Q (1 - Q'Q)⁻¹ = (1 - QQ')⁻¹ Q, the directions or the rows of a block.
+    """
+    turned = np.swapaxes(q, -1, -2)
+    others = shown[:, None] - turned @ y[..., None]
+    if y.shape[1] < len(shown):
+        predicted = np.linalg.solve(_rest(q @ turned), q @ others)
+    else:
+        predicted = q @ np.linalg.solve(_rest(turned @ q), others)
+    return float(np.sum((y - predicted[..., 0]) ** 2))
+
+
+def _rest(parts: FloatArray) -> FloatArray:
+    """What is left of one beside parts of it, matrices of shape (..., k, k); never quite nothing."""
+    return np.asarray((1.0 + _RIDGE) * np.eye(parts.shape[-1]) - parts)

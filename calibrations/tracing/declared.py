@@ -7,7 +7,7 @@ import numpy as np
 
 from calibrations.best_alpha0 import best_parameters
 from calibrations.compression import Compressed
-from calibrations.conditional import smallest_solution
+from calibrations.conditional import triangular_solution
 from calibrations.fit import fit_given_alpha0
 from calibrations.geometry import FloatArray
 from calibrations.model import BASIS_SIZE, PARAMETERS, coefficients, coefficients_jacobian
@@ -96,7 +96,7 @@ class Linear:
 
     def fitted(self, compressed: Compressed) -> FloatArray:
         """By linear least squares."""
-        return smallest_solution(compressed.r, compressed.z)
+        return triangular_solution(compressed.r, compressed.z)
 
     def near(self, compressed: Compressed) -> FloatArray:
         """As fitted: nothing is nonlinear."""

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from calibrations.effects.effect import Structure, Variable
 from calibrations.geometry import FloatArray
 from calibrations.tracing.blocks import WITHIN, Lack, held_out_gain, lack_of_fit, within
-from calibrations.tracing.seen import Seen, seen_by
+from calibrations.tracing.seen import Linearised, Seen
 from calibrations.tracing.table import Table
 from calibrations.tracing.trace import Found, Trace
 
@@ -94,20 +94,25 @@ def gathered(table: Table, trace: Trace) -> dict[str, Evidence]:
     of many.
     """
     names = dict.fromkeys(item.effect.name for item in trace.found if not item.effect.drawn)
-    every = (evidence(table, trace, name) for name in names)
+    linearised = Linearised(table, trace)
+    every = (_evidence(linearised, name) for name in names)
     return {each.name: each for each in every if each.variable == "angle" or not each.unnamed}
 
 
 def settings_differ(table: Table, trace: Trace) -> Lack:
     """By how much settings differ beyond the model and everything that was found."""
-    return lack_of_fit(seen_by(table, trace, ""), table.blocks("angle"))
+    return lack_of_fit(Linearised(table, trace).seen(""), table.blocks("angle"))
 
 
 def evidence(table: Table, trace: Trace, name: str) -> Evidence:
     """What speaks for the effect called `name`, one of those that a trace has as columns."""
-    items = [item for item in trace.found if item.effect.name == name]
-    seen = seen_by(table, trace, name)
-    variable, block = _blocks(table, items[0], seen)
+    return _evidence(Linearised(table, trace), name)
+
+
+def _evidence(linearised: Linearised, name: str) -> Evidence:
+    items = [item for item in linearised.trace.found if item.effect.name == name]
+    seen = linearised.seen(name)
+    variable, block = _blocks(linearised.table, items[0], seen)
     lack = lack_of_fit(seen, block)
     return Evidence(
         name=name,

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from calibrations.compression import Compressed
+from calibrations.compression import Compressed, triangular_factor
 from calibrations.geometry import FloatArray
 from calibrations.tracing.declared import Declared
 from calibrations.tracing.noise import Whitening
@@ -21,7 +21,15 @@ class Split:
 
     def pick(self, columns: list[int]) -> "Split":
         """Some of the columns."""
-        return Split(along=self.along[:, columns], beside=self.beside[:, columns])
+        return Split(along=self.along[:, columns], beside=self.beside.T.take(columns, axis=0).T)
+
+    def by_columns(self) -> "Split":
+        """The same, each column in one piece of memory, so that some of them are picked fast."""
+        return Split(along=self.along, beside=np.asfortranarray(self.beside))
+
+    def with_further(self, other: "Split") -> "Split":
+        """These columns, then those of another."""
+        return Split(along=np.hstack([self.along, other.along]), beside=np.hstack([self.beside, other.beside]))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -74,13 +82,13 @@ class Footing:
 
     def compressed(self, further: Split) -> Compressed:
         """The rows as only the declared model and further columns see them; those of the declared come first."""
-        q, r, z = self._beside(further)
-        size = self._size
-        whole = np.zeros((size + r.shape[0], size + r.shape[1]))
+        size, terms = self._size, further.along.shape[1]
+        triangular = triangular_factor(np.hstack([further.beside, self.output.beside]))
+        r, z, rest = triangular[:terms, :terms], triangular[:terms, terms], triangular[terms:, terms]
+        whole = np.zeros((size + r.shape[0], size + terms))
         whole[:size, :size] = self.r
         whole[:size, size:] = further.along
         whole[size:, size:] = r
-        rest = self.output.beside[:, 0] - q @ z
         return Compressed(
             r=whole,
             z=np.concatenate([self.output.along[:, 0], z]),
@@ -99,8 +107,3 @@ class Footing:
     def deviance(self, fit: Fitted) -> float:
         """-2 ln L of a fit, up to a constant of the table."""
         return self.rows * float(np.log(max(fit.squares, 1e-300) / self.rows)) + self._white.log_determinant
-
-    def _beside(self, further: Split) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Orthonormal directions of further columns, the columns along them, and the output along them."""
-        q, r = np.linalg.qr(further.beside)
-        return q, r, np.asarray(q.T @ self.output.beside[:, 0])

@@ -2,7 +2,8 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Generic, TypeVar
+from functools import cached_property
+from typing import Any, Generic, TypeVar
 
 import numpy as np
 
@@ -35,8 +36,11 @@ class Judged(Generic[_T]):
     """Of each effect of the trace that is no noise, by name."""
     withheld: tuple[Evidence, ...]
     """What would fit the rows, but does not stand: it is not stated."""
-    lack: Lack
-    """What settings differ by beyond everything that was found."""
+
+    @cached_property
+    def lack(self) -> Lack:
+        """What settings differ by beyond everything that was found."""
+        return settings_differ(self.tracer.ground, self.trace)
 
 
 def judged(table: _T) -> Judged[_T]:
@@ -49,55 +53,60 @@ def judged(table: _T) -> Judged[_T]:
     trace, near = with_best_names(tracer, tracer.trace())
     withheld: dict[str, Evidence] = {}
     for further in reversed(range(_ROUNDS)):
-        kept, fallen = _standing(table, trace)
+        kept, found, fallen = _standing(table, trace)
         if not fallen:
             break
         withheld |= {each.name: withheld.get(each.name, each) for each in fallen}
         trace, near = kept, {name: near[name] for name in kept.names if name in near}
         if further:
-            trace, near = _again(table, kept, frozenset(withheld))
-    found, lack = gathered(table, trace), settings_differ(table, trace)
-    if not withheld and trace.named and lack.alike < _CLEARLY_P:
-        near = _near_in_levels(table, trace)
-    return Judged(
-        tracer=Tracer(table, frozenset(withheld)) if withheld else tracer,
+            trace, near = _again(tracer, kept, frozenset(withheld))
+    judgement = Judged(
+        tracer=tracer.without(frozenset(withheld)),
         trace=trace,
         near=near,
         evidence=found,
         withheld=tuple(each for name, each in withheld.items() if name not in found),
-        lack=lack,
     )
+    if not withheld and trace.named and judgement.lack.alike < _CLEARLY_P:
+        return replace(judgement, near=_near_in_levels(tracer, trace))
+    return judgement
 
 
-def _standing(table: Table, trace: Trace) -> tuple[Trace, list[Evidence]]:
-    """A trace without the effects that do not stand, taken out one by one, the least likely first."""
-    fallen: list[Evidence] = []
-    while failing := [each for each in gathered(table, trace).values() if not each.stands]:
+def _standing(table: Table, trace: Trace) -> tuple[Trace, dict[str, Evidence], list[Evidence]]:
+    """A trace without the effects that do not stand, taken out one by one, the least likely first.
+
+    With what speaks for those that it has, and for those that fell.
+    """
+    found, fallen = gathered(table, trace), list[Evidence]()
+    while failing := [each for each in found.values() if not each.stands]:
         worst = max(failing, key=lambda each: (each.p_value / each.chance, each.inflation))
         fallen.append(worst)
         trace = refined(table, trace.without(worst.name))
-    return trace, fallen
+        found = gathered(table, trace)
+    return trace, found, fallen
 
 
-def _again(table: Table, kept: Trace, barred: frozenset[str]) -> tuple[Trace, dict[str, list[Rival]]]:
+def _again(whole: Tracer[Any], kept: Trace, barred: frozenset[str]) -> tuple[Trace, dict[str, list[Rival]]]:
     """Trace once more without some effects, in the noise by which settings differ if they do."""
+    table = whole.ground
     if not settings_differ(table, kept).alike < _DIFFER_P:
-        tracer = Tracer(table, barred)
+        tracer = whole.without(barred)
         return with_best_names(tracer, tracer.trace())
     rough = _with_levels(table)
-    tracer = Tracer(rough, barred, best_level(rough, kept.forms, WHITE, SETTINGS))
+    tracer = whole.among(rough, best_level(rough, kept.forms, WHITE, SETTINGS)).without(barred)
     trace = tracer.trace()
     noise = best_level(rough, trace.forms, trace.noise, SETTINGS)
     trace, near = with_best_names(tracer, replace(trace, noise=noise, deviance=rough.deviance(trace.forms, noise)))
     return _smooth(table, trace), _all_smooth(table, near)
 
 
-def _near_in_levels(table: Table, trace: Trace) -> dict[str, list[Rival]]:
+def _near_in_levels(whole: Tracer[Any], trace: Trace) -> dict[str, list[Rival]]:
     """Rivals of what was found, in the noise by which settings differ: repeats of a setting part no two shapes."""
+    table = whole.ground
     rough = _with_levels(table)
     noise = best_level(rough, trace.forms, trace.noise, SETTINGS)
     trace = replace(trace, noise=noise, deviance=rough.deviance(trace.forms, noise))
-    return _all_smooth(table, near_rivals(Tracer(rough), trace))
+    return _all_smooth(table, near_rivals(whole.among(rough, WHITE), trace))
 
 
 def _all_smooth(table: Table, near: Mapping[str, Sequence[Rival]]) -> dict[str, list[Rival]]:

@@ -104,6 +104,8 @@ class Memory:
         angles stay as they are, and whatever the noise, only the first rows change when it is made white.
         """
         directions, _ = self._factors
+        if not directions.shape[1]:
+            return columns
         along = directions.T @ columns
         return np.concatenate([along, columns - directions @ along])
 

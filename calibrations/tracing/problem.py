@@ -5,6 +5,7 @@ from copy import copy
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from calibrations.conditional import SINGULAR
 from calibrations.effects.effect import Structure
@@ -47,17 +48,20 @@ class Problem:
         length = np.linalg.norm(columns, axis=0)
         self._scale = np.where(length > 0, length, 1.0)
         self._footing = footing
-        self._split = footing.split(columns / self._scale)
+        self._split = footing.split(columns / self._scale).by_columns()
         along, beside = self._split.along, self._split.beside
         output = footing.output
         self._squares = np.sum(along**2, axis=0) + np.einsum("ij,ij->j", beside, beside)
         self._with_output = along.T @ output.along[:, 0] + beside.T @ output.beside[:, 0]
         self._rows = footing.rows
+        self._explained: dict[tuple[int, ...], Explanation] = {}
+        self._promised: dict[tuple[int, ...], FloatArray] = {}
         self.offered = tuple(offered)
         self.entries = np.array([candidate.entry for candidate in offered])
         self.entries_again = np.array([candidate.again for candidate in offered])
         self.forms = _places(offered)
         """Where the forms of each effect stand among the candidates."""
+        self._by_effect, self._is_form = _side_by_side(tuple(self.forms.values()))
         widths = np.array([candidate.columns.stop - candidate.columns.start for candidate in offered], dtype=int)
         starts = np.array([candidate.columns.start for candidate in offered], dtype=int)
         self._single, self._double, self._wide = (
@@ -85,8 +89,18 @@ class Problem:
 
     def explain(self, chosen: tuple[int, ...]) -> Explanation:
         """Fit the declared model with the chosen candidates."""
+        if chosen not in self._explained:
+            self._explained[chosen] = self._fitted(chosen)
+        return self._explained[chosen]
+
+    def _fitted(self, chosen: tuple[int, ...]) -> Explanation:
         fit = self._footing.fit(self._split.pick(self.columns_of(chosen)))
         return Explanation(chosen=chosen, fit=fit, deviance=self._footing.deviance(fit))
+
+    def best_forms(self, worth: FloatArray) -> list[int]:
+        """Number of the candidate of each effect that is worth most, by the worth of all candidates."""
+        forms = np.where(self._is_form, worth[self._by_effect], -np.inf)
+        return [int(number) for number in self._by_effect[:, 0] + forms.argmax(axis=1)] if len(worth) else []
 
     def parameters(self, explanation: Explanation) -> FloatArray:
         """Declared parameters and the coefficients of the chosen candidates, in their own units."""
@@ -104,6 +118,11 @@ class Problem:
 
     def gains(self, explanation: Explanation) -> FloatArray:
         """By how much each candidate would lower the deviance, linearised at the explanation; shape (candidates,)."""
+        if explanation.chosen not in self._promised:
+            self._promised[explanation.chosen] = self._gains(explanation)
+        return self._promised[explanation.chosen]
+
+    def _gains(self, explanation: Explanation) -> FloatArray:
         span, residual = self._linearised(explanation)
         falls = self._falls(span, self._with_output - span.T @ residual[0])
         falls[list(explanation.chosen)] = 0.0
@@ -171,6 +190,15 @@ def _places(offered: Sequence[Candidate]) -> dict[str, slice]:
         name = candidate.effect.name
         places[name] = slice(places[name].start if name in places else number, number + 1)
     return places
+
+
+def _side_by_side(places: Sequence[slice]) -> tuple[NDArray[np.int64], NDArray[np.bool_]]:
+    """Numbers of the forms of each effect, shape (effects, most forms), and which of them there are."""
+    starts = np.array([place.start for place in places], dtype=np.int64)
+    counts = np.array([place.stop - place.start for place in places], dtype=np.int64)
+    number = np.arange(counts.max(initial=1))
+    there = number < counts[:, None]
+    return np.where(there, starts[:, None] + number, starts[:, None]), there
 
 
 def _directions(columns: FloatArray) -> FloatArray:

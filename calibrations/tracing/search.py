@@ -90,8 +90,7 @@ def _promising(problem: Problem, explanation: Explanation, count: int) -> list[t
         forms = problem.forms[name]
         worth[forms] += problem.entries[forms] - problem.entries_again[forms] if times < 2 else -np.inf
     worth[list(explanation.chosen)] = -np.inf
-    best = [forms.start + int(np.argmax(worth[forms])) for forms in problem.forms.values()]
-    ranked = sorted(((float(worth[number]), number) for number in best), reverse=True)
+    ranked = sorted(((float(worth[number]), number) for number in problem.best_forms(worth)), reverse=True)
     return [(value, number) for value, number in ranked[:count] if value > -15.0]
 
 

@@ -1,6 +1,7 @@
 """A table as one effect is seen in it beside everything else, linearised at the fit."""
 
 from dataclasses import dataclass
+from itertools import compress
 from typing import Final
 
 import numpy as np
@@ -39,27 +40,42 @@ class Seen:
         return float(np.linalg.norm(centred * self.root)) / max(shown, 1e-300)
 
 
-def seen_by(table: Table, trace: Trace, name: str) -> Seen:
-    """The effect of that name; where there is none, only what everything that was found leaves."""
-    root, whiten = np.sqrt(table.weights), table.memory.whitening(trace.noise)
-    fit = table.fit(trace.forms, trace.noise)
-    declared, *sizes = _sizes(table, trace, fit.theta)
-    other = [table.declared @ table.model.slopes(fit.theta)]
-    own = [np.empty((table.rows, 0))]
-    stated, rest = np.zeros(table.rows), table.declared @ declared
-    for item, size in zip(trace.found, sizes, strict=True):
-        its, share = item.effect.name == name, item.form.columns @ size
-        (own if its else other).append(_with_tangent(table, item, size))
-        stated, rest = (stated + share, rest) if its else (stated, rest + share)
-    others = directions(whiten(np.column_stack(other) * root[:, None]))
-    return Seen(
-        others=others,
-        own=_directions_beside(others, whiten(np.column_stack(own) * root[:, None])),
-        left=beside(others, whiten((table.output - rest) * root)),
-        signal=whiten(stated * root),
-        stated=stated,
-        root=root,
-    )
+class Linearised:
+    """A table with everything that was found, linearised at the fit, weighted and whitened; effects are seen in it."""
+
+    def __init__(self, table: Table, trace: Trace) -> None:
+        self.table, self.trace = table, trace
+        self._root, self._white = np.sqrt(table.weights), table.memory.whitening(trace.noise)
+        fit = table.fit(trace.forms, trace.noise)
+        declared, *sizes = _sizes(table, trace, fit.theta)
+        self._model = self._whitened(table.declared @ table.model.slopes(fit.theta))
+        self._columns = [
+            self._whitened(_with_tangent(table, item, size)) for item, size in zip(trace.found, sizes, strict=True)
+        ]
+        self._shares = [item.form.columns @ size for item, size in zip(trace.found, sizes, strict=True)]
+        self._left = table.output - table.declared @ declared
+
+    def seen(self, name: str) -> Seen:
+        """The effect of that name; where there is none, only what everything that was found leaves."""
+        its = [item.effect.name == name for item in self.trace.found]
+        nothing = np.zeros(self.table.rows)
+        stated = sum(compress(self._shares, its), nothing)
+        rest = sum((share for share, own in zip(self._shares, its, strict=True) if not own), nothing)
+        others = directions(
+            np.column_stack([self._model, *(each for each, own in zip(self._columns, its, strict=True) if not own)])
+        )
+        own = np.column_stack([nothing[:, None][:, :0], *compress(self._columns, its)])
+        return Seen(
+            others=others,
+            own=_directions_beside(others, own),
+            left=beside(others, self._white((self._left - rest) * self._root)),
+            signal=self._white(stated * self._root),
+            stated=stated,
+            root=self._root,
+        )
+
+    def _whitened(self, columns: FloatArray) -> FloatArray:
+        return self._white(columns * self._root[:, None])
 
 
 def _sizes(table: Table, trace: Trace, theta: FloatArray) -> list[FloatArray]:

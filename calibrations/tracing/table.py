@@ -98,6 +98,17 @@ class Table:
         """-2 ln L of the declared model with these forms in this noise, up to a constant of the table."""
         return self.whole.footing(noise).deviance(self.fit(forms, noise))
 
+    def deviance_beside(self, forms: Sequence[Form], noise: NoiseModel) -> Callable[[Form], float]:
+        """The same as a function of one form more, where many are to be tried."""
+        footing = self.whole.footing(noise)
+        known = footing.split(self.whole.turned(self._columns(forms)))
+
+        def deviance(form: Form) -> float:
+            further = known.with_further(footing.split(self.whole.turned(form.columns)))
+            return footing.deviance(footing.fit(further))
+
+        return deviance
+
     def deviance_by_noise(self, forms: Sequence[Form]) -> Callable[[NoiseModel], float]:
         """The same as a function of the noise, where many are to be tried."""
         return self.whole.deviance_by_noise(self._columns(forms))

@@ -1,8 +1,9 @@
 """Traces what the declared model leaves to named effects, to noise that remembers, or to structure without a name."""
 
 from collections.abc import Sequence
+from copy import copy
 from dataclasses import dataclass, replace
-from typing import Any, Generic, TypeVar
+from typing import Any, Generic, Self, TypeVar
 
 from calibrations.effects.effect import Effect, Form, Structure
 from calibrations.tracing.candidates import Candidate, all_columns, candidates
@@ -98,12 +99,25 @@ class Tracer(Generic[_T]):
         self._turned = ground.whole.turned(self.columns)
         self._problems: dict[NoiseModel, Problem] = {}
 
+    def without(self, barred: frozenset[str]) -> Self:
+        """The same table with other effects that are not looked for."""
+        other = copy(self)
+        other.barred = barred
+        return other
+
+    def among(self, ground: _T, noise: NoiseModel) -> Self:
+        """The same rows and effects where more can be noise, searched in a noise first."""
+        other = copy(self)
+        other.ground, other._noise = ground, noise
+        other._turned, other._problems = ground.whole.turned(self.columns), {}
+        return other
+
     def problem(self, noise: NoiseModel) -> Problem:
         """The table in a kind of noise."""
         if noise not in self._problems:
             footing, most = self.ground.whole.footing(noise), self.ground.most_effects
-            self._problems[noise] = Problem(footing, self._turned, self.offered, most).without(self.barred)
-        return self._problems[noise]
+            self._problems[noise] = Problem(footing, self._turned, self.offered, most)
+        return self._problems[noise].without(self.barred)
 
     def trace(self) -> Trace:
         """Find the effects of the table.
@@ -227,8 +241,10 @@ def refined_one(ground: Table, item: Found, others: Sequence[Form], noise: Noise
         return item
     (value,) = item.form.scanned.values()
 
+    beside = ground.deviance_beside(others, noise)
+
     def deviance(trial: float) -> float:
-        return ground.deviance([*others, at(ground.scene, trial)], noise)
+        return beside(at(ground.scene, trial))
 
     low, high = sorted((value / _RATIO, value * _RATIO))
     better = golden_section(deviance, low, high, steps=14)
