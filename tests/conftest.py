@@ -1,7 +1,10 @@
 """What several tests share."""
 
+import gc
 import signal
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Final
 
 import pytest
 from hypothesis import settings
@@ -14,6 +17,59 @@ if hasattr(signal, "SIGHUP"):
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
 settings.register_profile("any machine", deadline=None)  # a busy machine is no failure
 settings.load_profile("any machine")
+
+
+UNTRACED: Final = frozenset(
+    {
+        "app/test_active_loop.py",
+        "app/test_other_tables.py",
+        "app/test_resume_command.py",
+        "app/test_stand_command.py",
+        "benchmarks/test_endurance_kills.py",
+        "benchmarks/test_endurance_meters.py",
+        "benchmarks/test_endurance_pairs.py",
+        "benchmarks/test_loop_running.py",
+        "benchmarks/test_window_streaming.py",
+        "calibrations/test_report_loop.py",
+        "calibrations/test_stand_evidence.py",
+        "calibrations/test_temperature_loop.py",
+        "calibrations/test_tracing_evidence.py",
+        "calibrations/test_tracing_noise.py",
+        "calibrations/test_verdict.py",
+        "drivers/test_scpi_plain.py",
+        "frozen/test_frozen_runs.py",
+        "measured/test_frozen_tables.py",
+        "procedures/test_recording_durability.py",
+        "window/test_further_experiment.py",
+        "window/test_pause_and_stop.py",
+        "window/test_stop_everywhere.py",
+        "window/test_whole_run.py",
+    }
+)
+"""Files of long tests that count nothing towards coverage: tracing every line takes as long as the tests themselves.
+
+What is covered is covered by others, too.
+"""
+
+
+@pytest.fixture(scope="module", autouse=True)
+def traced(request: pytest.FixtureRequest) -> Iterator[None]:
+    """Measure coverage, but not in `UNTRACED`."""
+    plugin = request.config.pluginmanager.getplugin("_cov")
+    controller = getattr(plugin, "cov_controller", None)
+    if controller is None or str(request.path.relative_to(Path(__file__).parent).as_posix()) not in UNTRACED:
+        yield
+        return
+    controller.pause()
+    yield
+    controller.resume()
+
+
+def pytest_collection_finish() -> None:
+    """Keep what thousands of collected tests hold out of the search for garbage: a seventh of the processor time."""
+    gc.collect()
+    gc.freeze()
+    gc.set_threshold(20_000, 20, 20)
 
 
 @pytest.fixture(scope="session")
