@@ -10,8 +10,8 @@ from pathlib import Path
 from types import ModuleType
 from typing import Final
 
-from drivers.errors import is_of_the_user
-from drivers.text import reason_of
+from tumble.drivers.errors import is_of_the_user
+from tumble.drivers.text import reason_of
 
 _REMOTE: Final = re.compile(r"[\\/]{2}|[A-Za-z][A-Za-z0-9+.-]+:[\\/]{1,2}")
 

@@ -2,6 +2,8 @@
 
 import gc
 import signal
+import sys
+import threading
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
@@ -9,7 +11,7 @@ from typing import Final
 import pytest
 from hypothesis import settings
 
-from app.cli import limit_blas_threads
+from tumble.app.cli import limit_blas_threads
 
 limit_blas_threads()  # as the program does, before numpy is loaded
 signal.signal(signal.SIGINT, signal.default_int_handler)  # programs that tests start hear it, in the background too
@@ -53,16 +55,17 @@ What is covered is covered by others, too.
 
 
 @pytest.fixture(scope="module", autouse=True)
-def traced(request: pytest.FixtureRequest) -> Iterator[None]:
-    """Measure coverage, but not in `UNTRACED`."""
-    plugin = request.config.pluginmanager.getplugin("_cov")
-    controller = getattr(plugin, "cov_controller", None)
-    if controller is None or str(request.path.relative_to(Path(__file__).parent).as_posix()) not in UNTRACED:
+def untraced(request: pytest.FixtureRequest) -> Iterator[None]:
+    """Trace nothing in `UNTRACED`."""
+    if request.path.relative_to(Path(__file__).parent).as_posix() not in UNTRACED:
         yield
         return
-    controller.pause()
+    here, in_threads = sys.gettrace(), threading.gettrace()
+    sys.settrace(None)
+    threading.settrace(None)
     yield
-    controller.resume()
+    threading.settrace(in_threads)
+    sys.settrace(here)
 
 
 def pytest_collection_finish() -> None:

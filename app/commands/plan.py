@@ -6,13 +6,13 @@ from typing import Any
 
 import click
 
-from app.commands import options
-from app.running import Outline
-from app.stand import read_stand
-from app.terminal import say
-from procedures.plan import Plan, PlannedStep
-from procedures.programme import load_programme
-from procedures.steps import Mounting
+from tumble.app.commands import options
+from tumble.app.running import Outline
+from tumble.app.stand import read_stand
+from tumble.app.terminal import say
+from tumble.procedures.plan import Plan, PlannedStep
+from tumble.procedures.programme import load_programme
+from tumble.procedures.steps import Mounting
 
 
 @click.command("plan")

@@ -3,12 +3,12 @@
 import pytest
 from app_jobs import STAND, tumble
 
-from app.stand import RecordedStand, load_stand
-from procedures.errors import InputError
+from tumble.app.stand import RecordedStand, load_stand
+from tumble.procedures.errors import InputError
 
 OWN = """
-from drivers.driver import Driver
-from drivers.tables import HeadTable
+from tumble.drivers.driver import Driver
+from tumble.drivers.tables import HeadTable
 
 class Keys(HeadTable):
     gear: int = 1
