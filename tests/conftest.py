@@ -75,6 +75,13 @@ def pytest_collection_finish() -> None:
     gc.set_threshold(20_000, 20, 20)
 
 
+@pytest.fixture(scope="session", autouse=True)
+def one_namespace():
+    """Everything is imported as `tumble.*`: under two names there would be two of every class."""
+    yield
+    assert not {"app", "calibrations", "drivers", "emulators", "procedures", "window"} & sys.modules.keys()
+
+
 @pytest.fixture(scope="session")
 def shared() -> Path:
     """Folder with measured and blind-made tables beside the checkout; where it is absent, tests of them say so."""

@@ -99,4 +99,4 @@ def test_it_serves_an_emulated_stand_until_it_is_told_to_end(installed):
 
 def test_it_reads_the_dbc_file_and_the_programmes_that_come_along(installed):
     assert "seed" in installed.run("tumble", "plan", "seed")
-    installed.run("python", "-c", "from tumble.drivers.candaq import DaqFrames; DaqFrames.shipped()")
+    installed.run("python", "-c", "from tumble.drivers.candaq import DaqFrames; DaqFrames.from_file()")
