@@ -18,7 +18,7 @@ _COMMANDS = {
     "run": "Run a programme and leave a recording.",
     "resume": "Go on with a run that was cut off, and with what was to follow it.",
     "emulate": "Serve a simulated stand through the protocols of real instruments.",
-    "plan": "Print the steps of a programme and how long they take; nothing moves.",
+    "plan": "Print what a programme measures and how long it takes; nothing moves.",
     "fit": "Fit a recording or an observation table.",
     "close-loop": "Trace what the declared model leaves of a recording or a table to its causes.",
     "report": "Write the report of a recording, a table or a stored record.",

@@ -58,7 +58,7 @@ def test_standard_output_on_a_full_disk_is_a_matter_of_storage(monkeypatch):
     def full(_planned):
         raise OSError(errno.ENOSPC, "No space left on device")
 
-    monkeypatch.setattr("tumble.app.commands.plan._lines", full)
+    monkeypatch.setattr("tumble.app.commands.plan._summary", full)
 
     assert tumble("plan", "quick").status == 5
 

@@ -26,7 +26,7 @@ def raising(number=signal.SIGTERM):
 @pytest.mark.parametrize("number", SIGNALS)
 def test_every_signal_ends_a_command(monkeypatch, number):
     before = signal.getsignal(number)
-    monkeypatch.setattr("tumble.app.commands.plan._lines", raising(number))
+    monkeypatch.setattr("tumble.app.commands.plan._summary", raising(number))
     ran = tumble("plan", "quick")
 
     assert ran.status == 4
