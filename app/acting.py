@@ -4,15 +4,15 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from app.available import programme_of
-from app.exits import Exit, JobError
-from app.running import Job, failure, recording_path, run
-from app.stand import LoadedStand
-from app.wiring import Connected
-from calibrations.tracing.probes import Probe
-from procedures.announcer import Listener
-from procedures.events import Event, MountAnswered
-from procedures.programme import Programme
+from tumble.app.available import programme_of
+from tumble.app.exits import Exit, JobError
+from tumble.app.running import Job, failure, recording_path, run
+from tumble.app.stand import LoadedStand
+from tumble.app.wiring import Connected
+from tumble.calibrations.tracing.probes import Probe
+from tumble.procedures.announcer import Listener
+from tumble.procedures.events import Event, MountAnswered
+from tumble.procedures.programme import Programme
 
 _POLL_S = 0.5
 _NO_TIME_S = 1e-6

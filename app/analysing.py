@@ -5,18 +5,18 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from app.measurements import Measurement, check_limits, provenance
-from calibrations.analysis import analyse
-from calibrations.judging import judge
-from calibrations.montecarlo import TRIALS
-from calibrations.provenance import LimitCheck, Provenance
-from calibrations.result import Calibration
-from calibrations.tracing.document import document, result_document
-from calibrations.tracing.loop import Explained, Loop, asked_next, explain
-from calibrations.tracing.questions import questioned
-from calibrations.usable import Usable, usable
-from calibrations.verdict import Verdict
-from procedures.errors import InputError
+from tumble.app.measurements import Measurement, check_limits, provenance
+from tumble.calibrations.analysis import analyse
+from tumble.calibrations.judging import judge
+from tumble.calibrations.montecarlo import TRIALS
+from tumble.calibrations.provenance import LimitCheck, Provenance
+from tumble.calibrations.result import Calibration
+from tumble.calibrations.tracing.document import document, result_document
+from tumble.calibrations.tracing.loop import Explained, Loop, asked_next, explain
+from tumble.calibrations.tracing.questions import questioned
+from tumble.calibrations.usable import Usable, usable
+from tumble.calibrations.verdict import Verdict
+from tumble.procedures.errors import InputError
 
 
 @dataclass(frozen=True, kw_only=True)

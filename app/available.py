@@ -4,13 +4,13 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 
-from app.running import Job
-from app.stand import LoadedStand
-from calibrations.observations import Observations
-from calibrations.tracing.probes import PROBES, STEP_DEG, Probe
-from procedures.errors import ProgrammeError
-from procedures.programme import Programme, load_programme, programme_from_text
-from procedures.sweep import Sweep
+from tumble.app.running import Job
+from tumble.app.stand import LoadedStand
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.tracing.probes import PROBES, STEP_DEG, Probe
+from tumble.procedures.errors import ProgrammeError
+from tumble.procedures.programme import Programme, load_programme, programme_from_text
+from tumble.procedures.sweep import Sweep
 
 NO_THERMOMETER = "the stand has no thermometer"
 NOBODY_WARMS = "nobody is at the stand who could warm the unit"

@@ -5,26 +5,26 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from app.analysing import Traced, fit, trace
-from app.exits import Exit, JobError
-from app.files import write_text
-from app.learning import Learned, contradictions_of, learn
-from app.measurements import read_measurement
-from app.running import Job, failure, recording_path, run
-from app.stand_records import with_stand_record
-from app.wiring import Connected
-from calibrations.records.errors import StoreError
-from calibrations.records.record import Record
-from calibrations.tracing.chain import Chain
-from procedures.announcer import Listener
+from tumble.app.analysing import Traced, fit, trace
+from tumble.app.exits import Exit, JobError
+from tumble.app.files import write_text
+from tumble.app.learning import Learned, contradictions_of, learn
+from tumble.app.measurements import read_measurement
+from tumble.app.running import Job, failure, recording_path, run
+from tumble.app.stand_records import with_stand_record
+from tumble.app.wiring import Connected
+from tumble.calibrations.records.errors import StoreError
+from tumble.calibrations.records.record import Record
+from tumble.calibrations.tracing.chain import Chain
+from tumble.procedures.announcer import Listener
 
 if TYPE_CHECKING:
-    from calibrations.records.store import Store
+    from tumble.calibrations.records.store import Store
 
 
 def store(traced: Traced, folder: Path) -> Record:
     """Store a calibration; a raw file that was calibrated before gets a further revision. Raises `JobError`."""
-    from calibrations.records.store import Store  # takes half a second, for those that keep records
+    from tumble.calibrations.records.store import Store  # takes half a second, for those that keep records
 
     try:
         records = Store(folder)
@@ -44,7 +44,7 @@ def store(traced: Traced, folder: Path) -> Record:
 
 def make_ready(folder: Path) -> None:
     """Find out before anything is measured whether the store will take the result. Raises `JobError`."""
-    from calibrations.records.store import Store
+    from tumble.calibrations.records.store import Store
 
     try:
         Store(folder)
@@ -77,7 +77,7 @@ def write_report(
     traced: Traced, path: Path, record_id: str = "", revision: int = 1, chain: Chain | None = None
 ) -> None:
     """Write the HTML report, with the experiments that closed the loop where there were any. Raises `JobError`."""
-    from calibrations.report import render_report  # matplotlib takes half a second
+    from tumble.calibrations.report import render_report  # matplotlib takes half a second
 
     page = render_report(
         traced.calibration,

@@ -8,9 +8,9 @@ from importlib import import_module
 
 import click
 
-from app.signals import interrupting
-from app.terminal import LONGEST_COMPLAINT, flush, lead_nowhere, prepare_streams, say
-from drivers.errors import Interrupted
+from tumble.app.signals import interrupting
+from tumble.app.terminal import LONGEST_COMPLAINT, flush, lead_nowhere, prepare_streams, say
+from tumble.drivers.errors import Interrupted
 
 _COMMANDS = {
     "calibrate": "Run a programme, fit, close the loop, store and report: the whole job.",
@@ -18,7 +18,7 @@ _COMMANDS = {
     "run": "Run a programme and leave a recording.",
     "resume": "Go on with a run that was cut off, and with what was to follow it.",
     "emulate": "Serve a simulated stand through the protocols of real instruments.",
-    "plan": "Print the steps of a programme and how long they take; nothing moves.",
+    "plan": "Print what a programme measures and how long it takes; nothing moves.",
     "fit": "Fit a recording or an observation table.",
     "close-loop": "Trace what the declared model leaves of a recording or a table to its causes.",
     "report": "Write the report of a recording, a table or a stored record.",
@@ -26,8 +26,11 @@ _COMMANDS = {
     "stand": "List, show, learn and verify what is known of stands.",
     "export": "Write the observation table of a recording.",
 }
-"""Name of every command with the sentence that `--help` says of it; each is `app.commands.NAME:command` (_ for -)."""
-_ABOVE = {"gui": "window.command"}
+"""Name of every command with the sentence that `--help` says of it.
+
+Each is `tumble.app.commands.NAME:command`, with `_` for `-`.
+"""
+_ABOVE = {"gui": "tumble.window.command"}
 """A command that lives above the application: it is known by name only."""
 
 
@@ -38,7 +41,7 @@ class _Commands(click.Group):
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:  # noqa: ARG002
         if cmd_name not in _COMMANDS:
             return None
-        place = _ABOVE.get(cmd_name, f"app.commands.{cmd_name.replace('-', '_')}")
+        place = _ABOVE.get(cmd_name, f"tumble.app.commands.{cmd_name.replace('-', '_')}")
         command: click.Command = import_module(place).command
         return command
 
@@ -80,7 +83,7 @@ def main() -> None:
 def limit_blas_threads() -> None:
     """Have this process and its workers run their BLAS in one thread, unless the user says otherwise.
 
-    Called before numpy is imported; why: `calibrations.blas_threads`.
+    Called before numpy is imported; why: `tumble.calibrations.blas_threads`.
     """
     for name in ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "OMP_NUM_THREADS"):
         os.environ.setdefault(name, "1")
@@ -119,7 +122,7 @@ def _wrong_usage(error: click.ClickException) -> int:
 
 def _failed(error: Exception) -> int:
     """Say what happened; return the exit status."""
-    from app.exits import Exit, sentence_of, status_of  # only when something went wrong
+    from tumble.app.exits import Exit, sentence_of, status_of  # only when something went wrong
 
     if isinstance(error, OSError) and error.filename is None:  # of a stream, which would fail again at the end
         lead_nowhere(sys.stdout)

@@ -1,6 +1,7 @@
 """The loop acts: it runs the experiment that tells most for its time, fits everything together, and asks again.
 
-`begin` and `follow` say what is known by now, and what to run next; `app.acting` runs it. `act` is the whole loop.
+`begin` and `follow` say what is known by now, and what to run next; `tumble.app.acting` runs it.
+`act` is the whole loop.
 """
 
 from collections.abc import Callable, Sequence
@@ -8,19 +9,19 @@ from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from app.acting import AtStand, DeclinedError, prepare, run_experiment
-from app.analysing import Traced, fit, traced_with
-from app.available import Available, available, programme_of, warms
-from app.joining import read_together
-from app.measurements import Measurement, read_measurement
-from app.running import Job
-from app.stand_records import with_stand_record
-from calibrations.support import series
-from calibrations.tracing.chain import FUTILE, Chain, Ended, Link, cannot, cheapest, experiments_for, stage_of
-from calibrations.tracing.experiments import Experiment
-from calibrations.tracing.loop import Explained, explain
-from procedures.announcer import Listener
-from procedures.errors import InputError
+from tumble.app.acting import AtStand, DeclinedError, prepare, run_experiment
+from tumble.app.analysing import Traced, fit, traced_with
+from tumble.app.available import Available, available, programme_of, warms
+from tumble.app.joining import read_together
+from tumble.app.measurements import Measurement, read_measurement
+from tumble.app.running import Job
+from tumble.app.stand_records import with_stand_record
+from tumble.calibrations.support import series
+from tumble.calibrations.tracing.chain import FUTILE, Chain, Ended, Link, cannot, cheapest, experiments_for, stage_of
+from tumble.calibrations.tracing.experiments import Experiment
+from tumble.calibrations.tracing.loop import Explained, explain
+from tumble.procedures.announcer import Listener
+from tumble.procedures.errors import InputError
 
 MOST_EXPERIMENTS = 6
 

@@ -10,18 +10,24 @@ from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn
 from rich.table import Table
 from rich.text import Text
 
-from app.analysing import Analysed
-from app.terminal import LONGEST_LINE, lead_nowhere
-from calibrations.observations import Observations
-from calibrations.quantities import format_concise, format_freedom, format_interval, format_number, format_probability
-from calibrations.result import Calibration, Parameter
-from calibrations.support import series, support
-from calibrations.usable import Model
-from calibrations.verdict import Outcome, Verdict
-from drivers.clock import Clock
-from drivers.text import visible
-from procedures.announcer import Listener
-from procedures.events import (
+from tumble.app.analysing import Analysed
+from tumble.app.terminal import LONGEST_LINE, lead_nowhere
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.quantities import (
+    format_concise,
+    format_freedom,
+    format_interval,
+    format_number,
+    format_probability,
+)
+from tumble.calibrations.result import Calibration, Parameter
+from tumble.calibrations.support import series, support
+from tumble.calibrations.usable import Model
+from tumble.calibrations.verdict import Outcome, Verdict
+from tumble.drivers.clock import Clock
+from tumble.drivers.text import visible
+from tumble.procedures.announcer import Listener
+from tumble.procedures.events import (
     Event,
     MountAnswered,
     MountRequested,
@@ -30,8 +36,8 @@ from procedures.events import (
     ReadingRequested,
     WarningRaised,
 )
-from procedures.plan import Plan
-from procedures.progress import Progress as RunProgress
+from tumble.procedures.plan import Plan
+from tumble.procedures.progress import Progress as RunProgress
 
 _LISTED = 20
 """Rows set aside that are listed on the terminal."""

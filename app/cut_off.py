@@ -5,11 +5,11 @@ from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 
-from app.files import RECORDING_SUFFIX
-from app.recall import open_store
-from app.resuming import find, is_set_aside
-from calibrations.records.errors import StoreError
-from procedures.errors import InputError
+from tumble.app.files import RECORDING_SUFFIX
+from tumble.app.recall import open_store
+from tumble.app.resuming import find, is_set_aside
+from tumble.calibrations.records.errors import StoreError
+from tumble.procedures.errors import InputError
 
 
 @dataclass(frozen=True, kw_only=True)

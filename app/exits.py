@@ -3,10 +3,10 @@
 import errno
 from enum import IntEnum
 
-from calibrations.records.errors import RecordError, StoreError
-from drivers.errors import DeviceError
-from procedures.errors import InputError, StorageError
-from procedures.events import FinishReason
+from tumble.calibrations.records.errors import RecordError, StoreError
+from tumble.drivers.errors import DeviceError
+from tumble.procedures.errors import InputError, StorageError
+from tumble.procedures.events import FinishReason
 
 
 class Exit(IntEnum):

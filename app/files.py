@@ -12,10 +12,10 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from app.exits import Exit, JobError, status_of
-from app.kinds import BEGINNING_BYTES, Kind, kind_of
-from procedures.errors import InputError
-from procedures.recording.file import synchronise_folder
+from tumble.app.exits import Exit, JobError, status_of
+from tumble.app.kinds import BEGINNING_BYTES, Kind, kind_of
+from tumble.procedures.errors import InputError
+from tumble.procedures.recording.file import synchronise_folder
 
 RECORDING_SUFFIX = ".mcap"
 _STORE_SUFFIX = ".sqlite"

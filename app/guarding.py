@@ -6,10 +6,10 @@ from contextlib import contextmanager
 from functools import wraps
 from typing import Any, Final, TypeVar
 
-from drivers.errors import DeviceError, is_of_the_user
-from drivers.own_file import is_own_file
-from drivers.text import reason_of
-from procedures.errors import InputError, ProcedureError, StopRequestedError, StorageError, UnansweredError
+from tumble.drivers.errors import DeviceError, is_of_the_user
+from tumble.drivers.own_file import is_own_file
+from tumble.drivers.text import reason_of
+from tumble.procedures.errors import InputError, ProcedureError, StopRequestedError, StorageError, UnansweredError
 
 Made = TypeVar("Made")
 

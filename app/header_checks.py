@@ -4,9 +4,9 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from app.stand import load_stand
-from procedures.errors import InputError
-from procedures.recording.header import Header
+from tumble.app.stand import load_stand
+from tumble.procedures.errors import InputError
+from tumble.procedures.recording.header import Header
 
 
 def check_header(path: Path, header: Header, stand: Mapping[str, Any] | None = None) -> None:

@@ -5,11 +5,11 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from app.measurements import Measurement, read_measurement
-from calibrations.joining import joined
-from calibrations.observations import Observations
-from calibrations.tracing.questions import questioned
-from procedures.errors import InputError
+from tumble.app.measurements import Measurement, read_measurement
+from tumble.calibrations.joining import joined
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.tracing.questions import questioned
+from tumble.procedures.errors import InputError
 
 
 def read_together(paths: Sequence[Path], stand: Mapping[str, Any] | None = None) -> Measurement:

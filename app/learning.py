@@ -5,21 +5,21 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from app.analysing import Traced
-from app.identity import program_identity
-from app.rederiving import Source, run_of, source_again, source_of
-from app.stand_records import identity_of
-from calibrations.blas_threads import one_blas_thread
-from calibrations.stand_records.agreement import AGREE_P, Agreement, agreement, updated
-from calibrations.stand_records.applying import contradictions
-from calibrations.stand_records.corrections import Corrections, chi_square_p
-from calibrations.stand_records.evidence import doubts
-from calibrations.stand_records.record import Contribution, StandIdentity, StandRecord, Status, validity_of
-from calibrations.stand_records.terms import Term
-from calibrations.support import equals, series
+from tumble.app.analysing import Traced
+from tumble.app.identity import program_identity
+from tumble.app.rederiving import Source, run_of, source_again, source_of
+from tumble.app.stand_records import identity_of
+from tumble.calibrations.blas_threads import one_blas_thread
+from tumble.calibrations.stand_records.agreement import AGREE_P, Agreement, agreement, updated
+from tumble.calibrations.stand_records.applying import contradictions
+from tumble.calibrations.stand_records.corrections import Corrections, chi_square_p
+from tumble.calibrations.stand_records.evidence import doubts
+from tumble.calibrations.stand_records.record import Contribution, StandIdentity, StandRecord, Status, validity_of
+from tumble.calibrations.stand_records.terms import Term
+from tumble.calibrations.support import equals, series
 
 if TYPE_CHECKING:
-    from calibrations.stand_records.store import StandRecords
+    from tumble.calibrations.stand_records.store import StandRecords
 
 _MOST_TRIED = 3
 """Of the units that said something provisional, so many are asked again, the last ones first."""
@@ -56,7 +56,7 @@ def learn(traced: Traced, folder: Path) -> Learned:
     if source.run.objections:
         reason = f"nothing is learned of stand {identity.stand} from this run: {series(source.run.objections)}"
         return Learned(sentences=(*said, reason) if source.run.terms else said)
-    from calibrations.stand_records.store import StandRecords
+    from tumble.calibrations.stand_records.store import StandRecords
 
     learned = _Stand(StandRecords(folder), identity).hear(source)
     return replace(learned, sentences=(*said, *learned.sentences))

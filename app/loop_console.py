@@ -5,13 +5,13 @@ from collections.abc import Iterable, Sequence
 from rich.console import Console
 from rich.table import Table
 
-from app.closing import Closing
-from app.console import messages, results
-from calibrations.support import series
-from calibrations.tracing.findings import EffectFound
-from calibrations.tracing.loop import Loop
-from calibrations.tracing.misreading import Misreading
-from calibrations.tracing.words import Comparison, comparisons, findings, headline, leaning, untold
+from tumble.app.closing import Closing
+from tumble.app.console import messages, results
+from tumble.calibrations.support import series
+from tumble.calibrations.tracing.findings import EffectFound
+from tumble.calibrations.tracing.loop import Loop
+from tumble.calibrations.tracing.misreading import Misreading
+from tumble.calibrations.tracing.words import Comparison, comparisons, findings, headline, leaning, untold
 
 
 def show_loop(loop: Loop, console: Console | None = None) -> None:

@@ -8,23 +8,23 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from app.files import is_recording
-from app.header_checks import check_header
-from app.identity import program_identity
-from app.stand import RecordedStand, Site
-from calibrations.budget import StandUncertainty
-from calibrations.judging import inside
-from calibrations.observations import Observations
-from calibrations.provenance import LimitCheck, Provenance
-from calibrations.records.raw import file_sha256, stored_path
-from calibrations.result import Parameter
-from calibrations.stand_records.record import StandRecord
-from calibrations.table import TableError, read_table
-from procedures.errors import InputError
-from procedures.events import Identified
-from procedures.programme import Programme, programme_from_text
-from procedures.recording.errors import RecordingError
-from procedures.recording.header import Header
+from tumble.app.files import is_recording
+from tumble.app.header_checks import check_header
+from tumble.app.identity import program_identity
+from tumble.app.stand import RecordedStand, Site
+from tumble.calibrations.budget import StandUncertainty
+from tumble.calibrations.judging import inside
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.provenance import LimitCheck, Provenance
+from tumble.calibrations.records.raw import file_sha256, stored_path
+from tumble.calibrations.result import Parameter
+from tumble.calibrations.stand_records.record import StandRecord
+from tumble.calibrations.table import TableError, read_table
+from tumble.procedures.errors import InputError
+from tumble.procedures.events import Identified
+from tumble.procedures.programme import Programme, programme_from_text
+from tumble.procedures.recording.errors import RecordingError
+from tumble.procedures.recording.header import Header
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -112,8 +112,8 @@ def read_measurement(path: Path, stand: Mapping[str, Any] | None = None) -> Meas
 
 
 def _read_recording(path: Path, stand: Mapping[str, Any] | None) -> Measurement:
-    from procedures.recording.observations import observations  # MCAP only where there is a recording
-    from procedures.recording.reader import read_recording
+    from tumble.procedures.recording.observations import observations  # MCAP only where there is a recording
+    from tumble.procedures.recording.reader import read_recording
 
     try:
         recording = read_recording(path)

@@ -5,13 +5,13 @@ from pathlib import Path
 
 from rich.table import Table
 
-from app.console import results, warn
-from app.loop_console import findings_table
-from calibrations.observations import SetAside
-from calibrations.quantities import format_concise, format_number
-from calibrations.reference.changes import Comparison
-from calibrations.reference.loop import ReferenceLoop
-from calibrations.reference.sentences import (
+from tumble.app.console import results, warn
+from tumble.app.loop_console import findings_table
+from tumble.calibrations.observations import SetAside
+from tumble.calibrations.quantities import format_concise, format_number
+from tumble.calibrations.reference.changes import Comparison
+from tumble.calibrations.reference.loop import ReferenceLoop
+from tumble.calibrations.reference.sentences import (
     CHANGES_HEADINGS,
     PARTS_HEADINGS,
     SETTINGS_HEADINGS,
@@ -22,11 +22,11 @@ from calibrations.reference.sentences import (
     sentences,
     setting_rows,
 )
-from calibrations.support import series
-from calibrations.temperature.loop import ParameterLoop, TemperatureLoop
-from calibrations.temperature.shared import shared_sentence
-from calibrations.tracing.linear_loop import Model, Stated
-from calibrations.tracing.words import unexplained_sentence
+from tumble.calibrations.support import series
+from tumble.calibrations.temperature.loop import ParameterLoop, TemperatureLoop
+from tumble.calibrations.temperature.shared import shared_sentence
+from tumble.calibrations.tracing.linear_loop import Model, Stated
+from tumble.calibrations.tracing.words import unexplained_sentence
 
 _SETTINGS = 40
 """Of more angles than this those are shown that differ most."""

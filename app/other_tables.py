@@ -4,19 +4,19 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from app.files import is_recording, write_text
-from app.other_console import show_comparison, show_head, show_temperature
-from calibrations.bounded import check_bounded
-from calibrations.known_tables import Kind, kind_of
-from calibrations.reference.changes import compare
-from calibrations.reference.comparison_document import comparison_json
-from calibrations.reference.document import document as head_document
-from calibrations.reference.loop import close_reference_loop
-from calibrations.table import TableError, read_table
-from calibrations.temperature.document import document as temperature_document
-from calibrations.temperature.loop import close_temperature_loop
-from calibrations.temperature.table import read_runs
-from procedures.errors import InputError
+from tumble.app.files import is_recording, write_text
+from tumble.app.other_console import show_comparison, show_head, show_temperature
+from tumble.calibrations.bounded import check_bounded
+from tumble.calibrations.known_tables import Kind, kind_of
+from tumble.calibrations.reference.changes import compare
+from tumble.calibrations.reference.comparison_document import comparison_json
+from tumble.calibrations.reference.document import document as head_document
+from tumble.calibrations.reference.loop import close_reference_loop
+from tumble.calibrations.table import TableError, read_table
+from tumble.calibrations.temperature.document import document as temperature_document
+from tumble.calibrations.temperature.loop import close_temperature_loop
+from tumble.calibrations.temperature.table import read_runs
+from tumble.procedures.errors import InputError
 
 _MOST_COMPARED = 2
 
@@ -60,7 +60,7 @@ def _temperature(paths: Sequence[Path], show: bool, page: Path | None) -> dict[s
     if show:
         show_temperature(loop)
     if page is not None:
-        from calibrations.report.temperature_page import render_temperature  # matplotlib takes half a second
+        from tumble.calibrations.report.temperature_page import render_temperature  # matplotlib takes half a second
 
         write_text(page, render_temperature(paths[0].name, loop))
     return temperature_document(loop)
@@ -76,7 +76,7 @@ def _head(paths: Sequence[Path], show: bool, page: Path | None) -> dict[str, Any
             show_head(path.name, loop)
     comparison = compare(*loops) if len(loops) > 1 else None
     if page is not None:
-        from calibrations.report.head_page import render_head  # matplotlib takes half a second
+        from tumble.calibrations.report.head_page import render_head  # matplotlib takes half a second
 
         against = None if comparison is None else (paths[0].name, comparison)
         write_text(page, render_head(paths[-1].name, loops[-1], against))

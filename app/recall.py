@@ -4,27 +4,27 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from app.analysing import fit, trace
-from app.calibrating import report_path, standing_record, write_report
-from app.files import is_recording
-from app.identity import program_identity
-from app.measurements import Measurement, read_measurement
-from app.stand_records import corrected_by
-from calibrations.records import DATABASE
-from calibrations.records.errors import RecordError, StoreError
-from calibrations.records.raw import file_sha256
-from calibrations.records.record import Record
-from calibrations.records.verify import Verification, verify
-from procedures.errors import InputError
-from procedures.recording.errors import RecordingError
+from tumble.app.analysing import fit, trace
+from tumble.app.calibrating import report_path, standing_record, write_report
+from tumble.app.files import is_recording
+from tumble.app.identity import program_identity
+from tumble.app.measurements import Measurement, read_measurement
+from tumble.app.stand_records import corrected_by
+from tumble.calibrations.records import DATABASE
+from tumble.calibrations.records.errors import RecordError, StoreError
+from tumble.calibrations.records.raw import file_sha256
+from tumble.calibrations.records.record import Record
+from tumble.calibrations.records.verify import Verification, verify
+from tumble.procedures.errors import InputError
+from tumble.procedures.recording.errors import RecordingError
 
 if TYPE_CHECKING:
-    from calibrations.records.store import Store
+    from tumble.calibrations.records.store import Store
 
 
 def open_store(folder: Path) -> "Store":
     """Open a store for reading. Raises `InputError` where there is none, `StoreError` where it cannot be used."""
-    from calibrations.records.store import Store  # takes half a second, which many a command need not wait for
+    from tumble.calibrations.records.store import Store  # takes half a second, which many a command need not wait for
 
     try:
         return Store.existing(folder)
@@ -44,7 +44,7 @@ def recall(folder: Path, record_id: str) -> tuple[Record, Measurement]:
 
 def record_of(recording: Path, serial_number: str, folder: Path) -> Record | None:
     """The record of a recording that stands in a store; None where there is none."""
-    from calibrations.records.store import Store
+    from tumble.calibrations.records.store import Store
 
     try:
         return standing_record(Store.existing(folder), serial_number, file_sha256(recording))
@@ -75,7 +75,7 @@ def unprotected(raw_file: Path) -> str:
     """A sentence where the raw file of a record is a recording of an older format; nothing else is to be said."""
     if not (is_recording(raw_file) and raw_file.is_file()):
         return ""
-    from procedures.recording.reader import read_header  # MCAP only where there is a recording
+    from tumble.procedures.recording.reader import read_header  # MCAP only where there is a recording
 
     try:
         header = read_header(raw_file)
@@ -94,7 +94,7 @@ def _as_corrected(measurement: Measurement, record: Record, folder: Path) -> Mea
     applied = record.result.get("stand_record")
     if applied is None:
         return measurement
-    from calibrations.stand_records.store import StandRecords
+    from tumble.calibrations.stand_records.store import StandRecords
 
     stand_record = StandRecords(folder).get(applied["id"])
     if stand_record.content_sha256 != applied["content_sha256"] or not stand_record.intact:

@@ -7,17 +7,17 @@ from typing import Protocol
 
 import numpy as np
 
-from app.analysing import Traced, fit, trace
-from app.joining import read_together
-from app.measurements import Measurement, read_measurement
-from app.referencing import REFERENCE, run_of_reference
-from calibrations.provenance import Provenance
-from calibrations.records.raw import file_sha256, resolved_path, stored_path
-from calibrations.stand_records.agreement import updated
-from calibrations.stand_records.corrections import Corrections
-from calibrations.stand_records.evidence import Run
-from calibrations.stand_records.record import Contribution, StandRecord
-from calibrations.stand_records.terms import Term
+from tumble.app.analysing import Traced, fit, trace
+from tumble.app.joining import read_together
+from tumble.app.measurements import Measurement, read_measurement
+from tumble.app.referencing import REFERENCE, run_of_reference
+from tumble.calibrations.provenance import Provenance
+from tumble.calibrations.records.raw import file_sha256, resolved_path, stored_path
+from tumble.calibrations.stand_records.agreement import updated
+from tumble.calibrations.stand_records.corrections import Corrections
+from tumble.calibrations.stand_records.evidence import Run
+from tumble.calibrations.stand_records.record import Contribution, StandRecord
+from tumble.calibrations.stand_records.terms import Term
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -4,14 +4,14 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from app.identity import program_identity
-from app.measurements import Measurement, read_measurement
-from app.stand_records import identity_of
-from calibrations.records.raw import stored_path
-from calibrations.reference.head_map import ReferenceRun, reference_run
-from calibrations.reference.loop import close_reference_loop
-from calibrations.stand_records.record import Contribution, StandRecord, Status, Validity
-from procedures.errors import InputError
+from tumble.app.identity import program_identity
+from tumble.app.measurements import Measurement, read_measurement
+from tumble.app.stand_records import identity_of
+from tumble.calibrations.records.raw import stored_path
+from tumble.calibrations.reference.head_map import ReferenceRun, reference_run
+from tumble.calibrations.reference.loop import close_reference_loop
+from tumble.calibrations.stand_records.record import Contribution, StandRecord, Status, Validity
+from tumble.procedures.errors import InputError
 
 REFERENCE = "reference"
 """What stands for the serial number of a unit."""
@@ -62,7 +62,7 @@ def learn_from_reference(path: Path, stand: Mapping[str, Any], folder: Path) -> 
         standard_uncertainties=tuple((run.whole.covariance.diagonal() ** 0.5).tolist()),
     )
     angle_deg = measurement.observations.angle_deg
-    from calibrations.stand_records.store import StandRecords
+    from tumble.calibrations.stand_records.store import StandRecords
 
     return StandRecords(folder).add(
         identity=identity,

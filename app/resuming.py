@@ -10,21 +10,21 @@ from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
-from app.exits import Exit, JobError
-from app.running import Job, begin_recording, carry_out
-from app.simulation import Past
-from app.stand import LoadedStand
-from app.wiring import Connected
-from drivers.protocols import Identity
-from procedures.announcer import Listener
-from procedures.errors import InputError
-from procedures.events import Identified
-from procedures.outcome import Outcome
-from procedures.programme import Programme, programme_from_text
-from procedures.recording.contents import Said
-from procedures.recording.errors import RecordingError
-from procedures.recording.header import FORMAT_VERSION
-from procedures.recording.reader import Recording, complete_messages, leading, monotonic_s, read_recording
+from tumble.app.exits import Exit, JobError
+from tumble.app.running import Job, begin_recording, carry_out
+from tumble.app.simulation import Past
+from tumble.app.stand import LoadedStand
+from tumble.app.wiring import Connected
+from tumble.drivers.protocols import Identity
+from tumble.procedures.announcer import Listener
+from tumble.procedures.errors import InputError
+from tumble.procedures.events import Identified
+from tumble.procedures.outcome import Outcome
+from tumble.procedures.programme import Programme, programme_from_text
+from tumble.procedures.recording.contents import Said
+from tumble.procedures.recording.errors import RecordingError
+from tumble.procedures.recording.header import FORMAT_VERSION
+from tumble.procedures.recording.reader import Recording, complete_messages, leading, monotonic_s, read_recording
 
 _CUT = re.compile(r"(?P<run>.+)\.cut-(?P<number>\d+)")
 

@@ -15,30 +15,30 @@ from pathlib import Path
 from types import FrameType
 from typing import TYPE_CHECKING
 
-from app.exits import FINISHED, Exit, JobError
-from app.identity import program_identity
-from app.signals import handled_by
-from app.stand import LoadedStand, WrittenStand
-from app.stand_lock import holding_recording
-from app.terminal import lead_nowhere
-from app.wiring import Connected
-from drivers.clock import Clock
-from drivers.errors import Interrupted
-from procedures.acquisition import Acquisition
-from procedures.announcer import Announcer, Listener
-from procedures.engine import Engine
-from procedures.events import State, WarningRaised
-from procedures.outcome import Outcome
-from procedures.plan import Plan, check_cable, check_limits, check_mounts, plan
-from procedures.programme import Programme
-from procedures.recording.errors import RecordingError
-from procedures.recording.header import Header
-from procedures.replay import replay
-from procedures.steps import Point
+from tumble.app.exits import FINISHED, Exit, JobError
+from tumble.app.identity import program_identity
+from tumble.app.signals import handled_by
+from tumble.app.stand import LoadedStand, WrittenStand
+from tumble.app.stand_lock import holding_recording
+from tumble.app.terminal import lead_nowhere
+from tumble.app.wiring import Connected
+from tumble.drivers.clock import Clock
+from tumble.drivers.errors import Interrupted
+from tumble.procedures.acquisition import Acquisition
+from tumble.procedures.announcer import Announcer, Listener
+from tumble.procedures.engine import Engine
+from tumble.procedures.events import State, WarningRaised
+from tumble.procedures.outcome import Outcome
+from tumble.procedures.plan import Plan, check_cable, check_limits, check_mounts, plan
+from tumble.procedures.programme import Programme
+from tumble.procedures.recording.errors import RecordingError
+from tumble.procedures.recording.header import Header
+from tumble.procedures.replay import replay
+from tumble.procedures.steps import Point
 
 if TYPE_CHECKING:
-    from procedures.recording.contents import Said
-    from procedures.recording.writer import Recorder
+    from tumble.procedures.recording.contents import Said
+    from tumble.procedures.recording.writer import Recorder
 
 _LONGEST_NAME = 60
 _RESERVED = {"CON", "PRN", "AUX", "NUL", *(f"{port}{n}" for port in ("COM", "LPT") for n in range(10))}
@@ -120,7 +120,7 @@ def begin_recording(
     path: Path, header: Header, clock: Clock, before: "Iterable[Said]" = (), elsewhen_s: float = 0.0
 ) -> "Recorder":
     """Create a recording, see `Recorder`. Raises `JobError`."""
-    from procedures.recording.writer import Recorder  # the MCAP library takes 0.1 s
+    from tumble.procedures.recording.writer import Recorder  # the MCAP library takes 0.1 s
 
     try:
         path.parent.mkdir(parents=True, exist_ok=True)

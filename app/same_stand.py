@@ -3,10 +3,10 @@
 from collections.abc import Callable
 from pathlib import Path
 
-from app.stand import LoadedStand, WrittenStand, load_stand, read_stand
-from drivers.own_file import is_remote
-from procedures.errors import InputError
-from procedures.recording.reader import Recording
+from tumble.app.stand import LoadedStand, WrittenStand, load_stand, read_stand
+from tumble.drivers.own_file import is_remote
+from tumble.procedures.errors import InputError
+from tumble.procedures.recording.reader import Recording
 
 
 def load_same_stand(

@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 from typing import IO, Final
 
-from app.exits import Exit, JobError
+from tumble.app.exits import Exit, JobError
 
 FOLDERS: Final = ("/run/lock", "/var/lock", "/tmp")
 """The first of these that all may write to; not TMPDIR, which may be another for each user."""

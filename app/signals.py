@@ -1,4 +1,4 @@
-"""Signals that stop the program: in a run to a standstill (`app.running`), anywhere else at once."""
+"""Signals that stop the program: in a run to a standstill (`tumble.app.running`), anywhere else at once."""
 
 import signal
 import sys
@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from types import FrameType
 from typing import TypeAlias
 
-from drivers.errors import Interrupted
+from tumble.drivers.errors import Interrupted
 
 STOPPING_SIGNALS = [signal.SIGINT, signal.SIGTERM]
 if sys.platform == "win32":

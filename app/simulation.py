@@ -5,21 +5,21 @@ from dataclasses import dataclass, replace
 from functools import reduce
 from typing import Protocol
 
-from app.stand import WrittenStand
-from drivers.clock import Clock
-from drivers.manual import Eyepiece
-from drivers.protocols import Stand
-from drivers.simulated import HeadOptions, Simulated, SimulatedWorld, build
-from drivers.simulated.bench import Counts
-from procedures.acquisition import Acquisition
-from procedures.announcer import Listener
-from procedures.composition import advance
-from procedures.engine import Engine
-from procedures.errors import InputError
-from procedures.events import Event, RunResumed, StepStarted
-from procedures.operator import Answers, ScriptedOperator, SeatingOperator
-from procedures.programme import Programme
-from procedures.steps import Dwell, Point, Procedure
+from tumble.app.stand import WrittenStand
+from tumble.drivers.clock import Clock
+from tumble.drivers.manual import Eyepiece
+from tumble.drivers.protocols import Stand
+from tumble.drivers.simulated import HeadOptions, Simulated, SimulatedWorld, build
+from tumble.drivers.simulated.bench import Counts
+from tumble.procedures.acquisition import Acquisition
+from tumble.procedures.announcer import Listener
+from tumble.procedures.composition import advance
+from tumble.procedures.engine import Engine
+from tumble.procedures.errors import InputError
+from tumble.procedures.events import Event, RunResumed, StepStarted
+from tumble.procedures.operator import Answers, ScriptedOperator, SeatingOperator
+from tumble.procedures.programme import Programme
+from tumble.procedures.steps import Dwell, Point, Procedure
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -9,13 +9,13 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any, Final, Self
 
-from app.stand_file import RecordedDaq, RecordedHead, RecordedStand, Site, StandFile, stand_file_with
-from drivers.driver import SIMULATED, DaqDriver, HeadDriver, find_daq, find_head
-from drivers.own_file import hash_of_file, is_own_file
-from drivers.tables import DaqTable, HeadTable
-from procedures.errors import InputError
-from procedures.toml_lines import parse_toml, place_of, read_text
-from procedures.toml_text import read_toml
+from tumble.app.stand_file import RecordedDaq, RecordedHead, RecordedStand, Site, StandFile, stand_file_with
+from tumble.drivers.driver import SIMULATED, DaqDriver, HeadDriver, find_daq, find_head
+from tumble.drivers.own_file import hash_of_file, is_own_file
+from tumble.drivers.tables import DaqTable, HeadTable
+from tumble.procedures.errors import InputError
+from tumble.procedures.toml_lines import parse_toml, place_of, read_text
+from tumble.procedures.toml_text import read_toml
 
 __all__ = ["LoadedStand", "RecordedStand", "Site", "StandFile", "WrittenStand", "load_stand", "read_stand"]
 
@@ -92,7 +92,7 @@ class _Text:
     @classmethod
     def at(cls, path: Path | None) -> Self:
         if path is None:
-            built_in = (files("app") / "stands" / "simulated.toml").read_text("utf-8")
+            built_in = (files("tumble.app") / "stands" / "simulated.toml").read_text("utf-8")
             return cls(text=built_in, source="the built-in stand", path=None)
         return cls(text=read_text(path), source=str(path), path=path)
 

@@ -6,12 +6,12 @@ from typing import Self
 
 from pydantic import BaseModel, ConfigDict, Field, create_model, model_validator
 
-from calibrations.budget import StandUncertainty
-from calibrations.gravity import Gravity, normal_gravity
-from drivers.driver import SIMULATED
-from drivers.names import GivenName
-from drivers.simulated import Simulated
-from drivers.tables import DaqTable, HeadTable
+from tumble.calibrations.budget import StandUncertainty
+from tumble.calibrations.gravity import Gravity, normal_gravity
+from tumble.drivers.driver import SIMULATED
+from tumble.drivers.names import GivenName
+from tumble.drivers.simulated import Simulated
+from tumble.drivers.tables import DaqTable, HeadTable
 
 _STRICT = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 

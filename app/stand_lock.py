@@ -1,8 +1,8 @@
 """One stand, one process, and one recording: a second one is refused with the name of the first.
 
 For every address of an instrument, for the stand file and for the recording there is a small file in a folder that all
-users of the computer share, see `app.shared_lock_files`. It is locked by the operating system for as long as the run
-lasts, so that a process that dies leaves nothing locked; what is written in it only says who has it.
+users of the computer share, see `tumble.app.shared_lock_files`. It is locked by the operating system for as long as the
+run lasts, so that a process that dies leaves nothing locked; what is written in it only says who has it.
 """
 
 import json
@@ -16,10 +16,10 @@ from hashlib import sha256
 from pathlib import Path
 from typing import IO, Any
 
-from app.exits import Exit, JobError
-from app.shared_lock_files import lock_folder, open_shared
-from app.stand import LoadedStand
-from drivers.links.places import one_name
+from tumble.app.exits import Exit, JobError
+from tumble.app.shared_lock_files import lock_folder, open_shared
+from tumble.app.stand import LoadedStand
+from tumble.drivers.links.places import one_name
 
 _BEHIND = 1 << 20
 """Place of the locked byte: Windows lets nobody read what is locked, and the words in front of it shall be read."""

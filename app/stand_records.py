@@ -5,16 +5,16 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from app.measurements import Measurement
-from calibrations.records import DATABASE
-from calibrations.stand_records.applying import corrected
-from calibrations.stand_records.head_map import Curve
-from calibrations.stand_records.record import StandIdentity, StandRecord, Status
-from calibrations.tracing.questions import questioned
-from procedures.errors import InputError
+from tumble.app.measurements import Measurement
+from tumble.calibrations.records import DATABASE
+from tumble.calibrations.stand_records.applying import corrected
+from tumble.calibrations.stand_records.head_map import Curve
+from tumble.calibrations.stand_records.record import StandIdentity, StandRecord, Status
+from tumble.calibrations.tracing.questions import questioned
+from tumble.procedures.errors import InputError
 
 if TYPE_CHECKING:
-    from calibrations.stand_records.store import StandRecords
+    from tumble.calibrations.stand_records.store import StandRecords
 
 
 def identity_of(measurement: Measurement) -> StandIdentity | None:
@@ -91,7 +91,7 @@ def _why_not(records: "StandRecords | None", identity: StandIdentity | None, fol
 
 
 def _stand_records(folder: Path) -> "StandRecords":
-    from calibrations.stand_records.store import StandRecords  # takes half a second, for those that have some
+    from tumble.calibrations.stand_records.store import StandRecords  # takes half a second, for those that have some
 
     return StandRecords(folder)
 

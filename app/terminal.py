@@ -9,7 +9,7 @@ from typing import IO, Any, Final, TextIO
 
 import click
 
-from drivers.text import visible
+from tumble.drivers.text import visible
 
 LONGEST_LINE: Final = 20_000
 """Characters of a line that is shown."""

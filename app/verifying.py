@@ -7,18 +7,18 @@ from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from app.exits import JobError
-from app.files import RECORDING_SUFFIX
-from app.recall import unprotected, verify_record
-from app.resuming import is_set_aside
-from calibrations.records.errors import RecordError, StoreError
-from calibrations.records.inventory import Inventory
-from calibrations.records.raw import resolved_path
-from procedures.errors import InputError
-from procedures.recording.errors import RecordingError
+from tumble.app.exits import JobError
+from tumble.app.files import RECORDING_SUFFIX
+from tumble.app.recall import unprotected, verify_record
+from tumble.app.resuming import is_set_aside
+from tumble.calibrations.records.errors import RecordError, StoreError
+from tumble.calibrations.records.inventory import Inventory
+from tumble.calibrations.records.raw import resolved_path
+from tumble.procedures.errors import InputError
+from tumble.procedures.recording.errors import RecordingError
 
 if TYPE_CHECKING:
-    from calibrations.records.store import Store
+    from tumble.calibrations.records.store import Store
 
 _ID = re.compile(r"\d{8}-\d{6}-[0-9a-f]{6}")
 
@@ -118,7 +118,7 @@ def _recordings(folder: Path, inventory: Inventory) -> Iterator[Finding]:
 
 
 def _without_record(path: Path) -> Finding:
-    from procedures.recording.reader import read_recording  # MCAP only where there is a recording
+    from tumble.procedures.recording.reader import read_recording  # MCAP only where there is a recording
 
     try:
         recording = read_recording(path)

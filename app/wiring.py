@@ -7,21 +7,21 @@ from functools import cache, partial
 from pathlib import Path
 from typing import Final
 
-from app.guarding import DAQ_NEEDS, HEAD_NEEDS, connected
-from app.simulation import Hand, Past, TurningEyepiece, simulation, switching_on
-from app.stand import LoadedStand
-from app.terminal import say
-from drivers.clock import Clock, ReleasedClock, SystemClock
-from drivers.driver import Bench, DaqDriver, HeadDriver
-from drivers.links.opened import Links
-from drivers.manual import Eyepiece
-from drivers.protocols import Daq, DividingHead, HeadStatus, Stand
-from emulators.backstage import Backstage, find_backstage
-from procedures.announcer import Listener
-from procedures.control import Control
-from procedures.errors import InputError
-from procedures.eyepiece import OperatorEyepiece
-from procedures.operator import Answers, ConsoleOperator, Operator, ScriptedOperator, SeatingOperator
+from tumble.app.guarding import DAQ_NEEDS, HEAD_NEEDS, connected
+from tumble.app.simulation import Hand, Past, TurningEyepiece, simulation, switching_on
+from tumble.app.stand import LoadedStand
+from tumble.app.terminal import say
+from tumble.drivers.clock import Clock, ReleasedClock, SystemClock
+from tumble.drivers.driver import Bench, DaqDriver, HeadDriver
+from tumble.drivers.links.opened import Links
+from tumble.drivers.manual import Eyepiece
+from tumble.drivers.protocols import Daq, DividingHead, HeadStatus, Stand
+from tumble.emulators.backstage import Backstage, find_backstage
+from tumble.procedures.announcer import Listener
+from tumble.procedures.control import Control
+from tumble.procedures.errors import InputError
+from tumble.procedures.eyepiece import OperatorEyepiece
+from tumble.procedures.operator import Answers, ConsoleOperator, Operator, ScriptedOperator, SeatingOperator
 
 _UNASKED: Final = (
     "stand {}: is emulated, and its emulated operator confirms every mount; give --attended or --answers to decide it"

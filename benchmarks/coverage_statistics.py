@@ -14,14 +14,14 @@ from itertools import repeat
 
 import numpy as np
 
-from app.running import Job
-from app.stand import load_stand
-from calibrations.analysis import analyse
-from calibrations.model import PARAMETERS, basis, coefficients_jacobian
-from calibrations.observations import Observations
-from drivers.simulated import Simulated, noise_free_voltage
-from procedures.programme import load_programme
-from procedures.steps import Dwell
+from tumble.app.running import Job
+from tumble.app.stand import load_stand
+from tumble.calibrations.analysis import analyse
+from tumble.calibrations.model import PARAMETERS, basis, coefficients_jacobian
+from tumble.calibrations.observations import Observations
+from tumble.drivers.simulated import Simulated, noise_free_voltage
+from tumble.procedures.programme import load_programme
+from tumble.procedures.steps import Dwell
 
 SEED = 7_301_952
 UNIT = {"u0": 2.5, "kx": 1.0, "ky": 0.0098, "kz": 0.002, "kxy": 0.001, "alpha0_deg": 0.1121}

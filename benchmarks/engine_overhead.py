@@ -19,10 +19,10 @@ from bluesky import plan_stubs as bps
 from bluesky import preprocessors as bpp
 from ophyd_async.core import StandardReadable, StandardReadableFormat, init_devices, soft_signal_rw
 
-from drivers.clock import SystemClock
-from drivers.protocols import HeadStatus, Identity, SampleBlock, Stand
-from procedures import Acquisition, Answers, Engine, ScriptedOperator, programme_from_text
-from procedures.events import Event, FinishReason
+from tumble.drivers.clock import SystemClock
+from tumble.drivers.protocols import HeadStatus, Identity, SampleBlock, Stand
+from tumble.procedures import Acquisition, Answers, Engine, ScriptedOperator, programme_from_text
+from tumble.procedures.events import Event, FinishReason
 
 
 class SoftHead:

@@ -21,15 +21,15 @@ from benchmarks.bank.dwells import Dwells
 from benchmarks.bank.geometry import AXES
 from benchmarks.bank.lists import designs_for
 from benchmarks.bank.scene import Run
-from calibrations.effects import CATALOGUE
-from calibrations.joint import fit_jointly
-from calibrations.observations import Observations
-from calibrations.tracing.experiments import next_experiments
-from calibrations.tracing.ground import ground
-from calibrations.tracing.noise import NoiseModel
-from calibrations.tracing.rivals import CLOSE, with_best_names
-from calibrations.tracing.separation import Question, Rows
-from calibrations.tracing.trace import Tracer, found, refined_one
+from tumble.calibrations.effects import CATALOGUE
+from tumble.calibrations.joint import fit_jointly
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.tracing.experiments import next_experiments
+from tumble.calibrations.tracing.ground import ground
+from tumble.calibrations.tracing.noise import NoiseModel
+from tumble.calibrations.tracing.rivals import CLOSE, with_best_names
+from tumble.calibrations.tracing.separation import Question, Rows
+from tumble.calibrations.tracing.trace import Tracer, found, refined_one
 
 _EFFECTS = (
     "k_xx", "k_yy", "k_xxx", "scale_asymmetry", "hysteresis", "head_eccentricity", "head_second_harmonic", "backlash",

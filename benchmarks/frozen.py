@@ -105,7 +105,7 @@ def write(path: Path, said: Results) -> None:
 
 
 def _run(*arguments: object) -> int:
-    command = [sys.executable, "-m", "app", *map(str, arguments)]
+    command = [sys.executable, "-m", "tumble", *map(str, arguments)]
     return subprocess.run(command, cwd=ROOT, capture_output=True, check=False).returncode
 
 

@@ -17,20 +17,20 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 
-from app.analysing import fit, trace
-from app.learning import learn
-from app.measurements import Measurement, read_measurement
-from app.running import Job, failure, run
-from app.stand import LoadedStand, load_stand
-from app.stand_records import corrected_by
-from app.wiring import connect
 from benchmarks.bank import DEVELOPMENT, REPORTED
-from calibrations.geometry import FloatArray
-from calibrations.stand_records.head_map import HeadMap
-from calibrations.stand_records.record import StandRecord, Status
-from drivers.simulated.external import load_function
-from drivers.simulated.head import HeadErrors
-from procedures.programme import load_programme
+from tumble.app.analysing import fit, trace
+from tumble.app.learning import learn
+from tumble.app.measurements import Measurement, read_measurement
+from tumble.app.running import Job, failure, run
+from tumble.app.stand import LoadedStand, load_stand
+from tumble.app.stand_records import corrected_by
+from tumble.app.wiring import connect
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.stand_records.head_map import HeadMap
+from tumble.calibrations.stand_records.record import StandRecord, Status
+from tumble.drivers.simulated.external import load_function
+from tumble.drivers.simulated.head import HeadErrors
+from tumble.procedures.programme import load_programme
 
 _SEEDS = {"development": DEVELOPMENT, "reported": REPORTED}
 _FIRST = 960_000

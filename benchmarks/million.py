@@ -8,8 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
-from calibrations.observations import Observations
-from calibrations.table import write_table
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.table import write_table
 
 
 def table(rows: int, settings: int) -> Observations:

@@ -33,15 +33,15 @@ from benchmarks.bank.scene import respond
 from benchmarks.bank.visibility import sight
 from benchmarks.loop.intervals import wilson
 from benchmarks.loop.results import read_results, streamed
-from calibrations.effects import CATALOGUE
-from calibrations.geometry import FloatArray
-from calibrations.joint import fit_jointly
-from calibrations.model import PARAMETERS
-from calibrations.observations import Observations
-from calibrations.report.drawing import COLOURS, INK, sheet, styled
-from calibrations.tracing.candidates import FALSE_ALARM, candidates
-from calibrations.tracing.ground import ground
-from calibrations.tracing.loop import close_loop
+from tumble.calibrations.effects import CATALOGUE
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.joint import fit_jointly
+from tumble.calibrations.model import PARAMETERS
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.report.drawing import COLOURS, INK, sheet, styled
+from tumble.calibrations.tracing.candidates import FALSE_ALARM, candidates
+from tumble.calibrations.tracing.ground import ground
+from tumble.calibrations.tracing.loop import close_loop
 
 _SEEDS: Final = {"development": DEVELOPMENT, "reported": REPORTED}
 _PARTS: Final = (1.01, 0.99)

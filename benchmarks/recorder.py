@@ -15,13 +15,13 @@ from unittest.mock import patch
 
 import numpy as np
 
-from drivers.clock import SystemClock
-from drivers.protocols import SampleBlock
-from procedures.events import FinishReason, PointCompleted, RunFinished, SamplesAcquired
-from procedures.recording.header import Header
-from procedures.recording.reader import iter_samples, read_recording
-from procedures.recording.writer import Recorder
-from procedures.steps import Point
+from tumble.drivers.clock import SystemClock
+from tumble.drivers.protocols import SampleBlock
+from tumble.procedures.events import FinishReason, PointCompleted, RunFinished, SamplesAcquired
+from tumble.procedures.recording.header import Header
+from tumble.procedures.recording.reader import iter_samples, read_recording
+from tumble.procedures.recording.writer import Recorder
+from tumble.procedures.steps import Point
 
 CHANNELS, SAMPLES_PER_BLOCK = 4, 10_000
 CLOCK = SystemClock()

@@ -12,9 +12,9 @@ _CODE = """
 import sys
 from pathlib import Path
 from PySide6.QtCore import QSettings, QTimer
-from window.libraries import obstacle
+from tumble.window.libraries import obstacle
 assert not obstacle(), obstacle()
-from window.start import Application, application
+from tumble.window.start import Application, application
 QSettings.setDefaultFormat(QSettings.Format.IniFormat)
 QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, sys.argv[1])
 qt = application()

@@ -23,12 +23,12 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QSettings, Qt, QTimer
 
-from app.running import Job, begin_recording
-from app.stand import load_stand
-from drivers.clock import SystemClock
-from drivers.protocols import HeadStatus, SampleBlock
-from procedures.announcer import Announcer
-from procedures.events import (
+from tumble.app.running import Job, begin_recording
+from tumble.app.stand import load_stand
+from tumble.drivers.clock import SystemClock
+from tumble.drivers.protocols import HeadStatus, SampleBlock
+from tumble.procedures.announcer import Announcer
+from tumble.procedures.events import (
     FinishReason,
     PointCompleted,
     RunFinished,
@@ -37,13 +37,13 @@ from procedures.events import (
     StateChanged,
     StepStarted,
 )
-from procedures.programme import programme_from_text
-from procedures.recording.header import Header
-from procedures.recording.reader import iter_samples
-from procedures.steps import Dwell, Point
-from window.look.plots import Plot
-from window.screens.run import Phase
-from window.start import Application, application
+from tumble.procedures.programme import programme_from_text
+from tumble.procedures.recording.header import Header
+from tumble.procedures.recording.reader import iter_samples
+from tumble.procedures.steps import Dwell, Point
+from tumble.window.look.plots import Plot
+from tumble.window.screens.run import Phase
+from tumble.window.start import Application, application
 
 RATE_HZ, CHANNELS, BLOCK = 50_000, 4, 2_500
 BEAT_MS = 2

@@ -5,12 +5,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.compression import compress
-from calibrations.fit import fit_given_alpha0, joint_fit
-from calibrations.geometry import FloatArray
-from calibrations.model import coefficients, coefficients_jacobian
-from calibrations.observations import Observations
-from calibrations.repeats import PureError, distinct_settings
+from tumble.calibrations.compression import compress
+from tumble.calibrations.fit import fit_given_alpha0, joint_fit
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.model import coefficients, coefficients_jacobian
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.repeats import PureError, distinct_settings
 
 FOLDS = 3
 FEW_SETTINGS = 12

@@ -4,21 +4,21 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from calibrations.adequacy import held_out_rms
-from calibrations.blas_threads import one_blas_thread
-from calibrations.budget import Source, StandUncertainty, effective_freedom, sources
-from calibrations.fit import Alpha0Profile, covariance, coverage_factor
-from calibrations.flips import flip_closure
-from calibrations.geometry import FloatArray
-from calibrations.gravity import Gravity
-from calibrations.identifiability import Identification, identify
-from calibrations.joint import LACK_OF_FIT_P, Joint, fit_jointly
-from calibrations.model import ALPHA0, PARAMETERS, UNITS
-from calibrations.montecarlo import TRIALS, MonteCarlo, monte_carlo
-from calibrations.observations import Observations
-from calibrations.published import published_method
-from calibrations.quantities import format_number
-from calibrations.result import BudgetLine, Calibration, Parameter, PerAcceleration
+from tumble.calibrations.adequacy import held_out_rms
+from tumble.calibrations.blas_threads import one_blas_thread
+from tumble.calibrations.budget import Source, StandUncertainty, effective_freedom, sources
+from tumble.calibrations.fit import Alpha0Profile, covariance, coverage_factor
+from tumble.calibrations.flips import flip_closure
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.gravity import Gravity
+from tumble.calibrations.identifiability import Identification, identify
+from tumble.calibrations.joint import LACK_OF_FIT_P, Joint, fit_jointly
+from tumble.calibrations.model import ALPHA0, PARAMETERS, UNITS
+from tumble.calibrations.montecarlo import TRIALS, MonteCarlo, monte_carlo
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.published import published_method
+from tumble.calibrations.quantities import format_number
+from tumble.calibrations.result import BudgetLine, Calibration, Parameter, PerAcceleration
 
 
 @one_blas_thread

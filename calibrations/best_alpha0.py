@@ -9,10 +9,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from calibrations.compression import Compressed
-from calibrations.conditional import SINGULAR, smallest_solution
-from calibrations.geometry import FloatArray
-from calibrations.model import BASIS_SIZE, PARAMETERS, coefficients, design, design_slope, parameter_vector
+from tumble.calibrations.compression import Compressed
+from tumble.calibrations.conditional import SINGULAR, smallest_solution
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.model import BASIS_SIZE, PARAMETERS, coefficients, design, design_slope, parameter_vector
 
 ALPHA0_REACH_DEG = 45.0
 """Beyond this the declared model repeats itself with the axes renamed."""

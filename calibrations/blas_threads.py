@@ -3,7 +3,7 @@
 A table of a thousand rows becomes matrices of a few dozen columns. On those the threads of OpenBLAS gain nothing, and
 where another program has the other core they wait for each other: tracing then takes many times as long
 (docs/figures.md states the ratio). Programs of this product say so to the BLAS before it is loaded
-(`app.cli`); what is called from another program limits it for the time of the call.
+(`tumble.app.cli`); what is called from another program limits it for the time of the call.
 """
 
 import os

@@ -5,11 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.effects.scene import Scene
-from calibrations.geometry import FloatArray
-from calibrations.gravity import Gravity
-from calibrations.repeats import mountings, settings
-from calibrations.stand_records.record import StandRecord
+from tumble.calibrations.effects.scene import Scene
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.gravity import Gravity
+from tumble.calibrations.repeats import mountings, settings
+from tumble.calibrations.stand_records.record import StandRecord
 
 _ARCSEC_DEG = 1.0 / 3600.0
 

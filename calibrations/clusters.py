@@ -5,8 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.geometry import FloatArray
-from calibrations.repeats import settings
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.repeats import settings
 
 _APART = 10.0
 """Settings lie so many times as far apart as one of them scatters."""

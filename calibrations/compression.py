@@ -13,8 +13,8 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.geometry import FloatArray
-from calibrations.model import BASIS_SIZE
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.model import BASIS_SIZE
 
 _BLOCK = 32
 """Columns that LAPACK takes at a time."""

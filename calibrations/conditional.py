@@ -5,9 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.compression import Compressed
-from calibrations.geometry import FloatArray
-from calibrations.model import design
+from tumble.calibrations.compression import Compressed
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.model import design
 
 SINGULAR = 1e-8
 """Directions weaker than this, relative to the strongest, are taken as not observed: rounding, not physics."""

@@ -4,12 +4,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
-from calibrations.joint import LACK_OF_FIT_P
-from calibrations.result import Calibration, Parameter
-from calibrations.support import equals, series
+from tumble.calibrations.joint import LACK_OF_FIT_P
+from tumble.calibrations.result import Calibration, Parameter
+from tumble.calibrations.support import equals, series
 
 if TYPE_CHECKING:
-    from calibrations.tracing.loop import Loop
+    from tumble.calibrations.tracing.loop import Loop
 
 CLOSURE_P: Final = LACK_OF_FIT_P / 10
 """Below this the flips contradict the model. The test of fit has spent its one error in a hundred already."""

@@ -5,11 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.best_alpha0 import ALPHA0_REACH_DEG, GRID_DEG, best_parameters
-from calibrations.compression import Compressed
-from calibrations.conditional import conditional, pseudo_inverse
-from calibrations.geometry import FloatArray
-from calibrations.model import ALPHA0, PARAMETERS, coefficients, coefficients_jacobian, parameter_vector
+from tumble.calibrations.best_alpha0 import ALPHA0_REACH_DEG, GRID_DEG, best_parameters
+from tumble.calibrations.compression import Compressed
+from tumble.calibrations.conditional import conditional, pseudo_inverse
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.model import ALPHA0, PARAMETERS, coefficients, coefficients_jacobian, parameter_vector
 
 _NODES = np.linspace(-6.0, 6.0, 49)
 

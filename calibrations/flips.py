@@ -6,9 +6,9 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.geometry import FloatArray
-from calibrations.observations import Observations
-from calibrations.repeats import PureError
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.repeats import PureError
 
 POLES: Final[dict[str, tuple[str, float, float]]] = {
     "x": ("face-up", -90.0, 90.0),

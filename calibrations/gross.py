@@ -3,12 +3,12 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.best_alpha0 import best_parameters
-from calibrations.compression import compress
-from calibrations.geometry import FloatArray
-from calibrations.model import coefficients
-from calibrations.observations import Observations, SetAside
-from calibrations.repeats import mountings
+from tumble.calibrations.best_alpha0 import best_parameters
+from tumble.calibrations.compression import compress
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.model import coefficients
+from tumble.calibrations.observations import Observations, SetAside
+from tumble.calibrations.repeats import mountings
 
 GROSS_SIGMA = 6.0
 """A row this many robust standard deviations off is a gross error; among 10,000 good rows none is expected."""

@@ -5,13 +5,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.compression import Compressed, compress
-from calibrations.conditional import conditional, pseudo_inverse
-from calibrations.fit import JointFit, names
-from calibrations.geometry import MOUNTS, FloatArray
-from calibrations.joint import Joint
-from calibrations.model import ALPHA0, LINEAR, PARAMETERS, basis, coefficients_jacobian
-from calibrations.observations import Observations
+from tumble.calibrations.compression import Compressed, compress
+from tumble.calibrations.conditional import conditional, pseudo_inverse
+from tumble.calibrations.fit import JointFit, names
+from tumble.calibrations.geometry import MOUNTS, FloatArray
+from tumble.calibrations.joint import Joint
+from tumble.calibrations.model import ALPHA0, LINEAR, PARAMETERS, basis, coefficients_jacobian
+from tumble.calibrations.observations import Observations
 
 SEAT_DEG = 1.0
 """A seat may be this far from the head's zero before anybody notices; for judging what alpha0 = 0 is worth."""

@@ -7,9 +7,9 @@ from typing import Any, Final
 
 import numpy as np
 
-from calibrations.observations import ARRAY_COLUMNS, Observations, SetAside
-from calibrations.support import series
-from calibrations.table import FIELDS
+from tumble.calibrations.observations import ARRAY_COLUMNS, Observations, SetAside
+from tumble.calibrations.support import series
+from tumble.calibrations.table import FIELDS
 
 PAUSE_S = 600.0
 """Time between two tables of which nobody knows when they were taken."""

@@ -5,16 +5,23 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.adequacy import LackOfFit, lack_of_fit
-from calibrations.blas_threads import one_blas_thread
-from calibrations.compression import Compressed, Whiten, compress, unchanged
-from calibrations.effects.scene import Scene
-from calibrations.fit import Alpha0Profile, JointFit, alpha0_profile, coverage_factor, fit_given_alpha0, joint_fit
-from calibrations.geometry import FloatArray
-from calibrations.gross import gross_errors
-from calibrations.model import ALPHA0, PARAMETERS, basis, coefficients, coefficients_jacobian
-from calibrations.observations import Observations, SetAside
-from calibrations.repeats import PureError, dwell_weights, pose_groups, pure_error
+from tumble.calibrations.adequacy import LackOfFit, lack_of_fit
+from tumble.calibrations.blas_threads import one_blas_thread
+from tumble.calibrations.compression import Compressed, Whiten, compress, unchanged
+from tumble.calibrations.effects.scene import Scene
+from tumble.calibrations.fit import (
+    Alpha0Profile,
+    JointFit,
+    alpha0_profile,
+    coverage_factor,
+    fit_given_alpha0,
+    joint_fit,
+)
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.gross import gross_errors
+from tumble.calibrations.model import ALPHA0, PARAMETERS, basis, coefficients, coefficients_jacobian
+from tumble.calibrations.observations import Observations, SetAside
+from tumble.calibrations.repeats import PureError, dwell_weights, pose_groups, pure_error
 
 LACK_OF_FIT_P = 0.01
 """Below this the poses disagree with the model by more than the repeats explain, and their scatter is the ruler."""

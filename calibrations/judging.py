@@ -11,16 +11,16 @@ data cannot see could carry over a limit.
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from calibrations.doubts import Doubt, condition, contradiction, missing
-from calibrations.provenance import LimitCheck
-from calibrations.quantities import format_interval, format_limits, format_number
-from calibrations.result import Calibration, Parameter
-from calibrations.unseen import MATERIAL, Unseen, unseen
-from calibrations.usable import usable
-from calibrations.verdict import Judgement, Outcome, Verdict
+from tumble.calibrations.doubts import Doubt, condition, contradiction, missing
+from tumble.calibrations.provenance import LimitCheck
+from tumble.calibrations.quantities import format_interval, format_limits, format_number
+from tumble.calibrations.result import Calibration, Parameter
+from tumble.calibrations.unseen import MATERIAL, Unseen, unseen
+from tumble.calibrations.usable import usable
+from tumble.calibrations.verdict import Judgement, Outcome, Verdict
 
 if TYPE_CHECKING:
-    from calibrations.tracing.loop import Loop
+    from tumble.calibrations.tracing.loop import Loop
 
 
 def judge(declared: Calibration, limits: Sequence[LimitCheck], loop: "Loop | None" = None) -> Verdict:

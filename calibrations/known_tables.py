@@ -6,9 +6,9 @@ from enum import Enum
 from pathlib import Path
 from typing import Final
 
-from calibrations.support import series
-from calibrations.table import FIELDS, TableError, read_header, read_lines
-from calibrations.temperature.columns import Column, holds_numbers, named, says_runs
+from tumble.calibrations.support import series
+from tumble.calibrations.table import FIELDS, TableError, read_header, read_lines
+from tumble.calibrations.temperature.columns import Column, holds_numbers, named, says_runs
 
 READ: Final = (
     "an accelerometer on a head (angle_deg, voltage_V), a head against a reference (angle_deg, reference_deg), or "

@@ -10,8 +10,8 @@ from typing import Final
 
 import numpy as np
 
-from calibrations.geometry import FloatArray, projections
-from calibrations.observations import Observations
+from tumble.calibrations.geometry import FloatArray, projections
+from tumble.calibrations.observations import Observations
 
 UNITS: Final = {"u0": "V", "kx": "V/g", "ky": "V/g", "kz": "V/g", "kxy": "V/g^2", "alpha0": "deg"}
 """Unit of every parameter, in the order of the parameter vector. g is local gravity."""

@@ -4,12 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from calibrations.compression import Compressed
-from calibrations.conditional import pseudo_inverse
-from calibrations.fit import JointFit
-from calibrations.geometry import FloatArray
-from calibrations.joint import Noise
-from calibrations.model import coefficients, design, parameter_vector
+from tumble.calibrations.compression import Compressed
+from tumble.calibrations.conditional import pseudo_inverse
+from tumble.calibrations.fit import JointFit
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.joint import Noise
+from tumble.calibrations.model import coefficients, design, parameter_vector
 
 TRIALS = 20_000
 SEED = 20081

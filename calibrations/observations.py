@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.geometry import FloatArray
+from tumble.calibrations.geometry import FloatArray
 
 OVERLOAD_V = 1e30
 """A voltage beyond this is an instrument's way to say overload (SCPI-1999, volume 1, 7.2.1.5: 9.9E37 is infinity)."""

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.flips import POLES, at_pole
-from calibrations.model import PARAMETERS
-from calibrations.observations import Observations
+from tumble.calibrations.flips import POLES, at_pole
+from tumble.calibrations.model import PARAMETERS
+from tumble.calibrations.observations import Observations
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.geometry import FloatArray
-from calibrations.observations import Observations
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.observations import Observations
 
 SAME_ANGLE_DEG = 0.02
 """Head angles closer than this are one setting; a motorised head comes to rest within a few thousandths of a degree."""

@@ -4,13 +4,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from calibrations.flips import FlipClosure
-from calibrations.geometry import FloatArray
-from calibrations.joint import Noise
-from calibrations.model import UNITS
-from calibrations.observations import Observations, SetAside
-from calibrations.published import PublishedValue
-from calibrations.stand_records.record import StandRecord
+from tumble.calibrations.flips import FlipClosure
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.joint import Noise
+from tumble.calibrations.model import UNITS
+from tumble.calibrations.observations import Observations, SetAside
+from tumble.calibrations.published import PublishedValue
+from tumble.calibrations.stand_records.record import StandRecord
 
 SCHEMA = "tumble.fit/1"
 

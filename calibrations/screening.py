@@ -7,8 +7,8 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.geometry import FloatArray
-from calibrations.observations import OVERLOAD_V, Observations, SetAside
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.observations import OVERLOAD_V, Observations, SetAside
 
 _NEEDED = ("angle_deg", "voltage_v", "reference_deg", "velocity_deg_s", "time_s")
 """Columns in which a row must have a number. A missing temperature or scatter leaves the row usable."""

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from calibrations.flips import FlipClosure
-from calibrations.joint import LACK_OF_FIT_P
-from calibrations.quantities import format_correlation, format_interval, format_number, format_probability
-from calibrations.result import Calibration, Parameter
+from tumble.calibrations.flips import FlipClosure
+from tumble.calibrations.joint import LACK_OF_FIT_P
+from tumble.calibrations.quantities import format_correlation, format_interval, format_number, format_probability
+from tumble.calibrations.result import Calibration, Parameter
 
 _SIGN_ONLY = 0.5
 """An expanded uncertainty beyond this part of the value leaves nothing but its sign."""

@@ -1,4 +1,4 @@
-"""Reads and writes observation tables: CSV in UTF-8 with one header line, split by `calibrations.cells`."""
+"""Reads and writes observation tables: CSV in UTF-8 with one header line, split by `tumble.calibrations.cells`."""
 
 import csv
 from pathlib import Path
@@ -7,11 +7,11 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.bounded import MOST_ROWS, check_bounded, read_bounded
-from calibrations.cells import Line, TableError, header_cells, is_missing, number, read_cells, shown
-from calibrations.geometry import MOUNTS
-from calibrations.observations import Observations, SetAside
-from calibrations.screening import set_aside_bad_rows
+from tumble.calibrations.bounded import MOST_ROWS, check_bounded, read_bounded
+from tumble.calibrations.cells import Line, TableError, header_cells, is_missing, number, read_cells, shown
+from tumble.calibrations.geometry import MOUNTS
+from tumble.calibrations.observations import Observations, SetAside
+from tumble.calibrations.screening import set_aside_bad_rows
 
 __all__ = ["FIELDS", "TableError", "read_header", "read_lines", "read_table", "write_table"]
 

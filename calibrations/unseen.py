@@ -11,13 +11,13 @@ from typing import Final
 
 import numpy as np
 
-from calibrations.compression import compress
-from calibrations.effects import CATALOGUE
-from calibrations.fit import fit_given_alpha0, joint_fit
-from calibrations.geometry import FloatArray
-from calibrations.model import ALPHA0, PARAMETERS, basis, coefficients
-from calibrations.result import Calibration
-from calibrations.tracing.ground import scene_of
+from tumble.calibrations.compression import compress
+from tumble.calibrations.effects import CATALOGUE
+from tumble.calibrations.fit import fit_given_alpha0, joint_fit
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.model import ALPHA0, PARAMETERS, basis, coefficients
+from tumble.calibrations.result import Calibration
+from tumble.calibrations.tracing.ground import scene_of
 
 VISIBLE: Final = 4.8
 """What an effect must leave, in noise units of a dwell over all rows, to be found."""

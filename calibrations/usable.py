@@ -5,10 +5,10 @@ from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import TYPE_CHECKING
 
-from calibrations.result import Calibration, Parameter
+from tumble.calibrations.result import Calibration, Parameter
 
 if TYPE_CHECKING:
-    from calibrations.tracing.loop import Loop
+    from tumble.calibrations.tracing.loop import Loop
 
 
 class Model(StrEnum):

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
 
-from calibrations.usable import Model
+from tumble.calibrations.usable import Model
 
 DECISION_RULE = "simple acceptance"
 

@@ -20,12 +20,12 @@ from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
 from typing import Any, Final, Generic, TypeVar
 
-from drivers.clock import Clock
-from drivers.links.opened import Links
-from drivers.manual.head import Eyepiece
-from drivers.own_file import is_own_file, load_from_file
-from drivers.protocols import Daq, DividingHead
-from drivers.tables import DaqTable, HeadTable, Instrument
+from tumble.drivers.clock import Clock
+from tumble.drivers.links.opened import Links
+from tumble.drivers.manual.head import Eyepiece
+from tumble.drivers.own_file import is_own_file, load_from_file
+from tumble.drivers.protocols import Daq, DividingHead
+from tumble.drivers.tables import DaqTable, HeadTable, Instrument
 
 SIMULATED: Final = "simulated"
 """Names no driver, but the world that exists in this process only, with head and DAQ in one."""

@@ -1,6 +1,6 @@
 """Soft limits, the same for every head."""
 
-from drivers.errors import LimitError
+from tumble.drivers.errors import LimitError
 
 
 def check_limits(device: str, angle_deg: float, limits_deg: tuple[float, float]) -> None:

@@ -4,7 +4,7 @@ from typing import Annotated, TypeAlias
 
 from pydantic import AfterValidator, Field
 
-from drivers.text import check_name
+from tumble.drivers.text import check_name
 
 Name: TypeAlias = Annotated[str, AfterValidator(check_name)]
 """Text that can be seen and is no longer than a name; it may be empty."""

@@ -10,9 +10,11 @@ from pathlib import Path
 from types import ModuleType
 from typing import Final
 
-from drivers.errors import is_of_the_user
-from drivers.text import reason_of
+from tumble.drivers.errors import is_of_the_user
+from tumble.drivers.text import reason_of
 
+_FORMER: Final = frozenset({"app", "calibrations", "drivers", "emulators", "procedures", "window"})
+"""Packages that had no `tumble.` before their names until version 0.2."""
 _REMOTE: Final = re.compile(r"[\\/]{2}|[A-Za-z][A-Za-z0-9+.-]+:[\\/]{1,2}")
 
 
@@ -70,5 +72,12 @@ def _load_module(path: Path) -> ModuleType:
     except BaseException as error:  # whatever another's file raises, the operator needs to know which file it was
         if is_of_the_user(error):
             raise
-        raise ValueError(f"{path} could not be loaded ({reason_of(error)})") from error
+        raise ValueError(_not_loaded(path, error)) from error
     return module
+
+
+def _not_loaded(path: Path, error: BaseException) -> str:
+    former = error.name or "" if isinstance(error, ModuleNotFoundError) else ""
+    if former.partition(".")[0] in _FORMER:
+        return f"{path} imports {former}, which is tumble.{former} since version 0.2; write that in the file"
+    return f"{path} could not be loaded ({reason_of(error)})"

@@ -1,6 +1,6 @@
 """The narrow interfaces through which the engine sees a stand.
 
-Adding an instrument means writing one class that fits one of these and declaring it (`drivers.driver`); nothing
+Adding an instrument means writing one class that fits one of these and declaring it (`tumble.drivers.driver`); nothing
 inherits from anything.
 """
 
@@ -11,7 +11,7 @@ from typing import Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import NDArray
 
-from drivers.clock import Clock
+from tumble.drivers.clock import Clock
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -1,6 +1,6 @@
 """The tables `[head]` and `[daq]` of a stand file: what they all may say, and what a way to an instrument adds.
 
-A driver that has keys of its own derives its table from one of these; see `drivers.driver`.
+A driver that has keys of its own derives its table from one of these; see `tumble.drivers.driver`.
 """
 
 import re
@@ -10,9 +10,9 @@ from typing import ClassVar, Final, Literal, Self, TypeAlias
 from pydantic import BaseModel, ConfigDict, Field, field_validator, model_validator
 from pydantic_core import PydanticCustomError
 
-from drivers.links.can_address import CanAddress, Option
-from drivers.links.places import check_network, check_scheme, check_server
-from drivers.names import Name
+from tumble.drivers.links.can_address import CanAddress, Option
+from tumble.drivers.links.places import check_network, check_scheme, check_server
+from tumble.drivers.names import Name
 
 MOST_SAMPLES: Final = 10_000_000
 """More in one dwell is a slip of the pen."""
@@ -57,7 +57,7 @@ class Instrument(BaseModel):
 
     @property
     def address(self) -> str:
-        """Where the instrument is found, see `drivers.links.places`; empty where it has no address."""
+        """Where the instrument is found, see `tumble.drivers.links.places`; empty where it has no address."""
         return self.url
 
 

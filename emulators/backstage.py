@@ -14,15 +14,15 @@ from contextlib import contextmanager
 from hashlib import sha256
 from typing import Final
 
-from drivers.clock import Clock, SystemClock
-from drivers.errors import DeviceError
-from drivers.links.places import one_name
-from drivers.private_files import private_folder, read_private, write_private
-from drivers.processes import started
-from emulators.faults import Faults
-from emulators.serving import serve_tcp
-from emulators.speed import FasterClock
-from emulators.world import SharedWorld
+from tumble.drivers.clock import Clock, SystemClock
+from tumble.drivers.errors import DeviceError
+from tumble.drivers.links.places import one_name
+from tumble.drivers.private_files import private_folder, read_private, write_private
+from tumble.drivers.processes import started
+from tumble.emulators.faults import Faults
+from tumble.emulators.serving import serve_tcp
+from tumble.emulators.speed import FasterClock
+from tumble.emulators.world import SharedWorld
 
 _TIMEOUT_S: Final = 5.0
 _FOLDER: Final = "emulated"

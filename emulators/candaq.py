@@ -7,14 +7,14 @@ from typing import Final
 
 import can
 
-from drivers.candaq import DaqFrames
-from drivers.candaq.frames import Value
-from drivers.links.can_link import BUS_OFF
-from drivers.protocols import SampleBlock
-from emulators.candaq_faults import spoilt
-from emulators.faults import WIRE, Faults
-from emulators.foreign_frames import foreign_frames
-from emulators.world import SharedWorld
+from tumble.drivers.candaq import DaqFrames
+from tumble.drivers.candaq.frames import Value
+from tumble.drivers.links.can_link import BUS_OFF
+from tumble.drivers.protocols import SampleBlock
+from tumble.emulators.candaq_faults import spoilt
+from tumble.emulators.faults import WIRE, Faults
+from tumble.emulators.foreign_frames import foreign_frames
+from tumble.emulators.world import SharedWorld
 
 SERIAL: Final = 310001
 PRODUCT: Final = 1

@@ -2,8 +2,8 @@
 
 from collections.abc import Iterator
 
-from drivers.candaq import DaqFrames
-from emulators.faults import Fault
+from tumble.drivers.candaq import DaqFrames
+from tumble.emulators.faults import Fault
 
 Entry = tuple[float, int, bytes]
 

@@ -9,13 +9,13 @@ import can
 import canopen
 from canopen.pdo.base import PdoMap
 
-from drivers.cia402 import objects
-from emulators.cia402_axis import Axis
-from emulators.cia402_bus import DriveNetwork
-from emulators.cia402_drive import ERROR_REGISTER, OVERHEATED, Drive
-from emulators.cia402_habits import HABITS
-from emulators.faults import Fault, Faults, Kind
-from emulators.world import SharedWorld
+from tumble.drivers.cia402 import objects
+from tumble.emulators.cia402_axis import Axis
+from tumble.emulators.cia402_bus import DriveNetwork
+from tumble.emulators.cia402_drive import ERROR_REGISTER, OVERHEATED, Drive
+from tumble.emulators.cia402_habits import HABITS
+from tumble.emulators.faults import Fault, Faults, Kind
+from tumble.emulators.world import SharedWorld
 
 CYCLE_S: Final = 0.02
 """Time between two transmissions of the TPDOs: a master of the profile waits for them."""

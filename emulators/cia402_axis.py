@@ -2,10 +2,10 @@
 
 from typing import Final
 
-from drivers.errors import LimitError
-from drivers.protocols import HeadStatus
-from emulators.faults import Faults
-from emulators.world import SharedWorld
+from tumble.drivers.errors import LimitError
+from tumble.drivers.protocols import HeadStatus
+from tumble.emulators.faults import Faults
+from tumble.emulators.world import SharedWorld
 
 OVERSHOOT_DEG: Final = 0.5
 

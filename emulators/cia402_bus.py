@@ -7,9 +7,9 @@ from typing import Final
 import can
 import canopen
 
-from drivers.links.can_link import BUS_OFF
-from emulators.faults import WIRE, Fault, Faults
-from emulators.foreign_frames import foreign_frames
+from tumble.drivers.links.can_link import BUS_OFF
+from tumble.emulators.faults import WIRE, Fault, Faults
+from tumble.emulators.foreign_frames import foreign_frames
 
 _EMERGENCY: Final = 0x80
 _SDO_ANSWER: Final = 0x580

@@ -6,11 +6,11 @@ from typing import Final
 
 from canopen import SdoAbortedError
 
-from drivers.cia402 import objects, states
-from drivers.cia402.states import Mode, State
-from emulators.cia402_axis import Axis
-from emulators.cia402_habits import Habits
-from emulators.cia402_stage import PowerStage
+from tumble.drivers.cia402 import objects, states
+from tumble.drivers.cia402.states import Mode, State
+from tumble.emulators.cia402_axis import Axis
+from tumble.emulators.cia402_habits import Habits
+from tumble.emulators.cia402_stage import PowerStage
 
 FOLLOWING_ERROR: Final = 0x8611
 OVERHEATED: Final = 0x4310

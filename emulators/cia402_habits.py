@@ -5,8 +5,8 @@ from typing import Final
 
 from canopen import SdoAbortedError
 
-from drivers.cia402 import objects, states
-from emulators.faults import Fault, Kind
+from tumble.drivers.cia402 import objects, states
+from tumble.emulators.faults import Fault, Kind
 
 HABITS: Final[tuple[Kind, ...]] = ("old_bits", "flicker", "without_options", "mode_shown_late")
 

@@ -2,7 +2,7 @@
 
 from typing import Final
 
-from drivers.cia402.states import FAULT_RESET, State
+from tumble.drivers.cia402.states import FAULT_RESET, State
 
 _ENABLE_ANY: Final = {State.READY: State.ENABLED, State.SWITCHED_ON: State.ENABLED, State.QUICK_STOP: State.ENABLED}
 _SWITCH_ON_ANY: Final = {State.READY: State.SWITCHED_ON, State.ENABLED: State.SWITCHED_ON}

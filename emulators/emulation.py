@@ -7,17 +7,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 from uuid import uuid4
 
-from drivers.driver import SIMULATED
-from drivers.tables import DaqTable, HeadTable, Instrument
-from emulators.backstage import backstage_of
-from emulators.faults import Faults
-from emulators.scpi.models import Messages
-from emulators.serving import Server, Session, serve_pty, serve_tcp
-from emulators.stand_faults import StandFaults
-from emulators.world import SharedWorld
+from tumble.drivers.driver import SIMULATED
+from tumble.drivers.tables import DaqTable, HeadTable, Instrument
+from tumble.emulators.backstage import backstage_of
+from tumble.emulators.faults import Faults
+from tumble.emulators.scpi.models import Messages
+from tumble.emulators.serving import Server, Session, serve_pty, serve_tcp
+from tumble.emulators.stand_faults import StandFaults
+from tumble.emulators.world import SharedWorld
 
 if TYPE_CHECKING:  # cantools is there only where a stand has a CAN DAQ
-    from drivers.candaq import DaqFrames
+    from tumble.drivers.candaq import DaqFrames
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -36,7 +36,7 @@ class Wanted:
     folder: Path = Path()
     """Where relative paths of the stand file begin."""
     meter: str = "34461A"
-    """Which multimeter is served, one of `emulators.scpi.MODELS`."""
+    """Which multimeter is served, one of `tumble.emulators.scpi.MODELS`."""
     meter_messages: Messages | None = None
     """What it makes of several queries in one message, where that is not what the model does."""
     ptys: bool = False
@@ -80,14 +80,14 @@ class _Emulation:
         return _served(self._wanted.daq, {SIMULATED: self._scpi, "scpi": self._scpi, "can": self._candaq})
 
     def _zaber(self) -> dict[str, str]:
-        from emulators.zaber import EmulatedZaber
+        from tumble.emulators.zaber import EmulatedZaber
 
         stage = EmulatedZaber(self._shared, steps_per_deg=self._wanted.head.steps_per_deg, faults=self._head_faults)
         return self._lines("head", stage.session, self._wanted.head_port, self._head_faults)
 
     def _cia402(self) -> dict[str, str]:
-        from drivers.cia402.declaration import Cia402Table
-        from emulators.cia402 import EmulatedDrive
+        from tumble.drivers.cia402.declaration import Cia402Table
+        from tumble.emulators.cia402 import EmulatedDrive
 
         table = self._wanted.head
         assert isinstance(table, Cia402Table)
@@ -98,7 +98,7 @@ class _Emulation:
         return self._bus("head", self._wanted.head_port)
 
     def _scpi(self) -> dict[str, str]:
-        from emulators.scpi import Multimeter, ScpiSession
+        from tumble.emulators.scpi import Multimeter, ScpiSession
 
         meter = Multimeter(
             self._shared, self._daq_faults, model=self._wanted.meter, messages=self._wanted.meter_messages
@@ -106,7 +106,7 @@ class _Emulation:
         return self._lines("daq", lambda: ScpiSession(meter), self._wanted.daq_port, self._daq_faults)
 
     def _candaq(self) -> dict[str, str]:
-        from emulators.candaq import EmulatedCanDaq
+        from tumble.emulators.candaq import EmulatedCanDaq
 
         daq = EmulatedCanDaq(self._shared, self._channel, self._daq_faults, self._frames())
         self._stack.callback(daq.close)
@@ -114,7 +114,7 @@ class _Emulation:
 
     def _frames(self) -> "DaqFrames | None":
         """What the DBC file of the stand says, where it has one. Raises `ValueError`."""
-        from drivers.candaq.declaration import CanDaqTable, frames_of
+        from tumble.drivers.candaq.declaration import CanDaqTable, frames_of
 
         table = self._wanted.daq
         frames = frames_of(table, self._wanted.folder) if isinstance(table, CanDaqTable) else None
@@ -131,8 +131,8 @@ class _Emulation:
 
     def _bus(self, name: str, port: int) -> dict[str, str]:
         """Serve the CAN bus, once, whoever asks first."""
-        from emulators.slcan import serve_slcan, slcan_address
-        from emulators.socketcand import serve_socketcand, socketcand_address
+        from tumble.emulators.slcan import serve_slcan, slcan_address
+        from tumble.emulators.socketcand import serve_socketcand, socketcand_address
 
         if not self._bus_address:
             on_bus = {"head": self._wanted.head.driver == "cia402", "daq": self._wanted.daq.driver == "can"}

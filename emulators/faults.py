@@ -15,7 +15,7 @@ from typing import Final, Literal, Self
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
-from drivers.clock import Clock, SystemClock
+from tumble.drivers.clock import Clock, SystemClock
 
 WireKind = Literal["late", "cut", "double", "garble", "reorder", "wrong_checksum"]
 """What may happen to an answer on its way."""
@@ -44,7 +44,7 @@ DeviceKind = Literal[
 `emergency`: a drive gets too hot, says so and goes into fault. `error_queued`: a multimeter has an error in its queue.
 `swapped`: another unit, with another serial number, stands in its place.
 `old_bits`, `flicker`, `without_options`, `mode_shown_late`: a CiA 402 drive has that habit from then on
-(`emulators.cia402_habits`). `foreign_frames`: frames that are cut, garbled or of another kind come under the
+(`tumble.emulators.cia402_habits`). `foreign_frames`: frames that are cut, garbled or of another kind come under the
 identifiers of a device on CAN.
 """
 

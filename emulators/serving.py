@@ -8,9 +8,9 @@ from threading import Event, Thread
 from types import TracebackType
 from typing import Final, Self
 
-from emulators.faults import Faults
-from emulators.ports import Channel, Port, PtyPort, TcpPort
-from emulators.wire import Session, Wire
+from tumble.emulators.faults import Faults
+from tumble.emulators.ports import Channel, Port, PtyPort, TcpPort
+from tumble.emulators.wire import Session, Wire
 
 __all__ = ["Server", "Session", "serve_pty", "serve_tcp"]
 

@@ -6,9 +6,9 @@ from typing import Final
 
 import can
 
-from drivers.links.can_address import CanAddress
-from emulators.faults import Faults
-from emulators.serving import Server, serve_pty
+from tumble.drivers.links.can_address import CanAddress
+from tumble.emulators.faults import Faults
+from tumble.emulators.serving import Server, serve_pty
 
 DONE: Final = b"\r"
 REFUSED: Final = b"\a"
@@ -19,7 +19,7 @@ _VERSION: Final = {"V": b"V1013\r", "N": b"NT402\r", "F": b"F00\r"}
 
 
 class SlcanSession:
-    """One adapter; fits `emulators.serving.Session`. It hears nothing until its channel is opened."""
+    """One adapter; fits `tumble.emulators.serving.Session`. It hears nothing until its channel is opened."""
 
     def __init__(self, channel: str) -> None:
         self._bus = can.Bus(interface="virtual", channel=channel)

@@ -11,9 +11,9 @@ from typing import Final
 
 import can
 
-from drivers.links.can_address import CanAddress, Option
-from emulators.faults import Faults
-from emulators.serving import Server, serve_tcp
+from tumble.drivers.links.can_address import CanAddress, Option
+from tumble.emulators.faults import Faults
+from tumble.emulators.serving import Server, serve_tcp
 
 CHANNEL: Final = "can0"
 """What the bus is called towards clients; they may call it anything."""
@@ -25,7 +25,7 @@ _ANSWERS: Final = {b"open": b"< ok >", b"rawmode": b"< ok >", b"echo": b"< echo 
 
 
 class SocketcandSession:
-    """One client's conversation; fits `emulators.serving.Session`."""
+    """One client's conversation; fits `tumble.emulators.serving.Session`."""
 
     def __init__(self, channel: str) -> None:
         self._bus = can.Bus(interface="virtual", channel=channel)

@@ -13,7 +13,7 @@ class Pace(TypedDict):
 
 
 class FasterClock:
-    """The computer's clock, `factor` times as fast from the moment it is made. Fits `drivers.clock.Clock`.
+    """The computer's clock, `factor` times as fast from the moment it is made. Fits `tumble.drivers.clock.Clock`.
 
     Unlike a virtual clock it runs by itself: several threads, even several processes, may live by such clocks.
     `FasterClock(**clock.pace)` tells the same time as `clock`, also in another process.

@@ -3,8 +3,8 @@
 from collections.abc import Callable, Sequence
 from typing import Final
 
-from drivers.clock import Clock
-from emulators.faults import Fault, Faults, FaultScript
+from tumble.drivers.clock import Clock
+from tumble.emulators.faults import Fault, Faults, FaultScript
 
 DEVICES: Final = ("head", "daq", "operator")
 

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from random import Random
 from typing import Final, Protocol
 
-from emulators.faults import WIRE, Fault, Faults
+from tumble.emulators.faults import WIRE, Fault, Faults
 
 MOST_WAITING_BYTES: Final = 65536
 """A client that sends more than this without ending a command is not talking this protocol; it is thrown away."""

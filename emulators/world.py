@@ -2,10 +2,10 @@
 
 from threading import RLock
 
-from drivers.clock import Clock
-from drivers.simulated import SimulatedStand, SimulatedWorld
-from drivers.simulated.daq import SimulatedDaq
-from drivers.simulated.head import SimulatedHead
+from tumble.drivers.clock import Clock
+from tumble.drivers.simulated import SimulatedStand, SimulatedWorld
+from tumble.drivers.simulated.daq import SimulatedDaq
+from tumble.drivers.simulated.head import SimulatedHead
 
 
 class SharedWorld:

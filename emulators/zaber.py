@@ -8,7 +8,7 @@ other devices. Moves to a place need a reference; outside `limit.min` and `limit
 from collections.abc import Callable, Sequence
 from typing import Final
 
-from drivers.zaber.codec import (
+from tumble.drivers.zaber.codec import (
     BROADCAST,
     GarbledError,
     Kind,
@@ -17,9 +17,9 @@ from drivers.zaber.codec import (
     encode_message,
     parse_request,
 )
-from emulators.faults import Faults
-from emulators.world import SharedWorld
-from emulators.zaber_axis import RejectError, ZaberAxis
+from tumble.emulators.faults import Faults
+from tumble.emulators.world import SharedWorld
+from tumble.emulators.zaber_axis import RejectError, ZaberAxis
 
 DEVICE_ID: Final = 99_001
 """None of Zaber's."""
@@ -177,7 +177,7 @@ class EmulatedZaber:
 
 
 class ZaberSession:
-    """What one client hears. Fits `emulators.serving.Session`."""
+    """What one client hears. Fits `tumble.emulators.serving.Session`."""
 
     def __init__(self, device: EmulatedZaber) -> None:
         self._device = device

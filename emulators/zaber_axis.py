@@ -4,9 +4,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Final
 
-from drivers.errors import LimitError
-from emulators.faults import Faults
-from emulators.world import SharedWorld
+from tumble.drivers.errors import LimitError
+from tumble.emulators.faults import Faults
+from tumble.emulators.world import SharedWorld
 
 OVERSHOOT_DEG: Final = 0.5
 SPEED_UNITS_PER_HZ: Final = 1.6384

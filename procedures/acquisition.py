@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from procedures.approach import EITHER_WAY, Approach
+from tumble.procedures.approach import EITHER_WAY, Approach
 
 
 @dataclass(frozen=True, kw_only=True)

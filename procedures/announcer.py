@@ -4,8 +4,8 @@ from collections.abc import Callable, Iterable
 from contextlib import suppress
 from typing import Protocol, TypeAlias
 
-from procedures.errors import StorageError
-from procedures.events import Event, WarningRaised
+from tumble.procedures.errors import StorageError
+from tumble.procedures.events import Event, WarningRaised
 
 Listener: TypeAlias = Callable[[Event], None]
 """Is called with every event, in the thread of the run, after the sink has taken it."""

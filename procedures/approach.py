@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Final
 
-from procedures.steps import Direction
+from tumble.procedures.steps import Direction
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -3,8 +3,8 @@
 from collections.abc import Generator, Iterable
 from typing import Protocol, TypeAlias, TypeVar
 
-from procedures.errors import ProcedureError
-from procedures.steps import Dwell, Mounting, Point, Procedure, Reply, Step
+from tumble.procedures.errors import ProcedureError
+from tumble.procedures.steps import Dwell, Mounting, Point, Procedure, Reply, Step
 
 Dwells: TypeAlias = Generator[Dwell, Point, None]
 """Yields dwells, is sent the point of each, and leaves it to others to have the unit seated."""

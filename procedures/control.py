@@ -2,7 +2,7 @@
 
 from threading import Event
 
-from procedures.errors import StopRequestedError
+from tumble.procedures.errors import StopRequestedError
 
 
 class Control:

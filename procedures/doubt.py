@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from procedures.steps import Point
+from tumble.procedures.steps import Point
 
 _TERMS = 5
 _FEWEST = _TERMS + 4

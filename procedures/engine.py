@@ -9,14 +9,14 @@ from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from functools import partial
 
-from drivers.protocols import HeadStatus, Identity, Stand
-from procedures.acquisition import Acquisition
-from procedures.announcer import Announcer, Listener, Sink
-from procedures.approach import Place
-from procedures.composition import advance
-from procedures.control import Control
-from procedures.errors import ProcedureError, StorageError, UnansweredError
-from procedures.events import (
+from tumble.drivers.protocols import HeadStatus, Identity, Stand
+from tumble.procedures.acquisition import Acquisition
+from tumble.procedures.announcer import Announcer, Listener, Sink
+from tumble.procedures.approach import Place
+from tumble.procedures.composition import advance
+from tumble.procedures.control import Control
+from tumble.procedures.errors import ProcedureError, StorageError, UnansweredError
+from tumble.procedures.events import (
     MountAnswered,
     MountRequested,
     PointCompleted,
@@ -27,15 +27,15 @@ from procedures.events import (
     StepStarted,
     WarningRaised,
 )
-from procedures.eyepiece import OperatorEyepiece
-from procedures.measuring import Measuring, Taken
-from procedures.motion import POLL_S, Motion
-from procedures.operator import Answer, Operator
-from procedures.outcome import Outcome, message_of, outcome_of
-from procedures.recovery import Recovery
-from procedures.replay import replay
-from procedures.steps import Dwell, Mounted, Mounting, Point, Procedure, Reply, Step
-from procedures.verification import check_agreement, verified
+from tumble.procedures.eyepiece import OperatorEyepiece
+from tumble.procedures.measuring import Measuring, Taken
+from tumble.procedures.motion import POLL_S, Motion
+from tumble.procedures.operator import Answer, Operator
+from tumble.procedures.outcome import Outcome, message_of, outcome_of
+from tumble.procedures.recovery import Recovery
+from tumble.procedures.replay import replay
+from tumble.procedures.steps import Dwell, Mounted, Mounting, Point, Procedure, Reply, Step
+from tumble.procedures.verification import check_agreement, verified
 
 
 class Engine:

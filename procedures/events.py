@@ -4,8 +4,8 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import TypeAlias
 
-from drivers.protocols import SampleBlock
-from procedures.steps import Point, Step
+from tumble.drivers.protocols import SampleBlock
+from tumble.procedures.steps import Point, Step
 
 
 class State(StrEnum):

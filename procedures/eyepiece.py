@@ -9,21 +9,21 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Final
 
-from drivers.clock import Clock
-from drivers.manual.reading import format_dms, parse_reading
-from procedures.doubt import Doubt, doubt
-from procedures.errors import UnansweredError
-from procedures.events import Event, ReadingAnswered, ReadingRequested
-from procedures.motion import POLL_S
-from procedures.operator import Answer, Operator
-from procedures.steps import Point
+from tumble.drivers.clock import Clock
+from tumble.drivers.manual.reading import format_dms, parse_reading
+from tumble.procedures.doubt import Doubt, doubt
+from tumble.procedures.errors import UnansweredError
+from tumble.procedures.events import Event, ReadingAnswered, ReadingRequested
+from tumble.procedures.motion import POLL_S
+from tumble.procedures.operator import Answer, Operator
+from tumble.procedures.steps import Point
 
 _MOST_REFUSED: Final = 10
 """Answers in a row that are no angles; more is nobody who reads the head."""
 
 
 class OperatorEyepiece:
-    """Has an operator set and read the head. Fits `drivers.manual.Eyepiece` and asks on behalf of the engine.
+    """Has an operator set and read the head. Fits `tumble.drivers.manual.Eyepiece` and asks on behalf of the engine.
 
     Parameters
     ----------

@@ -11,9 +11,9 @@ from typing import Literal, TypeAlias
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, field_validator, model_validator
 
-from calibrations.flips import POLES, SEEKING_DEG
-from procedures.composition import Dwells
-from procedures.steps import Dwell, Point
+from tumble.calibrations.flips import POLES, SEEKING_DEG
+from tumble.procedures.composition import Dwells
+from tumble.procedures.steps import Dwell, Point
 
 Axis: TypeAlias = Literal["x", "y", "z"]
 

@@ -4,14 +4,14 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
-from drivers.protocols import HeadStatus, SampleBlock, Stand
-from procedures.acquisition import Acquisition
-from procedures.approach import Place
-from procedures.motion import Motion
-from procedures.recovery import Recovery
-from procedures.reduction import Reduction, reduce_block
-from procedures.settling import acquire, settle
-from procedures.steps import Direction, Dwell, Point
+from tumble.drivers.protocols import HeadStatus, SampleBlock, Stand
+from tumble.procedures.acquisition import Acquisition
+from tumble.procedures.approach import Place
+from tumble.procedures.motion import Motion
+from tumble.procedures.recovery import Recovery
+from tumble.procedures.reduction import Reduction, reduce_block
+from tumble.procedures.settling import acquire, settle
+from tumble.procedures.steps import Direction, Dwell, Point
 
 
 @dataclass(frozen=True, kw_only=True)

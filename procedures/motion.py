@@ -5,12 +5,12 @@ from collections.abc import Callable
 from contextlib import suppress
 from typing import Final
 
-from drivers.clock import Clock
-from drivers.errors import DeviceError, LinkLostError, ReferenceLostError
-from drivers.protocols import DividingHead, HeadStatus, Reconnectable
-from procedures.approach import EITHER_WAY, Approach, Place, direction_of
-from procedures.steps import Direction
-from procedures.watch import Watch, allowed_s
+from tumble.drivers.clock import Clock
+from tumble.drivers.errors import DeviceError, LinkLostError, ReferenceLostError
+from tumble.drivers.protocols import DividingHead, HeadStatus, Reconnectable
+from tumble.procedures.approach import EITHER_WAY, Approach, Place, direction_of
+from tumble.procedures.steps import Direction
+from tumble.procedures.watch import Watch, allowed_s
 
 POLL_S: Final = 0.05
 """Time between two looks at the head or at the operator."""

@@ -15,9 +15,9 @@ from typing import Final, Literal, Protocol, TextIO
 
 from pydantic import BaseModel, ConfigDict, field_validator
 
-from drivers.manual.reading import parse_reading
-from procedures.errors import UnansweredError
-from procedures.toml_lines import load_toml
+from tumble.drivers.manual.reading import parse_reading
+from tumble.procedures.errors import UnansweredError
+from tumble.procedures.toml_lines import load_toml
 
 _YES: Final = frozenset({"yes", "done", "seated"})
 _NO: Final = frozenset({"no", "abort", "cancel"})

@@ -4,10 +4,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Final
 
-from drivers.errors import DeviceError
-from procedures.errors import StopRequestedError, StorageError, UnansweredError
-from procedures.events import FinishReason, RunFinished
-from procedures.steps import Point
+from tumble.drivers.errors import DeviceError
+from tumble.procedures.errors import StopRequestedError, StorageError, UnansweredError
+from tumble.procedures.events import FinishReason, RunFinished
+from tumble.procedures.steps import Point
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -7,13 +7,13 @@ from itertools import pairwise
 
 import numpy as np
 
-from calibrations.geometry import projections
-from procedures.acquisition import Acquisition
-from procedures.approach import Place, direction_of
-from procedures.composition import advance
-from procedures.errors import ProgrammeError
-from procedures.programme import Programme
-from procedures.steps import Direction, Dwell, Mounted, Mounting, Point, Reply, Step
+from tumble.calibrations.geometry import projections
+from tumble.procedures.acquisition import Acquisition
+from tumble.procedures.approach import Place, direction_of
+from tumble.procedures.composition import advance
+from tumble.procedures.errors import ProgrammeError
+from tumble.procedures.programme import Programme
+from tumble.procedures.steps import Direction, Dwell, Mounted, Mounting, Point, Reply, Step
 
 MOUNTING_S = 60.0
 """Time in which an operator seats a unit anew, unless it is stated."""

@@ -8,20 +8,20 @@ from typing import Annotated, Final, Literal, TypeAlias
 
 from pydantic import BaseModel, ConfigDict, Field, PrivateAttr, model_validator
 
-from drivers.names import GivenName
-from drivers.tables import MOST_SAMPLES
-from procedures.acquisition import Acquisition
-from procedures.approach import Approach
-from procedures.composition import compose
-from procedures.errors import InputError, ProgrammeError
-from procedures.flip import Flip
-from procedures.steps import Direction, Procedure
-from procedures.sweep import Sweep
-from procedures.toml_lines import line_of, parse_toml, read_text
+from tumble.drivers.names import GivenName
+from tumble.drivers.tables import MOST_SAMPLES
+from tumble.procedures.acquisition import Acquisition
+from tumble.procedures.approach import Approach
+from tumble.procedures.composition import compose
+from tumble.procedures.errors import InputError, ProgrammeError
+from tumble.procedures.flip import Flip
+from tumble.procedures.steps import Direction, Procedure
+from tumble.procedures.sweep import Sweep
+from tumble.procedures.toml_lines import line_of, parse_toml, read_text
 
 Parameter: TypeAlias = Literal["u0", "kx", "ky", "kz", "kxy", "alpha0"]
 
-_SHIPPED = files("procedures") / "programmes"
+_SHIPPED = files("tumble.procedures") / "programmes"
 MOST_DWELLS = 200_000
 """In a run: a week or two of stand time."""
 _DIRECTIONS: Final[Mapping[str, Direction]] = {"up": 1, "down": -1, "either": 0}

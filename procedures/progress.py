@@ -20,10 +20,10 @@ import math
 from collections import deque
 from dataclasses import dataclass
 
-from drivers.clock import Clock
-from procedures.events import Event, MountAnswered, PointCompleted, State, StateChanged, StepStarted
-from procedures.plan import Plan
-from procedures.steps import Dwell, Mounting
+from tumble.drivers.clock import Clock
+from tumble.procedures.events import Event, MountAnswered, PointCompleted, State, StateChanged, StepStarted
+from tumble.procedures.plan import Plan
+from tumble.procedures.steps import Dwell, Mounting
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -8,11 +8,11 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Final, TypeVar
 
-from drivers.errors import DeviceError, LinkLostError, NoReplyError, ReferenceLostError
-from drivers.protocols import Daq, DividingHead, Identity, Reconnectable, Remarking, Resettable, Stand
-from procedures.approach import Place
-from procedures.events import Event, Identified, WarningRaised
-from procedures.motion import Motion
+from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError, ReferenceLostError
+from tumble.drivers.protocols import Daq, DividingHead, Identity, Reconnectable, Remarking, Resettable, Stand
+from tumble.procedures.approach import Place
+from tumble.procedures.events import Event, Identified, WarningRaised
+from tumble.procedures.motion import Motion
 
 RECONNECTING_S: Final = 30.0
 """How long a link may stay away."""

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from calibrations.observations import OVERLOAD_V
-from drivers.protocols import SampleBlock
+from tumble.calibrations.observations import OVERLOAD_V
+from tumble.drivers.protocols import SampleBlock
 
 
 @dataclass(frozen=True, kw_only=True)

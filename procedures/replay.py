@@ -3,9 +3,9 @@
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from procedures.composition import advance
-from procedures.errors import JournalError
-from procedures.steps import Dwell, Mounted, Mounting, Point, Procedure, Reply, Step
+from tumble.procedures.composition import advance
+from tumble.procedures.errors import JournalError
+from tumble.procedures.steps import Dwell, Mounted, Mounting, Point, Procedure, Reply, Step
 
 
 @dataclass(frozen=True, kw_only=True)

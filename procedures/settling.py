@@ -3,11 +3,11 @@
 import math
 from collections.abc import Callable
 
-from drivers.clock import Clock
-from drivers.errors import DeviceError
-from drivers.protocols import Daq, SampleBlock
-from procedures.acquisition import Acquisition
-from procedures.reduction import Reduction, reduce_block
+from tumble.drivers.clock import Clock
+from tumble.drivers.errors import DeviceError
+from tumble.drivers.protocols import Daq, SampleBlock
+from tumble.procedures.acquisition import Acquisition
+from tumble.procedures.reduction import Reduction, reduce_block
 
 RESOLUTION_V = 1e-6
 """Means that differ by less agree in any case: without noise a standard error would be no measure."""

@@ -5,9 +5,9 @@ from typing import Annotated, Literal
 import numpy as np
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field
 
-from calibrations.geometry import MOUNTS
-from procedures.composition import Dwells
-from procedures.steps import Dwell
+from tumble.calibrations.geometry import MOUNTS
+from tumble.procedures.composition import Dwells
+from tumble.procedures.steps import Dwell
 
 
 def _known_mount(mount: str) -> str:

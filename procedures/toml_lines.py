@@ -8,9 +8,9 @@ from typing import Any, TypeAlias, TypeVar
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
-from calibrations.bounded import check_bounded
-from procedures.errors import InputError
-from procedures.toml_text import read_toml, without_mark
+from tumble.calibrations.bounded import check_bounded
+from tumble.procedures.errors import InputError
+from tumble.procedures.toml_text import read_toml, without_mark
 
 Location: TypeAlias = tuple[str | int, ...]
 """Where a value stands: keys, and places in an array counted from 0, as in `("procedure", 1, "step_deg")`."""

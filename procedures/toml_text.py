@@ -5,7 +5,7 @@ import tomllib
 from collections.abc import Iterator
 from typing import Any, Final
 
-from procedures.errors import InputError
+from tumble.procedures.errors import InputError
 
 BYTE_ORDER_MARK: Final = "\ufeff"
 """Some editors put it in front of UTF-8; it says nothing there."""

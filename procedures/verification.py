@@ -10,11 +10,11 @@ difference, and that.
 import math
 from collections.abc import Sequence
 
-from drivers.errors import DeviceError
-from procedures.events import PointVerified
-from procedures.reduction import Reduction
-from procedures.settling import RESOLUTION_V
-from procedures.steps import Point
+from tumble.drivers.errors import DeviceError
+from tumble.procedures.events import PointVerified
+from tumble.procedures.reduction import Reduction
+from tumble.procedures.settling import RESOLUTION_V
+from tumble.procedures.steps import Point
 
 _SIGMAS = 5.0
 

@@ -2,8 +2,8 @@
 
 from typing import Final
 
-from drivers.errors import DeviceError
-from drivers.protocols import HeadStatus
+from tumble.drivers.errors import DeviceError
+from tumble.drivers.protocols import HeadStatus
 
 _PATIENCE: Final = 2.0
 _MARGIN_S: Final = 5.0

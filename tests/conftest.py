@@ -11,7 +11,7 @@ from typing import Final
 import pytest
 from hypothesis import settings
 
-from app.cli import limit_blas_threads
+from tumble.app.cli import limit_blas_threads
 
 limit_blas_threads()  # as the program does, before numpy is loaded
 signal.signal(signal.SIGINT, signal.default_int_handler)  # programs that tests start hear it, in the background too
@@ -73,6 +73,13 @@ def pytest_collection_finish() -> None:
     gc.collect()
     gc.freeze()
     gc.set_threshold(20_000, 20, 20)
+
+
+@pytest.fixture(scope="session", autouse=True)
+def one_namespace():
+    """Everything is imported as `tumble.*`: under two names there would be two of every class."""
+    yield
+    assert not {"app", "calibrations", "drivers", "emulators", "procedures", "window"} & sys.modules.keys()
 
 
 @pytest.fixture(scope="session")

@@ -4,18 +4,18 @@ from pathlib import Path
 
 import click
 
-from app.commands import options
-from app.exits import Exit, JobError
+from tumble.app.commands import options
+from tumble.app.exits import Exit, JobError
 
 
 @click.command("gui")
 @options.store
 def command(folder: Path) -> None:
     """Open the operator's window."""
-    from window.libraries import obstacle
+    from tumble.window.libraries import obstacle
 
     if sentence := obstacle():
         raise JobError(sentence, Exit.BAD_INPUT)
-    from window.start import show
+    from tumble.window.start import show
 
     raise SystemExit(show(folder.absolute()))

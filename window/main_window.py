@@ -7,27 +7,27 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QCloseEvent, QKeyEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QStackedWidget, QVBoxLayout, QWidget
 
-from app.stand import LoadedStand
-from drivers.protocols import HeadStatus
-from window.menus import fill_menus
-from window.place import keep_on_screen, remember_place, restore_place
-from window.screens.records import RecordsScreen
-from window.screens.result import ResultScreen
-from window.screens.run import RunScreen
-from window.screens.run_state import Phase
-from window.screens.stand import StandScreen, remembered_stand
-from window.stop_guard import STOP_KEYS, StopGuard
-from window.way_out import WayOut
-from window.widgets.dialog import Dialog, Dialogs, QuestionDialog
-from window.widgets.navigation import Navigation
-from window.widgets.problem import ProblemDialog
-from window.widgets.screen_area import ScreenArea
-from window.widgets.stop_bar import StopBar
-from window.work.activity import Activity, Concluded
-from window.work.background import Background
-from window.work.bridge import EventBridge
-from window.work.operator import WindowOperator
-from window.work.stand_worker import StandWorker
+from tumble.app.stand import LoadedStand
+from tumble.drivers.protocols import HeadStatus
+from tumble.window.menus import fill_menus
+from tumble.window.place import keep_on_screen, remember_place, restore_place
+from tumble.window.screens.records import RecordsScreen
+from tumble.window.screens.result import ResultScreen
+from tumble.window.screens.run import RunScreen
+from tumble.window.screens.run_state import Phase
+from tumble.window.screens.stand import StandScreen, remembered_stand
+from tumble.window.stop_guard import STOP_KEYS, StopGuard
+from tumble.window.way_out import WayOut
+from tumble.window.widgets.dialog import Dialog, Dialogs, QuestionDialog
+from tumble.window.widgets.navigation import Navigation
+from tumble.window.widgets.problem import ProblemDialog
+from tumble.window.widgets.screen_area import ScreenArea
+from tumble.window.widgets.stop_bar import StopBar
+from tumble.window.work.activity import Activity, Concluded
+from tumble.window.work.background import Background
+from tumble.window.work.bridge import EventBridge
+from tumble.window.work.operator import WindowOperator
+from tumble.window.work.stand_worker import StandWorker
 
 _GAPS: Final = 24
 """Pixels between the parts of the window, together."""

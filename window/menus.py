@@ -6,13 +6,13 @@ from PySide6.QtCore import QCoreApplication, QSettings
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QLabel, QMenu
 
-from window.look.language import Language, preferred
-from window.look.theme import Shade
-from window.stop_guard import STOP_KEYS
-from window.widgets.dialog import YES_KEY, Dialog
+from tumble.window.look.language import Language, preferred
+from tumble.window.look.theme import Shade
+from tumble.window.stop_guard import STOP_KEYS
+from tumble.window.widgets.dialog import YES_KEY, Dialog
 
 if TYPE_CHECKING:
-    from window.main_window import MainWindow
+    from tumble.window.main_window import MainWindow
 
 translate: Final = QCoreApplication.translate
 SCALES: Final = (0.8, 1.0, 1.25, 1.5, 2.0, 2.5)

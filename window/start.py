@@ -13,12 +13,12 @@ from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QSessionManager
 from PySide6.QtWidgets import QApplication
 
-from window.look.language import speak
-from window.look.theme import dress, dress_window
-from window.main_window import MainWindow
-from window.menus import language, shade, text_scale
-from window.place import keep_on_screen
-from window.widgets.problem import keep_details
+from tumble.window.look.language import speak
+from tumble.window.look.theme import dress, dress_window
+from tumble.window.main_window import MainWindow
+from tumble.window.menus import language, shade, text_scale
+from tumble.window.place import keep_on_screen
+from tumble.window.widgets.problem import keep_details
 
 _TURN_S: Final = 5e-4
 """How long another thread may compute before the event loop has its turn; Python's own 5 ms are felt."""
@@ -123,7 +123,7 @@ def application() -> QApplication:
 
 def show(store: Path) -> int:
     """Open the window, and return its exit status once it is closed."""
-    from app.signals import STOPPING_SIGNALS
+    from tumble.app.signals import STOPPING_SIGNALS
 
     qt = application()
     running = Application(qt, store)

@@ -4,10 +4,10 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject
 
-from window.widgets.dialog import QuestionDialog
+from tumble.window.widgets.dialog import QuestionDialog
 
 if TYPE_CHECKING:
-    from window.main_window import MainWindow
+    from tumble.window.main_window import MainWindow
 
 _WITHIN_S: Final = 15.0
 """How long the end of a session is put off for a standstill: as long as one may take, and what leaves a stand."""

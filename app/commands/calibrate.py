@@ -4,13 +4,13 @@ from pathlib import Path
 
 import click
 
-from app.calibrating import calibrate
-from app.commands import options
-from app.commands.measuring import measures
-from app.commands.telling import tell_calibrated
-from app.console import messages, run_display
-from app.running import Job
-from app.wiring import Connected
+from tumble.app.calibrating import calibrate
+from tumble.app.commands import options
+from tumble.app.commands.measuring import measures
+from tumble.app.commands.telling import tell_calibrated
+from tumble.app.console import messages, run_display
+from tumble.app.running import Job
+from tumble.app.wiring import Connected
 
 
 @click.command("calibrate")

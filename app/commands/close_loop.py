@@ -8,31 +8,31 @@ from pathlib import Path
 
 import click
 
-from app.acting import AtStand, measure
-from app.analysing import Traced, fit, trace
-from app.calibrating import write_report
-from app.closing import MOST_EXPERIMENTS, Closing, act, begin
-from app.commands import options
-from app.commands.measuring import Wanted, may_measure
-from app.commands.telling import leave_by
-from app.console import messages, parameter_table, results, row_lines, run_display, show_verdict, warn
-from app.files import is_recording
-from app.joining import read_together
-from app.learning import contradictions_of, learn
-from app.loop_console import show_loop, tell_closing
-from app.measurements import read_measurement
-from app.other_tables import close_other_loop
-from app.running import Job
-from app.stand import read_stand
-from app.stand_records import with_stand_record
-from app.terminal import say
-from calibrations.montecarlo import TRIALS
-from calibrations.observations import Observations
-from calibrations.tracing.chain import Chain
-from calibrations.tracing.words import comparisons
-from procedures.announcer import Listener
-from procedures.errors import InputError
-from procedures.programme import load_programme
+from tumble.app.acting import AtStand, measure
+from tumble.app.analysing import Traced, fit, trace
+from tumble.app.calibrating import write_report
+from tumble.app.closing import MOST_EXPERIMENTS, Closing, act, begin
+from tumble.app.commands import options
+from tumble.app.commands.measuring import Wanted, may_measure
+from tumble.app.commands.telling import leave_by
+from tumble.app.console import messages, parameter_table, results, row_lines, run_display, show_verdict, warn
+from tumble.app.files import is_recording
+from tumble.app.joining import read_together
+from tumble.app.learning import contradictions_of, learn
+from tumble.app.loop_console import show_loop, tell_closing
+from tumble.app.measurements import read_measurement
+from tumble.app.other_tables import close_other_loop
+from tumble.app.running import Job
+from tumble.app.stand import read_stand
+from tumble.app.stand_records import with_stand_record
+from tumble.app.terminal import say
+from tumble.calibrations.montecarlo import TRIALS
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.tracing.chain import Chain
+from tumble.calibrations.tracing.words import comparisons
+from tumble.procedures.announcer import Listener
+from tumble.procedures.errors import InputError
+from tumble.procedures.programme import load_programme
 
 
 @click.command("close-loop")

@@ -8,20 +8,20 @@ from urllib.parse import urlsplit
 
 import click
 
-from app.commands import options
-from app.simulation import simulation
-from app.stand import read_stand
-from app.terminal import say
-from drivers.links.places import LOOPBACK, one_host
-from drivers.simulated import SimulatedStand
-from drivers.tables import Instrument, OnCan
-from emulators.emulation import Wanted, emulate
-from emulators.faults import FaultScript
-from emulators.speed import FasterClock
-from emulators.stand_faults import StandFaults
-from emulators.world import SharedWorld
-from procedures.errors import InputError
-from procedures.toml_lines import parse_toml, read_text
+from tumble.app.commands import options
+from tumble.app.simulation import simulation
+from tumble.app.stand import read_stand
+from tumble.app.terminal import say
+from tumble.drivers.links.places import LOOPBACK, one_host
+from tumble.drivers.simulated import SimulatedStand
+from tumble.drivers.tables import Instrument, OnCan
+from tumble.emulators.emulation import Wanted, emulate
+from tumble.emulators.faults import FaultScript
+from tumble.emulators.speed import FasterClock
+from tumble.emulators.stand_faults import StandFaults
+from tumble.emulators.world import SharedWorld
+from tumble.procedures.errors import InputError
+from tumble.procedures.toml_lines import parse_toml, read_text
 
 
 @click.command("emulate")

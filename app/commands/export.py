@@ -4,14 +4,14 @@ from pathlib import Path
 
 import click
 
-from app.commands import options
-from app.console import warn
-from app.files import RECORDING_SUFFIX, is_recording, replacing
-from app.kinds import Kind
-from app.measurements import read_measurement
-from app.terminal import say
-from calibrations.table import write_table
-from procedures.errors import InputError
+from tumble.app.commands import options
+from tumble.app.console import warn
+from tumble.app.files import RECORDING_SUFFIX, is_recording, replacing
+from tumble.app.kinds import Kind
+from tumble.app.measurements import read_measurement
+from tumble.app.terminal import say
+from tumble.calibrations.table import write_table
+from tumble.procedures.errors import InputError
 
 
 @click.command("export")

@@ -4,16 +4,16 @@ from pathlib import Path
 
 import click
 
-from app.analysing import fit, trace
-from app.calibrating import store
-from app.commands import options
-from app.commands.telling import leave_by
-from app.console import results, show_result, warn
-from app.loop_console import show_loop
-from app.measurements import read_measurement
-from app.stand import read_stand
-from app.stand_records import with_stand_record
-from app.terminal import say
+from tumble.app.analysing import fit, trace
+from tumble.app.calibrating import store
+from tumble.app.commands import options
+from tumble.app.commands.telling import leave_by
+from tumble.app.console import results, show_result, warn
+from tumble.app.loop_console import show_loop
+from tumble.app.measurements import read_measurement
+from tumble.app.stand import read_stand
+from tumble.app.stand_records import with_stand_record
+from tumble.app.terminal import say
 
 
 @click.command("fit")

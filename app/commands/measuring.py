@@ -9,16 +9,16 @@ from typing import Any
 
 import click
 
-from app.commands import options
-from app.console import warn
-from app.resuming import lived_through
-from app.running import Job
-from app.stand import LoadedStand, load_stand
-from app.stand_lock import holding
-from app.wiring import Connected, connect
-from drivers.text import LONGEST_NAME
-from procedures.errors import InputError
-from procedures.programme import load_programme
+from tumble.app.commands import options
+from tumble.app.console import warn
+from tumble.app.resuming import lived_through
+from tumble.app.running import Job
+from tumble.app.stand import LoadedStand, load_stand
+from tumble.app.stand_lock import holding
+from tumble.app.wiring import Connected, connect
+from tumble.drivers.text import LONGEST_NAME
+from tumble.procedures.errors import InputError
+from tumble.procedures.programme import load_programme
 
 
 @dataclass(frozen=True, kw_only=True)

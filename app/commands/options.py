@@ -7,15 +7,15 @@ from typing import Any
 
 import click
 
-from app.files import check_result, write_text
-from app.kinds import Kind
-from app.terminal import as_json, say_document
-from drivers.text import check_name
-from procedures.errors import InputError
+from tumble.app.files import check_result, write_text
+from tumble.app.kinds import Kind
+from tumble.app.terminal import as_json, say_document
+from tumble.drivers.text import check_name
+from tumble.procedures.errors import InputError
 
 
 class Output(click.Path):
-    """A file to be written: refused before anything is done for it where it may not be. See `app.files`."""
+    """A file to be written: refused before anything is done for it where it may not be. See `tumble.app.files`."""
 
     def __init__(self, kind: Kind) -> None:
         super().__init__(path_type=Path)
@@ -81,7 +81,7 @@ def write_json(document: dict[str, Any], path: Path | None) -> None:
     """Write a document where `--json` says; nowhere without it. Raises `JobError`."""
     if path is None:
         return
-    known = {"schema": document["schema"], **document}  # in front, where `app.kinds` looks for it
+    known = {"schema": document["schema"], **document}  # in front, where `tumble.app.kinds` looks for it
     if str(path) == "-":
         say_document(known)
     else:

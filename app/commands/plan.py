@@ -1,42 +1,90 @@
 """`tumble plan`: what a programme will do."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from itertools import groupby
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 import click
 
-from app.commands import options
-from app.running import Outline
-from app.stand import read_stand
-from app.terminal import say
-from procedures.plan import Plan, PlannedStep
-from procedures.programme import load_programme
-from procedures.steps import Mounting
+from tumble.app.commands import options
+from tumble.app.running import Outline
+from tumble.app.stand import read_stand
+from tumble.app.terminal import say
+from tumble.procedures.plan import Plan, PlannedStep
+from tumble.procedures.programme import load_programme
+from tumble.procedures.steps import Dwell, Mounting
+
+_FEW: Final = 4
+"""So many settings are written out."""
 
 
 @click.command("plan")
 @click.argument("programme")
 @options.stand
+@click.option("--steps", "every_step", is_flag=True, help="Print every step, too.")
 @options.json_out
-def command(programme: str, stand_path: Path | None, json_path: Path | None) -> None:
-    """Print every step of a programme and its duration, without moving anything."""
+def command(programme: str, stand_path: Path | None, every_step: bool, json_path: Path | None) -> None:
+    """Print what a programme measures in each mounting and how long it takes, without moving anything."""
     planned = Outline(stand=read_stand(stand_path), programme=load_programme(programme)).plan()
     if str(json_path) != "-":
-        say(*_lines(planned))
+        say(_summary(planned), *(_steps(planned) if every_step else _mountings(planned)))
     options.write_json(_document(planned), json_path)
 
 
-def _lines(planned: Plan) -> Iterator[str]:
+def _summary(planned: Plan) -> str:
+    low, high = planned.angle_range_deg
+    return (
+        f"{planned.programme.name}: {planned.dwells} dwells between {low:g}° and {high:g}°, "
+        f"{planned.mount_changes} mountings by hand, {_clock(planned.duration_s)} in all"
+    )
+
+
+def _mountings(planned: Plan) -> Iterator[str]:
+    """One line for each time that the unit is seated."""
+    began_s = 0.0
+    for mount, dwells, duration_s in _seatings(planned.steps):
+        yield f"  {_clock(began_s)}  {mount}: {'; '.join(_series(dwells))}"
+        began_s += duration_s
+
+
+def _seatings(steps: Sequence[PlannedStep]) -> Iterator[tuple[str, list[Dwell], float]]:
+    """Mount, dwells and duration of every mounting."""
+    dwells: list[Dwell] = []
+    mount, duration_s = "", 0.0
+    for planned in steps:
+        if isinstance(planned.step, Mounting):
+            if dwells:
+                yield mount, dwells, duration_s
+            mount, dwells, duration_s = planned.step.mount, [], 0.0
+        else:
+            mount, dwells = planned.step.mount, [*dwells, planned.step]
+        duration_s += planned.duration_s
+    yield mount, dwells, duration_s
+
+
+def _series(dwells: Sequence[Dwell]) -> Iterator[str]:
+    """What is measured one after the other: `flip at -90°, 90°`, `sweep of 80 settings, 0° to 395°`."""
+    for name, run in groupby(dwells, key=lambda dwell: f"{dwell.procedure} {dwell.realisation}"):
+        angles_deg = [dwell.angle_deg for dwell in run]
+        if len(angles_deg) <= _FEW:
+            yield f"{name} at {', '.join(f'{angle_deg:g}°' for angle_deg in angles_deg)}"
+        else:
+            yield f"{name}, {len(angles_deg)} settings, {_range(angles_deg)}"
+
+
+def _range(angles_deg: Sequence[float]) -> str:
+    first_deg, last_deg = angles_deg[0], angles_deg[-1]
+    if first_deg != last_deg:
+        return f"{first_deg:g}° to {last_deg:g}°"
+    return f"{first_deg:g}° to {max(angles_deg, key=lambda angle_deg: abs(angle_deg - first_deg)):g}° and back"
+
+
+def _steps(planned: Plan) -> Iterator[str]:
     began_s = 0.0
     for number, step in enumerate(planned.steps, start=1):
         yield f"{number:5d}  {_clock(began_s)}  {_words(step)}"
         began_s += step.duration_s
-    low, high = planned.angle_range_deg
-    yield (
-        f"{planned.programme.name}: {planned.dwells} dwells between {low:g}° and {high:g}°, "
-        f"{planned.mount_changes} mountings by hand, {_clock(planned.duration_s)} in all"
-    )
 
 
 def _words(planned: PlannedStep) -> str:

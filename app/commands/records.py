@@ -7,19 +7,19 @@ from pathlib import Path
 import click
 from rich.table import Column, Table
 
-from app.commands import options
-from app.console import results
-from app.exits import Exit
-from app.recall import open_store, unprotected
-from app.terminal import say
-from app.verifying import Finding, leftovers, verified_record
-from calibrations.quantities import format_concise
-from calibrations.records.compare import compare
-from calibrations.records.export import document
-from calibrations.records.record import OLD_WORDS, Record
-from calibrations.result import Parameter
-from calibrations.usable import Model
-from calibrations.verdict import Outcome
+from tumble.app.commands import options
+from tumble.app.console import results
+from tumble.app.exits import Exit
+from tumble.app.recall import open_store, unprotected
+from tumble.app.terminal import say
+from tumble.app.verifying import Finding, leftovers, verified_record
+from tumble.calibrations.quantities import format_concise
+from tumble.calibrations.records.compare import compare
+from tumble.calibrations.records.export import document
+from tumble.calibrations.records.record import OLD_WORDS, Record
+from tumble.calibrations.result import Parameter
+from tumble.calibrations.usable import Model
+from tumble.calibrations.verdict import Outcome
 
 
 @click.group("records")

@@ -4,16 +4,16 @@ from pathlib import Path
 
 import click
 
-from app.analysing import fit, trace
-from app.calibrating import write_report
-from app.commands import options
-from app.files import check_result
-from app.kinds import Kind
-from app.measurements import read_measurement
-from app.recall import report_again
-from app.stand import read_stand
-from app.stand_records import with_stand_record
-from app.terminal import say
+from tumble.app.analysing import fit, trace
+from tumble.app.calibrating import write_report
+from tumble.app.commands import options
+from tumble.app.files import check_result
+from tumble.app.kinds import Kind
+from tumble.app.measurements import read_measurement
+from tumble.app.recall import report_again
+from tumble.app.stand import read_stand
+from tumble.app.stand_records import with_stand_record
+from tumble.app.terminal import say
 
 
 @click.command("report")

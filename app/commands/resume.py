@@ -5,18 +5,18 @@ from pathlib import Path
 
 import click
 
-from app.calibrating import conclude, make_ready
-from app.commands import options
-from app.commands.telling import tell_calibrated, tell_recorded, tell_run
-from app.console import messages, run_display, warn
-from app.recall import record_of
-from app.resuming import Unfinished, find, lived_through, resume
-from app.running import Job, failure
-from app.same_stand import followed, load_same_stand
-from app.stand_lock import holding, holding_recording
-from app.terminal import say
-from app.wiring import connect
-from procedures.errors import InputError
+from tumble.app.calibrating import conclude, make_ready
+from tumble.app.commands import options
+from tumble.app.commands.telling import tell_calibrated, tell_recorded, tell_run
+from tumble.app.console import messages, run_display, warn
+from tumble.app.recall import record_of
+from tumble.app.resuming import Unfinished, find, lived_through, resume
+from tumble.app.running import Job, failure
+from tumble.app.same_stand import followed, load_same_stand
+from tumble.app.stand_lock import holding, holding_recording
+from tumble.app.terminal import say
+from tumble.app.wiring import connect
+from tumble.procedures.errors import InputError
 
 
 @click.command("resume")

@@ -4,14 +4,14 @@ from pathlib import Path
 
 import click
 
-from app.commands import options
-from app.commands.measuring import measures
-from app.commands.telling import tell_run
-from app.console import messages, run_display
-from app.files import RECORDING_SUFFIX, is_recording
-from app.running import Job, failure, recording_path, run
-from app.wiring import Connected
-from procedures.errors import InputError
+from tumble.app.commands import options
+from tumble.app.commands.measuring import measures
+from tumble.app.commands.telling import tell_run
+from tumble.app.console import messages, run_display
+from tumble.app.files import RECORDING_SUFFIX, is_recording
+from tumble.app.running import Job, failure, recording_path, run
+from tumble.app.wiring import Connected
+from tumble.procedures.errors import InputError
 
 
 @click.command("run")

@@ -6,24 +6,24 @@ import click
 import numpy as np
 from rich.table import Table
 
-from app.analysing import fit, trace
-from app.commands import options
-from app.console import results
-from app.exits import Exit
-from app.learning import learn
-from app.measurements import read_measurement
-from app.rederiving import Rederivation
-from app.referencing import is_reference, learn_from_reference
-from app.stand import read_stand
-from app.stand_records import list_stand_records
-from app.terminal import say
-from calibrations.quantities import format_number
-from calibrations.records.verify import TOLERANCE
-from calibrations.stand_records.corrections import Corrections
-from calibrations.stand_records.head_map import HeadMap
-from calibrations.stand_records.record import StandRecord, document
-from calibrations.support import equals, series
-from procedures.errors import InputError
+from tumble.app.analysing import fit, trace
+from tumble.app.commands import options
+from tumble.app.console import results
+from tumble.app.exits import Exit
+from tumble.app.learning import learn
+from tumble.app.measurements import read_measurement
+from tumble.app.rederiving import Rederivation
+from tumble.app.referencing import is_reference, learn_from_reference
+from tumble.app.stand import read_stand
+from tumble.app.stand_records import list_stand_records
+from tumble.app.terminal import say
+from tumble.calibrations.quantities import format_number
+from tumble.calibrations.records.verify import TOLERANCE
+from tumble.calibrations.stand_records.corrections import Corrections
+from tumble.calibrations.stand_records.head_map import HeadMap
+from tumble.calibrations.stand_records.record import StandRecord, document
+from tumble.calibrations.support import equals, series
+from tumble.procedures.errors import InputError
 
 _ARCSEC = 3600.0
 

@@ -2,15 +2,15 @@
 
 from pathlib import Path
 
-from app.calibrating import Calibrated, has_report, report_path
-from app.commands.options import write_json
-from app.console import show_result, show_verdict, warn
-from app.exits import Exit
-from app.loop_console import show_loop
-from app.recall import report_again
-from app.terminal import say
-from calibrations.records.record import Record
-from calibrations.verdict import Verdict
+from tumble.app.calibrating import Calibrated, has_report, report_path
+from tumble.app.commands.options import write_json
+from tumble.app.console import show_result, show_verdict, warn
+from tumble.app.exits import Exit
+from tumble.app.loop_console import show_loop
+from tumble.app.recall import report_again
+from tumble.app.terminal import say
+from tumble.calibrations.records.record import Record
+from tumble.calibrations.verdict import Verdict
 
 
 def tell_run(recording: Path, points: int, json_path: Path | None) -> None:

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from calibrations.tracing.chain import Ended
+from tumble.calibrations.tracing.chain import Ended
 
 Record = dict[str, Any]
 

@@ -5,14 +5,14 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-from app.acting import AtStand, measure, prepare, run_experiment
-from app.closing import MOST_EXPERIMENTS, act, begin
-from app.joining import read_together
-from app.stand import load_stand
-from app.wiring import connect
 from benchmarks.active.cases import Case, make
-from calibrations.tracing.loop import Loop, explain
-from procedures.programme import load_programme
+from tumble.app.acting import AtStand, measure, prepare, run_experiment
+from tumble.app.closing import MOST_EXPERIMENTS, act, begin
+from tumble.app.joining import read_together
+from tumble.app.stand import load_stand
+from tumble.app.wiring import connect
+from tumble.calibrations.tracing.loop import Loop, explain
+from tumble.procedures.programme import load_programme
 
 Record = dict[str, object]
 

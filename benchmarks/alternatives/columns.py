@@ -5,12 +5,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.effects import CATALOGUE
-from calibrations.geometry import FloatArray
-from calibrations.joint import Joint
-from calibrations.model import ALPHA0, BASIS_SIZE, PARAMETERS, coefficients_jacobian
-from calibrations.tracing.candidates import all_columns, candidates
-from calibrations.tracing.ground import ground
+from tumble.calibrations.effects import CATALOGUE
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.joint import Joint
+from tumble.calibrations.model import ALPHA0, BASIS_SIZE, PARAMETERS, coefficients_jacobian
+from tumble.calibrations.tracing.candidates import all_columns, candidates
+from tumble.calibrations.tracing.ground import ground
 
 _ABSORBED = 1e-5
 """A column of which less than this part is left beside the declared model says nothing."""

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from benchmarks.loop.matching import is_exact
-from calibrations.tracing.findings import EffectFound, Unexplained
+from tumble.calibrations.tracing.findings import EffectFound, Unexplained
 
 
 def exact_by_name(true_effects: Sequence[str], names: Sequence[str], unexplained: Unexplained | None = None) -> bool:

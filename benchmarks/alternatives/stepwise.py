@@ -3,7 +3,7 @@
 import numpy as np
 
 from benchmarks.alternatives.columns import Block, Regression
-from calibrations.geometry import FloatArray
+from tumble.calibrations.geometry import FloatArray
 
 
 def stepwise(regression: Regression) -> tuple[str, ...]:

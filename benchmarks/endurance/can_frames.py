@@ -18,15 +18,15 @@ from random import Random
 
 import can
 
-import drivers.cia402.node as master
-from drivers.candaq import DaqFrames
-from drivers.cia402 import objects
-from drivers.cia402.node import DriveNode
-from drivers.clock import VirtualClock
-from drivers.errors import DeviceError
-from drivers.simulated import Simulated, build
-from emulators.cia402 import EmulatedDrive
-from emulators.world import SharedWorld
+import tumble.drivers.cia402.node as master
+from tumble.drivers.candaq import DaqFrames
+from tumble.drivers.cia402 import objects
+from tumble.drivers.cia402.node import DriveNode
+from tumble.drivers.clock import VirtualClock
+from tumble.drivers.errors import DeviceError
+from tumble.drivers.simulated import Simulated, build
+from tumble.emulators.cia402 import EmulatedDrive
+from tumble.emulators.world import SharedWorld
 
 FRAMES = 1_000_000
 SLOW_S = 1.0

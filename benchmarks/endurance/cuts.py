@@ -15,15 +15,15 @@ from bisect import bisect_right
 from dataclasses import dataclass
 from pathlib import Path
 
-from procedures.recording.errors import RecordingError
-from procedures.recording.reader import iter_samples, read_recording
-from procedures.steps import Point
+from tumble.procedures.recording.errors import RecordingError
+from tumble.procedures.recording.reader import iter_samples, read_recording
+from tumble.procedures.steps import Point
 
 NOTING = """\
 import os, sys
-from app.cli import main
-from procedures.events import PointCompleted
-from procedures.recording.writer import Recorder
+from tumble.app.cli import main
+from tumble.procedures.events import PointCompleted
+from tumble.procedures.recording.writer import Recorder
 
 record, begin = Recorder.record, Recorder.__init__
 

@@ -6,16 +6,16 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final, Literal
 
-from app.running import Job
-from app.stand import LoadedStand, load_stand
-from app.wiring import Connected, connect
-from drivers.simulated import HeadOptions, Simulated, build
-from emulators.emulation import Wanted, emulate
-from emulators.scpi.models import Messages
-from emulators.speed import FasterClock
-from emulators.stand_faults import StandFaults
-from emulators.world import SharedWorld
-from procedures.programme import programme_from_text
+from tumble.app.running import Job
+from tumble.app.stand import LoadedStand, load_stand
+from tumble.app.wiring import Connected, connect
+from tumble.drivers.simulated import HeadOptions, Simulated, build
+from tumble.emulators.emulation import Wanted, emulate
+from tumble.emulators.scpi.models import Messages
+from tumble.emulators.speed import FasterClock
+from tumble.emulators.stand_faults import StandFaults
+from tumble.emulators.world import SharedWorld
+from tumble.procedures.programme import programme_from_text
 
 Pair = Literal["serial", "CAN", "plain meter", "Keithley 2000"]
 """Zaber and a multimeter, or a CiA 402 drive and a CAN DAQ on one bus; or Zaber and a meter that takes one query a

@@ -15,19 +15,19 @@ from multiprocessing import get_context
 from pathlib import Path
 from typing import Final
 
-from app.exits import Exit, status_of
-from app.resuming import find, resume
-from app.running import failure, run
-from app.wiring import Connected
 from benchmarks.endurance.emulated import EmulatedStand, Pair, emulated
 from benchmarks.endurance.kills import points_said
 from benchmarks.endurance.kinds import FOR_GOOD_S, KINDS, Kind, make_room
 from benchmarks.endurance.moments import Moment, strike_at, take_time_to_answer
-from calibrations.tracing.questions import questioned
-from drivers.errors import DeviceError
-from procedures.events import Event, PointCompleted, State, StateChanged, WarningRaised
-from procedures.recording.observations import observations
-from procedures.recording.reader import read_recording
+from tumble.app.exits import Exit, status_of
+from tumble.app.resuming import find, resume
+from tumble.app.running import failure, run
+from tumble.app.wiring import Connected
+from tumble.calibrations.tracing.questions import questioned
+from tumble.drivers.errors import DeviceError
+from tumble.procedures.events import Event, PointCompleted, State, StateChanged, WarningRaised
+from tumble.procedures.recording.observations import observations
+from tumble.procedures.recording.reader import read_recording
 
 SPEED: Final = 10.0
 PROGRAMME: Final = """\

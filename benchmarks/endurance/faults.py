@@ -15,11 +15,11 @@ from collections.abc import Iterable
 from itertools import product
 from typing import Final
 
-from app.exits import Exit
 from benchmarks.endurance.emulated import Pair
 from benchmarks.endurance.fault_runs import SPEED, Case, Result, of_cases
 from benchmarks.endurance.kinds import KINDS, Kind
 from benchmarks.endurance.moments import MOMENTS
+from tumble.app.exits import Exit
 
 PAIRS: Final[tuple[Pair, ...]] = ("serial", "CAN", "plain meter", "Keithley 2000")
 _ALWAYS: Final = "dividing head: has no reference; it is homed"

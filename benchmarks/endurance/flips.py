@@ -18,10 +18,10 @@ from pathlib import Path
 
 from mcap.opcode import Opcode
 
-from app.cli import main as tumble
-from procedures.recording.errors import RecordingError
-from procedures.recording.frames import frames
-from procedures.recording.reader import Recording, iter_samples, read_recording
+from tumble.app.cli import main as tumble
+from tumble.procedures.recording.errors import RecordingError
+from tumble.procedures.recording.frames import frames
+from tumble.procedures.recording.reader import Recording, iter_samples, read_recording
 
 HEADER = "header"
 _SAYS = {Opcode.METADATA: HEADER, Opcode.ATTACHMENT: HEADER}

@@ -11,9 +11,9 @@ from benchmarks.endurance.processes import SIMULATED, TUMBLE
 
 AT_BOUNDARY = """\
 import os, signal, sys
-from app.cli import main
-from procedures.events import PointCompleted
-from procedures.recording.writer import Recorder
+from tumble.app.cli import main
+from tumble.procedures.events import PointCompleted
+from tumble.procedures.recording.writer import Recorder
 
 last, record = int(sys.argv.pop(1)), Recorder.record
 
@@ -27,8 +27,8 @@ main()
 """
 AFTER_OUTAGE = """\
 import sys
-from app.cli import main
-from drivers.simulated.world import SimulatedWorld
+from tumble.app.cli import main
+from tumble.drivers.simulated.world import SimulatedWorld
 
 outage_s, put_back = float(sys.argv.pop(1)), SimulatedWorld.put_back
 

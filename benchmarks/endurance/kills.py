@@ -19,15 +19,15 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from benchmarks.endurance.killing import Job, kill_at, killed_after, undisturbed
-from calibrations.analysis import analyse
-from calibrations.result import Parameter
-from procedures.recording.contents import Said, contents
-from procedures.recording.errors import RecordingError
-from procedures.recording.messages import from_message
-from procedures.recording.observations import observations
-from procedures.recording.reader import iter_samples, read_recording
-from procedures.recording.schemas import POINT
-from procedures.steps import Point
+from tumble.calibrations.analysis import analyse
+from tumble.calibrations.result import Parameter
+from tumble.procedures.recording.contents import Said, contents
+from tumble.procedures.recording.errors import RecordingError
+from tumble.procedures.recording.messages import from_message
+from tumble.procedures.recording.observations import observations
+from tumble.procedures.recording.reader import iter_samples, read_recording
+from tumble.procedures.recording.schemas import POINT
+from tumble.procedures.steps import Point
 
 DRIFT = """\
 seed = 1

@@ -11,9 +11,9 @@ from threading import Timer
 from typing import Final, Literal
 
 from benchmarks.endurance.emulated import EmulatedStand, Pair
-from drivers.links.socketcand import SocketcandBus
-from emulators.faults import At, Fault
-from emulators.faults import Kind as Named
+from tumble.drivers.links.socketcand import SocketcandBus
+from tumble.emulators.faults import At, Fault
+from tumble.emulators.faults import Kind as Named
 
 Does = Callable[[EmulatedStand, Path], None]
 """What a fault does at a stand whose run is being recorded in a file."""

@@ -4,8 +4,8 @@ from collections.abc import Callable
 from threading import Timer
 from typing import Any, Final, Literal
 
-from app.wiring import Connected
 from benchmarks.endurance.emulated import SAMPLES
+from tumble.app.wiring import Connected
 
 Moment = Literal["identification", "homing", "mount prompt", "move", "settling", "dwell"]
 MOMENTS: Final[tuple[Moment, ...]] = ("identification", "homing", "mount prompt", "move", "settling", "dwell")

@@ -20,11 +20,11 @@ from pathlib import Path
 from benchmarks.endurance import processes as stands
 from benchmarks.endurance.processes import Instruments, emulated, run
 from benchmarks.endurance.rfc2217 import rfc2217_port
-from calibrations.analysis import analyse
-from calibrations.result import Calibration
-from drivers.simulated import Simulated
-from procedures.recording.observations import observations
-from procedures.recording.reader import read_recording
+from tumble.calibrations.analysis import analyse
+from tumble.calibrations.result import Calibration
+from tumble.drivers.simulated import Simulated
+from tumble.procedures.recording.observations import observations
+from tumble.procedures.recording.reader import read_recording
 
 PAIRS = {
     "zaber, scpi": stands.ZABER_SCPI,

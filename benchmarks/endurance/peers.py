@@ -19,12 +19,12 @@ from dataclasses import dataclass
 from itertools import product
 from pathlib import Path
 
-from drivers.clock import SystemClock
-from procedures.events import PointCompleted
-from procedures.recording.header import Header
-from procedures.recording.reader import read_recording
-from procedures.recording.writer import Recorder
-from procedures.steps import Point
+from tumble.drivers.clock import SystemClock
+from tumble.procedures.events import PointCompleted
+from tumble.procedures.recording.header import Header
+from tumble.procedures.recording.reader import read_recording
+from tumble.procedures.recording.writer import Recorder
+from tumble.procedures.steps import Point
 
 POINTS = 300
 PACES_S = (0.01, 0.11)

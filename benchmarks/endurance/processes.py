@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-TUMBLE = (sys.executable, "-m", "app")
+TUMBLE = (sys.executable, "-m", "tumble")
 SOCKET = "socket://127.0.0.1:0"
 BUS = "socketcand:can0?host=127.0.0.1&port=0"
 WAIT_S = 20.0

@@ -18,14 +18,14 @@ from typing import Final
 import numpy as np
 
 from benchmarks.endurance.scpi_frames import ERRORS
-from drivers.clock import VirtualClock
-from drivers.errors import DeviceError, NoReplyError
-from drivers.scpi import ScpiMultimeter
-from drivers.scpi.codec import CorruptReplyError, parse_readings
-from drivers.simulated import Simulated, build
-from emulators.scpi import Multimeter, ScpiSession
-from emulators.scpi.models import Messages
-from emulators.world import SharedWorld
+from tumble.drivers.clock import VirtualClock
+from tumble.drivers.errors import DeviceError, NoReplyError
+from tumble.drivers.scpi import ScpiMultimeter
+from tumble.drivers.scpi.codec import CorruptReplyError, parse_readings
+from tumble.drivers.simulated import Simulated, build
+from tumble.emulators.scpi import Multimeter, ScpiSession
+from tumble.emulators.scpi.models import Messages
+from tumble.emulators.world import SharedWorld
 
 BLOCKS: Final = 1_000
 SAMPLES: Final = 3

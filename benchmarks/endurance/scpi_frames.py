@@ -11,11 +11,11 @@ from collections import Counter
 from collections.abc import Callable
 from random import Random
 
-from drivers.clock import VirtualClock
-from drivers.scpi.codec import CorruptReplyError, StaleReplyError, agreed, parse_readings, parse_reply, request
-from drivers.simulated import Simulated, build
-from emulators.scpi import Multimeter, ScpiSession
-from emulators.world import SharedWorld
+from tumble.drivers.clock import VirtualClock
+from tumble.drivers.scpi.codec import CorruptReplyError, StaleReplyError, agreed, parse_readings, parse_reply, request
+from tumble.drivers.simulated import Simulated, build
+from tumble.emulators.scpi import Multimeter, ScpiSession
+from tumble.emulators.world import SharedWorld
 
 LINES = 1_000_000
 SLOW_S = 1.0

@@ -20,19 +20,19 @@ from threading import Event as Flag
 from threading import Thread
 from typing import Final
 
-from app.resuming import find, resume
-from app.running import failure, run
 from benchmarks.endurance.emulated import EmulatedStand, Pair, emulated
 from benchmarks.endurance.fault_runs import reached
 from benchmarks.endurance.kills import points_said
-from calibrations.analysis import analyse
-from calibrations.result import Parameter
-from drivers.simulated import Simulated
-from emulators.faults import At, Fault, Kind
-from procedures.events import Event, PointCompleted
-from procedures.outcome import Outcome
-from procedures.recording.observations import observations
-from procedures.recording.reader import iter_samples, read_recording
+from tumble.app.resuming import find, resume
+from tumble.app.running import failure, run
+from tumble.calibrations.analysis import analyse
+from tumble.calibrations.result import Parameter
+from tumble.drivers.simulated import Simulated
+from tumble.emulators.faults import At, Fault, Kind
+from tumble.procedures.events import Event, PointCompleted
+from tumble.procedures.outcome import Outcome
+from tumble.procedures.recording.observations import observations
+from tumble.procedures.recording.reader import iter_samples, read_recording
 
 SPEED: Final = 10.0
 EVERY_S: Final = 2.0

@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Callable
 from random import Random
 
-from drivers.zaber.codec import GarbledError, Kind, Message, encode_message, lrc, parse_message
+from tumble.drivers.zaber.codec import GarbledError, Kind, Message, encode_message, lrc, parse_message
 
 FRAMES = 1_000_000
 SLOW_S = 0.1

@@ -22,8 +22,8 @@ from benchmarks.loop.intervals import percent, wilson
 from benchmarks.loop.jobs import Job, Record, described, jobs
 from benchmarks.loop.oracle import PARAMETERS, ask_oracle
 from benchmarks.loop.reported import said
-from calibrations.result import Calibration, Parameter
-from calibrations.tracing.loop import Loop
+from tumble.calibrations.result import Calibration, Parameter
+from tumble.calibrations.tracing.loop import Loop
 
 _FAR, _MUCH = 5.0, 0.2
 

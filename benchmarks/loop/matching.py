@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from itertools import permutations
 
-from calibrations.tracing.findings import EffectFound, Unexplained
+from tumble.calibrations.tracing.findings import EffectFound, Unexplained
 
 
 def is_exact(

@@ -1,6 +1,6 @@
 """What a result says, in a line."""
 
-from calibrations.tracing.loop import Loop
+from tumble.calibrations.tracing.loop import Loop
 
 
 def said(loop: Loop) -> str:

@@ -7,10 +7,10 @@
 - `CATALOGUE`: all of them.
 """
 
-from calibrations.effects.daq import DAQ_EFFECTS
-from calibrations.effects.own import OWN_EFFECTS
-from calibrations.effects.stand import STAND_EFFECTS
-from calibrations.effects.unit import UNIT_EFFECTS
+from tumble.calibrations.effects.daq import DAQ_EFFECTS
+from tumble.calibrations.effects.own import OWN_EFFECTS
+from tumble.calibrations.effects.stand import STAND_EFFECTS
+from tumble.calibrations.effects.unit import UNIT_EFFECTS
 
 CATALOGUE = (*UNIT_EFFECTS, *STAND_EFFECTS, *DAQ_EFFECTS, *OWN_EFFECTS)
 """All effects. Of two that explain the data equally well with as many coefficients, the first gives its name."""

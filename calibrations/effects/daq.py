@@ -4,9 +4,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from calibrations.effects.effect import Effect, Form, Quantity, plain, scan, single, with_scanned
-from calibrations.effects.scene import Scene
-from calibrations.geometry import FloatArray
+from tumble.calibrations.effects.effect import Effect, Form, Quantity, plain, scan, single, with_scanned
+from tumble.calibrations.effects.scene import Scene
+from tumble.calibrations.geometry import FloatArray
 
 
 def _sine(scene: Scene, period_v: float) -> Form:

@@ -6,7 +6,7 @@ from typing import Final, Generic, Literal, TypeAlias, TypeVar
 
 import numpy as np
 
-from calibrations.geometry import FloatArray
+from tumble.calibrations.geometry import FloatArray
 
 Owner: TypeAlias = Literal["unit", "stand", "daq", "reference"]
 Variable: TypeAlias = Literal["angle", "acceleration", "time", "temperature", "direction", "realisation", "order"]

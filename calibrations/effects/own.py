@@ -10,7 +10,7 @@ Effect(
 )
 """
 
-from calibrations.effects.effect import Effect
-from calibrations.effects.scene import Scene
+from tumble.calibrations.effects.effect import Effect
+from tumble.calibrations.effects.scene import Scene
 
 OWN_EFFECTS: tuple[Effect[Scene], ...] = ()

@@ -6,9 +6,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.geometry import FloatArray, projections
-from calibrations.observations import Observations
-from calibrations.repeats import labels, mountings
+from tumble.calibrations.geometry import FloatArray, projections
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.repeats import labels, mountings
 
 PAUSE_S = 60.0
 """Two dwells further apart than this did not follow directly on one another."""

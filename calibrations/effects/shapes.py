@@ -4,9 +4,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from calibrations.effects.effect import Form, contrasts
-from calibrations.effects.scene import Scene
-from calibrations.geometry import FloatArray
+from tumble.calibrations.effects.effect import Form, contrasts
+from tumble.calibrations.effects.scene import Scene
+from tumble.calibrations.geometry import FloatArray
 
 _MOST_SETTINGS = 80
 _BELL_WIDTHS_DEG = (3.0, 8.0, 18.0)

@@ -4,9 +4,19 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from calibrations.effects.effect import Effect, Form, Forms, contrasts, harmonic, plain, single, spread, with_scanned
-from calibrations.effects.scene import Scene
-from calibrations.geometry import MOUNTS, FloatArray
+from tumble.calibrations.effects.effect import (
+    Effect,
+    Form,
+    Forms,
+    contrasts,
+    harmonic,
+    plain,
+    single,
+    spread,
+    with_scanned,
+)
+from tumble.calibrations.effects.scene import Scene
+from tumble.calibrations.geometry import MOUNTS, FloatArray
 
 HIGHEST_ORDER = 35
 """Every 5 degrees a reading: 36 periods a turn are seen as half a wave at most, and more not at all."""

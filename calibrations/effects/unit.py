@@ -4,9 +4,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from calibrations.effects.effect import Effect, Form, contrasts, plain, scan, single, spread, with_scanned
-from calibrations.effects.scene import Scene
-from calibrations.geometry import FloatArray
+from tumble.calibrations.effects.effect import Effect, Form, contrasts, plain, scan, single, spread, with_scanned
+from tumble.calibrations.effects.scene import Scene
+from tumble.calibrations.geometry import FloatArray
 
 _LEAST_EXCITED = 0.01
 """Of the largest value that a product of projections can have."""

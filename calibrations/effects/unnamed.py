@@ -6,9 +6,9 @@ its variable, and the shape stays in the model only to keep the parameters hones
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
-from calibrations.effects import shapes
-from calibrations.effects.effect import Form, Structure, Variable, plain
-from calibrations.effects.scene import Scene
+from tumble.calibrations.effects import shapes
+from tumble.calibrations.effects.effect import Form, Structure, Variable, plain
+from tumble.calibrations.effects.scene import Scene
 
 
 def _structure(

@@ -12,9 +12,9 @@ from sqlalchemy import Connection, Engine, NullPool, create_engine, event, inser
 from sqlalchemy.engine import URL
 from sqlalchemy.exc import DBAPIError
 
-from calibrations.records.canonical import canonical_text
-from calibrations.records.errors import StoreError
-from calibrations.records.schema import METADATA, STORE, STORE_VERSION
+from tumble.calibrations.records.canonical import canonical_text
+from tumble.calibrations.records.errors import StoreError
+from tumble.calibrations.records.schema import METADATA, STORE, STORE_VERSION
 
 _CAUSES = (
     ("database or disk is full", "the disk is full", "free some space and try again"),

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from sqlalchemy import Connection, Integer, func, literal_column, select
 
-from calibrations.records.schema import PARAMETERS, RECORDS
+from tumble.calibrations.records.schema import PARAMETERS, RECORDS
 
 
 @dataclass(frozen=True, kw_only=True)

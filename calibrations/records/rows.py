@@ -3,11 +3,11 @@
 from collections.abc import Mapping
 from typing import Any
 
-from calibrations.provenance import LimitCheck, Provenance
-from calibrations.records.export import content, spelling
-from calibrations.records.record import Record
-from calibrations.records.times import read_time, utc_text
-from calibrations.result import Parameter
+from tumble.calibrations.provenance import LimitCheck, Provenance
+from tumble.calibrations.records.export import content, spelling
+from tumble.calibrations.records.record import Record
+from tumble.calibrations.records.times import read_time, utc_text
+from tumble.calibrations.result import Parameter
 
 _FROM_PROVENANCE = (
     "serial_number",

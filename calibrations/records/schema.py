@@ -6,7 +6,7 @@ queries and for trends over units and time. Times are UTC as ISO 8601 texts (see
 
 from sqlalchemy import JSON, Boolean, Column, Double, ForeignKey, Integer, MetaData, String, Table, UniqueConstraint
 
-from calibrations.records.immutability import protect
+from tumble.calibrations.records.immutability import protect
 
 STORE_VERSION = 1
 """Of the tables below. A store with a newer one is not opened."""

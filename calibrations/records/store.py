@@ -9,23 +9,23 @@ from typing import Any
 
 from sqlalchemy import ColumnElement, Connection, Select, exists, func, insert, select
 
-from calibrations.judging import judge
-from calibrations.provenance import LimitCheck, Provenance
-from calibrations.records import DATABASE as DATABASE
-from calibrations.records.canonical import canonical_sha256, plain
-from calibrations.records.database import open_database, storage_errors, writing
-from calibrations.records.errors import RecordError, StoreError
-from calibrations.records.export import content, flat
-from calibrations.records.inventory import Inventory, inventory
-from calibrations.records.raw import resolved_path, stored_path
-from calibrations.records.record import FORMAT_VERSION, OLD_WORDS, Record
-from calibrations.records.rows import parameter_rows, record_from_row, record_row
-from calibrations.records.schema import PARAMETERS, RECORDS
-from calibrations.records.times import utc_now, utc_text
-from calibrations.result import Calibration
-from calibrations.tracing.document import result_document
-from calibrations.tracing.loop import Loop
-from calibrations.verdict import Outcome, Verdict
+from tumble.calibrations.judging import judge
+from tumble.calibrations.provenance import LimitCheck, Provenance
+from tumble.calibrations.records import DATABASE as DATABASE
+from tumble.calibrations.records.canonical import canonical_sha256, plain
+from tumble.calibrations.records.database import open_database, storage_errors, writing
+from tumble.calibrations.records.errors import RecordError, StoreError
+from tumble.calibrations.records.export import content, flat
+from tumble.calibrations.records.inventory import Inventory, inventory
+from tumble.calibrations.records.raw import resolved_path, stored_path
+from tumble.calibrations.records.record import FORMAT_VERSION, OLD_WORDS, Record
+from tumble.calibrations.records.rows import parameter_rows, record_from_row, record_row
+from tumble.calibrations.records.schema import PARAMETERS, RECORDS
+from tumble.calibrations.records.times import utc_now, utc_text
+from tumble.calibrations.result import Calibration
+from tumble.calibrations.tracing.document import result_document
+from tumble.calibrations.tracing.loop import Loop
+from tumble.calibrations.verdict import Outcome, Verdict
 
 _NEWER = RECORDS.alias("newer")
 _STANDS = ~exists().where(_NEWER.c.supersedes == RECORDS.c.id)

@@ -6,15 +6,15 @@ from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from calibrations.records.canonical import plain
-from calibrations.records.export import document, is_intact
-from calibrations.records.raw import file_sha256
-from calibrations.records.record import Record, models_from_json
-from calibrations.records.rows import parameter_rows, record_row
-from calibrations.result import Parameter
+from tumble.calibrations.records.canonical import plain
+from tumble.calibrations.records.export import document, is_intact
+from tumble.calibrations.records.raw import file_sha256
+from tumble.calibrations.records.record import Record, models_from_json
+from tumble.calibrations.records.rows import parameter_rows, record_row
+from tumble.calibrations.result import Parameter
 
 if TYPE_CHECKING:
-    from calibrations.records.store import Store
+    from tumble.calibrations.records.store import Store
 
 TOLERANCE = 1e-6
 """By how much of its standard uncertainty a number may differ from the one recorded.

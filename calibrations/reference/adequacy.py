@@ -5,12 +5,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from calibrations.adequacy import LackOfFit, lack_of_fit
-from calibrations.geometry import FloatArray
-from calibrations.reference.scene import HeadScene
-from calibrations.reference.settings import Settings, angle_numbers
-from calibrations.support import equals
-from calibrations.tracing.findings import Unexplained
+from tumble.calibrations.adequacy import LackOfFit, lack_of_fit
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.reference.scene import HeadScene
+from tumble.calibrations.reference.settings import Settings, angle_numbers
+from tumble.calibrations.support import equals
+from tumble.calibrations.tracing.findings import Unexplained
 
 BEYOND_REPEATS_P = 1e-3
 """Settings differ where chance makes them differ as much more seldom than this."""

@@ -5,16 +5,16 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from calibrations.effects.effect import Quantity
-from calibrations.observations import Observations
-from calibrations.reference.explanation import explain_steady
-from calibrations.reference.limits import SHORT_DEG, confounded
-from calibrations.reference.loop import ReferenceLoop
-from calibrations.reference.map_difference import Difference, Part, map_difference, parts
-from calibrations.reference.rows import as_they_are
-from calibrations.reference.scene import HeadScene
-from calibrations.reference.table import HeadTable, head_table, without_time
-from calibrations.tracing.findings import EffectFound, Unexplained
+from tumble.calibrations.effects.effect import Quantity
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.reference.explanation import explain_steady
+from tumble.calibrations.reference.limits import SHORT_DEG, confounded
+from tumble.calibrations.reference.loop import ReferenceLoop
+from tumble.calibrations.reference.map_difference import Difference, Part, map_difference, parts
+from tumble.calibrations.reference.rows import as_they_are
+from tumble.calibrations.reference.scene import HeadScene
+from tumble.calibrations.reference.table import HeadTable, head_table, without_time
+from tumble.calibrations.tracing.findings import EffectFound, Unexplained
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -3,9 +3,9 @@
 from dataclasses import asdict
 from typing import Any
 
-from calibrations.reference.changes import Comparison
-from calibrations.reference.map_difference import Difference
-from calibrations.reference.sentences import sentences
+from tumble.calibrations.reference.changes import Comparison
+from tumble.calibrations.reference.map_difference import Difference
+from tumble.calibrations.reference.sentences import sentences
 
 
 def comparison_json(comparison: Comparison, first: str, second: str) -> dict[str, Any]:

@@ -2,12 +2,12 @@
 
 from typing import Any
 
-from calibrations.reference.adequacy import Agreement, AngleError, Reversal, Side
-from calibrations.reference.head_map import head_map
-from calibrations.reference.loop import ReferenceLoop
-from calibrations.result import rows_json
-from calibrations.tracing.document import SCHEMA, effect_json, experiment_json, unexplained_json
-from calibrations.tracing.linear_loop import Model, model_json, withheld_json
+from tumble.calibrations.reference.adequacy import Agreement, AngleError, Reversal, Side
+from tumble.calibrations.reference.head_map import head_map
+from tumble.calibrations.reference.loop import ReferenceLoop
+from tumble.calibrations.result import rows_json
+from tumble.calibrations.tracing.document import SCHEMA, effect_json, experiment_json, unexplained_json
+from tumble.calibrations.tracing.linear_loop import Model, model_json, withheld_json
 
 
 def document(loop: ReferenceLoop) -> dict[str, Any]:

@@ -8,9 +8,9 @@ from typing import Final
 
 import numpy as np
 
-from calibrations.effects.effect import Effect, Form, Forms, harmonic, plain, single, with_scanned
-from calibrations.geometry import FloatArray
-from calibrations.reference.scene import HeadScene
+from tumble.calibrations.effects.effect import Effect, Form, Forms, harmonic, plain, single, with_scanned
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.reference.scene import HeadScene
 
 HIGHEST_ORDER: Final = 36
 TIMED: Final = ("reference_drift", "reference_temperature")

@@ -4,14 +4,14 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from calibrations.blas_threads import one_blas_thread
-from calibrations.joining import appended
-from calibrations.reference.probes import PROBES, HeadProbe
-from calibrations.reference.table import HeadTable
-from calibrations.support import series
-from calibrations.tracing.experiments import APART, Experiment
-from calibrations.tracing.linear_loop import Explained
-from calibrations.tracing.separation import Question, Rows
+from tumble.calibrations.blas_threads import one_blas_thread
+from tumble.calibrations.joining import appended
+from tumble.calibrations.reference.probes import PROBES, HeadProbe
+from tumble.calibrations.reference.table import HeadTable
+from tumble.calibrations.support import series
+from tumble.calibrations.tracing.experiments import APART, Experiment
+from tumble.calibrations.tracing.linear_loop import Explained
+from tumble.calibrations.tracing.separation import Question, Rows
 
 
 @one_blas_thread

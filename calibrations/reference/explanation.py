@@ -7,19 +7,19 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.geometry import FloatArray
-from calibrations.reference.scene import HeadScene
-from calibrations.reference.settings import Settings, angle_numbers, head_settings
-from calibrations.reference.steady import unsteady
-from calibrations.reference.table import UNITS, HeadTable, head_table, table_of_settings
-from calibrations.reference.within import within_settings
-from calibrations.tracing.fitting_noise import best_walk
-from calibrations.tracing.held_out import held_out_rms
-from calibrations.tracing.linear import LinearFit, fit_linear
-from calibrations.tracing.linear_loop import Explained, explain_linear, rms
-from calibrations.tracing.noise import NoiseModel
-from calibrations.tracing.trace import trace_price
-from calibrations.tracing.within import Within
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.reference.scene import HeadScene
+from tumble.calibrations.reference.settings import Settings, angle_numbers, head_settings
+from tumble.calibrations.reference.steady import unsteady
+from tumble.calibrations.reference.table import UNITS, HeadTable, head_table, table_of_settings
+from tumble.calibrations.reference.within import within_settings
+from tumble.calibrations.tracing.fitting_noise import best_walk
+from tumble.calibrations.tracing.held_out import held_out_rms
+from tumble.calibrations.tracing.linear import LinearFit, fit_linear
+from tumble.calibrations.tracing.linear_loop import Explained, explain_linear, rms
+from tumble.calibrations.tracing.noise import NoiseModel
+from tumble.calibrations.tracing.trace import trace_price
+from tumble.calibrations.tracing.within import Within
 
 _LOOKS = 5
 """How often a table is looked at anew once it is known where the reference saw the head."""

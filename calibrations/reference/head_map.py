@@ -5,10 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from calibrations.reference.loop import ReferenceLoop
-from calibrations.stand_records.corrections import Corrections, corrections_from_map
-from calibrations.stand_records.head_map import HeadMap
-from calibrations.stand_records.terms import BACKLASH, Term
+from tumble.calibrations.reference.loop import ReferenceLoop
+from tumble.calibrations.stand_records.corrections import Corrections, corrections_from_map
+from tumble.calibrations.stand_records.head_map import HeadMap
+from tumble.calibrations.stand_records.terms import BACKLASH, Term
 
 _ORDERS = {"head_eccentricity": 1, "head_second_harmonic": 2}
 

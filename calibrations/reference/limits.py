@@ -4,8 +4,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from calibrations.reference.scene import HeadScene
-from calibrations.reference.settings import Settings
+from tumble.calibrations.reference.scene import HeadScene
+from tumble.calibrations.reference.settings import Settings
 
 SHORT_DEG = 170.0
 """On a shorter arc what happens once a turn is not told from a slope and a bend."""

@@ -7,25 +7,32 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.blas_threads import one_blas_thread
-from calibrations.geometry import FloatArray
-from calibrations.observations import Observations, SetAside
-from calibrations.reference.adequacy import Agreement, AngleError, Reversal, agreement, errors_by_setting, reversal
-from calibrations.reference.adequacy import by_setting as left_by_setting
-from calibrations.reference.experiments import next_reference_experiments
-from calibrations.reference.explanation import Explanation, explain_head, fit_found
-from calibrations.reference.limits import limits
-from calibrations.reference.passes import Passes, passes
-from calibrations.reference.questions import question
-from calibrations.reference.rows import as_dwells
-from calibrations.reference.scene import HeadScene
-from calibrations.reference.settings import head_settings
-from calibrations.reference.slips import slips
-from calibrations.reference.table import UNITS, HeadTable, head_table
-from calibrations.tracing.experiments import Experiment
-from calibrations.tracing.findings import EffectFound, Unexplained
-from calibrations.tracing.linear import LinearFit
-from calibrations.tracing.linear_loop import Explained, Model, as_stated, rms, stated, withheld
+from tumble.calibrations.blas_threads import one_blas_thread
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.observations import Observations, SetAside
+from tumble.calibrations.reference.adequacy import (
+    Agreement,
+    AngleError,
+    Reversal,
+    agreement,
+    errors_by_setting,
+    reversal,
+)
+from tumble.calibrations.reference.adequacy import by_setting as left_by_setting
+from tumble.calibrations.reference.experiments import next_reference_experiments
+from tumble.calibrations.reference.explanation import Explanation, explain_head, fit_found
+from tumble.calibrations.reference.limits import limits
+from tumble.calibrations.reference.passes import Passes, passes
+from tumble.calibrations.reference.questions import question
+from tumble.calibrations.reference.rows import as_dwells
+from tumble.calibrations.reference.scene import HeadScene
+from tumble.calibrations.reference.settings import head_settings
+from tumble.calibrations.reference.slips import slips
+from tumble.calibrations.reference.table import UNITS, HeadTable, head_table
+from tumble.calibrations.tracing.experiments import Experiment
+from tumble.calibrations.tracing.findings import EffectFound, Unexplained
+from tumble.calibrations.tracing.linear import LinearFit
+from tumble.calibrations.tracing.linear_loop import Explained, Model, as_stated, rms, stated, withheld
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.geometry import FloatArray
-from calibrations.reference.loop import ReferenceLoop
-from calibrations.reference.map_points import (
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.reference.loop import ReferenceLoop
+from tumble.calibrations.reference.map_points import (
     MapPoints,
     beside_neighbours,
     interpolated,

@@ -6,10 +6,10 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.geometry import FloatArray
-from calibrations.reference.explanation import Explanation
-from calibrations.repeats import SAME_ANGLE_DEG
-from calibrations.tracing.linear_loop import rms
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.reference.explanation import Explanation
+from tumble.calibrations.repeats import SAME_ANGLE_DEG
+from tumble.calibrations.tracing.linear_loop import rms
 
 _WIDE = 4.0
 """Between points so many times as far apart as is usual nothing is interpolated."""

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.geometry import FloatArray
-from calibrations.reference.scene import HeadScene
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.reference.scene import HeadScene
 
 _BIN_DEG = 5.0
 _MOVING_DEG_S = 0.5

@@ -6,8 +6,8 @@ from typing import Any, Final
 
 import numpy as np
 
-from calibrations.geometry import FloatArray
-from calibrations.observations import ARRAY_COLUMNS, Observations
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.observations import ARRAY_COLUMNS, Observations
 
 _REST_S = 2.0
 _MOVE_DEG_S = 20.0

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from calibrations.geometry import FloatArray
-from calibrations.observations import Observations
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.observations import Observations
 
 _FOLLOWS = 0.5
 """A reference that follows the head keeps a direction from it: mean resultant length (Mardia) of the differences."""

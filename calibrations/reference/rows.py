@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.geometry import FloatArray
-from calibrations.observations import ARRAY_COLUMNS, Observations
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.observations import ARRAY_COLUMNS, Observations
 
 DWELL_S = 0.1
 """Rows that follow each other more closely are samples, and are taken together to dwells so long: neighbouring samples

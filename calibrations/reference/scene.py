@@ -6,8 +6,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.geometry import FloatArray
-from calibrations.reference.rows import Dwells
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.reference.rows import Dwells
 
 _STILL_DEG, _STILL_DEG_S = 1e-4, 1e-3
 """A head that reports less of a move, or less of a speed, is at rest."""

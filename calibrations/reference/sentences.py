@@ -2,12 +2,12 @@
 
 from collections.abc import Sequence
 
-from calibrations.quantities import format_concise, format_number
-from calibrations.reference.adequacy import AngleError, Side
-from calibrations.reference.changes import Change, Comparison
-from calibrations.reference.loop import ReferenceLoop
-from calibrations.reference.map_difference import Difference
-from calibrations.support import equals, series
+from tumble.calibrations.quantities import format_concise, format_number
+from tumble.calibrations.reference.adequacy import AngleError, Side
+from tumble.calibrations.reference.changes import Change, Comparison
+from tumble.calibrations.reference.loop import ReferenceLoop
+from tumble.calibrations.reference.map_difference import Difference
+from tumble.calibrations.support import equals, series
 
 SETTINGS_HEADINGS = ("angle", "forward", "backward", "forward minus backward", "visits")
 PARTS_HEADINGS = ("angles", "direction", "difference, mean", "lowest", "highest", "beyond the constant part")

@@ -6,10 +6,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.clusters import as_they_come, clusters
-from calibrations.geometry import FloatArray
-from calibrations.reference.scene import HeadScene
-from calibrations.repeats import SAME_ANGLE_DEG, PureError, labels, pure_error
+from tumble.calibrations.clusters import as_they_come, clusters
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.reference.scene import HeadScene
+from tumble.calibrations.repeats import SAME_ANGLE_DEG, PureError, labels, pure_error
 
 _ROUNDINGS_DEG = (SAME_ANGLE_DEG, 0.05, 0.1, 0.2, 0.5)
 """How closely an angle may be set again; the closest is taken at which most of the settings come back."""

@@ -4,9 +4,9 @@ from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
-from calibrations.effects.effect import Form, Forms, Structure, Variable, plain
-from calibrations.geometry import FloatArray
-from calibrations.reference.scene import HeadScene
+from tumble.calibrations.effects.effect import Form, Forms, Structure, Variable, plain
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.reference.scene import HeadScene
 
 _WIDTHS_DEG = (5.0, 12.0, 25.0)
 _FEWEST_ANGLES = 8

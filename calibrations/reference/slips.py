@@ -9,9 +9,9 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.geometry import FloatArray
-from calibrations.gross import gross_sigmas
-from calibrations.reference.settings import Settings
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.gross import gross_sigmas
+from tumble.calibrations.reference.settings import Settings
 
 _NEIGHBOURS_FAR = 6.0
 """A dwell so many times as far from its neighbours as all but one of twenty are is a gross error."""

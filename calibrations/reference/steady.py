@@ -9,10 +9,10 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.geometry import FloatArray
-from calibrations.reference.effects import HIGHEST_ORDER
-from calibrations.reference.table import HeadTable
-from calibrations.tracing.linear_loop import Explained
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.reference.effects import HIGHEST_ORDER
+from tumble.calibrations.reference.table import HeadTable
+from tumble.calibrations.tracing.linear_loop import Explained
 
 _STRETCHES: Final = 8
 _FEWEST_ROWS: Final = 4

@@ -6,19 +6,19 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.effects.effect import Variable
-from calibrations.geometry import FloatArray
-from calibrations.observations import Observations
-from calibrations.reference.effects import HEAD_EFFECTS, TIMED
-from calibrations.reference.rows import as_they_are, averaged
-from calibrations.reference.scene import HeadScene
-from calibrations.reference.settings import Settings, angle_numbers
-from calibrations.reference.shapes import HEAD_STRUCTURES
-from calibrations.repeats import SAME_ANGLE_DEG, visits
-from calibrations.tracing.declared import Linear
-from calibrations.tracing.noise import Memory
-from calibrations.tracing.table import Extensible, View, memory_of
-from calibrations.tracing.within import too_few
+from tumble.calibrations.effects.effect import Variable
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.reference.effects import HEAD_EFFECTS, TIMED
+from tumble.calibrations.reference.rows import as_they_are, averaged
+from tumble.calibrations.reference.scene import HeadScene
+from tumble.calibrations.reference.settings import Settings, angle_numbers
+from tumble.calibrations.reference.shapes import HEAD_STRUCTURES
+from tumble.calibrations.repeats import SAME_ANGLE_DEG, visits
+from tumble.calibrations.tracing.declared import Linear
+from tumble.calibrations.tracing.noise import Memory
+from tumble.calibrations.tracing.table import Extensible, View, memory_of
+from tumble.calibrations.tracing.within import too_few
 
 MOST_EFFECTS: Final = 14
 """A circle has harmonics without end; with so many, what a head leaves is small."""

@@ -2,12 +2,12 @@
 
 from typing import Final
 
-from calibrations.geometry import FloatArray
-from calibrations.reference.effects import HEAD_EFFECTS, TIMED
-from calibrations.reference.scene import HeadScene
-from calibrations.reference.settings import Settings
-from calibrations.reference.shapes import HEAD_STRUCTURES
-from calibrations.tracing.within import Within, lies_within, trace_within
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.reference.effects import HEAD_EFFECTS, TIMED
+from tumble.calibrations.reference.scene import HeadScene
+from tumble.calibrations.reference.settings import Settings
+from tumble.calibrations.reference.shapes import HEAD_STRUCTURES
+from tumble.calibrations.tracing.within import Within, lies_within, trace_within
 
 _MOST_NUMBERS: Final = 5_000_000
 """A mean for each of so many settings of so many rows takes seconds; of longer tables the means alone are traced."""

@@ -1,5 +1,5 @@
 """The report: a calibration as one self-contained HTML page that prints on A4."""
 
-from calibrations.report.page import render_report
+from tumble.calibrations.report.page import render_report
 
 __all__ = ["render_report"]

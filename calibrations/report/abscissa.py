@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.effects.scene import Scene
-from calibrations.geometry import FloatArray
+from tumble.calibrations.effects.scene import Scene
+from tumble.calibrations.geometry import FloatArray
 
 Column = NDArray[Any]
 

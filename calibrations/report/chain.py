@@ -6,11 +6,11 @@ import numpy as np
 from markupsafe import Markup
 from matplotlib.ticker import MaxNLocator
 
-from calibrations.quantities import format_number
-from calibrations.report.drawing import BAND, COLOURS, HALF_IN, MARKERS, sheet, styled, to_svg
-from calibrations.support import series
-from calibrations.tracing.chain import Chain, Link, Stage
-from calibrations.tracing.rivals import CLOSE
+from tumble.calibrations.quantities import format_number
+from tumble.calibrations.report.drawing import BAND, COLOURS, HALF_IN, MARKERS, sheet, styled, to_svg
+from tumble.calibrations.support import series
+from tumble.calibrations.tracing.chain import Chain, Link, Stage
+from tumble.calibrations.tracing.rivals import CLOSE
 
 _LEAST = 0.5
 """Differences in -2 ln L below this are drawn here: the axis is logarithmic."""

@@ -3,12 +3,23 @@
 import numpy as np
 from markupsafe import Markup
 
-from calibrations.flips import FlipClosure
-from calibrations.geometry import FloatArray
-from calibrations.model import PARAMETERS, basis, coefficients
-from calibrations.observations import Observations
-from calibrations.report.drawing import COLOURS, HALF_IN, MICRO, PALE, WIDE_IN, cloud, mounts_of, sheet, styled, to_svg
-from calibrations.result import Calibration
+from tumble.calibrations.flips import FlipClosure
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.model import PARAMETERS, basis, coefficients
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.report.drawing import (
+    COLOURS,
+    HALF_IN,
+    MICRO,
+    PALE,
+    WIDE_IN,
+    cloud,
+    mounts_of,
+    sheet,
+    styled,
+    to_svg,
+)
+from tumble.calibrations.result import Calibration
 
 
 @styled

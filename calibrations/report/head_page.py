@@ -7,12 +7,12 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 from markupsafe import Markup
 
-from calibrations.geometry import FloatArray
-from calibrations.quantities import format_concise, format_number
-from calibrations.reference.changes import Comparison
-from calibrations.reference.head_map import head_map
-from calibrations.reference.loop import ReferenceLoop
-from calibrations.reference.sentences import (
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.quantities import format_concise, format_number
+from tumble.calibrations.reference.changes import Comparison
+from tumble.calibrations.reference.head_map import head_map
+from tumble.calibrations.reference.loop import ReferenceLoop
+from tumble.calibrations.reference.sentences import (
     CHANGES_HEADINGS,
     PARTS_HEADINGS,
     SETTINGS_HEADINGS,
@@ -22,13 +22,13 @@ from calibrations.reference.sentences import (
     sentences,
     setting_rows,
 )
-from calibrations.report.drawing import COLOURS, INK, WIDE_IN, sheet, styled, to_svg
-from calibrations.report.stand import head_map_figure
-from calibrations.report.tables_page import Part, page
-from calibrations.support import series
-from calibrations.tracing.experiments import Experiment
-from calibrations.tracing.linear_loop import Model
-from calibrations.tracing.words import findings, unexplained_sentence
+from tumble.calibrations.report.drawing import COLOURS, INK, WIDE_IN, sheet, styled, to_svg
+from tumble.calibrations.report.stand import head_map_figure
+from tumble.calibrations.report.tables_page import Part, page
+from tumble.calibrations.support import series
+from tumble.calibrations.tracing.experiments import Experiment
+from tumble.calibrations.tracing.linear_loop import Model
+from tumble.calibrations.tracing.words import findings, unexplained_sentence
 
 
 def render_head(name: str, loop: ReferenceLoop, against: tuple[str, Comparison] | None = None) -> str:

@@ -3,14 +3,14 @@
 from collections.abc import Sequence
 from typing import Any
 
-from calibrations.report.abscissa import Abscissa
-from calibrations.report.chain import chain_part
-from calibrations.report.outlooks import outlook_figure
-from calibrations.report.subject import Subject
-from calibrations.report.traces import abscissae, trace_figure
-from calibrations.support import series
-from calibrations.tracing.loop import Loop
-from calibrations.tracing.words import comparisons, findings, headline, untold
+from tumble.calibrations.report.abscissa import Abscissa
+from tumble.calibrations.report.chain import chain_part
+from tumble.calibrations.report.outlooks import outlook_figure
+from tumble.calibrations.report.subject import Subject
+from tumble.calibrations.report.traces import abscissae, trace_figure
+from tumble.calibrations.support import series
+from tumble.calibrations.tracing.loop import Loop
+from tumble.calibrations.tracing.words import comparisons, findings, headline, untold
 
 
 def closed_loop(subject: Subject) -> dict[str, Any]:

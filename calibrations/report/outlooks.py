@@ -3,9 +3,9 @@
 import numpy as np
 from markupsafe import Markup
 
-from calibrations.geometry import FloatArray
-from calibrations.report.drawing import BAND, COLOURS, HALF_IN, INK, MARKERS, MICRO, sheet, styled, to_svg
-from calibrations.tracing.separation import Outlook
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.report.drawing import BAND, COLOURS, HALF_IN, INK, MARKERS, MICRO, sheet, styled, to_svg
+from tumble.calibrations.tracing.separation import Outlook
 
 _MILLI_FROM_V = 1e-3
 """Differences from here on stand in millivolts."""

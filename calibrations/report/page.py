@@ -6,17 +6,17 @@ from typing import Any
 
 from markupsafe import Markup
 
-from calibrations.provenance import LimitCheck, Provenance
-from calibrations.report import evidence, uncertainty
-from calibrations.report.loop import closed_loop
-from calibrations.report.origin import origin
-from calibrations.report.results import header, results
-from calibrations.report.stand import corrections_of_the_stand
-from calibrations.report.subject import Subject
-from calibrations.report.templates import TEMPLATES
-from calibrations.result import Calibration
-from calibrations.tracing.chain import Chain
-from calibrations.tracing.loop import Loop
+from tumble.calibrations.provenance import LimitCheck, Provenance
+from tumble.calibrations.report import evidence, uncertainty
+from tumble.calibrations.report.loop import closed_loop
+from tumble.calibrations.report.origin import origin
+from tumble.calibrations.report.results import header, results
+from tumble.calibrations.report.stand import corrections_of_the_stand
+from tumble.calibrations.report.subject import Subject
+from tumble.calibrations.report.templates import TEMPLATES
+from tumble.calibrations.result import Calibration
+from tumble.calibrations.tracing.chain import Chain
+from tumble.calibrations.tracing.loop import Loop
 
 
 @dataclass(frozen=True, kw_only=True)

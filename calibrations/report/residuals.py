@@ -7,9 +7,9 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 from scipy.special import ndtri
 
-from calibrations.geometry import FloatArray
-from calibrations.repeats import pose_groups
-from calibrations.report.drawing import (
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.repeats import pose_groups
+from tumble.calibrations.report.drawing import (
     BAND,
     COLOURS,
     CURVE,
@@ -24,7 +24,7 @@ from calibrations.report.drawing import (
     styled,
     to_svg,
 )
-from calibrations.result import Calibration
+from tumble.calibrations.result import Calibration
 
 BINS = 30
 """Groups of equally many rows whose means are shown against a quantity that never repeats."""

@@ -3,10 +3,10 @@
 from dataclasses import dataclass
 from typing import Any
 
-from calibrations.fit import coverage_factor
-from calibrations.joint import LACK_OF_FIT_P
-from calibrations.provenance import LimitCheck
-from calibrations.quantities import (
+from tumble.calibrations.fit import coverage_factor
+from tumble.calibrations.joint import LACK_OF_FIT_P
+from tumble.calibrations.provenance import LimitCheck
+from tumble.calibrations.quantities import (
     format_concise,
     format_freedom,
     format_interval,
@@ -15,12 +15,12 @@ from calibrations.quantities import (
     format_quantity,
     rounded,
 )
-from calibrations.report.subject import Subject
-from calibrations.result import Parameter
-from calibrations.support import equals, series
-from calibrations.tracing.words import found_sentences
-from calibrations.usable import Model
-from calibrations.verdict import Judgement, Outcome, Verdict
+from tumble.calibrations.report.subject import Subject
+from tumble.calibrations.result import Parameter
+from tumble.calibrations.support import equals, series
+from tumble.calibrations.tracing.words import found_sentences
+from tumble.calibrations.usable import Model
+from tumble.calibrations.verdict import Judgement, Outcome, Verdict
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -3,13 +3,13 @@
 from dataclasses import dataclass
 from functools import cached_property
 
-from calibrations.judging import judge
-from calibrations.provenance import LimitCheck, Provenance
-from calibrations.result import Calibration, Parameter
-from calibrations.tracing.chain import Chain
-from calibrations.tracing.loop import Loop
-from calibrations.usable import Usable, usable
-from calibrations.verdict import Verdict
+from tumble.calibrations.judging import judge
+from tumble.calibrations.provenance import LimitCheck, Provenance
+from tumble.calibrations.result import Calibration, Parameter
+from tumble.calibrations.tracing.chain import Chain
+from tumble.calibrations.tracing.loop import Loop
+from tumble.calibrations.usable import Usable, usable
+from tumble.calibrations.verdict import Verdict
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from markupsafe import Markup
 
-from calibrations.report.templates import TEMPLATES
+from tumble.calibrations.report.templates import TEMPLATES
 
 
 @dataclass(frozen=True, kw_only=True)

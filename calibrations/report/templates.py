@@ -5,7 +5,7 @@ from typing import Final
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 TEMPLATES: Final = Environment(
-    loader=PackageLoader("calibrations", "report"),
+    loader=PackageLoader("tumble.calibrations", "report"),
     autoescape=True,
     undefined=StrictUndefined,
     trim_blocks=True,

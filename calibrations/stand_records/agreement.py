@@ -5,11 +5,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from calibrations.blas_threads import one_blas_thread
-from calibrations.geometry import FloatArray
-from calibrations.stand_records.corrections import Corrections, chi_square_p
-from calibrations.stand_records.evidence import Run
-from calibrations.stand_records.terms import Term, harmonic_term, head_course, union
+from tumble.calibrations.blas_threads import one_blas_thread
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.stand_records.corrections import Corrections, chi_square_p
+from tumble.calibrations.stand_records.evidence import Run
+from tumble.calibrations.stand_records.terms import Term, harmonic_term, head_course, union
 
 AGREE_P = 0.01
 """Two runs contradict each other where chance makes differences as large as theirs in fewer of a hundred cases."""

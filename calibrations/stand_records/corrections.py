@@ -7,11 +7,11 @@ from typing import Any
 import numpy as np
 from scipy.special import chdtrc
 
-from calibrations.effects.scene import Scene
-from calibrations.geometry import FloatArray
-from calibrations.quantities import format_concise
-from calibrations.stand_records.head_map import HeadMap
-from calibrations.stand_records.terms import BACKLASH, Term, harmonic_term
+from tumble.calibrations.effects.scene import Scene
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.quantities import format_concise
+from tumble.calibrations.stand_records.head_map import HeadMap
+from tumble.calibrations.stand_records.terms import BACKLASH, Term, harmonic_term
 
 
 @dataclass(frozen=True, kw_only=True)

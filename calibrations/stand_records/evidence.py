@@ -7,20 +7,20 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.budget import StandUncertainty, sources
-from calibrations.effects.effect import Structure
-from calibrations.effects.scene import Scene
-from calibrations.effects.stand import HIGHEST_ORDER
-from calibrations.fit import covariance
-from calibrations.geometry import FloatArray
-from calibrations.joint import LACK_OF_FIT_P, Joint, fit_rows
-from calibrations.model import PARAMETERS
-from calibrations.stand_records.corrections import Corrections
-from calibrations.stand_records.terms import LASTING, Term, harmonic_term, head_course, union
-from calibrations.support import equals, series
-from calibrations.tracing.findings import EffectFound
-from calibrations.tracing.loop import Explained, Loop
-from calibrations.tracing.trace import Found, Trace
+from tumble.calibrations.budget import StandUncertainty, sources
+from tumble.calibrations.effects.effect import Structure
+from tumble.calibrations.effects.scene import Scene
+from tumble.calibrations.effects.stand import HIGHEST_ORDER
+from tumble.calibrations.fit import covariance
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.joint import LACK_OF_FIT_P, Joint, fit_rows
+from tumble.calibrations.model import PARAMETERS
+from tumble.calibrations.stand_records.corrections import Corrections
+from tumble.calibrations.stand_records.terms import LASTING, Term, harmonic_term, head_course, union
+from tumble.calibrations.support import equals, series
+from tumble.calibrations.tracing.findings import EffectFound
+from tumble.calibrations.tracing.loop import Explained, Loop
+from tumble.calibrations.tracing.trace import Found, Trace
 
 _ANGLE: Final = "angle"
 _HARMONICS: Final = {"head_eccentricity": 1, "head_second_harmonic": 2, "graduation": None}

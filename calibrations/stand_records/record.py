@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from calibrations.observations import Observations
-from calibrations.records.canonical import canonical_sha256, plain
-from calibrations.records.times import read_time, utc_text
-from calibrations.stand_records.corrections import Corrections, corrections_from_json
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.records.canonical import canonical_sha256, plain
+from tumble.calibrations.records.times import read_time, utc_text
+from tumble.calibrations.stand_records.corrections import Corrections, corrections_from_json
 
 FORMAT_VERSION = 1
 

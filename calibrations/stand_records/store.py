@@ -9,14 +9,14 @@ from typing import Any
 
 from sqlalchemy import Connection, Select, func, insert, inspect, select
 
-from calibrations.records import DATABASE
-from calibrations.records.canonical import canonical_sha256
-from calibrations.records.database import open_database, storage_errors, writing
-from calibrations.records.errors import RecordError
-from calibrations.records.schema import METADATA, STAND_RECORDS
-from calibrations.records.times import utc_now
-from calibrations.stand_records.corrections import Corrections
-from calibrations.stand_records.record import (
+from tumble.calibrations.records import DATABASE
+from tumble.calibrations.records.canonical import canonical_sha256
+from tumble.calibrations.records.database import open_database, storage_errors, writing
+from tumble.calibrations.records.errors import RecordError
+from tumble.calibrations.records.schema import METADATA, STAND_RECORDS
+from tumble.calibrations.records.times import utc_now
+from tumble.calibrations.stand_records.corrections import Corrections
+from tumble.calibrations.stand_records.record import (
     Contribution,
     StandIdentity,
     StandRecord,

@@ -6,8 +6,8 @@ from typing import Final
 
 import numpy as np
 
-from calibrations.geometry import FloatArray
-from calibrations.temperature.columns import Column, column_of
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.temperature.columns import Column, column_of
 
 _SECONDS: Final = {
     **dict.fromkeys(("s", "seconds"), 1.0),

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from enum import Enum
 from typing import Final
 
-from calibrations.cells import number
+from tumble.calibrations.cells import number
 
 _UNITS: Final = (
     *("V_per_g", "mV_per_g", "uV_per_g", "V_g", "mV_g", "uV_g", "µV_g", "V_g2", "V/g", "mV/g", "uV/g", "µV/g", "V/g^2"),

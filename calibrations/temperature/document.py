@@ -2,10 +2,10 @@
 
 from typing import Any
 
-from calibrations.temperature.loop import ParameterLoop, Polynomial, TemperatureLoop
-from calibrations.temperature.shared import SharedCause
-from calibrations.tracing.document import SCHEMA, effect_json
-from calibrations.tracing.linear_loop import model_json, withheld_json
+from tumble.calibrations.temperature.loop import ParameterLoop, Polynomial, TemperatureLoop
+from tumble.calibrations.temperature.shared import SharedCause
+from tumble.calibrations.tracing.document import SCHEMA, effect_json
+from tumble.calibrations.tracing.linear_loop import model_json, withheld_json
 
 
 def document(loop: TemperatureLoop) -> dict[str, Any]:

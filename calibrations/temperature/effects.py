@@ -5,8 +5,8 @@ from typing import Final
 
 import numpy as np
 
-from calibrations.effects.effect import Effect, Form, Forms, plain, scan, single, with_scanned
-from calibrations.temperature.scene import RunScene
+from tumble.calibrations.effects.effect import Effect, Form, Forms, plain, scan, single, with_scanned
+from tumble.calibrations.temperature.scene import RunScene
 
 BREAK: Final = "temperature_break"
 DRIFT: Final = "run_drift"

@@ -6,20 +6,20 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.blas_threads import one_blas_thread
-from calibrations.geometry import FloatArray
-from calibrations.repeats import PureError
-from calibrations.support import series
-from calibrations.temperature.columns import unit_of
-from calibrations.temperature.effects import CUBIC
-from calibrations.temperature.scene import RunScene
-from calibrations.temperature.settled import RunTable, run_table, settled_runs
-from calibrations.temperature.shared import SharedCause, shared_causes
-from calibrations.temperature.table import Runs
-from calibrations.temperature.unknowable import cannot_be_known
-from calibrations.tracing.findings import EffectFound
-from calibrations.tracing.linear_loop import Explained, Model, as_stated, explain_linear, rms, stated, withheld
-from calibrations.tracing.quantified import form_in
+from tumble.calibrations.blas_threads import one_blas_thread
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.repeats import PureError
+from tumble.calibrations.support import series
+from tumble.calibrations.temperature.columns import unit_of
+from tumble.calibrations.temperature.effects import CUBIC
+from tumble.calibrations.temperature.scene import RunScene
+from tumble.calibrations.temperature.settled import RunTable, run_table, settled_runs
+from tumble.calibrations.temperature.shared import SharedCause, shared_causes
+from tumble.calibrations.temperature.table import Runs
+from tumble.calibrations.temperature.unknowable import cannot_be_known
+from tumble.calibrations.tracing.findings import EffectFound
+from tumble.calibrations.tracing.linear_loop import Explained, Model, as_stated, explain_linear, rms, stated, withheld
+from tumble.calibrations.tracing.quantified import form_in
 
 _WORSE = 1.1
 """A larger error of runs left out, by more than this, is a worse prediction."""

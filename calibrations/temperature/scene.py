@@ -6,8 +6,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.clusters import clusters
-from calibrations.geometry import FloatArray
+from tumble.calibrations.clusters import clusters
+from tumble.calibrations.geometry import FloatArray
 
 _ROUNDINGS_K = (0.05, 0.1, 0.2, 0.5, 1.0, 2.0)
 """How closely a temperature may be set again."""

@@ -5,18 +5,18 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.clusters import as_they_come
-from calibrations.effects.effect import Variable
-from calibrations.geometry import FloatArray
-from calibrations.repeats import PureError, labels, pure_error
-from calibrations.temperature.effects import DRIFT, run_effects
-from calibrations.temperature.scene import RunScene
-from calibrations.tracing.declared import Linear
-from calibrations.tracing.findings import EffectFound
-from calibrations.tracing.linear_loop import Explained, rms
-from calibrations.tracing.noise import Memory
-from calibrations.tracing.table import Table
-from calibrations.tracing.within import Within, lies_within, too_few, trace_within
+from tumble.calibrations.clusters import as_they_come
+from tumble.calibrations.effects.effect import Variable
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.repeats import PureError, labels, pure_error
+from tumble.calibrations.temperature.effects import DRIFT, run_effects
+from tumble.calibrations.temperature.scene import RunScene
+from tumble.calibrations.tracing.declared import Linear
+from tumble.calibrations.tracing.findings import EffectFound
+from tumble.calibrations.tracing.linear_loop import Explained, rms
+from tumble.calibrations.tracing.noise import Memory
+from tumble.calibrations.tracing.table import Table
+from tumble.calibrations.tracing.within import Within, lies_within, too_few, trace_within
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -6,13 +6,13 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.special import chdtrc
 
-from calibrations.effects.effect import Form
-from calibrations.support import equals, series
-from calibrations.temperature.effects import BREAK
-from calibrations.temperature.settled import RunTable
-from calibrations.tracing.fitting_noise import golden_section
-from calibrations.tracing.linear_loop import Explained
-from calibrations.tracing.trace import Found
+from tumble.calibrations.effects.effect import Form
+from tumble.calibrations.support import equals, series
+from tumble.calibrations.temperature.effects import BREAK
+from tumble.calibrations.temperature.settled import RunTable
+from tumble.calibrations.tracing.fitting_noise import golden_section
+from tumble.calibrations.tracing.linear_loop import Explained
+from tumble.calibrations.tracing.trace import Found
 
 _AGREE = 0.01
 """Chance above which breaks of several parameters may lie at one temperature."""

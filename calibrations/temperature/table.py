@@ -6,14 +6,14 @@ from pathlib import Path
 
 import numpy as np
 
-from calibrations.cells import Line, is_missing
-from calibrations.cells import number as as_number
-from calibrations.geometry import FloatArray
-from calibrations.observations import OVERLOAD_V, SetAside
-from calibrations.screening import SENSORS_DEGC
-from calibrations.table import TableError, read_lines
-from calibrations.temperature.clock import clock_s
-from calibrations.temperature.columns import Column, column_of, holds_numbers, named
+from tumble.calibrations.cells import Line, is_missing
+from tumble.calibrations.cells import number as as_number
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.observations import OVERLOAD_V, SetAside
+from tumble.calibrations.screening import SENSORS_DEGC
+from tumble.calibrations.table import TableError, read_lines
+from tumble.calibrations.temperature.clock import clock_s
+from tumble.calibrations.temperature.columns import Column, column_of, holds_numbers, named
 
 _ORDER = "run"
 _FEWEST = 4

@@ -4,12 +4,12 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
-from calibrations.support import series
-from calibrations.temperature.effects import BREAK, DRIFT
-from calibrations.temperature.settled import RunTable
-from calibrations.temperature.shared import SharedCause
-from calibrations.temperature.table import Runs
-from calibrations.tracing.linear_loop import Explained
+from tumble.calibrations.support import series
+from tumble.calibrations.temperature.effects import BREAK, DRIFT
+from tumble.calibrations.temperature.settled import RunTable
+from tumble.calibrations.temperature.shared import SharedCause
+from tumble.calibrations.temperature.table import Runs
+from tumble.calibrations.tracing.linear_loop import Explained
 
 _FEW = 2
 """A break with so few runs on one side could as well be a bend or a step."""

@@ -5,14 +5,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from calibrations.effects.scene import Scene
-from calibrations.fit import covariance
-from calibrations.geometry import FloatArray
-from calibrations.joint import Joint, fit_rows
-from calibrations.model import BASIS_SIZE, PARAMETERS, basis, coefficients
-from calibrations.tracing.ground import Ground
-from calibrations.tracing.quantified import Quantified, form_in, slices, tangent
-from calibrations.tracing.trace import Trace
+from tumble.calibrations.effects.scene import Scene
+from tumble.calibrations.fit import covariance
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.joint import Joint, fit_rows
+from tumble.calibrations.model import BASIS_SIZE, PARAMETERS, basis, coefficients
+from tumble.calibrations.tracing.ground import Ground
+from tumble.calibrations.tracing.quantified import Quantified, form_in, slices, tangent
+from tumble.calibrations.tracing.trace import Trace
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import fdtrc
 
-from calibrations.geometry import FloatArray
-from calibrations.tracing.seen import SEEN, Seen, beside
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.tracing.seen import SEEN, Seen, beside
 
 WITHIN: Final = 0.1
 """What varies by less than this part within blocks is a function of the block."""

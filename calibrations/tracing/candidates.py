@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 from scipy.special import fdtri
 
-from calibrations.conditional import SINGULAR
-from calibrations.effects.effect import Effect, Form, Structure
-from calibrations.geometry import FloatArray
-from calibrations.tracing.table import Table
+from tumble.calibrations.conditional import SINGULAR
+from tumble.calibrations.effects.effect import Effect, Form, Structure
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.tracing.table import Table
 
 FALSE_ALARM = 0.001
 """Chance that a clean table is given any effect at all, shared evenly among the effects that it could show."""

@@ -5,12 +5,12 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
 
-from calibrations.blas_threads import one_blas_thread
-from calibrations.support import series
-from calibrations.tracing.experiments import APART, Experiment, next_experiments
-from calibrations.tracing.loop import Explained, Loop
-from calibrations.tracing.probes import Probe
-from calibrations.tracing.rivals import rivals
+from tumble.calibrations.blas_threads import one_blas_thread
+from tumble.calibrations.support import series
+from tumble.calibrations.tracing.experiments import APART, Experiment, next_experiments
+from tumble.calibrations.tracing.loop import Explained, Loop
+from tumble.calibrations.tracing.probes import Probe
+from tumble.calibrations.tracing.rivals import rivals
 
 FUTILE = 2
 """After so many experiments in a row that told nothing apart, none is run any more."""

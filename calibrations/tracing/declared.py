@@ -5,12 +5,12 @@ from typing import Protocol, Self
 
 import numpy as np
 
-from calibrations.best_alpha0 import best_parameters
-from calibrations.compression import Compressed
-from calibrations.conditional import triangular_solution
-from calibrations.fit import fit_given_alpha0
-from calibrations.geometry import FloatArray
-from calibrations.model import BASIS_SIZE, PARAMETERS, coefficients, coefficients_jacobian
+from tumble.calibrations.best_alpha0 import best_parameters
+from tumble.calibrations.compression import Compressed
+from tumble.calibrations.conditional import triangular_solution
+from tumble.calibrations.fit import fit_given_alpha0
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.model import BASIS_SIZE, PARAMETERS, coefficients, coefficients_jacobian
 
 
 class Declared(Protocol):
@@ -49,7 +49,7 @@ class Declared(Protocol):
 
 @dataclass(frozen=True, kw_only=True)
 class Accelerometer:
-    """The model of `calibrations.model`: ten functions, six parameters, alpha0 the nonlinear one."""
+    """The model of `tumble.calibrations.model`: ten functions, six parameters, alpha0 the nonlinear one."""
 
     functions: FloatArray
     alpha0_told: bool
@@ -71,11 +71,11 @@ class Accelerometer:
         return fit_given_alpha0(compressed, self.seen_from_deg).theta
 
     def coefficients(self, theta: FloatArray) -> FloatArray:
-        """As in `calibrations.model`."""
+        """As in `tumble.calibrations.model`."""
         return coefficients(theta)
 
     def slopes(self, theta: FloatArray) -> FloatArray:
-        """As in `calibrations.model`."""
+        """As in `tumble.calibrations.model`."""
         return coefficients_jacobian(theta)[:BASIS_SIZE, : len(PARAMETERS)]
 
     def with_functions(self, functions: FloatArray) -> "Accelerometer":

@@ -4,15 +4,15 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from calibrations.effects.effect import Quantity
-from calibrations.result import Calibration, rows_json
-from calibrations.tracing.experiments import Experiment
-from calibrations.tracing.findings import EffectFound, Unexplained
-from calibrations.tracing.loop import Loop
-from calibrations.tracing.misreading import Misreading
-from calibrations.tracing.reach import Reach
-from calibrations.usable import usable
-from calibrations.verdict import Verdict
+from tumble.calibrations.effects.effect import Quantity
+from tumble.calibrations.result import Calibration, rows_json
+from tumble.calibrations.tracing.experiments import Experiment
+from tumble.calibrations.tracing.findings import EffectFound, Unexplained
+from tumble.calibrations.tracing.loop import Loop
+from tumble.calibrations.tracing.misreading import Misreading
+from tumble.calibrations.tracing.reach import Reach
+from tumble.calibrations.usable import usable
+from tumble.calibrations.verdict import Verdict
 
 SCHEMA = "tumble.loop/1"
 

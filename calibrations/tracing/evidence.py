@@ -19,12 +19,12 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.effects.effect import Structure, Variable
-from calibrations.geometry import FloatArray
-from calibrations.tracing.blocks import WITHIN, Lack, held_out_gain, lack_of_fit, within
-from calibrations.tracing.seen import Linearised, Seen
-from calibrations.tracing.table import Table
-from calibrations.tracing.trace import Found, Trace
+from tumble.calibrations.effects.effect import Structure, Variable
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.tracing.blocks import WITHIN, Lack, held_out_gain, lack_of_fit, within
+from tumble.calibrations.tracing.seen import Linearised, Seen
+from tumble.calibrations.tracing.table import Table
+from tumble.calibrations.tracing.trace import Found, Trace
 
 MOST_INFLATED: Final = 30.0
 """So many times larger than what is seen of it an effect may be; see above."""

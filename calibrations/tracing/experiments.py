@@ -6,14 +6,14 @@ from itertools import combinations
 
 import numpy as np
 
-from calibrations.effects.effect import OWNER_WORDS
-from calibrations.geometry import FloatArray
-from calibrations.support import series
-from calibrations.tracing.ground import Ground
-from calibrations.tracing.probes import PROBES, Probe
-from calibrations.tracing.rivals import Rival
-from calibrations.tracing.separation import Difference, Outlook, Question, Rows
-from calibrations.tracing.trace import Trace
+from tumble.calibrations.effects.effect import OWNER_WORDS
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.support import series
+from tumble.calibrations.tracing.ground import Ground
+from tumble.calibrations.tracing.probes import PROBES, Probe
+from tumble.calibrations.tracing.rivals import Rival
+from tumble.calibrations.tracing.separation import Difference, Outlook, Question, Rows
+from tumble.calibrations.tracing.trace import Trace
 
 APART = 16.0
 """Explanations that differ by this in -2 ln L are told apart: four standard deviations."""

@@ -7,14 +7,14 @@ from typing import Any
 import numpy as np
 from scipy.special import chdtrc
 
-from calibrations.effects.effect import Quantity, Structure
-from calibrations.quantities import format_number
-from calibrations.tracing.judged import Judged
-from calibrations.tracing.quantified import Quantified, level_quantities
-from calibrations.tracing.reach import Reach
-from calibrations.tracing.rivals import Rival
-from calibrations.tracing.table import Table
-from calibrations.tracing.trace import WALK, Trace
+from tumble.calibrations.effects.effect import Quantity, Structure
+from tumble.calibrations.quantities import format_number
+from tumble.calibrations.tracing.judged import Judged
+from tumble.calibrations.tracing.quantified import Quantified, level_quantities
+from tumble.calibrations.tracing.reach import Reach
+from tumble.calibrations.tracing.rivals import Rival
+from tumble.calibrations.tracing.table import Table
+from tumble.calibrations.tracing.trace import WALK, Trace
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -5,9 +5,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from calibrations.effects.effect import Form
-from calibrations.tracing.noise import NoiseModel
-from calibrations.tracing.table import Table
+from tumble.calibrations.effects.effect import Form
+from tumble.calibrations.tracing.noise import NoiseModel
+from tumble.calibrations.tracing.table import Table
 
 FLICKER_FLOOR = 0.25
 """Floor of the Allan deviation up to which flicker is taken as the ordinary noise of a unit, in dwell deviations."""

@@ -4,10 +4,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from calibrations.compression import Compressed, triangular_factor
-from calibrations.geometry import FloatArray
-from calibrations.tracing.declared import Declared
-from calibrations.tracing.noise import Whitening
+from tumble.calibrations.compression import Compressed, triangular_factor
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.tracing.declared import Declared
+from tumble.calibrations.tracing.noise import Whitening
 
 
 @dataclass(frozen=True, kw_only=True)

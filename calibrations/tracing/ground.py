@@ -6,18 +6,18 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.effects.effect import Effect, Variable
-from calibrations.effects.scene import Scene
-from calibrations.effects.unnamed import STRUCTURES
-from calibrations.fit import fit_given_alpha0
-from calibrations.geometry import FloatArray
-from calibrations.identifiability import determined_without_kxy
-from calibrations.joint import Joint
-from calibrations.model import ALPHA0, BASIS_SIZE, PARAMETERS, basis, coefficients, coefficients_jacobian
-from calibrations.observations import Observations
-from calibrations.repeats import distinct_settings, visits
-from calibrations.tracing.declared import Accelerometer
-from calibrations.tracing.table import Extensible, View, memory_of
+from tumble.calibrations.effects.effect import Effect, Variable
+from tumble.calibrations.effects.scene import Scene
+from tumble.calibrations.effects.unnamed import STRUCTURES
+from tumble.calibrations.fit import fit_given_alpha0
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.identifiability import determined_without_kxy
+from tumble.calibrations.joint import Joint
+from tumble.calibrations.model import ALPHA0, BASIS_SIZE, PARAMETERS, basis, coefficients, coefficients_jacobian
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.repeats import distinct_settings, visits
+from tumble.calibrations.tracing.declared import Accelerometer
+from tumble.calibrations.tracing.table import Extensible, View, memory_of
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -7,11 +7,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.adequacy import told_without
-from calibrations.geometry import FloatArray
-from calibrations.tracing.problem import Problem
-from calibrations.tracing.search import search
-from calibrations.tracing.trace import Trace, Tracer
+from tumble.calibrations.adequacy import told_without
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.tracing.problem import Problem
+from tumble.calibrations.tracing.search import search
+from tumble.calibrations.tracing.trace import Trace, Tracer
 
 
 def held_out_rms(tracer: Tracer[Any], trace: Trace, parts: Iterable[NDArray[np.bool_]]) -> float | None:

@@ -7,13 +7,13 @@ from typing import Any, Generic, TypeVar
 
 import numpy as np
 
-from calibrations.tracing.blocks import Lack
-from calibrations.tracing.evidence import Evidence, gathered, settings_differ
-from calibrations.tracing.fitting_noise import best_level
-from calibrations.tracing.noise import SETTINGS, WHITE, scaled_levels
-from calibrations.tracing.rivals import Rival, near_rivals, with_best_names
-from calibrations.tracing.table import Table
-from calibrations.tracing.trace import Trace, Tracer, refined
+from tumble.calibrations.tracing.blocks import Lack
+from tumble.calibrations.tracing.evidence import Evidence, gathered, settings_differ
+from tumble.calibrations.tracing.fitting_noise import best_level
+from tumble.calibrations.tracing.noise import SETTINGS, WHITE, scaled_levels
+from tumble.calibrations.tracing.rivals import Rival, near_rivals, with_best_names
+from tumble.calibrations.tracing.table import Table
+from tumble.calibrations.tracing.trace import Trace, Tracer, refined
 
 _ROUNDS = 3
 """How often a table is traced again without what did not stand."""

@@ -5,12 +5,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from calibrations.conditional import smallest_solution
-from calibrations.effects.effect import Quantity
-from calibrations.geometry import FloatArray
-from calibrations.tracing.quantified import Quantified, slices, tangent
-from calibrations.tracing.table import Table
-from calibrations.tracing.trace import Trace
+from tumble.calibrations.conditional import smallest_solution
+from tumble.calibrations.effects.effect import Quantity
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.tracing.quantified import Quantified, slices, tangent
+from tumble.calibrations.tracing.table import Table
+from tumble.calibrations.tracing.trace import Trace
 
 _UNSEEN = 1e-9
 """Directions weaker than this, relative to the strongest, have no variance to be stated."""

@@ -6,16 +6,16 @@ from typing import Any, Generic, TypeVar
 
 import numpy as np
 
-from calibrations.effects.effect import Quantity, Structure
-from calibrations.geometry import FloatArray
-from calibrations.tracing.findings import EffectFound, Unexplained, effects_found
-from calibrations.tracing.judged import Judged, judged
-from calibrations.tracing.linear import LinearFit, fit_linear
-from calibrations.tracing.noise import NoiseModel
-from calibrations.tracing.rivals import CLOSE, Rival
-from calibrations.tracing.table import Table
-from calibrations.tracing.taken_back import RIVALS_APART
-from calibrations.tracing.trace import Trace, Tracer
+from tumble.calibrations.effects.effect import Quantity, Structure
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.tracing.findings import EffectFound, Unexplained, effects_found
+from tumble.calibrations.tracing.judged import Judged, judged
+from tumble.calibrations.tracing.linear import LinearFit, fit_linear
+from tumble.calibrations.tracing.noise import NoiseModel
+from tumble.calibrations.tracing.rivals import CLOSE, Rival
+from tumble.calibrations.tracing.table import Table
+from tumble.calibrations.tracing.taken_back import RIVALS_APART
+from tumble.calibrations.tracing.trace import Trace, Tracer
 
 _T = TypeVar("_T", bound=Table)
 

@@ -6,34 +6,41 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.special import chdtrc
 
-from calibrations.adequacy import held_out_parts
-from calibrations.analysis import assess
-from calibrations.blas_threads import one_blas_thread
-from calibrations.budget import StandUncertainty
-from calibrations.effects import CATALOGUE
-from calibrations.effects.effect import Effect
-from calibrations.effects.scene import Scene
-from calibrations.gross import GROSS_SIGMA, unlike_repeats
-from calibrations.joint import Joint, fit_jointly, fit_without
-from calibrations.model import ALPHA0
-from calibrations.observations import Observations, SetAside
-from calibrations.repeats import pose_groups
-from calibrations.result import Calibration
-from calibrations.tracing.augmented import Augmented, augment
-from calibrations.tracing.experiments import Experiment, next_experiments
-from calibrations.tracing.findings import EffectFound, Unexplained, Withheld, effects_found, unexplained, withheld
-from calibrations.tracing.fitting_noise import with_likely_flicker
-from calibrations.tracing.ground import Ground, ground, scene_of, seen_anew
-from calibrations.tracing.held_out import held_out_rms
-from calibrations.tracing.judged import Judged, judged
-from calibrations.tracing.misreading import Misreading, misreadings
-from calibrations.tracing.more_settings import more_settings
-from calibrations.tracing.questions import Questioned, questioned
-from calibrations.tracing.reach import Reach, reach
-from calibrations.tracing.rivals import CLOSE, Rival
-from calibrations.tracing.still import ONE_POSE, Still, in_one_pose, stillness
-from calibrations.tracing.taken_back import without_courses, without_rivals
-from calibrations.tracing.trace import Trace, Tracer, trace_price
+from tumble.calibrations.adequacy import held_out_parts
+from tumble.calibrations.analysis import assess
+from tumble.calibrations.blas_threads import one_blas_thread
+from tumble.calibrations.budget import StandUncertainty
+from tumble.calibrations.effects import CATALOGUE
+from tumble.calibrations.effects.effect import Effect
+from tumble.calibrations.effects.scene import Scene
+from tumble.calibrations.gross import GROSS_SIGMA, unlike_repeats
+from tumble.calibrations.joint import Joint, fit_jointly, fit_without
+from tumble.calibrations.model import ALPHA0
+from tumble.calibrations.observations import Observations, SetAside
+from tumble.calibrations.repeats import pose_groups
+from tumble.calibrations.result import Calibration
+from tumble.calibrations.tracing.augmented import Augmented, augment
+from tumble.calibrations.tracing.experiments import Experiment, next_experiments
+from tumble.calibrations.tracing.findings import (
+    EffectFound,
+    Unexplained,
+    Withheld,
+    effects_found,
+    unexplained,
+    withheld,
+)
+from tumble.calibrations.tracing.fitting_noise import with_likely_flicker
+from tumble.calibrations.tracing.ground import Ground, ground, scene_of, seen_anew
+from tumble.calibrations.tracing.held_out import held_out_rms
+from tumble.calibrations.tracing.judged import Judged, judged
+from tumble.calibrations.tracing.misreading import Misreading, misreadings
+from tumble.calibrations.tracing.more_settings import more_settings
+from tumble.calibrations.tracing.questions import Questioned, questioned
+from tumble.calibrations.tracing.reach import Reach, reach
+from tumble.calibrations.tracing.rivals import CLOSE, Rival
+from tumble.calibrations.tracing.still import ONE_POSE, Still, in_one_pose, stillness
+from tumble.calibrations.tracing.taken_back import without_courses, without_rivals
+from tumble.calibrations.tracing.trace import Trace, Tracer, trace_price
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -5,10 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.special import bdtrc
 
-from calibrations.geometry import FloatArray
-from calibrations.joint import Joint
-from calibrations.model import BASIS_SIZE, PARAMETERS, basis, coefficients
-from calibrations.observations import Observations
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.joint import Joint
+from tumble.calibrations.model import BASIS_SIZE, PARAMETERS, basis, coefficients
+from tumble.calibrations.observations import Observations
 
 _AGREES = 4.0
 """A row agrees with a misreading if what is left is below so many standard deviations of a dwell."""

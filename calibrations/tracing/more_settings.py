@@ -2,11 +2,11 @@
 
 from collections.abc import Sequence
 
-from calibrations.support import series
-from calibrations.tracing.experiments import Experiment
-from calibrations.tracing.findings import Unexplained, Withheld
-from calibrations.tracing.probes import PROBES
-from calibrations.tracing.reach import ENOUGH, Reach
+from tumble.calibrations.support import series
+from tumble.calibrations.tracing.experiments import Experiment
+from tumble.calibrations.tracing.findings import Unexplained, Withheld
+from tumble.calibrations.tracing.probes import PROBES
+from tumble.calibrations.tracing.reach import ENOUGH, Reach
 
 _ANYTHING = "lack_of_fit"
 """What is to be told where nothing that has a name came up."""

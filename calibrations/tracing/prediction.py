@@ -6,13 +6,13 @@ from functools import reduce
 
 import numpy as np
 
-from calibrations.compression import compress
-from calibrations.effects.effect import Structure
-from calibrations.geometry import FloatArray
-from calibrations.tracing.noise import Memory, Whitening, scaled_levels, slow_modes
-from calibrations.tracing.quantified import form_in, tangent
-from calibrations.tracing.table import Extensible, View
-from calibrations.tracing.trace import Found, Trace
+from tumble.calibrations.compression import compress
+from tumble.calibrations.effects.effect import Structure
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.tracing.noise import Memory, Whitening, scaled_levels, slow_modes
+from tumble.calibrations.tracing.quantified import form_in, tangent
+from tumble.calibrations.tracing.table import Extensible, View
+from tumble.calibrations.tracing.trace import Found, Trace
 
 _RANK = 1e-9
 """Directions in which columns differ by less than this part of their length are one."""

@@ -9,9 +9,9 @@ from typing import Any, Literal
 
 import numpy as np
 
-from calibrations.geometry import FloatArray
-from calibrations.joining import appended
-from calibrations.observations import ARRAY_COLUMNS, Observations
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.joining import appended
+from tumble.calibrations.observations import ARRAY_COLUMNS, Observations
 
 STEP_DEG = 5.0
 _FEWEST_DWELLS = 18

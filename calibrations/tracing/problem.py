@@ -7,11 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.conditional import SINGULAR
-from calibrations.effects.effect import Structure
-from calibrations.geometry import FloatArray
-from calibrations.tracing.candidates import Candidate
-from calibrations.tracing.footing import Fitted, Footing
+from tumble.calibrations.conditional import SINGULAR
+from tumble.calibrations.effects.effect import Structure
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.tracing.candidates import Candidate
+from tumble.calibrations.tracing.footing import Fitted, Footing
 
 _ABSORBED = 1e-5
 """A column of which less than this part is left beside the model is taken as absorbed by it."""

@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from calibrations.effects.effect import Effect, Form, Quantity
-from calibrations.geometry import FloatArray
-from calibrations.tracing.table import Table, View
-from calibrations.tracing.trace import Found, Trace
+from tumble.calibrations.effects.effect import Effect, Form, Quantity
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.tracing.table import Table, View
+from tumble.calibrations.tracing.trace import Found, Trace
 
 _STEP = 1e-3
 """Relative step for the derivative of a form with respect to what was scanned."""

@@ -5,18 +5,18 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.compression import compress
-from calibrations.fit import fit_given_alpha0
-from calibrations.geometry import MOUNTS, FloatArray
-from calibrations.gross import robust_residual
-from calibrations.model import basis, coefficients
-from calibrations.observations import Observations
-from calibrations.repeats import pose_groups, pure_error
-from calibrations.screening import MOST_V
-from calibrations.tracing.realisations import with_passes
-from calibrations.tracing.seats import wrong_seat
-from calibrations.tracing.still import PROCEDURE, in_one_pose, on_purpose
-from calibrations.tracing.unit_questions import fahrenheit, kelvin
+from tumble.calibrations.compression import compress
+from tumble.calibrations.fit import fit_given_alpha0
+from tumble.calibrations.geometry import MOUNTS, FloatArray
+from tumble.calibrations.gross import robust_residual
+from tumble.calibrations.model import basis, coefficients
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.repeats import pose_groups, pure_error
+from tumble.calibrations.screening import MOST_V
+from tumble.calibrations.tracing.realisations import with_passes
+from tumble.calibrations.tracing.seats import wrong_seat
+from tumble.calibrations.tracing.still import PROCEDURE, in_one_pose, on_purpose
+from tumble.calibrations.tracing.unit_questions import fahrenheit, kelvin
 
 _FEWEST_ROWS = 8
 """Fewer rows contradict nothing."""

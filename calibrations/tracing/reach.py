@@ -5,9 +5,9 @@ from typing import Final
 
 import numpy as np
 
-from calibrations.geometry import FloatArray
-from calibrations.observations import Observations
-from calibrations.tracing.blocks import Lack
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.tracing.blocks import Lack
 
 FEWEST_SPARE: Final = 6
 """With fewer settings beyond the declared model no effect of the setting is believed, unless it is gross.

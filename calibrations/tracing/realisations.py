@@ -10,8 +10,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.observations import Observations
-from calibrations.repeats import distinct_settings, labels, settings
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.repeats import distinct_settings, labels, settings
 
 _MOST = 50
 _COME_BACK = 0.5

@@ -4,10 +4,10 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from calibrations.effects.effect import Structure
-from calibrations.tracing.fitting_noise import best_level, best_walk
-from calibrations.tracing.problem import Problem
-from calibrations.tracing.trace import (
+from tumble.calibrations.effects.effect import Structure
+from tumble.calibrations.tracing.fitting_noise import best_level, best_walk
+from tumble.calibrations.tracing.problem import Problem
+from tumble.calibrations.tracing.trace import (
     WALK,
     Found,
     Trace,

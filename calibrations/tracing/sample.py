@@ -5,10 +5,10 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from calibrations.geometry import FloatArray
-from calibrations.tracing.declared import Declared
-from calibrations.tracing.footing import Footing
-from calibrations.tracing.noise import Memory, NoiseModel
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.tracing.declared import Declared
+from tumble.calibrations.tracing.footing import Footing
+from tumble.calibrations.tracing.noise import Memory, NoiseModel
 
 
 @dataclass(frozen=True, kw_only=True)

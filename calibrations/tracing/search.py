@@ -5,8 +5,8 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
-from calibrations.tracing.candidates import Candidate
-from calibrations.tracing.problem import Explanation, Problem
+from tumble.calibrations.tracing.candidates import Candidate
+from tumble.calibrations.tracing.problem import Explanation, Problem
 
 BEAM = 6
 """How many sets are followed."""

@@ -13,13 +13,13 @@ from typing import Final
 import numpy as np
 from scipy.special import chdtrc
 
-from calibrations.best_alpha0 import best_parameters
-from calibrations.compression import Compressed, compress
-from calibrations.fit import squares_v2
-from calibrations.geometry import MOUNTS, FloatArray
-from calibrations.model import PARAMETERS, basis
-from calibrations.observations import Observations
-from calibrations.repeats import mountings
+from tumble.calibrations.best_alpha0 import best_parameters
+from tumble.calibrations.compression import Compressed, compress
+from tumble.calibrations.fit import squares_v2
+from tumble.calibrations.geometry import MOUNTS, FloatArray
+from tumble.calibrations.model import PARAMETERS, basis
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.repeats import mountings
 
 _REJECTED_P: Final = 1e-6
 _ACCEPTED_P: Final = 1e-3

@@ -6,10 +6,10 @@ from typing import Final
 
 import numpy as np
 
-from calibrations.geometry import FloatArray
-from calibrations.tracing.quantified import tangent
-from calibrations.tracing.table import Table
-from calibrations.tracing.trace import Found, Trace
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.tracing.quantified import tangent
+from tumble.calibrations.tracing.table import Table
+from tumble.calibrations.tracing.trace import Found, Trace
 
 SEEN: Final = 1e-5
 """Columns of which less than this part is left beside others are not seen."""

@@ -11,13 +11,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.geometry import FloatArray
-from calibrations.observations import Observations
-from calibrations.tracing.prediction import Prediction
-from calibrations.tracing.probes import Probe, followed_by
-from calibrations.tracing.rivals import Rival
-from calibrations.tracing.table import Extensible
-from calibrations.tracing.trace import Trace
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.tracing.prediction import Prediction
+from tumble.calibrations.tracing.probes import Probe, followed_by
+from tumble.calibrations.tracing.rivals import Rival
+from tumble.calibrations.tracing.table import Extensible
+from tumble.calibrations.tracing.trace import Trace
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -6,10 +6,10 @@ from typing import Any, Final
 
 import numpy as np
 
-from calibrations.geometry import FloatArray
-from calibrations.observations import Observations
-from calibrations.quantities import format_concise, format_number
-from calibrations.repeats import SAME_ANGLE_DEG
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.quantities import format_concise, format_number
+from tumble.calibrations.repeats import SAME_ANGLE_DEG
 
 PROCEDURE: Final = "still"
 """What the column `procedure` holds in every row where the unit was left still on purpose."""

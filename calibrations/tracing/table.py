@@ -9,13 +9,13 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.effects.effect import Effect, Form, Structure, Variable
-from calibrations.geometry import FloatArray
-from calibrations.observations import Observations
-from calibrations.tracing.declared import Declared
-from calibrations.tracing.footing import Fitted
-from calibrations.tracing.noise import Memory, NoiseModel, scaled_levels, slow_modes
-from calibrations.tracing.sample import Sample, sample
+from tumble.calibrations.effects.effect import Effect, Form, Structure, Variable
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.tracing.declared import Declared
+from tumble.calibrations.tracing.footing import Fitted
+from tumble.calibrations.tracing.noise import Memory, NoiseModel, scaled_levels, slow_modes
+from tumble.calibrations.tracing.sample import Sample, sample
 
 
 class View(Protocol):

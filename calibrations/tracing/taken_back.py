@@ -5,13 +5,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from calibrations.effects.effect import Structure
-from calibrations.effects.unnamed import taken_by
-from calibrations.model import PARAMETERS
-from calibrations.result import Calibration, Parameter
-from calibrations.tracing.augmented import Augmented, augment
-from calibrations.tracing.ground import Ground
-from calibrations.tracing.rivals import Rival
+from tumble.calibrations.effects.effect import Structure
+from tumble.calibrations.effects.unnamed import taken_by
+from tumble.calibrations.model import PARAMETERS
+from tumble.calibrations.result import Calibration, Parameter
+from tumble.calibrations.tracing.augmented import Augmented, augment
+from tumble.calibrations.tracing.ground import Ground
+from tumble.calibrations.tracing.rivals import Rival
 
 _COURSES = ("time", "temperature", "order", "realisation", "direction")
 RIVALS_APART = 2.0

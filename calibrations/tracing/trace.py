@@ -5,13 +5,20 @@ from copy import copy
 from dataclasses import dataclass, replace
 from typing import Any, Generic, Self, TypeVar
 
-from calibrations.effects.effect import Effect, Form, Structure
-from calibrations.tracing.candidates import Candidate, all_columns, candidates
-from calibrations.tracing.fitting_noise import best_level, best_walk, fitting, golden_section, is_slow, noise_price
-from calibrations.tracing.noise import SETTINGS, WHITE, NoiseModel
-from calibrations.tracing.problem import Explanation, Problem
-from calibrations.tracing.search import entries, search, settled
-from calibrations.tracing.table import Table
+from tumble.calibrations.effects.effect import Effect, Form, Structure
+from tumble.calibrations.tracing.candidates import Candidate, all_columns, candidates
+from tumble.calibrations.tracing.fitting_noise import (
+    best_level,
+    best_walk,
+    fitting,
+    golden_section,
+    is_slow,
+    noise_price,
+)
+from tumble.calibrations.tracing.noise import SETTINGS, WHITE, NoiseModel
+from tumble.calibrations.tracing.problem import Explanation, Problem
+from tumble.calibrations.tracing.search import entries, search, settled
+from tumble.calibrations.tracing.table import Table
 
 _NOTICED = 3.84
 WALK = "bias_random_walk"

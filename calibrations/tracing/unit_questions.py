@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from calibrations.observations import Observations
-from calibrations.screening import SENSORS_DEGC
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.screening import SENSORS_DEGC
 
 _KELVIN = (200.0, 500.0)
 """Temperatures of a chamber, -73 to 227 °C, in kelvin."""

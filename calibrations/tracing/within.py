@@ -8,14 +8,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.effects.effect import Effect, Structure
-from calibrations.geometry import FloatArray
-from calibrations.tracing.blocks import within
-from calibrations.tracing.declared import Linear
-from calibrations.tracing.findings import EffectFound, Unexplained
-from calibrations.tracing.linear_loop import Explained, explain_linear
-from calibrations.tracing.noise import Memory
-from calibrations.tracing.table import Table, View
+from tumble.calibrations.effects.effect import Effect, Structure
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.tracing.blocks import within
+from tumble.calibrations.tracing.declared import Linear
+from tumble.calibrations.tracing.findings import EffectFound, Unexplained
+from tumble.calibrations.tracing.linear_loop import Explained, explain_linear
+from tumble.calibrations.tracing.noise import Memory
+from tumble.calibrations.tracing.table import Table, View
 
 _SPREAD = 0.25
 """Where so much of the scatter of the times lies within settings, they are what shows a drift."""

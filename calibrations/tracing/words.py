@@ -3,14 +3,14 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from calibrations.effects.effect import OWNER_WORDS, Quantity
-from calibrations.joint import LACK_OF_FIT_P
-from calibrations.quantities import format_concise, format_number, format_probability
-from calibrations.result import Calibration, Parameter
-from calibrations.support import equals, series
-from calibrations.tracing.findings import EffectFound, Unexplained
-from calibrations.tracing.loop import Loop
-from calibrations.tracing.misreading import Misreading
+from tumble.calibrations.effects.effect import OWNER_WORDS, Quantity
+from tumble.calibrations.joint import LACK_OF_FIT_P
+from tumble.calibrations.quantities import format_concise, format_number, format_probability
+from tumble.calibrations.result import Calibration, Parameter
+from tumble.calibrations.support import equals, series
+from tumble.calibrations.tracing.findings import EffectFound, Unexplained
+from tumble.calibrations.tracing.loop import Loop
+from tumble.calibrations.tracing.misreading import Misreading
 
 MISREADING = "misreading"
 _UNIT_SUFFIXES = ("_deg", "_s", "_V")

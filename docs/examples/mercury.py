@@ -8,12 +8,12 @@ import math
 import re
 from typing import Final, Protocol
 
-from drivers.clock import Clock
-from drivers.driver import Bench, Driver
-from drivers.errors import DeviceError, LimitError, LinkLostError, NoReplyError
-from drivers.limits import check_limits
-from drivers.protocols import HeadStatus, Identity
-from drivers.tables import HeadTable, OnSerialLine
+from tumble.drivers.clock import Clock
+from tumble.drivers.driver import Bench, Driver
+from tumble.drivers.errors import DeviceError, LimitError, LinkLostError, NoReplyError
+from tumble.drivers.limits import check_limits
+from tumble.drivers.protocols import HeadStatus, Identity
+from tumble.drivers.tables import HeadTable, OnSerialLine
 
 DEVICE: Final = "Mercury head"
 TIMEOUT_S: Final = 1.0

@@ -4,7 +4,7 @@
 - `DaqFrames`: the frames of a DBC file; `tumble_daq.dbc` comes along.
 """
 
-from drivers.candaq.daq import CanDaq
-from drivers.candaq.frames import DaqFrames, Frame
+from tumble.drivers.candaq.daq import CanDaq
+from tumble.drivers.candaq.frames import DaqFrames, Frame
 
 __all__ = ["CanDaq", "DaqFrames", "Frame"]

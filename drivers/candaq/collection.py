@@ -2,7 +2,7 @@
 
 from statistics import fmean
 
-from drivers.candaq.frames import Frame
+from tumble.drivers.candaq.frames import Frame
 
 _COUNTS = 256
 

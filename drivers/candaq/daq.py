@@ -6,13 +6,13 @@ from typing import Final
 
 import numpy as np
 
-from drivers.candaq.collection import Collection
-from drivers.candaq.frames import DaqFrames, Frame
-from drivers.candaq.inbox import DEVICE, Inbox
-from drivers.clock import Clock
-from drivers.errors import DeviceError, LinkLostError, NoReplyError
-from drivers.links.can_link import CanLink
-from drivers.protocols import Identity, SampleBlock
+from tumble.drivers.candaq.collection import Collection
+from tumble.drivers.candaq.frames import DaqFrames, Frame
+from tumble.drivers.candaq.inbox import DEVICE, Inbox
+from tumble.drivers.clock import Clock
+from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
+from tumble.drivers.links.can_link import CanLink
+from tumble.drivers.protocols import Identity, SampleBlock
 
 TRIES: Final = 3
 REPLY_TIMEOUT_S: Final = 0.5

@@ -4,11 +4,11 @@ from pathlib import Path
 
 from pydantic import Field, model_validator
 
-from drivers.candaq.daq import CanDaq
-from drivers.candaq.frames import DaqFrames
-from drivers.candaq.free import FreeRunningDaq
-from drivers.driver import Bench, Driver
-from drivers.tables import DaqTable, OnCan
+from tumble.drivers.candaq.daq import CanDaq
+from tumble.drivers.candaq.frames import DaqFrames
+from tumble.drivers.candaq.free import FreeRunningDaq
+from tumble.drivers.driver import Bench, Driver
+from tumble.drivers.tables import DaqTable, OnCan
 
 
 class CanDaqTable(OnCan, DaqTable):
@@ -17,7 +17,7 @@ class CanDaqTable(OnCan, DaqTable):
     dbc: str = ""
     """DBC file, relative to the stand file; without it the one that comes along."""
     signals: dict[str, dict[str, str]] = Field(default_factory=dict)
-    """What the DBC file calls the signals, where it has names of its own, see `drivers.candaq.naming`."""
+    """What the DBC file calls the signals, where it has names of its own, see `tumble.drivers.candaq.naming`."""
 
     @model_validator(mode="after")
     def _of_a_file(self) -> "CanDaqTable":

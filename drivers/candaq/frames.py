@@ -14,9 +14,9 @@ from cantools.database.can import Database
 from cantools.database.errors import Error
 from cantools.database.namedsignalvalue import NamedSignalValue
 
-from drivers.candaq.checksum import Checksum
-from drivers.candaq.naming import CRC, Part, SignalNames, load_dbc, named_parts, own_parts
-from drivers.candaq.units import unit_of
+from tumble.drivers.candaq.checksum import Checksum
+from tumble.drivers.candaq.naming import CRC, Part, SignalNames, load_dbc, named_parts, own_parts
+from tumble.drivers.candaq.units import unit_of
 
 OVERLOAD_V: Final = 9.9e37
 """How the value named Overload is told, as SCPI instruments do."""
@@ -170,5 +170,5 @@ class DaqFrames:
 @cache
 def _ours() -> Database:
     """The DBC file that comes along, which nobody changes, read once. Raises `OSError`."""
-    with as_file(files("drivers.candaq") / "tumble_daq.dbc") as path:
+    with as_file(files("tumble.drivers.candaq") / "tumble_daq.dbc") as path:
         return load_dbc(path, strict=True)

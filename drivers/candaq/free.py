@@ -5,13 +5,13 @@ from typing import Final
 
 import numpy as np
 
-from drivers.candaq.daq import LATENESS_S
-from drivers.candaq.frames import DaqFrames, Frame
-from drivers.candaq.inbox import DEVICE, Inbox
-from drivers.clock import Clock
-from drivers.errors import DeviceError, LinkLostError, NoReplyError
-from drivers.links.can_link import CanLink
-from drivers.protocols import Identity, SampleBlock
+from tumble.drivers.candaq.daq import LATENESS_S
+from tumble.drivers.candaq.frames import DaqFrames, Frame
+from tumble.drivers.candaq.inbox import DEVICE, Inbox
+from tumble.drivers.clock import Clock
+from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
+from tumble.drivers.links.can_link import CanLink
+from tumble.drivers.protocols import Identity, SampleBlock
 
 FIRST_FRAME_S: Final = 2.0
 """How long the first frame may be waited for, in real time."""

@@ -7,9 +7,9 @@ from typing import Final
 
 import can
 
-from drivers.candaq.frames import DaqFrames, Frame, SpoiltFrameError
-from drivers.links.can_link import CanLink
-from drivers.links.tally import Tally
+from tumble.drivers.candaq.frames import DaqFrames, Frame, SpoiltFrameError
+from tumble.drivers.links.can_link import CanLink
+from tumble.drivers.links.tally import Tally
 
 DEVICE: Final = "CAN DAQ"
 """What errors call it."""

@@ -5,7 +5,7 @@
 - `states`: statusword, controlword and the power state machine.
 """
 
-from drivers.cia402.head import Cia402Head
-from drivers.cia402.objects import object_dictionary, write_eds
+from tumble.drivers.cia402.head import Cia402Head
+from tumble.drivers.cia402.objects import object_dictionary, write_eds
 
 __all__ = ["Cia402Head", "object_dictionary", "write_eds"]

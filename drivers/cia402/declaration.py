@@ -2,9 +2,9 @@
 
 from pydantic import Field
 
-from drivers.cia402.head import Cia402Head
-from drivers.driver import Bench, Driver
-from drivers.tables import HeadTable, OnCan
+from tumble.drivers.cia402.head import Cia402Head
+from tumble.drivers.driver import Bench, Driver
+from tumble.drivers.tables import HeadTable, OnCan
 
 
 class Cia402Table(OnCan, HeadTable):

@@ -2,7 +2,7 @@
 
 from typing import Final
 
-from drivers.cia402 import states
+from tumble.drivers.cia402 import states
 
 LINGER_S: Final = 1.0
 """How long bits of what was before may stay, in real time; some drives take 0.3 s."""

@@ -3,17 +3,17 @@
 import time
 from typing import Final
 
-from drivers.cia402 import modes, objects, states
-from drivers.cia402.emergencies import emergency_words
-from drivers.cia402.errand import Errand
-from drivers.cia402.identity import identity_of
-from drivers.cia402.node import DriveNode
-from drivers.cia402.states import Mode, State
-from drivers.clock import Clock
-from drivers.errors import DeviceError, LimitError, NoReplyError, ReferenceLostError
-from drivers.limits import check_limits
-from drivers.links.can_link import CanLink
-from drivers.protocols import HeadStatus, Identity
+from tumble.drivers.cia402 import modes, objects, states
+from tumble.drivers.cia402.emergencies import emergency_words
+from tumble.drivers.cia402.errand import Errand
+from tumble.drivers.cia402.identity import identity_of
+from tumble.drivers.cia402.node import DriveNode
+from tumble.drivers.cia402.states import Mode, State
+from tumble.drivers.clock import Clock
+from tumble.drivers.errors import DeviceError, LimitError, NoReplyError, ReferenceLostError
+from tumble.drivers.limits import check_limits
+from tumble.drivers.links.can_link import CanLink
+from tumble.drivers.protocols import HeadStatus, Identity
 
 ANSWER_S: Final = 2.0
 """How long the drive may take to change its state or mode, or to take a set-point, in real seconds."""

@@ -1,8 +1,8 @@
 """Who a drive says it is, as far as it says anything: CiA 301 lets it leave out all of it but its vendor."""
 
-from drivers.cia402 import objects
-from drivers.cia402.node import DriveNode
-from drivers.protocols import Identity
+from tumble.drivers.cia402 import objects
+from tumble.drivers.cia402.node import DriveNode
+from tumble.drivers.protocols import Identity
 
 NAMELESS = "CiA 402 drive"
 

@@ -3,9 +3,9 @@
 import time
 from typing import Final
 
-from drivers.cia402 import objects, states
-from drivers.cia402.node import DriveNode
-from drivers.cia402.states import Mode, State
+from tumble.drivers.cia402 import objects, states
+from tumble.drivers.cia402.node import DriveNode
+from tumble.drivers.cia402.states import Mode, State
 
 POLL_S: Final = 0.005
 """Between two questions to a drive, in real time."""

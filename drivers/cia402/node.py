@@ -12,12 +12,12 @@ from canopen import SdoAbortedError, SdoCommunicationError
 from canopen.emcy import EmcyError
 from canopen.objectdictionary import ODVariable
 
-from drivers.cia402 import objects
-from drivers.cia402.emergencies import abort_words, emergency_words
-from drivers.errors import DeviceError, LinkLostError, NoReplyError
-from drivers.links.can_link import CanLink
-from drivers.links.patience import in_words
-from drivers.links.tally import Tally
+from tumble.drivers.cia402 import objects
+from tumble.drivers.cia402.emergencies import abort_words, emergency_words
+from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
+from tumble.drivers.links.can_link import CanLink
+from tumble.drivers.links.patience import in_words
+from tumble.drivers.links.tally import Tally
 
 TRIES: Final = 3
 REPLY_TIMEOUT_S: Final = 0.5
@@ -39,7 +39,7 @@ logging.getLogger("canopen").addHandler(logging.NullHandler())  # what it report
 
 
 class DriveNode:
-    """A node on a CAN bus; every failure is told as an error of `drivers.errors`.
+    """A node on a CAN bus; every failure is told as an error of `tumble.drivers.errors`.
 
     Reading an object and writing one are both repeated where no answer came: writing the same value twice is the same
     as writing it once, also for the controlword, of which only edges count.

@@ -3,6 +3,6 @@
 - `SerialLink`: write a command, read a line; a lost port and a missing answer are different errors.
 """
 
-from drivers.links.serial_link import SerialLink
+from tumble.drivers.links.serial_link import SerialLink
 
 __all__ = ["SerialLink"]

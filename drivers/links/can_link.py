@@ -9,13 +9,13 @@ from typing import Any, Final
 
 import can
 
-from drivers.errors import LinkLostError
-from drivers.links.can_address import CanAddress
-from drivers.links.patience import PAUSE_S, in_words, is_gone, patiently
-from drivers.links.places import check_server
-from drivers.links.slcan import SlcanBus
-from drivers.links.socketcand import SocketcandBus
-from drivers.links.tally import Tally
+from tumble.drivers.errors import LinkLostError
+from tumble.drivers.links.can_address import CanAddress
+from tumble.drivers.links.patience import PAUSE_S, in_words, is_gone, patiently
+from tumble.drivers.links.places import check_server
+from tumble.drivers.links.slcan import SlcanBus
+from tumble.drivers.links.socketcand import SocketcandBus
+from tumble.drivers.links.tally import Tally
 
 SEND_TIMEOUT_S: Final = 1.0
 """How long a frame may be tried to be sent, in real time."""

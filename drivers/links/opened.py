@@ -3,11 +3,11 @@
 from contextlib import ExitStack
 from typing import TYPE_CHECKING
 
-from drivers.tables import OnCan, OnSerialLine
+from tumble.drivers.tables import OnCan, OnSerialLine
 
 if TYPE_CHECKING:  # opened when needed: neither library is there for nothing
-    from drivers.links.can_link import CanLink
-    from drivers.links.serial_link import SerialLink
+    from tumble.drivers.links.can_link import CanLink
+    from tumble.drivers.links.serial_link import SerialLink
 
 
 class Links:
@@ -19,7 +19,7 @@ class Links:
 
     def serial(self, table: OnSerialLine, device: str) -> "SerialLink":
         """Open a serial line; errors call the instrument `device`. Raises `LinkLostError`."""
-        from drivers.links.serial_link import SerialLink
+        from tumble.drivers.links.serial_link import SerialLink
 
         link = SerialLink(table.url, table.baud_rate, device)
         self._opened.callback(link.close)
@@ -27,7 +27,7 @@ class Links:
 
     def can(self, table: OnCan) -> "CanLink":
         """The bus of an instrument. Raises `LinkLostError`."""
-        from drivers.links.can_link import CanLink
+        from tumble.drivers.links.can_link import CanLink
 
         address = table.bus
         if address.url not in self._buses:

@@ -8,7 +8,7 @@ from contextlib import suppress
 from typing import Final
 from urllib.parse import urlsplit
 
-from drivers.links.can_address import CanAddress
+from tumble.drivers.links.can_address import CanAddress
 
 LOOPBACK: Final = "127.0.0.1"
 _NETWORKED: Final = ("socket", "rfc2217")

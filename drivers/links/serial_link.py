@@ -10,8 +10,8 @@ from typing import Final
 
 import serial
 
-from drivers.errors import DeviceError, LinkLostError, NoReplyError
-from drivers.links.patience import in_words, is_passing, patiently
+from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
+from tumble.drivers.links.patience import in_words, is_passing, patiently
 
 WRITE_TIMEOUT_S: Final = 2.0
 MOST_LINE_BYTES: Final = 1 << 20

@@ -1,10 +1,10 @@
 """A dividing head that a person turns and reads.
 
-- `head.ManualHead`: fits `drivers.protocols.DividingHead`; the person is behind the protocol `Eyepiece`.
+- `head.ManualHead`: fits `tumble.drivers.protocols.DividingHead`; the person is behind the protocol `Eyepiece`.
 - `reading`: angles as people write them.
 """
 
-from drivers.manual.head import Eyepiece, ManualHead
-from drivers.manual.reading import format_dms, parse_reading
+from tumble.drivers.manual.head import Eyepiece, ManualHead
+from tumble.drivers.manual.reading import format_dms, parse_reading
 
 __all__ = ["Eyepiece", "ManualHead", "format_dms", "parse_reading"]

@@ -4,9 +4,9 @@ from typing import ClassVar, Final
 
 from pydantic import Field
 
-from drivers.driver import Bench, Driver
-from drivers.manual.head import ManualHead
-from drivers.tables import HeadTable
+from tumble.drivers.driver import Bench, Driver
+from tumble.drivers.manual.head import ManualHead
+from tumble.drivers.tables import HeadTable
 
 ARCSEC_PER_DEG: Final = 3600.0
 

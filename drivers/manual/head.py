@@ -2,9 +2,9 @@
 
 from typing import Protocol
 
-from drivers.clock import Clock
-from drivers.limits import check_limits
-from drivers.protocols import HeadStatus, Identity
+from tumble.drivers.clock import Clock
+from tumble.drivers.limits import check_limits
+from tumble.drivers.protocols import HeadStatus, Identity
 
 
 class Eyepiece(Protocol):
@@ -24,7 +24,7 @@ class Eyepiece(Protocol):
 
 
 class ManualHead:
-    """Fits `drivers.protocols.DividingHead`. Its moves take as long as a person takes.
+    """Fits `tumble.drivers.protocols.DividingHead`. Its moves take as long as a person takes.
 
     It stands where the person last read it, at zero before the first reading. A setting that is asked for again while
     the head still stands there is not shown again.

@@ -5,6 +5,6 @@
 - `codec`, `plain`: messages and answers, and what may be believed of them.
 """
 
-from drivers.scpi.meter import ScpiMultimeter
+from tumble.drivers.scpi.meter import ScpiMultimeter
 
 __all__ = ["ScpiMultimeter"]

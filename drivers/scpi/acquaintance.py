@@ -3,16 +3,16 @@
 from dataclasses import dataclass, replace
 from typing import Final
 
-from drivers.clock import Clock
-from drivers.errors import DeviceError, LinkLostError, NoReplyError
-from drivers.protocols import Identity
-from drivers.scpi.codec import TERMINATOR, CorruptReplyError, parse_number, parse_readings
-from drivers.scpi.dialects import Dialect
-from drivers.scpi.exchange import ATTEMPTS, CompoundExchange, Exchange, Link
-from drivers.scpi.measurement import Setting, setting, voltage, written
-from drivers.scpi.models import UNKNOWN, Model, known
-from drivers.scpi.plain import PlainExchange, answered
-from drivers.scpi.taking import same
+from tumble.drivers.clock import Clock
+from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
+from tumble.drivers.protocols import Identity
+from tumble.drivers.scpi.codec import TERMINATOR, CorruptReplyError, parse_number, parse_readings
+from tumble.drivers.scpi.dialects import Dialect
+from tumble.drivers.scpi.exchange import ATTEMPTS, CompoundExchange, Exchange, Link
+from tumble.drivers.scpi.measurement import Setting, setting, voltage, written
+from tumble.drivers.scpi.models import UNKNOWN, Model, known
+from tumble.drivers.scpi.plain import PlainExchange, answered
+from tumble.drivers.scpi.taking import same
 
 DEVICE: Final = "multimeter"
 USUAL_LINE_HZ: Final = 50.0

@@ -22,7 +22,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from drivers.protocols import Identity
+from tumble.drivers.protocols import Identity
 
 TERMINATOR = b"\n"
 TAGS = 256

@@ -4,9 +4,9 @@ from typing import Literal
 
 from pydantic import Field
 
-from drivers.driver import Bench, Driver
-from drivers.scpi.meter import ScpiMultimeter
-from drivers.tables import DaqTable, OnSerialLine
+from tumble.drivers.driver import Bench, Driver
+from tumble.drivers.scpi.meter import ScpiMultimeter
+from tumble.drivers.tables import DaqTable, OnSerialLine
 
 
 class ScpiTable(OnSerialLine, DaqTable):

@@ -5,9 +5,9 @@ from collections.abc import Callable, Sequence
 from itertools import cycle
 from typing import Final, Protocol, TypeVar
 
-from drivers.errors import DeviceError, NoReplyError
-from drivers.protocols import Identity
-from drivers.scpi.codec import (
+from tumble.drivers.errors import DeviceError, NoReplyError
+from tumble.drivers.protocols import Identity
+from tumble.drivers.scpi.codec import (
     TAGS,
     TERMINATOR,
     CorruptReplyError,
@@ -32,7 +32,7 @@ Answer = TypeVar("Answer")
 
 
 class Link(Protocol):
-    """The way to the instrument; `drivers.links.SerialLink` is one."""
+    """The way to the instrument; `tumble.drivers.links.SerialLink` is one."""
 
     @property
     def checksummed(self) -> bool:

@@ -4,9 +4,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
-from drivers.errors import DeviceError
-from drivers.scpi.dialects import Dialect
-from drivers.scpi.models import Model
+from tumble.drivers.errors import DeviceError
+from tumble.drivers.scpi.dialects import Dialect
+from tumble.drivers.scpi.models import Model
 
 TEMPERATURE_S: Final = 5.0
 """A reading of temperature takes less than this, in real seconds."""

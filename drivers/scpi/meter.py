@@ -7,13 +7,13 @@ from typing import Final, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from drivers.clock import Clock
-from drivers.errors import DeviceError
-from drivers.protocols import Identity, SampleBlock
-from drivers.scpi.acquaintance import DEVICE, Acquaintance, acquaint
-from drivers.scpi.exchange import Link
-from drivers.scpi.measurement import Measurement, temperature, voltage
-from drivers.scpi.taking import perform, perform_singly
+from tumble.drivers.clock import Clock
+from tumble.drivers.errors import DeviceError
+from tumble.drivers.protocols import Identity, SampleBlock
+from tumble.drivers.scpi.acquaintance import DEVICE, Acquaintance, acquaint
+from tumble.drivers.scpi.exchange import Link
+from tumble.drivers.scpi.measurement import Measurement, temperature, voltage
+from tumble.drivers.scpi.taking import perform, perform_singly
 
 MOST_AT_ONCE: Final = 10_000
 """Readings that are fetched in one answer, at most."""
@@ -22,7 +22,7 @@ READING_BITS: Final = 2 * 16 * 10
 
 
 class ReopenableLink(Link, Protocol):
-    """The way to the multimeter; `drivers.links.SerialLink` is one."""
+    """The way to the multimeter; `tumble.drivers.links.SerialLink` is one."""
 
     def reopen(self) -> None:
         """Open it anew. Raises `LinkLostError`."""
@@ -30,17 +30,17 @@ class ReopenableLink(Link, Protocol):
 
 
 class ScpiMultimeter:
-    """DC voltage, and temperature where a sensor is connected. Fits `drivers.protocols.Daq` and `Reconnectable`.
+    """DC voltage, and temperature where a sensor is connected. Fits `tumble.drivers.protocols.Daq` and `Reconnectable`.
 
-    Which multimeters there are, and how each wants to be told: `drivers.scpi.models` and `dialects`. What a meter can
-    is found out when it is identified; what it cannot stands in the remarks of its identity.
+    Which multimeters there are, and how each wants to be told: `tumble.drivers.scpi.models` and `dialects`. What
+    a meter can is found out when it is identified; what it cannot stands in the remarks of its identity.
 
     Before every block the meter is configured anew and everything is read back. The integration time is the longest
     that the rate allows; a timer, or the trigger delay where there is none, fills up the interval. Autozero is off
     within a block: zero is measured once, when the block is configured. A block that went wrong is taken anew, never
     pieced together. With the common core readings are taken one by one, as the meter is set by itself.
 
-    What the wire can do to an answer, and which of it is noticed: `drivers.scpi.codec` and `plain`.
+    What the wire can do to an answer, and which of it is noticed: `tumble.drivers.scpi.codec` and `plain`.
 
     Parameters
     ----------

@@ -7,9 +7,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Final
 
-from drivers.errors import DeviceError
-from drivers.protocols import Identity
-from drivers.scpi.dialects import (
+from tumble.drivers.errors import DeviceError
+from tumble.drivers.protocols import Identity
+from tumble.drivers.scpi.dialects import (
     COMMON,
     DMM6500,
     KEITHLEY_2000,

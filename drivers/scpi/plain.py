@@ -17,9 +17,9 @@ from collections.abc import Sequence
 from itertools import cycle
 from typing import Final
 
-from drivers.errors import DeviceError, LinkLostError, NoReplyError
-from drivers.protocols import Identity
-from drivers.scpi.codec import (
+from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
+from tumble.drivers.protocols import Identity
+from tumble.drivers.scpi.codec import (
     TERMINATOR,
     CorruptReplyError,
     QueueEntry,
@@ -29,7 +29,7 @@ from drivers.scpi.codec import (
     parse_line,
     parse_name,
 )
-from drivers.scpi.exchange import Exchange, Link
+from tumble.drivers.scpi.exchange import Exchange, Link
 
 EVERYBODYS_BITS: Final = 0b10111101
 """Bits of the event register that IEEE 488.2 gives a meaning to which no multimeter leaves out."""

@@ -7,12 +7,12 @@ from typing import Final, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from drivers.clock import Clock
-from drivers.errors import DeviceError, LinkLostError, NoReplyError
-from drivers.scpi.codec import CorruptReplyError, parse_number, parse_readings
-from drivers.scpi.exchange import ATTEMPTS, Exchange
-from drivers.scpi.measurement import TOLERANCE, Measurement
-from drivers.scpi.plain import PlainExchange
+from tumble.drivers.clock import Clock
+from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
+from tumble.drivers.scpi.codec import CorruptReplyError, parse_number, parse_readings
+from tumble.drivers.scpi.exchange import ATTEMPTS, Exchange
+from tumble.drivers.scpi.measurement import TOLERANCE, Measurement
+from tumble.drivers.scpi.plain import PlainExchange
 
 REMEDY: Final = "check the settings of the stand file"
 

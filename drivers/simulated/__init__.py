@@ -9,12 +9,12 @@ from pathlib import Path
 
 from numpy.typing import ArrayLike
 
-from drivers.clock import Clock, VirtualClock
-from drivers.protocols import Stand
-from drivers.simulated.geometry import FloatArray
-from drivers.simulated.head import HeadOptions
-from drivers.simulated.settings import Simulated
-from drivers.simulated.world import SimulatedWorld
+from tumble.drivers.clock import Clock, VirtualClock
+from tumble.drivers.protocols import Stand
+from tumble.drivers.simulated.geometry import FloatArray
+from tumble.drivers.simulated.head import HeadOptions
+from tumble.drivers.simulated.settings import Simulated
+from tumble.drivers.simulated.world import SimulatedWorld
 
 __all__ = ["HeadOptions", "Simulated", "SimulatedStand", "SimulatedWorld", "build", "noise_free_voltage"]
 

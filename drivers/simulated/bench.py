@@ -5,12 +5,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from drivers.clock import Clock
-from drivers.simulated.geometry import FloatArray, ax_turning_points_deg, projections, seat
-from drivers.simulated.head import HeadErrors, HeadOptions, SimulatedHead
-from drivers.simulated.noise import Stream, standard_normal
-from drivers.simulated.settings import Simulated
-from drivers.simulated.unit import Hysteresis
+from tumble.drivers.clock import Clock
+from tumble.drivers.simulated.geometry import FloatArray, ax_turning_points_deg, projections, seat
+from tumble.drivers.simulated.head import HeadErrors, HeadOptions, SimulatedHead
+from tumble.drivers.simulated.noise import Stream, standard_normal
+from tumble.drivers.simulated.settings import Simulated
+from tumble.drivers.simulated.unit import Hysteresis
 
 
 @dataclass(kw_only=True)

@@ -4,11 +4,11 @@ from typing import Protocol
 
 import numpy as np
 
-from drivers.clock import Clock
-from drivers.errors import DeviceError
-from drivers.protocols import Identity, SampleBlock
-from drivers.simulated.effects import Effects
-from drivers.simulated.geometry import FloatArray
+from tumble.drivers.clock import Clock
+from tumble.drivers.errors import DeviceError
+from tumble.drivers.protocols import Identity, SampleBlock
+from tumble.drivers.simulated.effects import Effects
+from tumble.drivers.simulated.geometry import FloatArray
 
 OVERLOAD_V = 9.9e37
 """How SCPI instruments write infinity (SCPI-1999, volume 1, 7.2.1.5)."""
@@ -71,7 +71,7 @@ class Terminals(Protocol):
 
 
 class SimulatedDaq:
-    """A voltmeter at the terminals of the simulated unit. Fits `drivers.protocols.Daq`.
+    """A voltmeter at the terminals of the simulated unit. Fits `tumble.drivers.protocols.Daq`.
 
     With the effect `settling` a part of what was read in the previous dwell remains in all that is read in this one:
     `v + fraction (previous - v)`, unless the unit was seated anew or more than `PAUSE_S` passed.

@@ -4,9 +4,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TypeAlias
 
-from drivers.errors import DeviceError, is_of_the_user
-from drivers.own_file import load_from_file
-from drivers.text import reason_of
+from tumble.drivers.errors import DeviceError, is_of_the_user
+from tumble.drivers.own_file import load_from_file
+from tumble.drivers.text import reason_of
 
 Response: TypeAlias = Callable[[float, float, float, float, float], float]
 """`response(ax_g, ay_g, az_g, temperature_degC, time_s) -> volts`, noise-free."""

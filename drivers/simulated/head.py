@@ -6,12 +6,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from drivers.clock import Clock
-from drivers.limits import check_limits
-from drivers.protocols import HeadStatus, Identity
-from drivers.simulated.effects import Effects
-from drivers.simulated.external import HeadError
-from drivers.simulated.geometry import FloatArray
+from tumble.drivers.clock import Clock
+from tumble.drivers.limits import check_limits
+from tumble.drivers.protocols import HeadStatus, Identity
+from tumble.drivers.simulated.effects import Effects
+from tumble.drivers.simulated.external import HeadError
+from tumble.drivers.simulated.geometry import FloatArray
 
 DEVICE = "simulated head"
 ROUNDING_S = 1e-9
@@ -76,7 +76,7 @@ class Move:
 
 
 class SimulatedHead:
-    """A dividing head that turns at constant speed by a clock. Fits `drivers.protocols.DividingHead`.
+    """A dividing head that turns at constant speed by a clock. Fits `tumble.drivers.protocols.DividingHead`.
 
     Parameters
     ----------

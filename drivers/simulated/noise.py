@@ -6,7 +6,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from drivers.simulated.geometry import FloatArray
+from tumble.drivers.simulated.geometry import FloatArray
 
 
 class Stream(IntEnum):

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from drivers.simulated.geometry import FloatArray
-from drivers.simulated.noise import Stream, Wander, generator
-from drivers.simulated.settings import Temperature
+from tumble.drivers.simulated.geometry import FloatArray
+from tumble.drivers.simulated.noise import Stream, Wander, generator
+from tumble.drivers.simulated.settings import Temperature
 
 WANDER_BAND_HZ = (1.0 / 21600.0, 1.0 / 600.0)
 """A room wanders over ten minutes to six hours."""

@@ -5,8 +5,8 @@ from typing import Literal
 
 from pydantic import Field, field_validator, model_validator
 
-from drivers.simulated.effects import Effects, Table
-from drivers.simulated.presets import PRESETS, UnitParameters
+from tumble.drivers.simulated.effects import Effects, Table
+from tumble.drivers.simulated.presets import PRESETS, UnitParameters
 
 ParameterName = Literal["u0", "kx", "ky", "kz", "kxy", "alpha0_deg"]
 

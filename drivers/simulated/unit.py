@@ -4,10 +4,10 @@ from typing import Protocol
 
 import numpy as np
 
-from drivers.simulated.effects import UnitEffects
-from drivers.simulated.external import Response
-from drivers.simulated.geometry import FloatArray
-from drivers.simulated.presets import UnitParameters
+from tumble.drivers.simulated.effects import UnitEffects
+from tumble.drivers.simulated.external import Response
+from tumble.drivers.simulated.geometry import FloatArray
+from tumble.drivers.simulated.presets import UnitParameters
 
 REFERENCE_DEGC = 23.0
 """Temperature to which the parameters refer."""

@@ -7,16 +7,16 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike
 
-from drivers.clock import Clock
-from drivers.simulated.bench import Bench, Counts
-from drivers.simulated.daq import Converter, SimulatedDaq
-from drivers.simulated.external import load_function
-from drivers.simulated.geometry import FloatArray
-from drivers.simulated.head import HeadErrors, HeadOptions, SimulatedHead
-from drivers.simulated.noise import RandomWalk, Stream, flicker, generator, standard_normal
-from drivers.simulated.room import Room
-from drivers.simulated.settings import Simulated
-from drivers.simulated.unit import Accelerometer, ExternalUnit, Unit
+from tumble.drivers.clock import Clock
+from tumble.drivers.simulated.bench import Bench, Counts
+from tumble.drivers.simulated.daq import Converter, SimulatedDaq
+from tumble.drivers.simulated.external import load_function
+from tumble.drivers.simulated.geometry import FloatArray
+from tumble.drivers.simulated.head import HeadErrors, HeadOptions, SimulatedHead
+from tumble.drivers.simulated.noise import RandomWalk, Stream, flicker, generator, standard_normal
+from tumble.drivers.simulated.room import Room
+from tumble.drivers.simulated.settings import Simulated
+from tumble.drivers.simulated.unit import Accelerometer, ExternalUnit, Unit
 
 
 class WiredUnit:

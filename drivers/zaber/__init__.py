@@ -3,9 +3,9 @@
 - `codec`: requests and messages as bytes, with checksums; no input or output.
 - `warnings`: what the warning flags and rejections mean.
 - `conversation`: one request at a time, answered by the message that belongs to it.
-- `head`: `ZaberHead`, fits `drivers.protocols.DividingHead`.
+- `head`: `ZaberHead`, fits `tumble.drivers.protocols.DividingHead`.
 """
 
-from drivers.zaber.head import ZaberHead
+from tumble.drivers.zaber.head import ZaberHead
 
 __all__ = ["ZaberHead"]

@@ -3,8 +3,8 @@
 import time
 from typing import Final, Protocol
 
-from drivers.errors import DeviceError, NoReplyError
-from drivers.zaber.codec import (
+from tumble.drivers.errors import DeviceError, NoReplyError
+from tumble.drivers.zaber.codec import (
     BROADCAST,
     LINE_END,
     MESSAGE_IDS,
@@ -15,14 +15,14 @@ from drivers.zaber.codec import (
     encode_request,
     parse_message,
 )
-from drivers.zaber.warnings import rejection
+from tumble.drivers.zaber.warnings import rejection
 
 ATTEMPTS: Final = 3
 """How often what may be repeated is tried."""
 
 
 class Link(Protocol):
-    """What is needed of `drivers.links.SerialLink`."""
+    """What is needed of `tumble.drivers.links.SerialLink`."""
 
     def write(self, data: bytes) -> None:
         """Send bytes. Raises `LinkLostError`."""

@@ -2,9 +2,9 @@
 
 from pydantic import Field
 
-from drivers.driver import Bench, Driver
-from drivers.tables import HeadTable, OnSerialLine
-from drivers.zaber.head import ZaberHead
+from tumble.drivers.driver import Bench, Driver
+from tumble.drivers.tables import HeadTable, OnSerialLine
+from tumble.drivers.zaber.head import ZaberHead
 
 
 class ZaberTable(OnSerialLine, HeadTable):

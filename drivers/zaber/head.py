@@ -3,13 +3,13 @@
 from collections.abc import Callable
 from typing import Final
 
-from drivers.clock import Clock
-from drivers.errors import DeviceError, LimitError, NoReplyError, ReferenceLostError
-from drivers.limits import check_limits
-from drivers.protocols import HeadStatus, Identity
-from drivers.zaber.codec import GarbledError, Message, parse_flags
-from drivers.zaber.conversation import ATTEMPTS, Conversation, Link, RejectedError, UnclearError
-from drivers.zaber.warnings import STOPPING, UNREFERENCED
+from tumble.drivers.clock import Clock
+from tumble.drivers.errors import DeviceError, LimitError, NoReplyError, ReferenceLostError
+from tumble.drivers.limits import check_limits
+from tumble.drivers.protocols import HeadStatus, Identity
+from tumble.drivers.zaber.codec import GarbledError, Message, parse_flags
+from tumble.drivers.zaber.conversation import ATTEMPTS, Conversation, Link, RejectedError, UnclearError
+from tumble.drivers.zaber.warnings import STOPPING, UNREFERENCED
 
 TIMEOUT_S: Final = 0.6
 """A device answers within a few milliseconds; a USB converter or a busy computer may add some tenths of a second."""
@@ -19,7 +19,7 @@ SPEED_UNITS_PER_HZ: Final = 1.6384
 
 
 class ZaberHead:
-    """One axis of a Zaber device. Fits `drivers.protocols.DividingHead` and `Reconnectable`.
+    """One axis of a Zaber device. Fits `tumble.drivers.protocols.DividingHead` and `Reconnectable`.
 
     A question is asked up to three times. A command that moves is never just sent again: where its answer is missing or
     garbled, the device is first asked what it is doing. A stall and the like end the move with an error, and the axis
@@ -28,7 +28,7 @@ class ZaberHead:
     Parameters
     ----------
     link
-        The way to the device, for example a `drivers.links.SerialLink`.
+        The way to the device, for example a `tumble.drivers.links.SerialLink`.
     device
         Number of the device in its chain, from 1.
     axis

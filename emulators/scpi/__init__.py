@@ -5,8 +5,8 @@
 - `MODELS`: the models that it can be, `Model` what tells them apart.
 """
 
-from emulators.scpi.meter import Multimeter
-from emulators.scpi.models import MODELS, Model
-from emulators.scpi.session import ScpiSession
+from tumble.emulators.scpi.meter import Multimeter
+from tumble.emulators.scpi.models import MODELS, Model
+from tumble.emulators.scpi.session import ScpiSession
 
 __all__ = ["MODELS", "Model", "Multimeter", "ScpiSession"]

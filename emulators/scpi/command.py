@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from emulators.scpi.language import ScpiError
+from tumble.emulators.scpi.language import ScpiError
 
 Reply = str | Callable[[], str | None] | None
 """An answer; or what gives it once all readings are there; or none."""

@@ -3,12 +3,12 @@
 from functools import partial
 from typing import Final
 
-from emulators.scpi.command import Command
-from emulators.scpi.kinds import Setting, Value, write_real
-from emulators.scpi.language import ScpiError, number, quoted, spellings
-from emulators.scpi.models import Model
-from emulators.scpi.settings import settings_of
-from emulators.scpi.triggering import Measurement
+from tumble.emulators.scpi.command import Command
+from tumble.emulators.scpi.kinds import Setting, Value, write_real
+from tumble.emulators.scpi.language import ScpiError, number, quoted, spellings
+from tumble.emulators.scpi.models import Model
+from tumble.emulators.scpi.settings import settings_of
+from tumble.emulators.scpi.triggering import Measurement
 
 LINE_HZ: Final = 50.0
 TEMPERATURE_S: Final = 0.2

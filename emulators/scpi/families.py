@@ -4,14 +4,14 @@ from collections.abc import Callable
 
 import numpy as np
 
-from drivers.simulated.geometry import FloatArray
-from emulators.scpi.command import Command, Reply
-from emulators.scpi.configuration import Configuration
-from emulators.scpi.kinds import write_real
-from emulators.scpi.language import ScpiError, number, quoted
-from emulators.scpi.models import Model
-from emulators.scpi.status import Status
-from emulators.scpi.triggering import Measurement, Triggering
+from tumble.drivers.simulated.geometry import FloatArray
+from tumble.emulators.scpi.command import Command, Reply
+from tumble.emulators.scpi.configuration import Configuration
+from tumble.emulators.scpi.kinds import write_real
+from tumble.emulators.scpi.language import ScpiError, number, quoted
+from tumble.emulators.scpi.models import Model
+from tumble.emulators.scpi.status import Status
+from tumble.emulators.scpi.triggering import Measurement, Triggering
 
 BUFFER: str = "defbuffer1"
 

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Protocol
 
-from emulators.scpi.language import ScpiError, number, quoted, word
+from tumble.emulators.scpi.language import ScpiError, number, quoted, word
 
 Value = float | str
 """A number, also for switches (0 and 1), or a word."""

@@ -4,15 +4,15 @@ from collections.abc import Callable, Generator
 from functools import partial
 from typing import Final
 
-from emulators.faults import Faults
-from emulators.scpi.command import Command, Reply
-from emulators.scpi.configuration import LINE_HZ, Configuration
-from emulators.scpi.families import Families, written
-from emulators.scpi.language import ScpiError, Tree, Unit, number, units
-from emulators.scpi.models import MODELS, Messages
-from emulators.scpi.status import Status
-from emulators.scpi.triggering import Triggering
-from emulators.world import SharedWorld
+from tumble.emulators.faults import Faults
+from tumble.emulators.scpi.command import Command, Reply
+from tumble.emulators.scpi.configuration import LINE_HZ, Configuration
+from tumble.emulators.scpi.families import Families, written
+from tumble.emulators.scpi.language import ScpiError, Tree, Unit, number, units
+from tumble.emulators.scpi.models import MODELS, Messages
+from tumble.emulators.scpi.status import Status
+from tumble.emulators.scpi.triggering import Triggering
+from tumble.emulators.world import SharedWorld
 
 ALWAYS: Final = ("*", "SYST", "CMDS")
 """How what is known in every language of a Rigol meter begins."""

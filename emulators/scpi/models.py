@@ -1,7 +1,7 @@
 """The models of multimeters that are emulated, and what tells one from the other.
 
-Figures and commands: data sheets and manuals, as `drivers.scpi.dialects` cites them. What the manuals do not say is the
-least that they allow: a command that a manual does not list is not known.
+Figures and commands: data sheets and manuals, as `tumble.drivers.scpi.dialects` cites them. What the manuals do not say
+is the least that they allow: a command that a manual does not list is not known.
 """
 
 from collections.abc import Mapping

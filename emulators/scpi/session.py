@@ -3,14 +3,14 @@
 from collections import deque
 from collections.abc import Generator
 
-from emulators.scpi.language import ScpiError
-from emulators.scpi.meter import Multimeter
+from tumble.emulators.scpi.language import ScpiError
+from tumble.emulators.scpi.meter import Multimeter
 
 INTERRUPTED = -410
 
 
 class ScpiSession:
-    """Messages in, answers out. Fits `emulators.serving.Session`.
+    """Messages in, answers out. Fits `tumble.emulators.serving.Session`.
 
     A query that waits for readings is answered by `due`. A message that comes before that interrupts it: the answer
     never comes (IEEE 488.2-1992, 6.3.2.3). Where no query waits, or the meter is deaf while it measures, it is heard

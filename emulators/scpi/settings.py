@@ -1,7 +1,7 @@
 """What can be set at the multimeter, by model."""
 
-from emulators.scpi.kinds import Choice, Count, Quantity, Setting, Switch, Text
-from emulators.scpi.models import Model
+from tumble.emulators.scpi.kinds import Choice, Count, Quantity, Setting, Switch, Text
+from tumble.emulators.scpi.models import Model
 
 _SENSE = "[SENSe]:VOLTage[:DC]"
 

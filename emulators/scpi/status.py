@@ -2,7 +2,7 @@
 
 from collections import deque
 
-from emulators.scpi.language import ScpiError
+from tumble.emulators.scpi.language import ScpiError
 
 LONGEST_QUEUE = 20
 

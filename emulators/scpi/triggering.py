@@ -5,11 +5,11 @@ from typing import Final
 
 import numpy as np
 
-from drivers.simulated.daq import OVERLOAD_V
-from drivers.simulated.geometry import FloatArray
-from emulators.faults import Faults
-from emulators.scpi.language import ScpiError
-from emulators.world import SharedWorld
+from tumble.drivers.simulated.daq import OVERLOAD_V
+from tumble.drivers.simulated.geometry import FloatArray
+from tumble.emulators.faults import Faults
+from tumble.emulators.scpi.language import ScpiError
+from tumble.emulators.world import SharedWorld
 
 OVERRANGE: Final = 1.2
 """A range measures up to so many times its name."""

@@ -5,8 +5,8 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from drivers.protocols import SampleBlock
-from procedures.events import SamplesAcquired
+from tumble.drivers.protocols import SampleBlock
+from tumble.procedures.events import SamplesAcquired
 
 Fields: TypeAlias = dict[str, Any]
 

@@ -11,11 +11,11 @@ from typing import Final, TypeAlias
 from mcap.opcode import Opcode
 from mcap.records import Attachment, Channel, Chunk, DataEnd, Footer, Message, Metadata, Statistics
 
-from procedures.recording.chunks import TooLargeError, unpacked
-from procedures.recording.errors import RecordingError
-from procedures.recording.frames import UNREADABLE, BrokenOff, Frame, frames, parsed
-from procedures.recording.header import FORMAT_VERSION, Header, header_from_strings, is_intact
-from procedures.recording.schemas import HEADER_METADATA, PROGRAMME_ATTACHMENT
+from tumble.procedures.recording.chunks import TooLargeError, unpacked
+from tumble.procedures.recording.errors import RecordingError
+from tumble.procedures.recording.frames import UNREADABLE, BrokenOff, Frame, frames, parsed
+from tumble.procedures.recording.header import FORMAT_VERSION, Header, header_from_strings, is_intact
+from tumble.procedures.recording.schemas import HEADER_METADATA, PROGRAMME_ATTACHMENT
 
 _SUMMARY_CRC_BYTES: Final = 4
 _ATTACHMENT_CRC_BYTES: Final = 4

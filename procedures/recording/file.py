@@ -7,7 +7,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Final
 
-from procedures.recording.errors import RecordingError
+from tumble.procedures.recording.errors import RecordingError
 
 _KEPT: Final = "kept"
 

@@ -11,7 +11,7 @@ from typing import Any, Final, TypeAlias
 import numpy as np
 import orjson
 
-from procedures.events import (
+from tumble.procedures.events import (
     Event,
     FinishReason,
     Identified,
@@ -29,9 +29,9 @@ from procedures.events import (
     StepStarted,
     WarningRaised,
 )
-from procedures.recording.blocks import Fields, split
-from procedures.recording.schemas import ANSWER, EVENT, HEAD, POINT, SAMPLES, STEP, TEMPERATURE
-from procedures.steps import Dwell, Mounting, Point, Step
+from tumble.procedures.recording.blocks import Fields, split
+from tumble.procedures.recording.schemas import ANSWER, EVENT, HEAD, POINT, SAMPLES, STEP, TEMPERATURE
+from tumble.procedures.steps import Dwell, Mounting, Point, Step
 
 Announcement: TypeAlias = (
     StateChanged

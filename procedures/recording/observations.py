@@ -5,12 +5,12 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from calibrations.geometry import FloatArray
-from calibrations.observations import Observations
-from calibrations.screening import set_aside_bad_rows
-from procedures.events import FinishReason, WarningRaised
-from procedures.recording.reader import Recording
-from procedures.steps import Point
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.screening import set_aside_bad_rows
+from tumble.procedures.events import FinishReason, WarningRaised
+from tumble.procedures.recording.reader import Recording
+from tumble.procedures.steps import Point
 
 _TOLD = 5
 """So many damages or missing points are named."""

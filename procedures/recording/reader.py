@@ -7,14 +7,14 @@ from typing import TypeVar
 
 import orjson
 
-from procedures.events import FinishReason, MountAnswered, ReadingAnswered, RunFinished, SamplesAcquired
-from procedures.recording.blocks import join
-from procedures.recording.contents import Closed, Content, Damage, Said, contents, understood
-from procedures.recording.errors import RecordingError
-from procedures.recording.header import Header
-from procedures.recording.messages import JOURNAL, Announcement, Entry, from_message
-from procedures.recording.schemas import HEAD, POINT, SAMPLES, TEMPERATURE, TOPICS
-from procedures.steps import Dwell, Mounting, Point, Step
+from tumble.procedures.events import FinishReason, MountAnswered, ReadingAnswered, RunFinished, SamplesAcquired
+from tumble.procedures.recording.blocks import join
+from tumble.procedures.recording.contents import Closed, Content, Damage, Said, contents, understood
+from tumble.procedures.recording.errors import RecordingError
+from tumble.procedures.recording.header import Header
+from tumble.procedures.recording.messages import JOURNAL, Announcement, Entry, from_message
+from tumble.procedures.recording.schemas import HEAD, POINT, SAMPLES, TEMPERATURE, TOPICS
+from tumble.procedures.steps import Dwell, Mounting, Point, Step
 
 _POINT_FIELDS = {SAMPLES: "point", HEAD: "point", TEMPERATURE: "point", POINT: "index"}
 """In which field a message says to which point it belongs, by topic."""

@@ -9,14 +9,14 @@ from typing import Final, Self
 
 from mcap.writer import LIBRARY_IDENTIFIER, Writer
 
-from drivers.clock import Clock
-from procedures.events import Event, MountAnswered, PointCompleted, ReadingAnswered, RunFinished
-from procedures.recording.contents import Said
-from procedures.recording.errors import RecordingError
-from procedures.recording.file import JournalFile, synchronise_folder
-from procedures.recording.header import Header, header_to_strings
-from procedures.recording.messages import encode, to_messages
-from procedures.recording.schemas import HEADER_METADATA, PROGRAMME_ATTACHMENT, json_schema, schema_name
+from tumble.drivers.clock import Clock
+from tumble.procedures.events import Event, MountAnswered, PointCompleted, ReadingAnswered, RunFinished
+from tumble.procedures.recording.contents import Said
+from tumble.procedures.recording.errors import RecordingError
+from tumble.procedures.recording.file import JournalFile, synchronise_folder
+from tumble.procedures.recording.header import Header, header_to_strings
+from tumble.procedures.recording.messages import encode, to_messages
+from tumble.procedures.recording.schemas import HEADER_METADATA, PROGRAMME_ATTACHMENT, json_schema, schema_name
 
 _DURABLE: Final = (PointCompleted, MountAnswered, ReadingAnswered, RunFinished)
 

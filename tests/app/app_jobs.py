@@ -9,9 +9,9 @@ from unittest.mock import patch
 
 from matplotlib.figure import Figure
 
-from app.cli import main
-from calibrations import analysis
-from calibrations.tracing.loop import explain
+from tumble.app.cli import main
+from tumble.calibrations import analysis
+from tumble.calibrations.tracing.loop import explain
 
 STAND = """\
 name = "bench-1"
@@ -86,9 +86,9 @@ def cheaply(blank="report"):
     with ExitStack() as stack:
         stack.enter_context(patch.object(analysis, "monte_carlo", few_trials_of(analysis.monte_carlo)))
         if blank == "report":
-            stack.enter_context(patch("calibrations.report.render_report", lambda *_, **__: "<html></html>"))
+            stack.enter_context(patch("tumble.calibrations.report.render_report", lambda *_, **__: "<html></html>"))
         else:
-            stack.enter_context(patch("calibrations.report.drawing._lay_out", lambda _: None))
+            stack.enter_context(patch("tumble.calibrations.report.drawing._lay_out", lambda _: None))
             stack.enter_context(patch.object(Figure, "savefig", lambda _, file, **__: file.write("<svg ></svg>")))
         yield
 
@@ -106,7 +106,7 @@ def _explain_once(observations, *stand):
 @contextmanager
 def tracing_once():
     """The same rows of the same stand are traced once, from whatever file they come."""
-    with patch("app.analysing.explain", _explain_once), patch("app.closing.explain", _explain_once):
+    with patch("tumble.app.analysing.explain", _explain_once), patch("tumble.app.closing.explain", _explain_once):
         yield
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from app_jobs import STAND, TINY, Ran, cheaply, few_trials_of, tracing_once, tumble
 
-from calibrations import analysis
+from tumble.calibrations import analysis
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -102,4 +102,4 @@ def no_figures():
 @pytest.fixture
 def no_report(monkeypatch):
     """Drawing takes two seconds; a test of something else does without."""
-    monkeypatch.setattr("calibrations.report.render_report", lambda *_, **__: "<html></html>")
+    monkeypatch.setattr("tumble.calibrations.report.render_report", lambda *_, **__: "<html></html>")

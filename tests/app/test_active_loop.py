@@ -5,8 +5,8 @@ import signal
 import pytest
 from app_jobs import STAND, at_call, tumble
 
-from drivers.simulated.head import SimulatedHead
-from procedures.recording.reader import read_recording
+from tumble.drivers.simulated.head import SimulatedHead
+from tumble.procedures.recording.reader import read_recording
 
 K_XX = "effects = { k_xx = 6e-4 }\nnoise_v = 1e-3\n"
 FIRST = """\

@@ -4,14 +4,14 @@ import numpy as np
 import pytest
 from app_jobs import STAND
 
-from app.acting import AtStand, DeclinedError, prepare
-from app.available import NO_THERMOMETER, NOBODY_WARMS, available, programme_of
-from app.exits import JobError
-from app.stand import load_stand
-from app.wiring import connect
-from calibrations.observations import Observations
-from calibrations.tracing.probes import PROBES, Probe
-from procedures.operator import Answer
+from tumble.app.acting import AtStand, DeclinedError, prepare
+from tumble.app.available import NO_THERMOMETER, NOBODY_WARMS, available, programme_of
+from tumble.app.exits import JobError
+from tumble.app.stand import load_stand
+from tumble.app.wiring import connect
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.tracing.probes import PROBES, Probe
+from tumble.procedures.operator import Answer
 
 TABLE = Observations(row=np.array([1]), angle_deg=np.zeros(1), voltage_v=np.ones(1), temperature_degc=np.full(1, 23.0))
 BACK = next(probe for probe in PROBES if probe.programme == "probe-back")

@@ -1,7 +1,7 @@
 import pytest
 from app_jobs import STAND, TINY, at_call, raiser, tumble
 
-from drivers.simulated.head import SimulatedHead
+from tumble.drivers.simulated.head import SimulatedHead
 
 FLIP = '[[procedure]]\nkind = "flip"\naxes = ["y"]\npole = "extremum"\n'
 BAD = {

@@ -6,9 +6,9 @@ import pytest
 from app_jobs import tumble
 from mcap.reader import make_reader
 
-from app.analysing import fit
-from app.measurements import read_measurement
-from procedures.errors import InputError
+from tumble.app.analysing import fit
+from tumble.app.measurements import read_measurement
+from tumble.procedures.errors import InputError
 
 TABLE = "angle_deg,voltage_V\n0,2.5\n90,1.5\n"
 BAD_TABLES = {

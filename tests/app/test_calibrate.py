@@ -3,7 +3,7 @@ import json
 import pytest
 from app_jobs import STAND, TINY, tumble
 
-from procedures.recording.reader import read_recording
+from tumble.procedures.recording.reader import read_recording
 
 PUBLISHED = {"u0": 2.5, "kx": 1.0, "ky": 0.0098, "kz": 0.002, "kxy": 0.001, "alpha0": 0.1121}
 UNITS = {"u0": "V", "kx": "V/g", "ky": "V/g", "kz": "V/g", "kxy": "V/g^2", "alpha0": "deg"}

@@ -7,10 +7,10 @@ from app_jobs import STAND, TINY, tumble
 from loop_examples import K_XX, MISREAD_ROW, PARTS, k_xx, k_xx_table, misread_table
 from tables import table
 
-from app.joining import read_together
-from app.measurements import provenance
-from calibrations.table import write_table
-from calibrations.tracing.loop import explain
+from tumble.app.joining import read_together
+from tumble.app.measurements import provenance
+from tumble.calibrations.table import write_table
+from tumble.calibrations.tracing.loop import explain
 
 pytestmark = pytest.mark.usefixtures("traced_once")
 
@@ -155,7 +155,7 @@ def test_a_calibration_is_stored_and_reported_with_its_loop(calibrated):
 
 
 def test_a_record_with_its_loop_is_verified(calibrated, monkeypatch):
-    monkeypatch.setattr("app.analysing.explain", explain)
+    monkeypatch.setattr("tumble.app.analysing.explain", explain)
     ran = tumble("records", "verify", "--store", calibrated.store)
 
     assert (ran.status, "every parameter comes back" in ran.out) == (0, True)

@@ -8,10 +8,10 @@ from hashlib import sha256
 import pytest
 from app_jobs import STAND, tumble
 
-from app.same_stand import followed, load_same_stand
-from app.stand import read_stand
-from procedures.errors import InputError
-from procedures.recording.reader import read_recording
+from tumble.app.same_stand import followed, load_same_stand
+from tumble.app.stand import read_stand
+from tumble.procedures.errors import InputError
+from tumble.procedures.recording.reader import read_recording
 
 DRIVER = """\
 from pathlib import Path
@@ -20,10 +20,10 @@ Path(__file__).with_name("ran").touch()
 
 from dataclasses import replace
 
-from drivers.clock import VirtualClock
-from drivers.driver import Driver
-from drivers.protocols import HeadStatus, Identity, SampleBlock
-from drivers.tables import DaqTable, HeadTable
+from tumble.drivers.clock import VirtualClock
+from tumble.drivers.driver import Driver
+from tumble.drivers.protocols import HeadStatus, Identity, SampleBlock
+from tumble.drivers.tables import DaqTable, HeadTable
 import numpy as np
 
 class Head:
@@ -77,8 +77,8 @@ def ran(tmp_path):
 @pytest.fixture
 def run(write, tiny, tmp_path, monkeypatch):
     """Runs six dwells at a stand without waiting; returns what was said and the recording."""
-    monkeypatch.setattr("drivers.clock.time.sleep", lambda _: None)
-    monkeypatch.setattr("procedures.motion._STANDSTILL_S", 0.1)
+    monkeypatch.setattr("tumble.drivers.clock.time.sleep", lambda _: None)
+    monkeypatch.setattr("tumble.procedures.motion._STANDSTILL_S", 0.1)
     answers = write("answers.toml", ANSWERS)
 
     def measure(stand):

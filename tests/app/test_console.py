@@ -6,13 +6,13 @@ import pytest
 from app_jobs import STAND, tumble
 from rich.console import Console
 
-from app.console import results, run_display
-from app.running import Job, run
-from app.stand import load_stand
-from app.wiring import connect
-from drivers.clock import VirtualClock
-from procedures.events import ReadingAnswered, ReadingRequested
-from procedures.programme import load_programme
+from tumble.app.console import results, run_display
+from tumble.app.running import Job, run
+from tumble.app.stand import load_stand
+from tumble.app.wiring import connect
+from tumble.drivers.clock import VirtualClock
+from tumble.procedures.events import ReadingAnswered, ReadingRequested
+from tumble.procedures.programme import load_programme
 
 
 @pytest.fixture

@@ -5,11 +5,11 @@ from datetime import UTC, date, datetime, timedelta
 import pytest
 from app_jobs import STAND, tumble
 
-from app.stand import load_stand, same_instruments
-from drivers.tables import DaqTable
-from procedures.errors import InputError
-from procedures.events import WarningRaised
-from procedures.recording.reader import read_recording
+from tumble.app.stand import load_stand, same_instruments
+from tumble.drivers.tables import DaqTable
+from tumble.procedures.errors import InputError
+from tumble.procedures.events import WarningRaised
+from tumble.procedures.recording.reader import read_recording
 
 DUE = date(2026, 3, 31)
 

@@ -3,17 +3,17 @@ from contextlib import ExitStack
 import pytest
 from app_jobs import tumble
 
-from app.commands.emulate import _port
-from app.stand import load_stand
-from app.wiring import connect
-from drivers.candaq.declaration import CAN
-from drivers.clock import SystemClock
-from drivers.scpi.declaration import SCPI
-from drivers.simulated import HeadOptions, Simulated, build
-from drivers.tables import DaqTable, HeadTable
-from emulators.emulation import Wanted, emulate
-from emulators.speed import FasterClock
-from emulators.world import SharedWorld
+from tumble.app.commands.emulate import _port
+from tumble.app.stand import load_stand
+from tumble.app.wiring import connect
+from tumble.drivers.candaq.declaration import CAN
+from tumble.drivers.clock import SystemClock
+from tumble.drivers.scpi.declaration import SCPI
+from tumble.drivers.simulated import HeadOptions, Simulated, build
+from tumble.drivers.tables import DaqTable, HeadTable
+from tumble.emulators.emulation import Wanted, emulate
+from tumble.emulators.speed import FasterClock
+from tumble.emulators.world import SharedWorld
 
 
 @pytest.mark.parametrize(

@@ -4,13 +4,13 @@ from contextlib import ExitStack
 
 import pytest
 
-from app.stand import load_stand
-from app.wiring import connect
-from drivers.simulated import Simulated, build
-from emulators.emulation import Wanted, emulate
-from emulators.speed import FasterClock
-from emulators.world import SharedWorld
-from procedures.errors import InputError
+from tumble.app.stand import load_stand
+from tumble.app.wiring import connect
+from tumble.drivers.simulated import Simulated, build
+from tumble.emulators.emulation import Wanted, emulate
+from tumble.emulators.speed import FasterClock
+from tumble.emulators.world import SharedWorld
+from tumble.procedures.errors import InputError
 
 DBC = """VERSION ""
 

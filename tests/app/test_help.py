@@ -10,7 +10,7 @@ ROOT = Path(__file__).resolve().parents[2]
 COMMANDS = ["calibrate", "run", "plan", "fit", "close-loop", "report", "records", "export"]
 LOOK = """
 import sys
-from app.cli import main
+from tumble.app.cli import main
 sys.argv = ["tumble", "--help"]
 main()
 heavy = {"numpy", "scipy", "matplotlib", "pydantic", "rich", "sqlalchemy", "mcap", "PySide6"}
@@ -26,7 +26,7 @@ def python(*arguments):
 
 def test_what_is_redirected_is_utf_8_whatever_the_system_writes_otherwise(tmp_path):
     (tmp_path / "one.toml").write_text('name = "Жук″"\n[[procedure]]\nkind = "flip"\naxes = ["x"]\n', "utf-8")
-    command = [sys.executable, "-m", "app", "plan", str(tmp_path / "one.toml")]
+    command = [sys.executable, "-m", "tumble", "plan", str(tmp_path / "one.toml")]
     environment = {**os.environ, "PYTHONIOENCODING": "cp1252"}  # as on Windows
     ran = subprocess.run(command, cwd=ROOT, capture_output=True, timeout=60, check=False, env=environment)
     assert ran.returncode == 0, ran.stderr
@@ -64,7 +64,7 @@ def test_the_version_is_told():
 def test_python_m_app_is_tumble_and_its_exit_status_reaches_the_shell(write):
     stand = write("bad.toml", STAND.replace("limits_deg", "limit_deg"))
 
-    ran = python("-m", "app", "plan", "quick", "--stand", stand)
+    ran = python("-m", "tumble", "plan", "quick", "--stand", stand)
 
     assert ran.returncode == 2
     assert ran.stderr.startswith(f"tumble: {stand}, line 6: head: limits_deg: Field required; add it")

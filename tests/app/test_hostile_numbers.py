@@ -48,7 +48,7 @@ def test_a_serial_number_nobody_could_read_is_refused(serial):
 
 
 def test_serial_numbers_that_differ_get_folders_that_differ():
-    from app.running import _safe
+    from tumble.app.running import _safe
 
     assert _safe("SN-7") == "SN-7"
     assert len({_safe(text) for text in ("SN/7", "SN:7", "日本", "本日", "NUL", "nul", "..")}) == 7
@@ -58,13 +58,13 @@ def test_standard_output_on_a_full_disk_is_a_matter_of_storage(monkeypatch):
     def full(_planned):
         raise OSError(errno.ENOSPC, "No space left on device")
 
-    monkeypatch.setattr("app.commands.plan._lines", full)
+    monkeypatch.setattr("tumble.app.commands.plan._summary", full)
 
     assert tumble("plan", "quick").status == 5
 
 
 def test_a_reader_who_has_seen_enough_is_no_error():
-    command = [sys.executable, "-m", "app", "plan", "reversal"]
+    command = [sys.executable, "-m", "tumble", "plan", "reversal"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=ROOT) as process:
         process.stdout.readline()
         process.stdout.close()

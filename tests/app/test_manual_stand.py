@@ -3,8 +3,8 @@ import json
 import pytest
 from app_jobs import STAND, tumble
 
-from procedures.events import ReadingAnswered, ReadingRequested
-from procedures.recording.reader import read_recording
+from tumble.procedures.events import ReadingAnswered, ReadingRequested
+from tumble.procedures.recording.reader import read_recording
 
 MANUAL = STAND.replace('driver = "simulated"\nlimits', 'driver = "manual"\nserial = "OG-7"\nlimits')
 

@@ -7,8 +7,8 @@ import sys
 import pytest
 from app_jobs import STAND, TINY, tumble
 
-from app.stand import load_stand
-from app.stand_lock import holding
+from tumble.app.stand import load_stand
+from tumble.app.stand_lock import holding
 
 TABLE = "angle_deg,voltage_V\n" + "".join(f"{10 * n},{2.5 + 0.01 * n}\n" for n in range(37))
 AT = ["--serial", "A", "--store", "s"]
@@ -115,7 +115,7 @@ def test_a_full_disk_is_a_matter_of_storage(folder, calibrated, monkeypatch, arg
     def full(*_places):
         raise OSError(errno.ENOSPC, "No space left on device")
 
-    monkeypatch.setattr("app.files._put_in_place", full)
+    monkeypatch.setattr("tumble.app.files._put_in_place", full)
     known = {"OUT": "new", "STORE": calibrated.store}
 
     ran = tumble(*(known.get(each, each) for each in arguments))
@@ -188,7 +188,7 @@ def test_an_option_that_nobody_knows_is_wrong_usage(command):
 def test_a_pipe_that_was_closed_changes_no_status(monkeypatch, arguments):
     reading, writing = os.pipe()
     os.close(reading)
-    from app.cli import main
+    from tumble.app.cli import main
 
     with os.fdopen(writing, "w") as left:
         monkeypatch.setattr(sys, "stdout", left)

@@ -7,7 +7,7 @@ from app_jobs import tumble
 from head_tables import rests, stream
 from public_heads import backwards, five_settings, joint
 
-from calibrations.table import read_table, write_table
+from tumble.calibrations.table import read_table, write_table
 
 SHARED = Path(__file__).parents[2].parent / "shared" / "data"
 measured = pytest.mark.skipif(not SHARED.exists(), reason="the measured tables are not here")

@@ -12,11 +12,11 @@ from pathlib import Path
 import pytest
 from app_jobs import at_call, raiser, tumble
 
-from app.exits import Exit, JobError
-from app.files import check_result, replacing, write_text
-from app.kinds import Kind, kind_of
-from drivers.simulated.head import SimulatedHead
-from procedures.errors import InputError
+from tumble.app.exits import Exit, JobError
+from tumble.app.files import check_result, replacing, write_text
+from tumble.app.kinds import Kind, kind_of
+from tumble.drivers.simulated.head import SimulatedHead
+from tumble.procedures.errors import InputError
 
 pytestmark = pytest.mark.usefixtures("traced_once")
 TABLE = "angle_deg,voltage_V\n" + "".join(f"{angle},{2.5 + 0.1 * (angle % 7)}\n" for angle in range(0, 360, 10))
@@ -239,7 +239,7 @@ def test_an_interrupted_result_leaves_the_earlier_one(write, tmp_path):
 
 def test_a_result_that_another_program_has_open_is_to_be_closed_there(write, monkeypatch):
     there = write("out.json", RESULT)
-    monkeypatch.setattr("app.files.os.replace", raiser(PermissionError(errno.EACCES, "Access is denied")))
+    monkeypatch.setattr("tumble.app.files.os.replace", raiser(PermissionError(errno.EACCES, "Access is denied")))
     with pytest.raises(JobError, match=r"Access is denied\); close whatever has it open") as told:
         write_text(there, RESULT)
 

@@ -1,14 +1,17 @@
 """Drivers are found by name or in a laboratory's own file; their keys are checked, and an analysis needs none."""
 
+import sys
+from pathlib import Path
+
 import pytest
 from app_jobs import STAND, tumble
 
-from app.stand import RecordedStand, load_stand
-from procedures.errors import InputError
+from tumble.app.stand import RecordedStand, load_stand
+from tumble.procedures.errors import InputError
 
 OWN = """
-from drivers.driver import Driver
-from drivers.tables import HeadTable
+from tumble.drivers.driver import Driver
+from tumble.drivers.tables import HeadTable
 
 class Keys(HeadTable):
     gear: int = 1
@@ -72,3 +75,13 @@ def test_there_is_no_emulator_for_it(own, tmp_path):
 
     assert ran.status == 2
     assert "there is no emulator for the driver lab.py:HEAD; there are some for" in ran.complaint
+
+
+@pytest.mark.parametrize("former", ["drivers.driver", "drivers", "calibrations.table"])
+def test_a_driver_written_for_the_first_version_is_told_the_new_import(own, write, monkeypatch, former):
+    monkeypatch.setattr("sys.path", [place for place in sys.path if not (Path(place) / "drivers").is_dir()])
+    monkeypatch.setattr(f"{__name__}.OWN", f"import {former}")
+
+    with pytest.raises(InputError, match=rf"lab.py imports {former.partition('.')[0]}.*, which is tumble\.") as told:
+        own()
+    assert str(told.value).count("\n") == 0

@@ -3,14 +3,29 @@ import json
 from app_jobs import tumble
 
 
-def test_a_plan_shows_every_step_and_the_whole_duration(tiny):
-    lines = tumble("plan", tiny).out.splitlines()
+def test_a_plan_says_what_is_measured_in_each_mounting():
+    lines = tumble("plan", "quick").out.splitlines()
 
+    assert lines[0] == "quick: 60 dwells between -90° and 330°, 6 mountings by hand, 0:09:00 in all"
+    assert lines[1] == "  0:00:00  face-up: flip 1 at -90°, 90°, 180°, 0°; sweep 1, 12 settings, 0° to 330°"
+    assert lines[2] == "  0:01:50  face-down: sweep 1, 12 settings, 330° to 0°"
+    assert len(lines) == 1 + 6
+
+
+def test_a_sweep_there_and_back_is_said_to_be_one():
+    lines = tumble("plan", "reversal").out.splitlines()
+
+    assert lines[2].endswith("edge: flip 1 at 180°, 0°; sweep 1, 159 settings, 0° to 395° and back")
+
+
+def test_a_plan_shows_every_step_where_it_is_asked_to(tiny):
+    summary, *lines = tumble("plan", tiny, "--steps").out.splitlines()
+
+    assert summary == "tiny: 6 dwells between 0° and 300°, 1 mountings by hand, 0:01:16 in all"
     assert lines[0] == "    1  0:00:00  seat the unit in face-up (60 s allowed)"
     assert lines[1] == "    2  0:01:00  sweep 1: face-up at 0° (0.2 s)"
     assert lines[2] == "    3  0:01:00  sweep 1: face-up at 60° (3.2 s)"
-    assert lines[-1] == "tiny: 6 dwells between 0° and 300°, 1 mountings by hand, 0:01:16 in all"
-    assert len(lines) == 8
+    assert len(lines) == 7
 
 
 def test_a_plan_as_json_counts_and_times_the_steps(tiny):

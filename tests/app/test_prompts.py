@@ -3,7 +3,7 @@ import io
 import pytest
 from app_jobs import tumble
 
-from procedures.recording.reader import read_recording
+from tumble.procedures.recording.reader import read_recording
 
 
 @pytest.mark.parametrize(

@@ -3,8 +3,8 @@
 import pytest
 from app_jobs import tumble
 
-from app.analysing import fit
-from app.measurements import read_measurement
+from tumble.app.analysing import fit
+from tumble.app.measurements import read_measurement
 
 PUBLISHED = {"u0": 2.5, "kx": 1.0, "ky": 0.0098, "kz": 0.002, "kxy": 0.001, "alpha0": 0.1121}
 MOUNTS = ("face-up", "face-down", "edge", "edge-back", "face-up-90", "end")

@@ -1,12 +1,12 @@
 from threading import Thread
 
-from app.calibrating import calibrate
-from app.running import Job, run
-from app.stand import load_stand
-from app.wiring import connect
-from calibrations.records.store import Store
-from procedures.events import PointCompleted
-from procedures.programme import load_programme
+from tumble.app.calibrating import calibrate
+from tumble.app.running import Job, run
+from tumble.app.stand import load_stand
+from tumble.app.wiring import connect
+from tumble.calibrations.records.store import Store
+from tumble.procedures.events import PointCompleted
+from tumble.procedures.programme import load_programme
 
 
 def test_a_calibration_takes_a_few_lines(tmp_path, no_report):

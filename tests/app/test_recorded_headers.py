@@ -6,9 +6,9 @@ from hashlib import sha256
 import pytest
 from recording_examples import HEADER
 
-from app.header_checks import check_header
-from app.stand import load_stand
-from procedures.errors import InputError
+from tumble.app.header_checks import check_header
+from tumble.app.stand import load_stand
+from tumble.procedures.errors import InputError
 
 BUILT_IN = load_stand()
 OLD = replace(

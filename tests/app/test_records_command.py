@@ -4,7 +4,7 @@ import shutil
 import pytest
 from app_jobs import STAND, tumble
 
-from calibrations.tracing.loop import explain
+from tumble.calibrations.tracing.loop import explain
 
 pytestmark = pytest.mark.usefixtures("traced_once")
 
@@ -114,7 +114,7 @@ def test_a_comparison_knows_two_analyses_of_one_raw_file(copied):
 
 
 def test_an_untouched_record_is_verified(calibrated, monkeypatch):
-    monkeypatch.setattr("app.analysing.explain", explain)
+    monkeypatch.setattr("tumble.app.analysing.explain", explain)
 
     ran = tumble("records", "verify", "--store", calibrated.store)
 

@@ -4,7 +4,7 @@ import json
 import pytest
 from app_jobs import STAND, tumble
 
-from procedures.recording.reader import read_recording
+from tumble.procedures.recording.reader import read_recording
 
 
 def fitted(*arguments):

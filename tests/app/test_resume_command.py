@@ -10,11 +10,11 @@ from unittest.mock import patch
 import pytest
 from app_jobs import STAND, tumble
 
-from app.resuming import _elapsed_s, find
-from drivers.clock import ReleasedClock
-from procedures.events import FinishReason, PointCompleted, PointVerified, RunFinished, RunResumed
-from procedures.recording.reader import iter_samples, read_recording
-from procedures.recording.writer import Recorder
+from tumble.app.resuming import _elapsed_s, find
+from tumble.drivers.clock import ReleasedClock
+from tumble.procedures.events import FinishReason, PointCompleted, PointVerified, RunFinished, RunResumed
+from tumble.procedures.recording.reader import iter_samples, read_recording
+from tumble.procedures.recording.writer import Recorder
 
 pytestmark = pytest.mark.usefixtures("traced_once")
 TWICE = """\
@@ -37,9 +37,9 @@ POINTS = 20
 
 KILLED = """\
 import os, signal, sys
-from app.cli import main
-from procedures.events import PointCompleted
-from procedures.recording.writer import Recorder
+from tumble.app.cli import main
+from tumble.procedures.events import PointCompleted
+from tumble.procedures.recording.writer import Recorder
 
 last, record = int(sys.argv.pop(1)), Recorder.record
 
@@ -153,7 +153,7 @@ def test_the_recording_tells_of_the_interruption(cut):
 
 
 def _said(path):
-    from procedures.recording.reader import complete_messages
+    from tumble.procedures.recording.reader import complete_messages
 
     return list(complete_messages(read_recording(path)))
 
@@ -328,7 +328,7 @@ def test_a_file_that_is_not_there_is_named(tmp_path):
 def test_a_stand_that_measures_something_else_ends_with_status_3_and_loses_nothing(cut, monkeypatch):
     whole, broken = cut(8)
     with monkeypatch.context() as patched:
-        patched.setattr("procedures.verification.allowed_v", lambda *_: 1e-9)
+        patched.setattr("tumble.procedures.verification.allowed_v", lambda *_: 1e-9)
         ran = tumble("resume", broken)
     assert ran.status == 3
     assert "look whether the unit, its mount or its wiring has changed" in ran.complaint
@@ -361,8 +361,8 @@ def test_an_attended_stand_goes_on_in_real_time(cut, monkeypatch):
     _, broken = cut(19)
     monkeypatch.setattr("sys.stdin", io.StringIO("face-up\n" * 3))
     slept = []
-    monkeypatch.setattr("drivers.clock.time.sleep", slept.append)
-    monkeypatch.setattr("drivers.clock.time.monotonic", lambda: sum(slept))
+    monkeypatch.setattr("tumble.drivers.clock.time.sleep", slept.append)
+    monkeypatch.setattr("tumble.drivers.clock.time.monotonic", lambda: sum(slept))
     ran = tumble("resume", broken, "--attended")
     assert ran.status == 0, ran.err
     assert 1.0 < sum(slept) < 200.0
@@ -370,8 +370,8 @@ def test_an_attended_stand_goes_on_in_real_time(cut, monkeypatch):
 
 def test_a_clock_that_is_released_runs_on_from_where_it_was(monkeypatch):
     now = [100.0]
-    monkeypatch.setattr("drivers.clock.time.monotonic", lambda: now[0])
-    monkeypatch.setattr("drivers.clock.time.sleep", lambda duration_s: now.__setitem__(0, now[0] + duration_s))
+    monkeypatch.setattr("tumble.drivers.clock.time.monotonic", lambda: now[0])
+    monkeypatch.setattr("tumble.drivers.clock.time.sleep", lambda duration_s: now.__setitem__(0, now[0] + duration_s))
     clock = ReleasedClock(wall_start_ns=0)
     clock.sleep(5.0)
     assert (clock.monotonic_s(), now[0]) == (5.0, 100.0)

@@ -4,8 +4,8 @@ import json
 
 import pytest
 
-from app.analysing import fit
-from app.measurements import read_measurement
+from tumble.app.analysing import fit
+from tumble.app.measurements import read_measurement
 
 NAMES = ("u0", "kx", "ky", "kz", "kxy", "alpha0")
 

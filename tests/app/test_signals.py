@@ -6,11 +6,11 @@ from contextlib import suppress
 import pytest
 from app_jobs import STAND, tumble
 
-from app.guarding import connected
-from app.signals import STOPPING_SIGNALS, interrupting
-from drivers.errors import Interrupted
-from drivers.own_file import load_from_file
-from drivers.simulated.external import load_function
+from tumble.app.guarding import connected
+from tumble.app.signals import STOPPING_SIGNALS, interrupting
+from tumble.drivers.errors import Interrupted
+from tumble.drivers.own_file import load_from_file
+from tumble.drivers.simulated.external import load_function
 
 SIGNALS = [pytest.param(number, id=signal.Signals(number).name) for number in STOPPING_SIGNALS]
 TABLE = "angle_deg,voltage_V\n" + "".join(f"{10 * n},{2.5 + 0.01 * n}\n" for n in range(37))
@@ -26,7 +26,7 @@ def raising(number=signal.SIGTERM):
 @pytest.mark.parametrize("number", SIGNALS)
 def test_every_signal_ends_a_command(monkeypatch, number):
     before = signal.getsignal(number)
-    monkeypatch.setattr("app.commands.plan._lines", raising(number))
+    monkeypatch.setattr("tumble.app.commands.plan._summary", raising(number))
     ran = tumble("plan", "quick")
 
     assert ran.status == 4
@@ -36,32 +36,32 @@ def test_every_signal_ends_a_command(monkeypatch, number):
 
 RUN = ["run", "--programme", "T", "--serial", "A"]
 PHASES = {
-    "planning": ("app.running.plan", ["plan", "quick"]),
-    "reading a programme": ("app.commands.measuring.load_programme", RUN),
-    "loading the stand": ("app.commands.measuring.load_stand", RUN),
-    "connecting": ("app.commands.measuring.connect", RUN),
+    "planning": ("tumble.app.running.plan", ["plan", "quick"]),
+    "reading a programme": ("tumble.app.commands.measuring.load_programme", RUN),
+    "loading the stand": ("tumble.app.commands.measuring.load_stand", RUN),
+    "connecting": ("tumble.app.commands.measuring.connect", RUN),
     "opening the recording": (
-        "app.running.begin_recording",
+        "tumble.app.running.begin_recording",
         [*RUN, "--store", "s"],
     ),
-    "reading a table": ("app.commands.fit.read_measurement", ["fit", "t.csv"]),
-    "fitting": ("app.commands.fit.fit", ["fit", "t.csv"]),
-    "Monte Carlo": ("calibrations.analysis.monte_carlo", ["fit", "t.csv"]),
-    "tracing": ("app.commands.close_loop.trace", ["close-loop", "t.csv"]),
+    "reading a table": ("tumble.app.commands.fit.read_measurement", ["fit", "t.csv"]),
+    "fitting": ("tumble.app.commands.fit.fit", ["fit", "t.csv"]),
+    "Monte Carlo": ("tumble.calibrations.analysis.monte_carlo", ["fit", "t.csv"]),
+    "tracing": ("tumble.app.commands.close_loop.trace", ["close-loop", "t.csv"]),
     "fitting a calibration": (
-        "app.calibrating.fit",
+        "tumble.app.calibrating.fit",
         ["calibrate", *RUN[1:], "--store", "s"],
     ),
-    "storing": ("app.calibrating.store", ["calibrate", *RUN[1:], "--store", "s"]),
-    "reporting": ("app.commands.report.write_report", ["report", "t.csv", "--store", "s"]),
-    "writing a result": ("app.commands.options.write_text", ["plan", "quick", "--json", "p.json"]),
-    "exporting": ("app.commands.export.write_table", ["export", "RECORDING", "--out", "o.csv"]),
-    "serving": ("app.commands.emulate.time.sleep", ["emulate", "--head-port", "0", "--daq-port", "0"]),
-    "emulating": ("app.commands.emulate.emulate", ["emulate"]),
-    "opening a store": ("app.commands.records.open_store", ["records", "list"]),
-    "verifying": ("app.commands.records.verified_record", ["records", "verify", "--store", "STORE"]),
-    "listing stand records": ("app.commands.stand.list_stand_records", ["stand", "list"]),
-    "looking for what is cut off": ("app.commands.resume.find", ["resume", "RECORDING"]),
+    "storing": ("tumble.app.calibrating.store", ["calibrate", *RUN[1:], "--store", "s"]),
+    "reporting": ("tumble.app.commands.report.write_report", ["report", "t.csv", "--store", "s"]),
+    "writing a result": ("tumble.app.commands.options.write_text", ["plan", "quick", "--json", "p.json"]),
+    "exporting": ("tumble.app.commands.export.write_table", ["export", "RECORDING", "--out", "o.csv"]),
+    "serving": ("tumble.app.commands.emulate.time.sleep", ["emulate", "--head-port", "0", "--daq-port", "0"]),
+    "emulating": ("tumble.app.commands.emulate.emulate", ["emulate"]),
+    "opening a store": ("tumble.app.commands.records.open_store", ["records", "list"]),
+    "verifying": ("tumble.app.commands.records.verified_record", ["records", "verify", "--store", "STORE"]),
+    "listing stand records": ("tumble.app.commands.stand.list_stand_records", ["stand", "list"]),
+    "looking for what is cut off": ("tumble.app.commands.resume.find", ["resume", "RECORDING"]),
 }
 
 
@@ -81,7 +81,7 @@ def test_every_phase_of_every_command_is_ended(
 
 
 def test_a_signal_at_a_prompt_ends_the_run_at_a_standstill(write, tiny, tmp_path, monkeypatch):
-    monkeypatch.setattr("procedures.operator.ScriptedOperator.ask_mount", raising())
+    monkeypatch.setattr("tumble.procedures.operator.ScriptedOperator.ask_mount", raising())
     answers = write("answers.toml", '[mounts]\ndefault = "yes"\n')
     stand = write("bench.toml", STAND)
     recording = tmp_path / "x.mcap"

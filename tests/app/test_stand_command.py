@@ -6,8 +6,8 @@ import shutil
 import pytest
 from app_jobs import cheaply, tumble
 
-from app.stand_records import head_map_curve, list_stand_records
-from calibrations.tracing.loop import explain
+from tumble.app.stand_records import head_map_curve, list_stand_records
+from tumble.calibrations.tracing.loop import explain
 
 STAND = """\
 name = "bench-1"
@@ -159,7 +159,7 @@ def test_a_list_has_a_line_for_every_version(known):
 
 
 def test_records_are_derived_again_from_their_raw_files(known, monkeypatch):
-    monkeypatch.setattr("app.analysing.explain", explain)
+    monkeypatch.setattr("tumble.app.analysing.explain", explain)
 
     ran = tumble("stand", "verify", "--store", known[0] / "store")
 

@@ -7,21 +7,21 @@ from pathlib import Path
 import pytest
 from app_jobs import raiser, tumble
 
-from app import shared_lock_files
-from app.exits import Exit, JobError
-from app.running import Job, run
-from app.stand import load_stand
-from app.stand_lock import holding, holding_recording
-from app.wiring import connect
-from procedures.events import PointCompleted
-from procedures.programme import load_programme
-from procedures.recording.reader import read_recording
+from tumble.app import shared_lock_files
+from tumble.app.exits import Exit, JobError
+from tumble.app.running import Job, run
+from tumble.app.stand import load_stand
+from tumble.app.stand_lock import holding, holding_recording
+from tumble.app.wiring import connect
+from tumble.procedures.events import PointCompleted
+from tumble.procedures.programme import load_programme
+from tumble.procedures.recording.reader import read_recording
 
 OTHER = """\
 import sys
 from pathlib import Path
-from app.stand import load_stand
-from app.stand_lock import holding
+from tumble.app.stand import load_stand
+from tumble.app.stand_lock import holding
 with holding(load_stand(Path(sys.argv[1])), "SN-9"):
     print("held", flush=True)
     sys.stdin.read()
@@ -202,7 +202,8 @@ def test_a_recording_that_somebody_else_has_is_not_begun(tiny, tmp_path):
 
 def test_a_folder_of_locks_that_the_system_refuses_is_told_with_the_stand(stand, monkeypatch):
     monkeypatch.setattr(
-        "app.stand_lock.lock_folder", raiser(PermissionError(13, "Access is denied", "C:/ProgramData/tumble/locks"))
+        "tumble.app.stand_lock.lock_folder",
+        raiser(PermissionError(13, "Access is denied", "C:/ProgramData/tumble/locks")),
     )
     with pytest.raises(JobError, match=r"C:/ProgramData/tumble/locks, .* \(Access is denied\)") as told:
         holding(load_stand(stand), "A").__enter__()

@@ -3,16 +3,16 @@ import signal
 import pytest
 from app_jobs import at_call, raiser, tumble
 
-from app.running import Job, failure, run
-from app.stand import load_stand
-from app.wiring import connect
-from calibrations.records.store import Store
-from drivers.errors import DeviceError
-from drivers.simulated.daq import SimulatedDaq
-from drivers.simulated.head import SimulatedHead
-from procedures.events import FinishReason, PointCompleted, State, StateChanged
-from procedures.programme import load_programme
-from procedures.recording.reader import read_recording
+from tumble.app.running import Job, failure, run
+from tumble.app.stand import load_stand
+from tumble.app.wiring import connect
+from tumble.calibrations.records.store import Store
+from tumble.drivers.errors import DeviceError
+from tumble.drivers.simulated.daq import SimulatedDaq
+from tumble.drivers.simulated.head import SimulatedHead
+from tumble.procedures.events import FinishReason, PointCompleted, State, StateChanged
+from tumble.procedures.programme import load_programme
+from tumble.procedures.recording.reader import read_recording
 
 LOST = DeviceError("voltmeter", "does not answer", "check its cable, then resume the run")
 
@@ -135,7 +135,7 @@ def test_a_fault_of_the_program_in_a_run_is_status_70_and_the_points_are_kept(ti
 
 
 def test_a_fault_of_the_program_elsewhere_is_status_70_with_its_traceback(tiny_recording, monkeypatch):
-    monkeypatch.setattr("app.commands.fit.fit", raiser(ZeroDivisionError("division by zero")))
+    monkeypatch.setattr("tumble.app.commands.fit.fit", raiser(ZeroDivisionError("division by zero")))
 
     ran = tumble("fit", tiny_recording)
 
@@ -145,7 +145,7 @@ def test_a_fault_of_the_program_elsewhere_is_status_70_with_its_traceback(tiny_r
 
 
 def test_an_interrupt_outside_a_run_is_status_4(tiny_recording, monkeypatch):
-    monkeypatch.setattr("app.commands.fit.fit", raiser(KeyboardInterrupt()))
+    monkeypatch.setattr("tumble.app.commands.fit.fit", raiser(KeyboardInterrupt()))
 
     ran = tumble("fit", tiny_recording)
 

@@ -5,9 +5,9 @@ import pytest
 from app_jobs import at_call, raiser, tumble
 from mcap.writer import Writer
 
-from app.exits import Exit, JobError
-from drivers.simulated.head import SimulatedHead
-from procedures.recording.reader import read_recording
+from tumble.app.exits import Exit, JobError
+from tumble.drivers.simulated.head import SimulatedHead
+from tumble.procedures.recording.reader import read_recording
 
 FULL = OSError(errno.ENOSPC, "No space left on device")
 OPEN = Path.open
@@ -102,7 +102,7 @@ def test_a_report_that_cannot_be_written_leaves_record_and_recording(tiny, tmp_p
     def full(path, _text):
         raise JobError(f"{path}: cannot be written (No space left on device)", Exit.STORAGE)
 
-    monkeypatch.setattr("app.calibrating.write_text", full)
+    monkeypatch.setattr("tumble.app.calibrating.write_text", full)
     ran = tumble("calibrate", "--programme", tiny, "--serial", "A", "--store", tmp_path / "s")
 
     (recording,) = (tmp_path / "s").glob("recordings/A/*.mcap")

@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 from app_jobs import STAND, tumble
 
-from app.console import messages, results
-from app.recall import open_store
-from app.running import _safe
-from app.terminal import as_json
+from tumble.app.console import messages, results
+from tumble.app.recall import open_store
+from tumble.app.running import _safe
+from tumble.app.terminal import as_json
 
 ROOT = Path(__file__).resolve().parents[2]
 MARKUP = ["DXL[rev2]7", "[bold]x[/foo]", "[/]", "[link=http://x]y", ":warning:", "<b>x</b>", "a\\[b]"]
@@ -20,7 +20,7 @@ HIDDEN = ["\x1b[2J", "a\x9b31m", "\u202egpj", "a\u2066b", "a\0b", "a\nb\rc"]
 
 @pytest.mark.parametrize("serial", MARKUP)
 def test_a_serial_number_is_listed_as_it_is(capsys, monkeypatch, calibrated, serial):
-    from app.commands.records import _listing
+    from tumble.app.commands.records import _listing
 
     (record, *_) = open_store(calibrated.store).find()
     renamed = replace(record, provenance=replace(record.provenance, serial_number=serial))

@@ -2,7 +2,7 @@
 
 from app_jobs import tumble
 
-from drivers.simulated import SimulatedWorld
+from tumble.drivers.simulated import SimulatedWorld
 
 TWO_MOUNTS = """\
 name = "two-mounts"

@@ -5,11 +5,11 @@ import json
 import pytest
 from app_jobs import STAND, tumble
 
-from app.analysing import fit, trace
-from app.measurements import read_measurement
-from calibrations.budget import StandUncertainty
-from calibrations.report.results import notices
-from calibrations.report.subject import Subject
+from tumble.app.analysing import fit, trace
+from tumble.app.measurements import read_measurement
+from tumble.calibrations.budget import StandUncertainty
+from tumble.calibrations.report.results import notices
+from tumble.calibrations.report.subject import Subject
 
 NOTHING = "the stand's contribution is not included in the stated uncertainty"
 PART = "part of the stand's contribution is not included in the stated uncertainty"

@@ -6,7 +6,7 @@ import shutil
 import pytest
 from app_jobs import STAND, TINY, cheaply, tumble
 
-from calibrations.records.store import Store
+from tumble.calibrations.records.store import Store
 
 SEED = """\
 name = "short-seed"

@@ -8,9 +8,9 @@ import pytest
 from app_jobs import STAND, tumble
 from mcap.reader import make_reader
 
-from procedures.recording.contents import Said, contents
-from procedures.recording.reader import read_recording
-from procedures.recording.schemas import HEADER_METADATA
+from tumble.procedures.recording.contents import Said, contents
+from tumble.procedures.recording.reader import read_recording
+from tumble.procedures.recording.schemas import HEADER_METADATA
 
 PECULIAR = """\
 seed = 987654321

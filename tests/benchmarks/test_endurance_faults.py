@@ -4,10 +4,10 @@ import os
 
 import pytest
 
-from app.exits import Exit
 from benchmarks.endurance.fault_runs import case_named, of_cases
 from benchmarks.endurance.faults import cases, is_bad
 from benchmarks.endurance.kinds import KINDS
+from tumble.app.exits import Exit
 
 SHORT = """\
 name = "short"

@@ -7,16 +7,16 @@ from contextlib import ExitStack
 import numpy as np
 import pytest
 
-from app.running import Job, run
-from app.stand import load_stand
-from app.wiring import connect
-from drivers.simulated import HeadOptions, Simulated, build
-from emulators.emulation import Wanted, emulate
-from emulators.speed import FasterClock
-from emulators.world import SharedWorld
-from procedures.programme import programme_from_text
-from procedures.recording.observations import observations
-from procedures.recording.reader import read_recording
+from tumble.app.running import Job, run
+from tumble.app.stand import load_stand
+from tumble.app.wiring import connect
+from tumble.drivers.simulated import HeadOptions, Simulated, build
+from tumble.emulators.emulation import Wanted, emulate
+from tumble.emulators.speed import FasterClock
+from tumble.emulators.world import SharedWorld
+from tumble.procedures.programme import programme_from_text
+from tumble.procedures.recording.observations import observations
+from tumble.procedures.recording.reader import read_recording
 
 PROGRAMME = """\
 name = "short"

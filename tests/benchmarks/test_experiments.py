@@ -3,7 +3,7 @@ import pytest
 
 from benchmarks.bank import Spec, make_stage, make_table, read_on
 from benchmarks.experiments import Outcome, _longer, _outcomes, report
-from calibrations.tracing.probes import PROBES, followed_by
+from tumble.calibrations.tracing.probes import PROBES, followed_by
 
 SPEC = Spec(design="bfd", realisations=3, effects=(("k_xxx", 15.0),))
 

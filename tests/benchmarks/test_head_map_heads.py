@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
 
-from app.stand import load_stand
 from benchmarks.head_map import Outcome, _catalogue, _outside, _stand, _truth_deg, report
+from tumble.app.stand import load_stand
 
 
 def outcome(**changed):

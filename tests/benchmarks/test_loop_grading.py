@@ -10,7 +10,7 @@ from benchmarks.loop.matching import is_exact
 from benchmarks.loop.oracle import ask_oracle
 from benchmarks.loop.refit import Table
 from benchmarks.loop.rivals import judged_rivals
-from calibrations.tracing.findings import EffectFound, Unexplained
+from tumble.calibrations.tracing.findings import EffectFound, Unexplained
 
 
 def found(name, *also_possible):

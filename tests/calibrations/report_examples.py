@@ -4,13 +4,13 @@ import functools
 
 import numpy as np
 
-from calibrations.analysis import analyse
-from calibrations.budget import StandUncertainty
-from calibrations.geometry import projections
-from calibrations.gravity import Gravity
-from calibrations.observations import Observations
-from calibrations.provenance import Provenance
-from calibrations.result import Calibration
+from tumble.calibrations.analysis import analyse
+from tumble.calibrations.budget import StandUncertainty
+from tumble.calibrations.geometry import projections
+from tumble.calibrations.gravity import Gravity
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.provenance import Provenance
+from tumble.calibrations.result import Calibration
 
 SWEEP_DEG = np.arange(0.0, 400.0, 10.0)
 STAND = StandUncertainty(

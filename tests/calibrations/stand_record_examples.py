@@ -6,10 +6,10 @@ from datetime import UTC, datetime
 import numpy as np
 from stand_examples import eccentric_run
 
-from calibrations.stand_records.agreement import agreement
-from calibrations.stand_records.corrections import Corrections
-from calibrations.stand_records.record import Contribution, StandIdentity, StandRecord, Status, Validity
-from calibrations.stand_records.terms import harmonic_term
+from tumble.calibrations.stand_records.agreement import agreement
+from tumble.calibrations.stand_records.corrections import Corrections
+from tumble.calibrations.stand_records.record import Contribution, StandIdentity, StandRecord, Status, Validity
+from tumble.calibrations.stand_records.terms import harmonic_term
 
 IDENTITY = StandIdentity(stand="bench-1", head="zaber H-1", daq="scpi D-1")
 UNIT = Contribution(

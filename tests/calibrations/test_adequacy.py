@@ -2,10 +2,10 @@ import numpy as np
 import pytest
 from tables import FLIPS, sweep, table
 
-from calibrations.adequacy import held_out_parts, lack_of_fit, told_without
-from calibrations.flips import flip_closure
-from calibrations.observations import Observations
-from calibrations.repeats import PureError
+from tumble.calibrations.adequacy import held_out_parts, lack_of_fit, told_without
+from tumble.calibrations.flips import flip_closure
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.repeats import PureError
 
 NO_KXY = {"u0": 2.5, "kx": 1.0, "ky": 0.01, "kz": 0.002, "kxy": 0.0, "alpha0": 0.0}
 

@@ -9,11 +9,11 @@ from loop_examples import PARTS
 from tables import table
 from threadpoolctl import threadpool_info, threadpool_limits
 
-from calibrations import analysis
-from calibrations.analysis import analyse
-from calibrations.blas_threads import one_blas_thread
-from calibrations.effects.effect import Effect
-from calibrations.tracing.loop import close_loop
+from tumble.calibrations import analysis
+from tumble.calibrations.analysis import analyse
+from tumble.calibrations.blas_threads import one_blas_thread
+from tumble.calibrations.effects.effect import Effect
+from tumble.calibrations.tracing.loop import close_loop
 
 
 def threads():
@@ -50,7 +50,7 @@ def test_tracing_runs_in_one_thread():
 
 
 def test_programs_ask_for_one_thread_before_the_blas_is_loaded():
-    says = "import app.cli, os; app.cli.limit_blas_threads(); print(os.environ['OPENBLAS_NUM_THREADS'])"
+    says = "import tumble.app.cli, os; tumble.app.cli.limit_blas_threads(); print(os.environ['OPENBLAS_NUM_THREADS'])"
     without = {name: value for name, value in os.environ.items() if name != "OPENBLAS_NUM_THREADS"}
     ran = subprocess.run([sys.executable, "-c", says], env=without, capture_output=True, text=True, check=True)
     assert ran.stdout == "1\n"

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from calibrations.effects import CATALOGUE
-from calibrations.effects.effect import contrasts, harmonic, spread
-from calibrations.effects.scene import Scene
-from calibrations.observations import Observations
+from tumble.calibrations.effects import CATALOGUE
+from tumble.calibrations.effects.effect import contrasts, harmonic, spread
+from tumble.calibrations.effects.scene import Scene
+from tumble.calibrations.observations import Observations
 
 BY_NAME = {effect.name: effect for effect in CATALOGUE}
 CONTRACT = {

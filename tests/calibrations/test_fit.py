@@ -5,11 +5,11 @@ from hypothesis import strategies as st
 from scipy.optimize import least_squares
 from tables import FLIPS, UNIT, sweep, table
 
-from calibrations.compression import compress
-from calibrations.conditional import conditional
-from calibrations.fit import alpha0_profile, covariance, coverage_factor, fit_given_alpha0, joint_fit
-from calibrations.geometry import projections
-from calibrations.model import ALPHA0, PARAMETERS, basis, coefficients
+from tumble.calibrations.compression import compress
+from tumble.calibrations.conditional import conditional
+from tumble.calibrations.fit import alpha0_profile, covariance, coverage_factor, fit_given_alpha0, joint_fit
+from tumble.calibrations.geometry import projections
+from tumble.calibrations.model import ALPHA0, PARAMETERS, basis, coefficients
 
 
 def compressed(rows):

@@ -1,6 +1,6 @@
 import pytest
 
-from calibrations.gravity import normal_gravity
+from tumble.calibrations.gravity import normal_gravity
 
 
 @pytest.mark.parametrize(

@@ -3,9 +3,9 @@ from dataclasses import replace
 import numpy as np
 from tables import FLIPS, sweep, table
 
-from calibrations.gross import gross_errors
-from calibrations.model import basis
-from calibrations.repeats import pose_groups
+from tumble.calibrations.gross import gross_errors
+from tumble.calibrations.model import basis
+from tumble.calibrations.repeats import pose_groups
 
 
 def found(rows):

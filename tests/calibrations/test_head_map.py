@@ -3,8 +3,8 @@ import json
 import numpy as np
 import pytest
 
-from calibrations.stand_records.corrections import corrections_from_map
-from calibrations.stand_records.head_map import HeadMap, head_map_from_json
+from tumble.calibrations.stand_records.corrections import corrections_from_map
+from tumble.calibrations.stand_records.head_map import HeadMap, head_map_from_json
 
 MAP = HeadMap(
     orders=(1, 3),

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from tables import FLIPS, UNIT, sweep, table
 
-from calibrations.analysis import analyse
+from tumble.calibrations.analysis import analyse
 
 
 def parameters(*parts, **options):

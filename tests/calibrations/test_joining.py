@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from calibrations.joining import PAUSE_S, appended, joined
-from calibrations.observations import Observations, SetAside
-from calibrations.repeats import mountings
+from tumble.calibrations.joining import PAUSE_S, appended, joined
+from tumble.calibrations.observations import Observations, SetAside
+from tumble.calibrations.repeats import mountings
 
 
 def rows(source="a.csv", angle_deg=(0.0, 90.0), **columns):

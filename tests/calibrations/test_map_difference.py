@@ -5,10 +5,10 @@ import pytest
 from head_tables import rests
 from public_heads import backwards, five_settings, joint
 
-from calibrations.reference.changes import compare
-from calibrations.reference.comparison_document import comparison_json
-from calibrations.reference.loop import close_reference_loop
-from calibrations.reference.sentences import sentences
+from tumble.calibrations.reference.changes import compare
+from tumble.calibrations.reference.comparison_document import comparison_json
+from tumble.calibrations.reference.loop import close_reference_loop
+from tumble.calibrations.reference.sentences import sentences
 
 
 def compared(first, second):

@@ -8,9 +8,9 @@ import pytest
 from records_examples import calibration, provenance
 from sqlalchemy import Engine, event
 
-from calibrations.records import database
-from calibrations.records.errors import StoreError
-from calibrations.records.store import DATABASE, Store
+from tumble.calibrations.records import database
+from tumble.calibrations.records.errors import StoreError
+from tumble.calibrations.records.store import DATABASE, Store
 
 
 @contextmanager

@@ -9,9 +9,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from records_examples import KX_INSIDE, calibration, provenance
 
-from calibrations.records.canonical import canonical_text, plain
-from calibrations.records.export import document, document_text, is_intact
-from calibrations.records.store import Store
+from tumble.calibrations.records.canonical import canonical_text, plain
+from tumble.calibrations.records.export import document, document_text, is_intact
+from tumble.calibrations.records.store import Store
 
 
 @pytest.fixture(scope="module")

@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 from records_examples import KX_INSIDE, RAW, calibration, provenance, store_with_raw_file, sweep_only
 
-from calibrations.records.verify import RawFile, verify
+from tumble.calibrations.records.verify import RawFile, verify
 
 
 @pytest.fixture

@@ -2,8 +2,8 @@ import numpy as np
 import pytest
 from tables import FLIPS, sweep, table
 
-from calibrations.observations import Observations
-from calibrations.repeats import dwell_weights, labels, mountings, pose_groups, pure_error, settings
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.repeats import dwell_weights, labels, mountings, pose_groups, pure_error, settings
 
 
 def test_angles_within_a_few_thousandths_are_one_setting():

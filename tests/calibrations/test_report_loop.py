@@ -10,18 +10,18 @@ from loop_examples import clean, found, misread, timed, with_k_xx
 from report_examples import provenance
 from test_report_page import parsed, text_of
 
-from calibrations.effects import CATALOGUE
-from calibrations.report import outlooks, traces
-from calibrations.report.abscissa import BY_EFFECT, BY_VARIABLE
-from calibrations.report.page import SECTIONS
-from calibrations.report.results import notices
-from calibrations.report.subject import Subject
-from calibrations.report.traces import MOST_FIGURES, abscissae, trace_figure
-from calibrations.tracing.chain import Chain, Link, Stage
-from calibrations.tracing.experiments import Experiment
-from calibrations.tracing.findings import Unexplained
-from calibrations.tracing.ground import scene_of
-from calibrations.tracing.separation import Difference, Outlook
+from tumble.calibrations.effects import CATALOGUE
+from tumble.calibrations.report import outlooks, traces
+from tumble.calibrations.report.abscissa import BY_EFFECT, BY_VARIABLE
+from tumble.calibrations.report.page import SECTIONS
+from tumble.calibrations.report.results import notices
+from tumble.calibrations.report.subject import Subject
+from tumble.calibrations.report.traces import MOST_FIGURES, abscissae, trace_figure
+from tumble.calibrations.tracing.chain import Chain, Link, Stage
+from tumble.calibrations.tracing.experiments import Experiment
+from tumble.calibrations.tracing.findings import Unexplained
+from tumble.calibrations.tracing.ground import scene_of
+from tumble.calibrations.tracing.separation import Difference, Outlook
 
 UNEXPLAINED = Unexplained(depends_on="angle", description="a bump of 18 arcsec near 141 deg on the head")
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from report_examples import FLIPS, calibrate, dwells, face_up, flips_only, reversed_
 
-from calibrations.flips import FlipClosure, FlipMean
-from calibrations.support import Kind, closure_sentence, series, significant_digits, support
+from tumble.calibrations.flips import FlipClosure, FlipMean
+from tumble.calibrations.support import Kind, closure_sentence, series, significant_digits, support
 
 
 def texts(calibration, kind):

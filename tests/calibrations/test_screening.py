@@ -3,8 +3,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from calibrations.observations import Observations, SetAside
-from calibrations.screening import set_aside_bad_rows
+from tumble.calibrations.observations import Observations, SetAside
+from tumble.calibrations.screening import set_aside_bad_rows
 
 
 def table(**columns):

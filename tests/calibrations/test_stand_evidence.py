@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from stand_examples import ANOTHER, STAND, eccentric_deg, eccentric_run, rows, run_on
 
-from calibrations.budget import StandUncertainty
-from calibrations.stand_records.agreement import agreement, updated
-from calibrations.stand_records.corrections import Corrections, corrections_from_json
-from calibrations.stand_records.evidence import Run, doubts
-from calibrations.stand_records.terms import Term, harmonic_term, head_course, union
+from tumble.calibrations.budget import StandUncertainty
+from tumble.calibrations.stand_records.agreement import agreement, updated
+from tumble.calibrations.stand_records.corrections import Corrections, corrections_from_json
+from tumble.calibrations.stand_records.evidence import Run, doubts
+from tumble.calibrations.stand_records.terms import Term, harmonic_term, head_course, union
 
 ECCENTRICITY = harmonic_term(1)
 SINE, COSINE = 0.05 * np.cos(np.deg2rad(30.0)), 0.05 * np.sin(np.deg2rad(30.0))

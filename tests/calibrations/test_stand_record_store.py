@@ -9,10 +9,10 @@ from records_examples import minutes_pass
 from stand_examples import rows
 from stand_record_examples import FOUND, IDENTITY, UNIT, VALID
 
-from calibrations.records.errors import RecordError
-from calibrations.records.store import Store
-from calibrations.stand_records.record import Status, Validity, document, validity_of
-from calibrations.stand_records.store import StandRecords
+from tumble.calibrations.records.errors import RecordError
+from tumble.calibrations.records.store import Store
+from tumble.calibrations.stand_records.record import Status, Validity, document, validity_of
+from tumble.calibrations.stand_records.store import StandRecords
 
 
 def added(store, status=Status.PROVISIONAL, identity=IDENTITY):

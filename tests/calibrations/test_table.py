@@ -4,7 +4,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from tables import FLIPS, sweep, table
 
-from calibrations.table import TableError, read_table, write_table
+from tumble.calibrations.table import TableError, read_table, write_table
 
 HEADER = "realisation,procedure,mount,angle_deg,voltage_V\n"
 

@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 from tables import FLIPS, sweep, table
 
-from calibrations.effects import CATALOGUE
-from calibrations.effects.unnamed import STRUCTURES
-from calibrations.joint import fit_jointly
-from calibrations.tracing.ground import ground, scene_of
-from calibrations.tracing.noise import NoiseModel
-from calibrations.tracing.quantified import form_in
-from calibrations.tracing.trace import Tracer, found
+from tumble.calibrations.effects import CATALOGUE
+from tumble.calibrations.effects.unnamed import STRUCTURES
+from tumble.calibrations.joint import fit_jointly
+from tumble.calibrations.tracing.ground import ground, scene_of
+from tumble.calibrations.tracing.noise import NoiseModel
+from tumble.calibrations.tracing.quantified import form_in
+from tumble.calibrations.tracing.trace import Tracer, found
 
 MOUNTS = (*FLIPS, sweep("face-up"), sweep("face-down"))
 

@@ -3,8 +3,8 @@ from dataclasses import replace
 import pytest
 from loop_examples import clean, found
 
-from calibrations.tracing.chain import Chain, Link, Stage, cannot, cheapest
-from calibrations.tracing.experiments import Experiment
+from tumble.calibrations.tracing.chain import Chain, Link, Stage, cannot, cheapest
+from tumble.calibrations.tracing.experiments import Experiment
 
 
 def experiment(programme="probe-end", separates=("k_xx", "k_yy"), stand_time_s=100.0, **fields):

@@ -8,16 +8,16 @@ import pytest
 from sparse_tables import nine_settings, pieces, with_labels
 from tables import FLIPS, gravity_on, sweep, table
 
-from calibrations.effects import CATALOGUE
-from calibrations.joint import fit_jointly
-from calibrations.repeats import distinct_settings
-from calibrations.tracing.document import document
-from calibrations.tracing.evidence import evidence
-from calibrations.tracing.ground import ground
-from calibrations.tracing.loop import close_loop
-from calibrations.tracing.noise import NoiseModel
-from calibrations.tracing.trace import Trace, Tracer, found
-from calibrations.tracing.words import headline
+from tumble.calibrations.effects import CATALOGUE
+from tumble.calibrations.joint import fit_jointly
+from tumble.calibrations.repeats import distinct_settings
+from tumble.calibrations.tracing.document import document
+from tumble.calibrations.tracing.evidence import evidence
+from tumble.calibrations.tracing.ground import ground
+from tumble.calibrations.tracing.loop import close_loop
+from tumble.calibrations.tracing.noise import NoiseModel
+from tumble.calibrations.tracing.trace import Trace, Tracer, found
+from tumble.calibrations.tracing.words import headline
 
 
 @cache

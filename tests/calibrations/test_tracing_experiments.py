@@ -5,17 +5,17 @@ import pytest
 from tables import gravity_on
 from tracing_runs import FLIPS, SWEEP, dwells, programme, runs
 
-from calibrations.effects import CATALOGUE
-from calibrations.joint import fit_jointly
-from calibrations.observations import Observations
-from calibrations.tracing import experiments
-from calibrations.tracing.experiments import APART, next_experiments
-from calibrations.tracing.ground import ground
-from calibrations.tracing.probes import PROBES, Probe, followed_by
-from calibrations.tracing.rivals import CLOSE, rivals, with_best_names
-from calibrations.tracing.separation import Question, Rows
-from calibrations.tracing.trace import Tracer
-from procedures.programme import shipped_programmes
+from tumble.calibrations.effects import CATALOGUE
+from tumble.calibrations.joint import fit_jointly
+from tumble.calibrations.observations import Observations
+from tumble.calibrations.tracing import experiments
+from tumble.calibrations.tracing.experiments import APART, next_experiments
+from tumble.calibrations.tracing.ground import ground
+from tumble.calibrations.tracing.probes import PROBES, Probe, followed_by
+from tumble.calibrations.tracing.rivals import CLOSE, rivals, with_best_names
+from tumble.calibrations.tracing.separation import Question, Rows
+from tumble.calibrations.tracing.trace import Tracer
+from tumble.procedures.programme import shipped_programmes
 
 UP = SWEEP.format("face-up", "up")
 BACK = SWEEP.format("face-up", "there-and-back")

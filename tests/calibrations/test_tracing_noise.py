@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from tables import FLIPS, sweep, table
 
-from calibrations.effects import CATALOGUE
-from calibrations.joint import fit_jointly
-from calibrations.tracing.fitting_noise import golden_section
-from calibrations.tracing.ground import ground
-from calibrations.tracing.loop import close_loop
-from calibrations.tracing.noise import NoiseModel
+from tumble.calibrations.effects import CATALOGUE
+from tumble.calibrations.joint import fit_jointly
+from tumble.calibrations.tracing.fitting_noise import golden_section
+from tumble.calibrations.tracing.ground import ground
+from tumble.calibrations.tracing.loop import close_loop
+from tumble.calibrations.tracing.noise import NoiseModel
 
 MOUNTS = (*FLIPS, sweep("face-up"), sweep("face-down"))
 

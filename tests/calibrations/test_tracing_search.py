@@ -6,16 +6,16 @@ import numpy as np
 import pytest
 from tables import FLIPS, UNIT, gravity_on, sweep, table
 
-from calibrations.compression import compress
-from calibrations.effects import CATALOGUE
-from calibrations.effects.effect import Structure
-from calibrations.effects.unnamed import STRUCTURES
-from calibrations.fit import joint_fit
-from calibrations.joint import fit_jointly
-from calibrations.tracing.ground import ground
-from calibrations.tracing.noise import NoiseModel
-from calibrations.tracing.search import entries, price, search
-from calibrations.tracing.trace import Tracer
+from tumble.calibrations.compression import compress
+from tumble.calibrations.effects import CATALOGUE
+from tumble.calibrations.effects.effect import Structure
+from tumble.calibrations.effects.unnamed import STRUCTURES
+from tumble.calibrations.fit import joint_fit
+from tumble.calibrations.joint import fit_jointly
+from tumble.calibrations.tracing.ground import ground
+from tumble.calibrations.tracing.noise import NoiseModel
+from tumble.calibrations.tracing.search import entries, price, search
+from tumble.calibrations.tracing.trace import Tracer
 
 WHITE = NoiseModel()
 

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from tables import FLIPS, UNIT, sweep, table
 
-from calibrations.repeats import mountings
-from calibrations.tracing.loop import close_loop
-from calibrations.tracing.questions import questioned
-from calibrations.tracing.seats import wrong_seat
+from tumble.calibrations.repeats import mountings
+from tumble.calibrations.tracing.loop import close_loop
+from tumble.calibrations.tracing.questions import questioned
+from tumble.calibrations.tracing.seats import wrong_seat
 
 NOISE_V = 1e-4
 PARTS = (sweep("face-up", 20.0), sweep("face-down", 20.0), sweep("face-up-90", 20.0), sweep("end", 20.0))

@@ -5,9 +5,17 @@ from dataclasses import replace
 import pytest
 from loop_examples import clean, found, misread, with_k_xx
 
-from calibrations.tracing.findings import Unexplained
-from calibrations.tracing.misreading import Misreading
-from calibrations.tracing.words import comparisons, findings, found_sentences, headline, leaning, misread_text, untold
+from tumble.calibrations.tracing.findings import Unexplained
+from tumble.calibrations.tracing.misreading import Misreading
+from tumble.calibrations.tracing.words import (
+    comparisons,
+    findings,
+    found_sentences,
+    headline,
+    leaning,
+    misread_text,
+    untold,
+)
 
 
 def finding(*arguments, **named):

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from test_effects import scene
 
-from calibrations.effects.effect import Form
-from calibrations.effects.unnamed import STRUCTURES, taken_by
+from tumble.calibrations.effects.effect import Form
+from tumble.calibrations.effects.unnamed import STRUCTURES, taken_by
 
 BY_NAME = {structure.name: structure for structure in STRUCTURES}
 

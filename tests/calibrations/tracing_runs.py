@@ -3,10 +3,10 @@
 import numpy as np
 from tables import UNIT, output
 
-from calibrations.observations import Observations
-from procedures.plan import plan
-from procedures.programme import load_programme, programme_from_text
-from procedures.steps import Dwell
+from tumble.calibrations.observations import Observations
+from tumble.procedures.plan import plan
+from tumble.procedures.programme import load_programme, programme_from_text
+from tumble.procedures.steps import Dwell
 
 SWEEP = '[[procedure]]\nkind = "sweep"\nmount = "{}"\nstep_deg = 5.0\npoints = 80\norder = "{}"\n'
 FLIPS = '[[procedure]]\nkind = "flip"\naxes = ["x", "y", "z"]\n'

@@ -1,7 +1,7 @@
 """A C-863 controller with a rotary stage, as its manual says that it answers: a fake wire in virtual time."""
 
-from drivers.clock import VirtualClock
-from drivers.errors import NoReplyError
+from tumble.drivers.clock import VirtualClock
+from tumble.drivers.errors import NoReplyError
 
 IDENTITY = "(c)2013 Physik Instrumente(PI) Karlsruhe, C-863.12,0123456789,1.2.1"
 ON_TARGET, REFERENCING, MOVING, SERVO, FAILED = 0x8000, 0x4000, 0x2000, 0x1000, 0x0100

@@ -8,17 +8,17 @@ import pytest
 from fakes import QUICK, FakeDaq, FakeOperator, MemorySink
 from mercury_controller import MercuryController
 
-from app.stand import load_stand
-from drivers.clock import VirtualClock
-from drivers.driver import Bench
-from drivers.errors import DeviceError, LimitError, LinkLostError
-from drivers.links.opened import Links
-from drivers.protocols import Identity, Reconnectable, Stand
-from procedures.composition import compose
-from procedures.engine import Engine
-from procedures.events import Identified, WarningRaised
-from procedures.outcome import FinishReason
-from procedures.sweep import Sweep
+from tumble.app.stand import load_stand
+from tumble.drivers.clock import VirtualClock
+from tumble.drivers.driver import Bench
+from tumble.drivers.errors import DeviceError, LimitError, LinkLostError
+from tumble.drivers.links.opened import Links
+from tumble.drivers.protocols import Identity, Reconnectable, Stand
+from tumble.procedures.composition import compose
+from tumble.procedures.engine import Engine
+from tumble.procedures.events import Identified, WarningRaised
+from tumble.procedures.outcome import FinishReason
+from tumble.procedures.sweep import Sweep
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = (DOCS / "adding-an-instrument.md").read_text("utf-8")

@@ -4,7 +4,7 @@ import re
 from pathlib import Path
 from typing import Final, get_args
 
-from emulators.faults import Kind
+from tumble.emulators.faults import Kind
 
 FILES: Final = Path(__file__).parents[2] / "docs" / "files.md"
 NO_KINDS: Final = {"tumble emulate --faults", "emulators/cia402_habits.py"}

@@ -2,20 +2,20 @@
 
 from collections.abc import Callable, Mapping
 
-from drivers.clock import VirtualClock
-from drivers.errors import LinkLostError, NoReplyError
-from drivers.simulated import Simulated, build
-from emulators.faults import Faults, FaultScript
-from emulators.scpi import Multimeter, ScpiSession
-from emulators.scpi.models import Messages
-from emulators.world import SharedWorld
+from tumble.drivers.clock import VirtualClock
+from tumble.drivers.errors import LinkLostError, NoReplyError
+from tumble.drivers.simulated import Simulated, build
+from tumble.emulators.faults import Faults, FaultScript
+from tumble.emulators.scpi import Multimeter, ScpiSession
+from tumble.emulators.scpi.models import Messages
+from tumble.emulators.world import SharedWorld
 
 Spoil = Callable[[bytes], bytes]
 PATIENCE = 1_000
 
 
 class EmulatedLink:
-    """Fits `drivers.scpi.meter.ReopenableLink`; answers and commands are spoilt by their number."""
+    """Fits `tumble.drivers.scpi.meter.ReopenableLink`; answers and commands are spoilt by their number."""
 
     checksummed = True
 

@@ -7,10 +7,10 @@ from contextlib import contextmanager, suppress
 import can
 import pytest
 
-from drivers.errors import LinkLostError
-from drivers.links import can_link
-from drivers.links.can_address import CanAddress
-from drivers.links.can_link import CanLink
+from tumble.drivers.errors import LinkLostError
+from tumble.drivers.links import can_link
+from tumble.drivers.links.can_address import CanAddress
+from tumble.drivers.links.can_link import CanLink
 
 DEADLINE_S = 5.0
 GOOD = can.Message(arbitration_id=0x310, is_extended_id=False, data=b"\x01\x02")

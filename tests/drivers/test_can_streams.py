@@ -10,8 +10,8 @@ import serial
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from drivers.links.slcan import SlcanBus
-from drivers.links.socketcand import SocketcandBus
+from tumble.drivers.links.slcan import SlcanBus
+from tumble.drivers.links.socketcand import SocketcandBus
 
 DEADLINE_S = 1.0
 PIECES = st.lists(
@@ -211,7 +211,7 @@ def test_a_server_that_leaves_is_noticed():
 
 @pytest.mark.parametrize("greeting", [b"hello?>", b"\xff\xfe >", b"< error no such bus >", b""])
 def test_who_does_not_greet_is_no_server(monkeypatch, greeting: bytes):
-    monkeypatch.setattr("drivers.links.socketcand.CONNECT_TIMEOUT_S", 0.05)
+    monkeypatch.setattr("tumble.drivers.links.socketcand.CONNECT_TIMEOUT_S", 0.05)
     with socket.create_server(("127.0.0.1", 0)) as listening:
         client = socket.create_connection(listening.getsockname())
         ours, _ = listening.accept()

@@ -6,12 +6,12 @@ from cantools.database import load_string
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drivers.candaq import DaqFrames
-from drivers.candaq.collection import Collection
-from drivers.candaq.frames import Frame
+from tumble.drivers.candaq import DaqFrames
+from tumble.drivers.candaq.collection import Collection
+from tumble.drivers.candaq.frames import Frame
 
 FRAMES = DaqFrames.from_file()
-SHIPPED = (files("drivers.candaq") / "tumble_daq.dbc").read_text("utf-8")
+SHIPPED = (files("tumble.drivers.candaq") / "tumble_daq.dbc").read_text("utf-8")
 
 
 def voltage(number: int, epoch: int = 1, volts: float = 2.5) -> Frame:

@@ -8,13 +8,13 @@ from cantools.database import load_string
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drivers.candaq import DaqFrames
-from drivers.candaq.declaration import CanDaqTable
-from drivers.candaq.frames import SpoiltFrameError
-from drivers.candaq.inbox import Inbox
-from drivers.links.tally import Tally
+from tumble.drivers.candaq import DaqFrames
+from tumble.drivers.candaq.declaration import CanDaqTable
+from tumble.drivers.candaq.frames import SpoiltFrameError
+from tumble.drivers.candaq.inbox import Inbox
+from tumble.drivers.links.tally import Tally
 
-OURS = (files("drivers.candaq") / "tumble_daq.dbc").read_text("utf-8")
+OURS = (files("tumble.drivers.candaq") / "tumble_daq.dbc").read_text("utf-8")
 
 LOGGER = """VERSION ""
 

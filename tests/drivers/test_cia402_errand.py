@@ -2,7 +2,7 @@
 
 import pytest
 
-from drivers.cia402.errand import LINGER_S, Errand
+from tumble.drivers.cia402.errand import LINGER_S, Errand
 
 HOMED, UNDER_WAY, ARRIVED = 0x1637, 0x0237, 0x0637
 WINDOW = 5

@@ -4,10 +4,10 @@ from canopen.profiles.p402 import State402
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drivers.cia402 import object_dictionary, write_eds
-from drivers.cia402.emergencies import abort_words, emergency_words
-from drivers.cia402.states import TOWARDS_ENABLED, State, is_moving, state_of
-from drivers.links.can_address import CanAddress
+from tumble.drivers.cia402 import object_dictionary, write_eds
+from tumble.drivers.cia402.emergencies import abort_words, emergency_words
+from tumble.drivers.cia402.states import TOWARDS_ENABLED, State, is_moving, state_of
+from tumble.drivers.links.can_address import CanAddress
 
 
 @given(st.integers(0, 0xFFFF))

@@ -1,8 +1,8 @@
 import pytest
 
-from drivers.clock import VirtualClock
-from drivers.errors import LimitError
-from drivers.manual import ManualHead
+from tumble.drivers.clock import VirtualClock
+from tumble.drivers.errors import LimitError
+from tumble.drivers.manual import ManualHead
 
 
 class FakeEyepiece:

@@ -2,7 +2,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drivers.manual import format_dms, parse_reading
+from tumble.drivers.manual import format_dms, parse_reading
 
 ANGLE_DEG = 12 + 34 / 60 + 56 / 3600
 

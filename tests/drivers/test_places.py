@@ -3,7 +3,7 @@ import sys
 
 import pytest
 
-from drivers.links.places import one_name
+from tumble.drivers.links.places import one_name
 
 
 @pytest.mark.parametrize(

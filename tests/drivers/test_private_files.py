@@ -5,8 +5,8 @@ import sys
 
 import pytest
 
-from drivers.private_files import private_folder, read_private, write_private
-from drivers.processes import started
+from tumble.drivers.private_files import private_folder, read_private, write_private
+from tumble.drivers.processes import started
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="access lists of the user's folder do it there")
 

@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drivers.protocols import Identity
-from drivers.scpi.codec import (
+from tumble.drivers.protocols import Identity
+from tumble.drivers.scpi.codec import (
     CorruptReplyError,
     QueueEntry,
     StaleReplyError,

@@ -2,13 +2,13 @@ import numpy as np
 import pytest
 from scpi_bench import emulated
 
-from drivers.errors import DeviceError, LinkLostError, NoReplyError
-from drivers.protocols import Daq, Identity, Reconnectable
-from drivers.scpi import ScpiMultimeter
-from drivers.scpi.measurement import voltage
-from drivers.scpi.models import MODELS
-from drivers.simulated import Simulated
-from emulators.faults import At, Fault, FaultScript
+from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
+from tumble.drivers.protocols import Daq, Identity, Reconnectable
+from tumble.drivers.scpi import ScpiMultimeter
+from tumble.drivers.scpi.measurement import voltage
+from tumble.drivers.scpi.models import MODELS
+from tumble.drivers.simulated import Simulated
+from tumble.emulators.faults import At, Fault, FaultScript
 
 QUIET = Simulated(noise_v=0.0, parameters={"u0": 2.5, "kx": 1.0})
 

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from scpi_bench import emulated
 
-from drivers.errors import DeviceError, NoReplyError
-from drivers.scpi import ScpiMultimeter
-from drivers.scpi.plain import EVERYBODYS_BITS
-from drivers.simulated import Simulated
-from emulators.faults import At, Fault, FaultScript
+from tumble.drivers.errors import DeviceError, NoReplyError
+from tumble.drivers.scpi import ScpiMultimeter
+from tumble.drivers.scpi.plain import EVERYBODYS_BITS
+from tumble.drivers.simulated import Simulated
+from tumble.emulators.faults import At, Fault, FaultScript
 
 QUIET = Simulated(noise_v=0.0, parameters={"u0": 2.5, "kx": 1.0})
 PLAIN = [

@@ -7,11 +7,11 @@ import socket
 import pytest
 import serial
 
-from drivers.clock import VirtualClock
-from drivers.errors import LinkLostError, NoReplyError
-from drivers.links import SerialLink, serial_link
-from drivers.scpi import ScpiMultimeter
-from drivers.zaber import ZaberHead
+from tumble.drivers.clock import VirtualClock
+from tumble.drivers.errors import LinkLostError, NoReplyError
+from tumble.drivers.links import SerialLink, serial_link
+from tumble.drivers.scpi import ScpiMultimeter
+from tumble.drivers.zaber import ZaberHead
 
 SLOW = itertools.count(0.0, 0.05)
 

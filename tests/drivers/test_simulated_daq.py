@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from drivers.errors import DeviceError
-from drivers.simulated import Simulated, SimulatedStand, build
-from drivers.simulated.daq import Converter
-from drivers.simulated.effects import Effects
+from tumble.drivers.errors import DeviceError
+from tumble.drivers.simulated import Simulated, SimulatedStand, build
+from tumble.drivers.simulated.daq import Converter
+from tumble.drivers.simulated.effects import Effects
 
 
 def converter(effects=None, resolution_v=0.0, range_v=10.0) -> Converter:

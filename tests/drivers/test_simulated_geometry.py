@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drivers.simulated.geometry import SEATS, ax_turning_points_deg, projections, rotation, seat
+from tumble.drivers.simulated.geometry import SEATS, ax_turning_points_deg, projections, rotation, seat
 
 MOUNT_NAMES = st.sampled_from(sorted(SEATS))
 ANGLES_DEG = st.floats(-800.0, 800.0)

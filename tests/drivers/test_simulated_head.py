@@ -5,10 +5,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drivers.clock import VirtualClock
-from drivers.errors import LimitError
-from drivers.simulated.effects import Effects
-from drivers.simulated.head import HeadErrors, HeadOptions, Move, SimulatedHead
+from tumble.drivers.clock import VirtualClock
+from tumble.drivers.errors import LimitError
+from tumble.drivers.simulated.effects import Effects
+from tumble.drivers.simulated.head import HeadErrors, HeadOptions, Move, SimulatedHead
 
 
 def head(clock: VirtualClock, **options) -> SimulatedHead:

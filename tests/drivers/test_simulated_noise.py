@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drivers.simulated.noise import RandomWalk, Stream, Wander, flicker, generator, interpolated
+from tumble.drivers.simulated.noise import RandomWalk, Stream, Wander, flicker, generator, interpolated
 
 TIMES_S = st.lists(st.floats(8000.0, 8010.0), min_size=1, max_size=5).map(lambda times: np.array(sorted(times)))
 

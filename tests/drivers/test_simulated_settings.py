@@ -5,7 +5,7 @@ import tomllib
 import pytest
 from pydantic import ValidationError
 
-from drivers.simulated import Simulated
+from tumble.drivers.simulated import Simulated
 
 CONTRACT = """
 preset = "DXL203EB"

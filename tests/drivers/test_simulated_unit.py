@@ -7,10 +7,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drivers.simulated.effects import Effects
-from drivers.simulated.external import load_function
-from drivers.simulated.presets import UnitParameters
-from drivers.simulated.unit import Accelerometer, ExternalUnit, Hysteresis
+from tumble.drivers.simulated.effects import Effects
+from tumble.drivers.simulated.external import load_function
+from tumble.drivers.simulated.presets import UnitParameters
+from tumble.drivers.simulated.unit import Accelerometer, ExternalUnit, Hysteresis
 
 AX, AY, AZ = 0.6, -0.5, 0.4
 GRAVITY_G = np.array([[AX, AY, AZ]])

@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from drivers.clock import VirtualClock
-from drivers.simulated import HeadOptions, Simulated, SimulatedStand, build, noise_free_voltage
+from tumble.drivers.clock import VirtualClock
+from tumble.drivers.simulated import HeadOptions, Simulated, SimulatedStand, build, noise_free_voltage
 
 CALM = {"wander_K": 0.0, "sensor_noise_K": 0.0}
 

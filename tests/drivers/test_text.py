@@ -2,7 +2,7 @@
 
 import pytest
 
-from drivers.text import LONGEST_NAME, check_name, reason_of, visible
+from tumble.drivers.text import LONGEST_NAME, check_name, reason_of, visible
 
 
 @pytest.mark.parametrize(

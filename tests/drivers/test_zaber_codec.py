@@ -2,7 +2,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drivers.zaber.codec import (
+from tumble.drivers.zaber.codec import (
     GarbledError,
     Kind,
     Message,

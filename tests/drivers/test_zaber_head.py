@@ -1,9 +1,9 @@
 import pytest
 from zaber_stage import Stage, once
 
-from drivers.errors import DeviceError, LimitError, NoReplyError
-from drivers.protocols import Identity
-from drivers.zaber.codec import lrc
+from tumble.drivers.errors import DeviceError, LimitError, NoReplyError
+from tumble.drivers.protocols import Identity
+from tumble.drivers.zaber.codec import lrc
 
 STALL = {"kind": "stall", "at": {"command": 1, "containing": "move"}}
 POWER_LOSS = {"kind": "power_loss", "at": {"time_s": 1.0}}

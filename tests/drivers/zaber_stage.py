@@ -2,14 +2,14 @@
 
 from collections.abc import Callable
 
-from drivers.clock import VirtualClock
-from drivers.errors import NoReplyError
-from drivers.protocols import HeadStatus
-from drivers.simulated import HeadOptions, Simulated, build
-from drivers.zaber import ZaberHead
-from emulators.faults import Fault, Faults, FaultScript
-from emulators.world import SharedWorld
-from emulators.zaber import EmulatedZaber
+from tumble.drivers.clock import VirtualClock
+from tumble.drivers.errors import NoReplyError
+from tumble.drivers.protocols import HeadStatus
+from tumble.drivers.simulated import HeadOptions, Simulated, build
+from tumble.drivers.zaber import ZaberHead
+from tumble.emulators.faults import Fault, Faults, FaultScript
+from tumble.emulators.world import SharedWorld
+from tumble.emulators.zaber import EmulatedZaber
 
 LIMITS_DEG = (-180.0, 760.0)
 

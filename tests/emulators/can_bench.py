@@ -7,19 +7,19 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import count
 
-from drivers.candaq import CanDaq, DaqFrames
-from drivers.cia402 import Cia402Head
-from drivers.clock import Clock
-from drivers.links.can_address import CanAddress
-from drivers.links.can_link import CanLink
-from drivers.protocols import HeadStatus
-from drivers.simulated import Simulated, build
-from emulators.candaq import EmulatedCanDaq
-from emulators.cia402 import EmulatedDrive
-from emulators.cia402_drive import Drive
-from emulators.faults import Faults, FaultScript
-from emulators.speed import FasterClock
-from emulators.world import SharedWorld
+from tumble.drivers.candaq import CanDaq, DaqFrames
+from tumble.drivers.cia402 import Cia402Head
+from tumble.drivers.clock import Clock
+from tumble.drivers.links.can_address import CanAddress
+from tumble.drivers.links.can_link import CanLink
+from tumble.drivers.protocols import HeadStatus
+from tumble.drivers.simulated import Simulated, build
+from tumble.emulators.candaq import EmulatedCanDaq
+from tumble.emulators.cia402 import EmulatedDrive
+from tumble.emulators.cia402_drive import Drive
+from tumble.emulators.faults import Faults, FaultScript
+from tumble.emulators.speed import FasterClock
+from tumble.emulators.world import SharedWorld
 
 FACTOR = 50.0
 STEPS_PER_DEG = -1000.0

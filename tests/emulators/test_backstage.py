@@ -3,12 +3,12 @@ from contextlib import contextmanager
 
 import pytest
 
-from drivers.clock import SystemClock, VirtualClock
-from drivers.errors import DeviceError
-from drivers.simulated import HeadOptions, Simulated, build
-from emulators.backstage import backstage_of, find_backstage
-from emulators.speed import FasterClock
-from emulators.world import SharedWorld
+from tumble.drivers.clock import SystemClock, VirtualClock
+from tumble.drivers.errors import DeviceError
+from tumble.drivers.simulated import HeadOptions, Simulated, build
+from tumble.emulators.backstage import backstage_of, find_backstage
+from tumble.emulators.speed import FasterClock
+from tumble.emulators.world import SharedWorld
 
 ADDRESS = "socket://127.0.0.1:1"
 

@@ -7,14 +7,14 @@ import can
 import pytest
 from can_bench import DEADLINE_S, STEPS_PER_DEG, CanBench, can_bench, raised, rested
 
-from drivers.cia402 import Cia402Head
-from drivers.clock import SystemClock
-from drivers.errors import LinkLostError
-from drivers.links.can_address import CanAddress
-from drivers.links.can_link import CanLink
-from emulators.faults import Faults, FaultScript
-from emulators.slcan import SlcanSession, serve_slcan, slcan_address
-from emulators.socketcand import SocketcandSession, serve_socketcand, socketcand_address
+from tumble.drivers.cia402 import Cia402Head
+from tumble.drivers.clock import SystemClock
+from tumble.drivers.errors import LinkLostError
+from tumble.drivers.links.can_address import CanAddress
+from tumble.drivers.links.can_link import CanLink
+from tumble.emulators.faults import Faults, FaultScript
+from tumble.emulators.slcan import SlcanSession, serve_slcan, slcan_address
+from tumble.emulators.socketcand import SocketcandSession, serve_socketcand, socketcand_address
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="there are no pseudo-terminals on Windows")
 WAYS = [
@@ -79,8 +79,8 @@ def test_frames_go_through_both_ways_as_they_are(bench: CanBench, other, way, da
 
 @pytest.mark.parametrize("way", WAYS)
 def test_a_server_that_vanishes_is_a_lost_link_until_it_returns(bench: CanBench, way, monkeypatch):
-    monkeypatch.setattr("drivers.cia402.node.PATIENCE_S", 0.6)
-    monkeypatch.setattr("drivers.cia402.node.REPLY_TIMEOUT_S", 0.1)
+    monkeypatch.setattr("tumble.drivers.cia402.node.PATIENCE_S", 0.6)
+    monkeypatch.setattr("tumble.drivers.cia402.node.REPLY_TIMEOUT_S", 0.1)
     serve, address = way
     with serve(bench.channel, faults=Faults(FaultScript.model_validate({"fault": [DROP]}))) as server:
         head = head_on(CanLink(address(server)))

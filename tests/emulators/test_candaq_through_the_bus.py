@@ -6,11 +6,11 @@ import pytest
 from can_bench import DEADLINE_S, CanBench, can_bench, raised
 from cantools.database import load_string
 
-import drivers.candaq.daq
-from drivers.candaq import DaqFrames
-from drivers.errors import DeviceError, LinkLostError, NoReplyError
-from drivers.protocols import Daq, Reconnectable
-from emulators.candaq_faults import LOST_FRAMES
+import tumble.drivers.candaq.daq
+from tumble.drivers.candaq import DaqFrames
+from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
+from tumble.drivers.protocols import Daq, Reconnectable
+from tumble.emulators.candaq_faults import LOST_FRAMES
 
 OTHER_DBC = """VERSION ""
 
@@ -48,8 +48,8 @@ SIG_VALTYPE_ 2566844673 Rate : 1;
 
 @pytest.fixture(autouse=True)
 def impatient(monkeypatch):
-    monkeypatch.setattr(drivers.candaq.daq, "LATENESS_S", 1.0)
-    monkeypatch.setattr(drivers.candaq.daq, "REPLY_TIMEOUT_S", 0.2)
+    monkeypatch.setattr(tumble.drivers.candaq.daq, "LATENESS_S", 1.0)
+    monkeypatch.setattr(tumble.drivers.candaq.daq, "REPLY_TIMEOUT_S", 0.2)
 
 
 @pytest.fixture

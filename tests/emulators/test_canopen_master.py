@@ -8,8 +8,8 @@ import pytest
 from can_bench import DEADLINE_S, can_bench
 from canopen.profiles.p402 import BaseNode402
 
-from drivers.cia402 import write_eds
-from emulators.socketcand import CHANNEL, serve_socketcand
+from tumble.drivers.cia402 import write_eds
+from tumble.emulators.socketcand import CHANNEL, serve_socketcand
 
 
 @contextmanager

@@ -6,14 +6,14 @@ import pytest
 from can_bench import can_bench, rested, until
 from canopen import SdoAbortedError
 
-import drivers.cia402.node
-from drivers.cia402 import objects
-from emulators.cia402_drive import Drive
+import tumble.drivers.cia402.node
+from tumble.drivers.cia402 import objects
+from tumble.emulators.cia402_drive import Drive
 
 
 @pytest.fixture(autouse=True)
 def impatient(monkeypatch):
-    monkeypatch.setattr(drivers.cia402.node, "REPLY_TIMEOUT_S", 0.1)
+    monkeypatch.setattr(tumble.drivers.cia402.node, "REPLY_TIMEOUT_S", 0.1)
 
 
 def habit(kind: str, **more) -> dict:
@@ -118,7 +118,7 @@ def test_what_a_drive_need_not_let_be_set_may_be_refused_with_any_code(monkeypat
 
 
 def test_an_optional_object_may_be_passed_over_in_silence(monkeypatch):
-    from emulators.cia402_bus import DriveNetwork
+    from tumble.emulators.cia402_bus import DriveNetwork
 
     right = DriveNetwork.send_message
 

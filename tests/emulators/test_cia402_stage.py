@@ -3,8 +3,8 @@ from canopen.profiles.p402 import State402
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drivers.cia402.states import State
-from emulators.cia402_stage import PowerStage
+from tumble.drivers.cia402.states import State
+from tumble.emulators.cia402_stage import PowerStage
 
 STATES = {state.value.upper(): state for state in State}
 COMMANDED = {pair: code for pair, code in State402.TRANSITIONTABLE.items() if code}

@@ -5,12 +5,12 @@ import pytest
 from can_bench import DEADLINE_S, CanBench, can_bench, raised, rested, until
 from canopen import SdoAbortedError
 
-import drivers.cia402.head
-import drivers.cia402.node
-from drivers.cia402 import Cia402Head, objects, states
-from drivers.errors import DeviceError, LimitError, LinkLostError, NoReplyError
-from drivers.protocols import DividingHead, Reconnectable, Resettable
-from emulators.cia402_drive import Drive
+import tumble.drivers.cia402.head
+import tumble.drivers.cia402.node
+from tumble.drivers.cia402 import Cia402Head, objects, states
+from tumble.drivers.errors import DeviceError, LimitError, LinkLostError, NoReplyError
+from tumble.drivers.protocols import DividingHead, Reconnectable, Resettable
+from tumble.emulators.cia402_drive import Drive
 
 START = {"command": 1, "containing": "controlword 003F"}
 """The first set-point."""
@@ -18,8 +18,8 @@ START = {"command": 1, "containing": "controlword 003F"}
 
 @pytest.fixture(autouse=True)
 def impatient(monkeypatch):
-    monkeypatch.setattr(drivers.cia402.node, "PATIENCE_S", 0.6)
-    monkeypatch.setattr(drivers.cia402.node, "REPLY_TIMEOUT_S", 0.1)
+    monkeypatch.setattr(tumble.drivers.cia402.node, "PATIENCE_S", 0.6)
+    monkeypatch.setattr(tumble.drivers.cia402.node, "REPLY_TIMEOUT_S", 0.1)
 
 
 @pytest.fixture
@@ -191,7 +191,7 @@ def test_a_fault_in_mid_run_is_not_reset_by_a_reconnect():
 
 
 def test_a_fault_whose_cause_is_still_there_is_told_to_whoever_starts_anew(bench: CanBench, statusword, monkeypatch):
-    monkeypatch.setattr(drivers.cia402.head, "ANSWER_S", 0.2)
+    monkeypatch.setattr(tumble.drivers.cia402.head, "ANSWER_S", 0.2)
     statusword(setting=0x08, clearing=0x47)
     with pytest.raises(DeviceError, match="unknown error"):
         bench.head().reset_fault()
@@ -355,7 +355,7 @@ def test_an_error_of_the_motion_is_told_once_even_without_a_fault(bench: CanBenc
 
 
 def test_a_drive_that_does_not_take_a_set_point_is_told(bench: CanBench, statusword, monkeypatch):
-    monkeypatch.setattr(drivers.cia402.head, "ANSWER_S", 0.2)
+    monkeypatch.setattr(tumble.drivers.cia402.head, "ANSWER_S", 0.2)
     head = bench.homed_head()
     statusword(clearing=states.ACKNOWLEDGED)
     with pytest.raises(NoReplyError, match="did not take the set-point"):
@@ -363,7 +363,7 @@ def test_a_drive_that_does_not_take_a_set_point_is_told(bench: CanBench, statusw
 
 
 def test_a_fault_whose_cause_is_still_there_is_not_reset(bench: CanBench, statusword, monkeypatch):
-    monkeypatch.setattr(drivers.cia402.head, "ANSWER_S", 0.2)
+    monkeypatch.setattr(tumble.drivers.cia402.head, "ANSWER_S", 0.2)
     head = bench.homed_head()
     statusword(setting=0x08, clearing=0x47)
     with pytest.raises(DeviceError, match="unknown error"):

@@ -1,9 +1,9 @@
 import pytest
 from pydantic import ValidationError
 
-from drivers.clock import VirtualClock
-from emulators.faults import At, Fault, Faults, FaultScript
-from emulators.stand_faults import StandFaults
+from tumble.drivers.clock import VirtualClock
+from tumble.emulators.faults import At, Fault, Faults, FaultScript
+from tumble.emulators.stand_faults import StandFaults
 
 
 def one(clock=None, points=lambda: 0, **fault):

@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 from cantools.database import load_string
 
-import drivers.candaq.free
-from drivers.candaq import DaqFrames
-from drivers.candaq.free import FreeRunningDaq
-from drivers.clock import SystemClock
-from drivers.errors import DeviceError, NoReplyError
-from drivers.links.can_address import CanAddress
-from drivers.links.can_link import CanLink
-from drivers.protocols import Daq, Reconnectable, Remarking
+import tumble.drivers.candaq.free
+from tumble.drivers.candaq import DaqFrames
+from tumble.drivers.candaq.free import FreeRunningDaq
+from tumble.drivers.clock import SystemClock
+from tumble.drivers.errors import DeviceError, NoReplyError
+from tumble.drivers.links.can_address import CanAddress
+from tumble.drivers.links.can_link import CanLink
+from tumble.drivers.protocols import Daq, Reconnectable, Remarking
 
 DBC = """VERSION ""
 
@@ -80,7 +80,7 @@ def test_frames_that_were_lost_twice_are_told():
 
 
 def test_a_rate_that_is_not_its_own_is_told(monkeypatch):
-    monkeypatch.setattr(drivers.candaq.free, "_RATE_S", 0.05)
+    monkeypatch.setattr(tumble.drivers.candaq.free, "_RATE_S", 0.05)
     with (
         daq_on("free-3") as daq,
         sending("free-3", range(10_000)),
@@ -90,7 +90,7 @@ def test_a_rate_that_is_not_its_own_is_told(monkeypatch):
 
 
 def test_a_silent_one_is_told_with_what_was_dropped(monkeypatch):
-    monkeypatch.setattr(drivers.candaq.free, "FIRST_FRAME_S", 0.3)
+    monkeypatch.setattr(tumble.drivers.candaq.free, "FIRST_FRAME_S", 0.3)
     with daq_on("free-4") as daq, sending("free-4", range(10_000), data=lambda _: b"\x01"):
         with pytest.raises(
             NoReplyError, match=r"sent no ADC within 0.3 s \(frames of another length .* dropped: \d+\)"

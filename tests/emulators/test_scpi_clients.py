@@ -8,11 +8,11 @@ from functools import partial
 import numpy as np
 import pytest
 
-from drivers.simulated import Simulated, build
-from emulators.scpi import Multimeter, ScpiSession
-from emulators.serving import serve_tcp
-from emulators.speed import FasterClock
-from emulators.world import SharedWorld
+from tumble.drivers.simulated import Simulated, build
+from tumble.emulators.scpi import Multimeter, ScpiSession
+from tumble.emulators.serving import serve_tcp
+from tumble.emulators.speed import FasterClock
+from tumble.emulators.world import SharedWorld
 
 with warnings.catch_warnings():
     warnings.simplefilter("ignore")

@@ -3,8 +3,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scpi_bench import emulated
 
-from drivers.errors import NoReplyError
-from drivers.simulated import Simulated
+from tumble.drivers.errors import NoReplyError
+from tumble.drivers.simulated import Simulated
 
 QUIET = Simulated(noise_v=0.0)
 

@@ -2,7 +2,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from emulators.scpi.language import ScpiError, Tree, Unit, number, quoted, spellings, split, units, word
+from tumble.emulators.scpi.language import ScpiError, Tree, Unit, number, quoted, spellings, split, units, word
 
 RANGE = "[SENSe]:VOLTage[:DC]:RANGe[:UPPer]"
 

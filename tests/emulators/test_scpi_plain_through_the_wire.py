@@ -8,16 +8,16 @@ from functools import partial
 import numpy as np
 import pytest
 
-from drivers.errors import LinkLostError
-from drivers.links import SerialLink
-from drivers.scpi import ScpiMultimeter
-from drivers.simulated import Simulated, build
-from emulators.faults import Faults, FaultScript
-from emulators.scpi import Multimeter, ScpiSession
-from emulators.scpi.models import Messages
-from emulators.serving import Server, serve_pty, serve_tcp
-from emulators.speed import FasterClock
-from emulators.world import SharedWorld
+from tumble.drivers.errors import LinkLostError
+from tumble.drivers.links import SerialLink
+from tumble.drivers.scpi import ScpiMultimeter
+from tumble.drivers.simulated import Simulated, build
+from tumble.emulators.faults import Faults, FaultScript
+from tumble.emulators.scpi import Multimeter, ScpiSession
+from tumble.emulators.scpi.models import Messages
+from tumble.emulators.serving import Server, serve_pty, serve_tcp
+from tumble.emulators.speed import FasterClock
+from tumble.emulators.world import SharedWorld
 
 on_posix = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no pseudo-terminals")
 PORTS = [serve_tcp, pytest.param(serve_pty, marks=on_posix)]

@@ -9,15 +9,15 @@ from functools import partial
 import numpy as np
 import pytest
 
-from drivers.errors import DeviceError, LinkLostError
-from drivers.links import SerialLink
-from drivers.scpi import ScpiMultimeter
-from drivers.simulated import Simulated, build
-from emulators.faults import Faults, FaultScript
-from emulators.scpi import Multimeter, ScpiSession
-from emulators.serving import Server, serve_pty, serve_tcp
-from emulators.speed import FasterClock
-from emulators.world import SharedWorld
+from tumble.drivers.errors import DeviceError, LinkLostError
+from tumble.drivers.links import SerialLink
+from tumble.drivers.scpi import ScpiMultimeter
+from tumble.drivers.simulated import Simulated, build
+from tumble.emulators.faults import Faults, FaultScript
+from tumble.emulators.scpi import Multimeter, ScpiSession
+from tumble.emulators.serving import Server, serve_pty, serve_tcp
+from tumble.emulators.speed import FasterClock
+from tumble.emulators.world import SharedWorld
 
 on_posix = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no pseudo-terminals")
 

@@ -6,12 +6,12 @@ from threading import Event
 
 import pytest
 
-from drivers.errors import LinkLostError, NoReplyError
-from drivers.links import SerialLink
-from emulators import ports, serving
-from emulators.faults import Faults, FaultScript
-from emulators.ports import TcpChannel
-from emulators.serving import Server, serve_pty, serve_tcp
+from tumble.drivers.errors import LinkLostError, NoReplyError
+from tumble.drivers.links import SerialLink
+from tumble.emulators import ports, serving
+from tumble.emulators.faults import Faults, FaultScript
+from tumble.emulators.ports import TcpChannel
+from tumble.emulators.serving import Server, serve_pty, serve_tcp
 
 on_posix = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no pseudo-terminals")
 

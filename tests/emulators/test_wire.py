@@ -1,7 +1,7 @@
 import pytest
 
-from emulators.faults import Faults, FaultScript
-from emulators.wire import MOST_WAITING_BYTES, Wire
+from tumble.emulators.faults import Faults, FaultScript
+from tumble.emulators.wire import MOST_WAITING_BYTES, Wire
 
 
 class Echo:

@@ -1,7 +1,7 @@
 import pytest
 from zaber_stage import Stage
 
-from emulators.speed import FasterClock
+from tumble.emulators.speed import FasterClock
 
 
 @pytest.fixture

@@ -4,12 +4,12 @@ import pytest
 from zaber_motion import MotionLibException
 from zaber_motion.ascii import Connection, WarningFlags
 
-from drivers.simulated import HeadOptions, Simulated, build
-from emulators.faults import At, Fault, Faults, FaultScript
-from emulators.serving import serve_tcp
-from emulators.speed import FasterClock
-from emulators.world import SharedWorld
-from emulators.zaber import EmulatedZaber
+from tumble.drivers.simulated import HeadOptions, Simulated, build
+from tumble.emulators.faults import At, Fault, Faults, FaultScript
+from tumble.emulators.serving import serve_tcp
+from tumble.emulators.speed import FasterClock
+from tumble.emulators.world import SharedWorld
+from tumble.emulators.zaber import EmulatedZaber
 
 STALL = Fault(device="head", kind="stall", at=At(command=1, containing="move abs 90001"))
 

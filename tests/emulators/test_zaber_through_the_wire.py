@@ -8,15 +8,15 @@ from contextlib import contextmanager
 import pytest
 
 from benchmarks.endurance.rfc2217 import rfc2217_port
-from drivers.errors import LinkLostError
-from drivers.links import SerialLink
-from drivers.simulated import HeadOptions, Simulated, build
-from drivers.zaber import ZaberHead
-from emulators.faults import Faults, FaultScript
-from emulators.serving import Server, serve_pty, serve_tcp
-from emulators.speed import FasterClock
-from emulators.world import SharedWorld
-from emulators.zaber import EmulatedZaber
+from tumble.drivers.errors import LinkLostError
+from tumble.drivers.links import SerialLink
+from tumble.drivers.simulated import HeadOptions, Simulated, build
+from tumble.drivers.zaber import ZaberHead
+from tumble.emulators.faults import Faults, FaultScript
+from tumble.emulators.serving import Server, serve_pty, serve_tcp
+from tumble.emulators.speed import FasterClock
+from tumble.emulators.world import SharedWorld
+from tumble.emulators.zaber import EmulatedZaber
 
 on_posix = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no pseudo-terminals")
 

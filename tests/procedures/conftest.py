@@ -3,7 +3,7 @@
 import pytest
 from fakes import FakeStand, point_at
 
-from procedures.steps import Mounted, Mounting, Reply, Step
+from tumble.procedures.steps import Mounted, Mounting, Reply, Step
 
 
 @pytest.fixture

@@ -6,15 +6,15 @@ from functools import lru_cache
 
 import numpy as np
 
-from calibrations.geometry import projections
-from drivers.clock import VirtualClock
-from drivers.errors import DeviceError
-from drivers.protocols import HeadStatus, Identity, SampleBlock, Stand
-from procedures.acquisition import Acquisition
-from procedures.engine import Engine
-from procedures.events import Event
-from procedures.operator import Answer
-from procedures.steps import Dwell, Point
+from tumble.calibrations.geometry import projections
+from tumble.drivers.clock import VirtualClock
+from tumble.drivers.errors import DeviceError
+from tumble.drivers.protocols import HeadStatus, Identity, SampleBlock, Stand
+from tumble.procedures.acquisition import Acquisition
+from tumble.procedures.engine import Engine
+from tumble.procedures.events import Event
+from tumble.procedures.operator import Answer
+from tumble.procedures.steps import Dwell, Point
 
 QUICK = Acquisition(samples=10, rate_hz=100.0, settle_samples=2, settle_timeout_s=1.0)
 """Settings of a run that tests something else."""

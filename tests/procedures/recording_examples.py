@@ -6,9 +6,9 @@ from pathlib import Path
 
 import numpy as np
 
-from drivers.clock import VirtualClock
-from drivers.protocols import SampleBlock
-from procedures.events import (
+from tumble.drivers.clock import VirtualClock
+from tumble.drivers.protocols import SampleBlock
+from tumble.procedures.events import (
     Event,
     FinishReason,
     MountAnswered,
@@ -21,9 +21,9 @@ from procedures.events import (
     StepStarted,
     WarningRaised,
 )
-from procedures.recording.header import Header
-from procedures.recording.writer import Recorder
-from procedures.steps import Dwell, Mounting, Point
+from tumble.procedures.recording.header import Header
+from tumble.procedures.recording.writer import Recorder
+from tumble.procedures.steps import Dwell, Mounting, Point
 
 STARTED_NS = 1_800_000_000_000_000_000
 

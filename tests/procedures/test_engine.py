@@ -4,9 +4,9 @@ from dataclasses import replace
 import pytest
 from fakes import QUICK, FakeStand
 
-from drivers.errors import DeviceError
-from procedures.errors import ProcedureError
-from procedures.events import (
+from tumble.drivers.errors import DeviceError
+from tumble.procedures.errors import ProcedureError
+from tumble.procedures.events import (
     FinishReason,
     Identified,
     MountAnswered,
@@ -19,9 +19,9 @@ from procedures.events import (
     StepStarted,
     WarningRaised,
 )
-from procedures.operator import Answer
-from procedures.programme import programme_from_text
-from procedures.steps import Dwell, Mounted, Mounting, Point
+from tumble.procedures.operator import Answer
+from tumble.procedures.programme import programme_from_text
+from tumble.procedures.steps import Dwell, Mounted, Mounting, Point
 
 FLIPS = 'name = "flips"\n[[procedure]]\nkind = "flip"\naxes = ["y", "z"]\n'
 

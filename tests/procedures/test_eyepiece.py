@@ -4,16 +4,16 @@ from dataclasses import replace
 import pytest
 from fakes import QUICK, FakeDaq, FakeHead, MemorySink, point_at
 
-from drivers.clock import VirtualClock
-from drivers.manual import ManualHead
-from drivers.protocols import Stand
-from procedures.doubt import doubt
-from procedures.engine import Engine
-from procedures.events import FinishReason, PointCompleted, ReadingAnswered, ReadingRequested
-from procedures.eyepiece import OperatorEyepiece, on_the_circle
-from procedures.operator import Answers, ScriptedOperator
-from procedures.programme import programme_from_text
-from procedures.steps import Dwell
+from tumble.drivers.clock import VirtualClock
+from tumble.drivers.manual import ManualHead
+from tumble.drivers.protocols import Stand
+from tumble.procedures.doubt import doubt
+from tumble.procedures.engine import Engine
+from tumble.procedures.events import FinishReason, PointCompleted, ReadingAnswered, ReadingRequested
+from tumble.procedures.eyepiece import OperatorEyepiece, on_the_circle
+from tumble.procedures.operator import Answers, ScriptedOperator
+from tumble.procedures.programme import programme_from_text
+from tumble.procedures.steps import Dwell
 
 SWEEP = programme_from_text('name = "a"\n[[procedure]]\nkind = "sweep"\nstep_deg = 30\npoints = 12\n', "a.toml")
 

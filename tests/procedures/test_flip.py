@@ -6,8 +6,8 @@ from fakes import point_at
 from hypothesis import given
 from hypothesis import strategies as st
 
-from procedures.flip import Flip, extremum_deg
-from procedures.steps import Dwell
+from tumble.procedures.flip import Flip, extremum_deg
+from tumble.procedures.steps import Dwell
 
 
 def run(flip, voltage_v):

@@ -1,13 +1,13 @@
 import pytest
 from fakes import FakeHead, FakeStand
 
-from drivers.clock import VirtualClock
-from drivers.errors import DeviceError
-from procedures.approach import Approach, Place
-from procedures.errors import ProgrammeError
-from procedures.motion import Motion
-from procedures.plan import check_cable, check_limits, plan
-from procedures.programme import programme_from_text
+from tumble.drivers.clock import VirtualClock
+from tumble.drivers.errors import DeviceError
+from tumble.procedures.approach import Approach, Place
+from tumble.procedures.errors import ProgrammeError
+from tumble.procedures.motion import Motion
+from tumble.procedures.plan import check_cable, check_limits, plan
+from tumble.procedures.programme import programme_from_text
 
 HERE = Place(angle_deg=10.0, direction=1)
 

@@ -5,8 +5,8 @@ from threading import Event
 
 import pytest
 
-from procedures.errors import InputError, UnansweredError
-from procedures.operator import Answer, Answers, ConsoleOperator, ScriptedOperator, SeatingOperator, understand
+from tumble.procedures.errors import InputError, UnansweredError
+from tumble.procedures.operator import Answer, Answers, ConsoleOperator, ScriptedOperator, SeatingOperator, understand
 
 YES = Answer(text="yes", confirmed=True)
 SILENCE = Answer(text="", confirmed=False)

@@ -1,10 +1,10 @@
 import pytest
 
-from procedures.acquisition import Acquisition
-from procedures.errors import ProgrammeError
-from procedures.plan import check_limits, check_mounts, plan
-from procedures.programme import load_programme, programme_from_text
-from procedures.steps import Dwell, Mounting
+from tumble.procedures.acquisition import Acquisition
+from tumble.procedures.errors import ProgrammeError
+from tumble.procedures.plan import check_limits, check_mounts, plan
+from tumble.procedures.programme import load_programme, programme_from_text
+from tumble.procedures.steps import Dwell, Mounting
 
 SMALL = """\
 name = "small"

@@ -5,9 +5,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from procedures.errors import ProgrammeError
-from procedures.programme import load_programme, programme_from_text, shipped_programmes
-from procedures.steps import Dwell, Mounting
+from tumble.procedures.errors import ProgrammeError
+from tumble.procedures.programme import load_programme, programme_from_text, shipped_programmes
+from tumble.procedures.steps import Dwell, Mounting
 
 PROBES = [
     "probe-back",

@@ -3,13 +3,13 @@ import math
 import pytest
 from fakes import QUICK, FakeStand, point_at
 
-from drivers.clock import VirtualClock
-from procedures.acquisition import Acquisition
-from procedures.events import MountAnswered, PointCompleted, State, StateChanged, StepStarted
-from procedures.plan import plan
-from procedures.programme import programme_from_text
-from procedures.progress import Progress, TimeLeft
-from procedures.steps import Dwell, Mounting
+from tumble.drivers.clock import VirtualClock
+from tumble.procedures.acquisition import Acquisition
+from tumble.procedures.events import MountAnswered, PointCompleted, State, StateChanged, StepStarted
+from tumble.procedures.plan import plan
+from tumble.procedures.programme import programme_from_text
+from tumble.procedures.progress import Progress, TimeLeft
+from tumble.procedures.steps import Dwell, Mounting
 
 PROGRAMME = programme_from_text('name = "a"\n[[procedure]]\nkind = "sweep"\nstep_deg = 0\npoints = 5\n', "a.toml")
 # One dwell is planned to take 10 s, the mounting 60 s.

@@ -16,12 +16,12 @@ from mcap.writer import Writer
 from recording_examples import HEADER, completed, record, run_of, samples
 
 from benchmarks.endurance.flips import flips, places
-from procedures.recording import header as header_module
-from procedures.recording.errors import RecordingError
-from procedures.recording.frames import LARGEST_RECORD, frames
-from procedures.recording.header import Header, header_to_strings, is_intact
-from procedures.recording.observations import observations
-from procedures.recording.reader import complete_messages, iter_samples, leading, read_header, read_recording
+from tumble.procedures.recording import header as header_module
+from tumble.procedures.recording.errors import RecordingError
+from tumble.procedures.recording.frames import LARGEST_RECORD, frames
+from tumble.procedures.recording.header import Header, header_to_strings, is_intact
+from tumble.procedures.recording.observations import observations
+from tumble.procedures.recording.reader import complete_messages, iter_samples, leading, read_header, read_recording
 
 FIRST_FORMAT = Path(__file__).parent / "fixtures" / "recording_v1.mcap"
 
@@ -54,8 +54,8 @@ def as_format_2(monkeypatch):
     def strings(header):
         return {name: text for name, text in plain(header).items() if name != "header_sha256"}
 
-    monkeypatch.setattr("procedures.recording.writer.header_to_strings", strings)
-    monkeypatch.setattr("procedures.recording.writer.Writer", lambda stream, **_: Writer(stream))
+    monkeypatch.setattr("tumble.procedures.recording.writer.header_to_strings", strings)
+    monkeypatch.setattr("tumble.procedures.recording.writer.Writer", lambda stream, **_: Writer(stream))
     return replace(HEADER, format_version=2)
 
 
@@ -122,7 +122,7 @@ def test_what_follows_a_damaged_chunk_is_read(run):
 
 
 def test_a_block_that_lacks_a_message_in_its_middle_is_left_out(tmp_path):
-    from procedures.recording.blocks import join, split
+    from tumble.procedures.recording.blocks import join, split
 
     first, _, last = split(samples(0, range(2500)))
 
@@ -135,7 +135,7 @@ def test_a_header_with_another_content_is_refused(tmp_path, monkeypatch, name):
     strings = header_to_strings(HEADER)
     changed = {**strings, name: strings[name].replace(strings[name][-4], "3")}
     assert changed != strings
-    monkeypatch.setattr("procedures.recording.writer.header_to_strings", lambda header: changed)
+    monkeypatch.setattr("tumble.procedures.recording.writer.header_to_strings", lambda header: changed)
     path = record(tmp_path / "run.mcap", run_of(1))
 
     with pytest.raises(RecordingError, match=r"has a header that was damaged or altered \(its SHA-256 differs\)"):
@@ -144,7 +144,7 @@ def test_a_header_with_another_content_is_refused(tmp_path, monkeypatch, name):
 
 def test_a_header_of_this_format_without_its_hash_is_refused(tmp_path, monkeypatch):
     strings = {name: text for name, text in header_to_strings(HEADER).items() if name != "header_sha256"}
-    monkeypatch.setattr("procedures.recording.writer.header_to_strings", lambda header: strings)
+    monkeypatch.setattr("tumble.procedures.recording.writer.header_to_strings", lambda header: strings)
 
     with pytest.raises(RecordingError, match="was damaged or altered"):
         read_recording(record(tmp_path / "run.mcap", []))
@@ -256,7 +256,7 @@ def test_a_pipe_or_a_device_is_no_recording(tmp_path, make):
 
 
 def test_a_run_that_says_more_than_any_does_is_refused(run, monkeypatch):
-    monkeypatch.setattr("procedures.recording.reader._LARGEST_JOURNAL", 1000)
+    monkeypatch.setattr("tumble.procedures.recording.reader._LARGEST_JOURNAL", 1000)
 
     with pytest.raises(RecordingError, match="more than 0 MiB of its run, samples left out"):
         read_recording(run)

@@ -12,12 +12,12 @@ from hypothesis import strategies as st
 from mcap.reader import make_reader
 from recording_examples import FINISHED, HEADER, STARTED_NS, completed, record, run_of, samples
 
-from drivers.clock import VirtualClock
-from procedures.events import MountAnswered
-from procedures.recording.errors import RecordingError
-from procedures.recording.header import header_to_strings
-from procedures.recording.reader import iter_samples, read_recording
-from procedures.recording.writer import Recorder
+from tumble.drivers.clock import VirtualClock
+from tumble.procedures.events import MountAnswered
+from tumble.procedures.recording.errors import RecordingError
+from tumble.procedures.recording.header import header_to_strings
+from tumble.procedures.recording.reader import iter_samples, read_recording
+from tumble.procedures.recording.writer import Recorder
 
 posix = pytest.mark.skipif(os.name == "nt", reason="Windows lets nobody remove an open file")
 
@@ -125,8 +125,8 @@ import itertools, sys
 from pathlib import Path
 sys.path.insert(0, sys.argv[2])
 from recording_examples import HEADER, completed, samples
-from drivers.clock import VirtualClock
-from procedures.recording.writer import Recorder
+from tumble.drivers.clock import VirtualClock
+from tumble.procedures.recording.writer import Recorder
 
 with Recorder(Path(sys.argv[1]), HEADER, VirtualClock()) as recorder:
     for index in itertools.count():
@@ -262,7 +262,7 @@ def test_a_recording_of_a_newer_format_is_refused(tmp_path):
 def test_a_header_without_one_of_its_fields_is_said(tmp_path, monkeypatch):
     strings = header_to_strings(HEADER)
     del strings["operator"]
-    monkeypatch.setattr("procedures.recording.writer.header_to_strings", lambda header: strings)
+    monkeypatch.setattr("tumble.procedures.recording.writer.header_to_strings", lambda header: strings)
     path = record(tmp_path / "run.mcap", [])
 
     with pytest.raises(RecordingError, match="KeyError: 'operator'"):

@@ -2,10 +2,10 @@ import numpy as np
 import pytest
 from recording_examples import FINISHED, completed, record, run_of
 
-from calibrations.observations import SetAside
-from procedures.events import FinishReason, RunFinished, WarningRaised
-from procedures.recording.observations import observations
-from procedures.recording.reader import read_recording
+from tumble.calibrations.observations import SetAside
+from tumble.procedures.events import FinishReason, RunFinished, WarningRaised
+from tumble.procedures.recording.observations import observations
+from tumble.procedures.recording.reader import read_recording
 
 
 def reduce(tmp_path, events):

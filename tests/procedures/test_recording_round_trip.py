@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given
 from recording_examples import FINISHED, HEADER, POINT, completed, record, run_of, samples
 
-from drivers.protocols import SampleBlock
-from procedures.events import (
+from tumble.drivers.protocols import SampleBlock
+from tumble.procedures.events import (
     FinishReason,
     MountAnswered,
     MountRequested,
@@ -22,13 +22,13 @@ from procedures.events import (
     StepStarted,
     WarningRaised,
 )
-from procedures.recording.blocks import join, split
-from procedures.recording.contents import Said, contents
-from procedures.recording.header import Header, header_from_strings, header_to_strings
-from procedures.recording.messages import encode, from_message, to_messages
-from procedures.recording.reader import iter_samples, read_recording
-from procedures.recording.schemas import TOPICS, json_schema
-from procedures.steps import Dwell, Mounting, Point
+from tumble.procedures.recording.blocks import join, split
+from tumble.procedures.recording.contents import Said, contents
+from tumble.procedures.recording.header import Header, header_from_strings, header_to_strings
+from tumble.procedures.recording.messages import encode, from_message, to_messages
+from tumble.procedures.recording.reader import iter_samples, read_recording
+from tumble.procedures.recording.schemas import TOPICS, json_schema
+from tumble.procedures.steps import Dwell, Mounting, Point
 
 
 def through_json(event):

@@ -10,10 +10,10 @@ import pytest
 from mcap.reader import make_reader
 from recording_examples import FINISHED, HEADER, STARTED_NS, completed, record, run_of, samples
 
-from drivers.clock import VirtualClock
-from procedures.recording.header import header_to_strings
-from procedures.recording.reader import read_recording
-from procedures.recording.writer import Recorder
+from tumble.drivers.clock import VirtualClock
+from tumble.procedures.recording.header import header_to_strings
+from tumble.procedures.recording.reader import read_recording
+from tumble.procedures.recording.writer import Recorder
 
 JAVASCRIPT = Path(__file__).parent / "mcap_js"
 

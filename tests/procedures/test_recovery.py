@@ -3,11 +3,11 @@ from dataclasses import replace
 import pytest
 from fakes import QUICK, FakeDaq, FakeHead, FakeStand
 
-from drivers.clock import VirtualClock
-from drivers.errors import DeviceError, LinkLostError, NoReplyError, ReferenceLostError
-from drivers.protocols import HeadStatus, Identity
-from procedures.events import FinishReason, Identified, PointCompleted, SamplesAcquired, WarningRaised
-from procedures.programme import programme_from_text
+from tumble.drivers.clock import VirtualClock
+from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError, ReferenceLostError
+from tumble.drivers.protocols import HeadStatus, Identity
+from tumble.procedures.events import FinishReason, Identified, PointCompleted, SamplesAcquired, WarningRaised
+from tumble.procedures.programme import programme_from_text
 
 SWEEP = programme_from_text(
     'name = "a"\n[[procedure]]\nkind = "sweep"\nstart_deg = 40\nstep_deg = -5\npoints = 4\n', "a"

@@ -5,12 +5,12 @@ from fakes import FakeStand, point_at
 from hypothesis import given
 from hypothesis import strategies as st
 
-from procedures.errors import JournalError
-from procedures.events import FinishReason, MountAnswered, PointCompleted, StepStarted
-from procedures.operator import Answer
-from procedures.programme import programme_from_text
-from procedures.replay import replay
-from procedures.steps import Dwell, Mounted, Mounting
+from tumble.procedures.errors import JournalError
+from tumble.procedures.events import FinishReason, MountAnswered, PointCompleted, StepStarted
+from tumble.procedures.operator import Answer
+from tumble.procedures.programme import programme_from_text
+from tumble.procedures.replay import replay
+from tumble.procedures.steps import Dwell, Mounted, Mounting
 
 PARTS = [
     '[[procedure]]\nkind = "flip"\naxes = ["x", "z"]\npole = "extremum"\n',

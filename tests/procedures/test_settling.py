@@ -6,11 +6,11 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from drivers.clock import VirtualClock
-from drivers.protocols import Identity, SampleBlock
-from procedures.acquisition import Acquisition
-from procedures.reduction import Reduction, reduce_block
-from procedures.settling import agree, settle
+from tumble.drivers.clock import VirtualClock
+from tumble.drivers.protocols import Identity, SampleBlock
+from tumble.procedures.acquisition import Acquisition
+from tumble.procedures.reduction import Reduction, reduce_block
+from tumble.procedures.settling import agree, settle
 
 ACQUISITION = Acquisition(samples=100, rate_hz=100.0, settle_s=0.5, settle_samples=10, settle_timeout_s=3.0)
 

@@ -3,8 +3,8 @@ from pathlib import Path
 import pytest
 from pydantic import BaseModel, ConfigDict
 
-from procedures.errors import InputError
-from procedures.toml_lines import line_of, load_toml, parse_toml
+from tumble.procedures.errors import InputError
+from tumble.procedures.toml_lines import line_of, load_toml, parse_toml
 
 TEXT = """\
 name = "bench"

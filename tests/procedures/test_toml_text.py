@@ -2,10 +2,10 @@
 
 import pytest
 
-from procedures.errors import InputError
-from procedures.programme import Programme, load_programme
-from procedures.toml_lines import MOST_BYTES, line_of, load_toml, parse_toml, read_text
-from procedures.toml_text import read_toml
+from tumble.procedures.errors import InputError
+from tumble.procedures.programme import Programme, load_programme
+from tumble.procedures.toml_lines import MOST_BYTES, line_of, load_toml, parse_toml, read_text
+from tumble.procedures.toml_text import read_toml
 
 PROGRAMME = 'name = "p"\n[[procedure]]\nkind = "flip"\naxes = ["x"]\n'
 BEYOND = {

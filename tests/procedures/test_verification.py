@@ -4,11 +4,11 @@ from dataclasses import replace
 import pytest
 from fakes import FakeStand, point_at
 
-from procedures.events import FinishReason, PointVerified, RunResumed
-from procedures.programme import programme_from_text
-from procedures.reduction import Reduction
-from procedures.steps import Dwell
-from procedures.verification import allowed_v
+from tumble.procedures.events import FinishReason, PointVerified, RunResumed
+from tumble.procedures.programme import programme_from_text
+from tumble.procedures.reduction import Reduction
+from tumble.procedures.steps import Dwell
+from tumble.procedures.verification import allowed_v
 
 SWEEP = programme_from_text('name = "a"\n[[procedure]]\nkind = "sweep"\nstep_deg = 30\npoints = 4\n', "a.toml")
 DWELL = Dwell(angle_deg=5.0, procedure="sweep", realisation=1, mount="face-up")

@@ -6,8 +6,8 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtWidgets import QApplication, QMenu
 
-from app.stand import load_stand
-from window import menus
+from tumble.app.stand import load_stand
+from tumble.window import menus
 
 
 class _Elsewhere:

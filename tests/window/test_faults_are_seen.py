@@ -7,9 +7,9 @@ import pytest
 from dialogs_of_the_window import ROOT
 from PySide6.QtCore import Qt, QTimer
 
-from drivers.simulated.head import SimulatedHead
-from procedures.events import WarningRaised
-from window.work import printing
+from tumble.drivers.simulated.head import SimulatedHead
+from tumble.procedures.events import WarningRaised
+from tumble.window.work import printing
 
 FAULT = "A fault of the program; the head was told to stop."
 

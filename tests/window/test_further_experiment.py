@@ -1,8 +1,8 @@
 from PySide6.QtCore import Qt
 from window_driver import STAND
 
-from procedures.programme import load_programme
-from procedures.recording.reader import read_recording
+from tumble.procedures.programme import load_programme
+from tumble.procedures.recording.reader import read_recording
 
 CUBIC = STAND.replace('preset = "DXL203EB"', 'preset = "DXL203EB"\nnoise_v = 2e-5\neffects = { k_xxx = 5e-4 }')
 SWEEPS = """\
@@ -49,7 +49,7 @@ def test_the_closed_loop_asks_for_an_experiment_that_a_key_runs(driver, write, m
     assert result.loop.experiments.item(0).text().startswith("probe-face-up-90")
     assert result.loop.run_button.isEnabled()
 
-    monkeypatch.setattr("window.screens.result.load_programme", lambda name: load_programme(probes[name]))
+    monkeypatch.setattr("tumble.window.screens.result.load_programme", lambda name: load_programme(probes[name]))
     driver.press(Qt.Key.Key_F5)
     driver.wait(lambda: result.presentation is not first or driver.complaints, 120)
 

@@ -9,10 +9,10 @@ from PySide6.QtCore import QSettings, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QAbstractButton, QLabel, QWidget
 
-import window
-from window.look.language import Language, speak
-from window.look.numbers import local, minutes, parse_number
-from window.look.sentences import in_language
+from tumble import window
+from tumble.window.look.language import Language, speak
+from tumble.window.look.numbers import local, minutes, parse_number
+from tumble.window.look.sentences import in_language
 
 ROOT = Path(window.__file__).parent
 TEXTS = ROOT / "translations" / "tumble_uk.ts"

@@ -4,8 +4,8 @@ import sys
 import pytest
 from click.testing import CliRunner
 
-from app.cli import cli
-from window import libraries
+from tumble.app.cli import cli
+from tumble.window import libraries
 
 
 def test_the_command_line_starts_without_qt():

@@ -8,14 +8,14 @@ from dialogs_of_the_window import ROOT
 from PySide6.QtCore import Qt
 from window_driver import STAND
 
-from app.stand import load_stand
-from drivers.errors import DeviceError
-from drivers.protocols import HeadStatus
-from drivers.simulated.daq import SimulatedDaq
-from procedures.errors import InputError
-from procedures.events import Identified
-from procedures.programme import load_programme
-from window.widgets.dialog import QuestionDialog
+from tumble.app.stand import load_stand
+from tumble.drivers.errors import DeviceError
+from tumble.drivers.protocols import HeadStatus
+from tumble.drivers.simulated.daq import SimulatedDaq
+from tumble.procedures.errors import InputError
+from tumble.procedures.events import Identified
+from tumble.procedures.programme import load_programme
+from tumble.window.widgets.dialog import QuestionDialog
 
 
 @pytest.fixture

@@ -1,11 +1,11 @@
 import pytest
 from PySide6.QtCore import Qt
 
-from calibrations.records.store import Store
-from drivers.simulated.head import SimulatedHead
-from procedures.events import FinishReason, State
-from procedures.recording.reader import read_recording
-from window.screens.run import Phase
+from tumble.calibrations.records.store import Store
+from tumble.drivers.simulated.head import SimulatedHead
+from tumble.procedures.events import FinishReason, State
+from tumble.procedures.recording.reader import read_recording
+from tumble.window.screens.run import Phase
 
 
 @pytest.fixture

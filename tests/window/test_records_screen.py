@@ -6,7 +6,7 @@ from PySide6.QtCore import QDate
 from pytestqt.qtbot import QtBot
 from window_driver import TINY
 
-from calibrations.records.store import Store
+from tumble.calibrations.records.store import Store
 
 
 @pytest.fixture(scope="module")
@@ -17,7 +17,7 @@ def two_records(request, shared_window, driver_of, tmp_path_factory):
     shared_window.window.stand.simulation.speed.setCurrentIndex(0)
     driver = driver_of(QtBot(request), shared_window)
     with pytest.MonkeyPatch.context() as patched:
-        patched.setattr("calibrations.report.render_report", lambda *_, **__: "<html></html>")
+        patched.setattr("tumble.calibrations.report.render_report", lambda *_, **__: "<html></html>")
         for serial in ("A-1", "B-2"):
             driver.start(programme, serial)
             driver.wait_for_result()

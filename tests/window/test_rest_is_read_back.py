@@ -5,8 +5,8 @@ from dataclasses import replace
 import pytest
 from PySide6.QtCore import Qt
 
-from drivers.simulated.head import SimulatedHead
-from procedures.events import State
+from tumble.drivers.simulated.head import SimulatedHead
+from tumble.procedures.events import State
 
 UNREAD = "its standstill could not be read back"
 

@@ -4,11 +4,11 @@ import pytest
 from PySide6.QtCore import Qt
 from window_driver import TINY
 
-from drivers.errors import DeviceError
-from drivers.simulated.daq import SimulatedDaq
-from procedures.events import RunFinished
-from procedures.recording.reader import read_recording
-from procedures.recording.writer import Recorder
+from tumble.drivers.errors import DeviceError
+from tumble.drivers.simulated.daq import SimulatedDaq
+from tumble.procedures.events import RunFinished
+from tumble.procedures.recording.reader import read_recording
+from tumble.procedures.recording.writer import Recorder
 
 
 @pytest.fixture

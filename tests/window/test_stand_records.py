@@ -1,8 +1,8 @@
 import numpy as np
 from head_tables import rests
 
-from app.referencing import learn_from_reference
-from calibrations.table import write_table
+from tumble.app.referencing import learn_from_reference
+from tumble.calibrations.table import write_table
 
 STAND = {"name": "bench-9", "head": {"driver": "simulated", "serial": "H-1"}, "daq": {"driver": "simulated"}}
 

@@ -5,7 +5,7 @@ from PySide6.QtCore import QSettings, Qt
 from PySide6.QtWidgets import QWidget
 from window_driver import STAND
 
-from window.look.theme import DARK, LIGHT, colours
+from tumble.window.look.theme import DARK, LIGHT, colours
 
 
 @pytest.fixture

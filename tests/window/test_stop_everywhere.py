@@ -9,10 +9,10 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from window_driver import STAND
 
-from window import menus
-from window.look.language import Language
-from window.stop_guard import STOP_KEYS
-from window.widgets.dialog import Dialog
+from tumble.window import menus
+from tumble.window.look.language import Language
+from tumble.window.stop_guard import STOP_KEYS
+from tumble.window.widgets.dialog import Dialog
 
 MODAL = re.compile(r"Modal|WindowModality|\bexec\b")
 A_WINDOW_OF_ITS_OWN = re.compile(r"Q\w*Dialog|QMessageBox|QMenu|QWizard|\w*Dialogs?")

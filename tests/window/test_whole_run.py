@@ -1,7 +1,7 @@
 import pytest
 from PySide6.QtCore import Qt
 
-from calibrations.records.store import Store
+from tumble.calibrations.records.store import Store
 
 
 @pytest.fixture

@@ -5,12 +5,12 @@ import pytest
 from PySide6.QtCore import Qt
 from window_driver import TINY
 
-from drivers.errors import DeviceError
-from drivers.simulated.daq import SimulatedDaq
-from procedures.events import FinishReason
-from procedures.recording.reader import read_recording
-from window.widgets.problem import ProblemDialog, keep_details
-from window.work.live_fit import fit_live
+from tumble.drivers.errors import DeviceError
+from tumble.drivers.simulated.daq import SimulatedDaq
+from tumble.procedures.events import FinishReason
+from tumble.procedures.recording.reader import read_recording
+from tumble.window.widgets.problem import ProblemDialog, keep_details
+from tumble.window.work.live_fit import fit_live
 
 LOST = DeviceError("voltmeter", "does not answer", "check its cable, then resume the run")
 
@@ -93,7 +93,7 @@ def test_an_exception_anywhere_becomes_a_dialog_and_stops_the_run(driver, long, 
 
 
 def test_a_fault_in_the_analysis_is_a_dialog_too(driver, tiny, monkeypatch):
-    monkeypatch.setattr("app.analysing.explain", lambda *_: 1 / 0)
+    monkeypatch.setattr("tumble.app.analysing.explain", lambda *_: 1 / 0)
     driver.start(tiny)
     driver.wait(lambda: driver.complaints)
     assert driver.complaints == ["A fault of the program; the head was told to stop."]
@@ -131,5 +131,5 @@ def test_details_of_a_user_without_a_home_are_kept_nowhere(monkeypatch):
     def homeless():
         raise RuntimeError("Could not determine home directory.")
 
-    monkeypatch.setattr("window.widgets.problem.state_folder", homeless)
+    monkeypatch.setattr("tumble.window.widgets.problem.state_folder", homeless)
     assert keep_details(ZeroDivisionError("x")) == Path("-")

@@ -2,8 +2,8 @@ import pytest
 from PySide6.QtCore import Qt
 from window_driver import STAND
 
-from drivers.manual import parse_reading
-from procedures.recording.reader import read_recording
+from tumble.drivers.manual import parse_reading
+from tumble.procedures.recording.reader import read_recording
 
 MANUAL = STAND.replace('driver = "simulated"\nlimits', 'driver = "manual"\nserial = "OG-7"\nlimits')
 THIRTY = """\

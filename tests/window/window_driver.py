@@ -2,8 +2,8 @@
 
 from PySide6.QtCore import Qt
 
-from app.stand import load_stand
-from window.screens.run import Phase
+from tumble.app.stand import load_stand
+from tumble.window.screens.run import Phase
 
 STAND = """\
 name = "bench-1"
@@ -127,6 +127,6 @@ class Driver:
     @property
     def complaints(self):
         """What the dialogs that are open say."""
-        from window.widgets.problem import ProblemDialog
+        from tumble.window.widgets.problem import ProblemDialog
 
         return [dialog.text() for dialog in self.window.findChildren(ProblemDialog) if dialog.isVisible()]

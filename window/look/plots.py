@@ -7,8 +7,8 @@ from PySide6.QtCore import QEvent, QSize, Signal
 from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QWidget
 
-from window.look.numbers import local
-from window.look.theme import Colours, colours
+from tumble.window.look.numbers import local
+from tumble.window.look.theme import Colours, colours
 
 _WIDE_LINES, _HIGH_LINES = 11, 7
 """Least size, in lines of text."""

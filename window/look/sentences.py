@@ -10,8 +10,8 @@ from typing import Final
 
 from PySide6.QtCore import QCoreApplication
 
-from drivers.manual import format_dms
-from procedures.events import (
+from tumble.drivers.manual import format_dms
+from tumble.procedures.events import (
     Event,
     Identified,
     MountAnswered,
@@ -24,9 +24,9 @@ from procedures.events import (
     StateChanged,
     WarningRaised,
 )
-from window.look.analysis_clauses import ANALYSIS_CLAUSES
-from window.look.clauses import CLAUSES
-from window.look.numbers import local
+from tumble.window.look.analysis_clauses import ANALYSIS_CLAUSES
+from tumble.window.look.clauses import CLAUSES
+from tumble.window.look.numbers import local
 
 _BRACES: Final = "((?:(?!; ).)+?)"
 """Anything but the border of two clauses."""

@@ -5,12 +5,12 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from window.look.sentences import in_language
-from window.widgets.motion_button import MotionButton
-from window.widgets.table import Table
+from tumble.window.look.sentences import in_language
+from tumble.window.widgets.motion_button import MotionButton
+from tumble.window.widgets.table import Table
 
 if TYPE_CHECKING:
-    from app.cut_off import CutOff
+    from tumble.app.cut_off import CutOff
 
 
 class CutOffView(QWidget):

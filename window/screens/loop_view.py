@@ -6,15 +6,15 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QLabel, QListWidget, QVBoxLayout, QWidget
 
-from window.look.numbers import local, minutes
-from window.look.plain import PlainLabel
-from window.look.sentences import in_language
-from window.widgets.motion_button import MotionButton
-from window.widgets.table import Table
-from window.work.presentation import Presentation
+from tumble.window.look.numbers import local, minutes
+from tumble.window.look.plain import PlainLabel
+from tumble.window.look.sentences import in_language
+from tumble.window.widgets.motion_button import MotionButton
+from tumble.window.widgets.table import Table
+from tumble.window.work.presentation import Presentation
 
 if TYPE_CHECKING:
-    from calibrations.tracing.experiments import Experiment
+    from tumble.calibrations.tracing.experiments import Experiment
 
 
 class LoopView(QWidget):

@@ -8,28 +8,28 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QTabWidget, QVBoxLayout, QWidget
 
-from calibrations.quantities import format_concise
-from calibrations.records.record import Record
-from calibrations.result import Parameter
-from calibrations.verdict import Outcome
-from procedures.errors import InputError
-from window.look.numbers import local
-from window.look.plain import PlainLabel
-from window.look.sentences import in_language
-from window.screens.cut_off_view import CutOffView
-from window.screens.stand_records import StandRecords
-from window.widgets.dialog import FileDialog, QuestionDialog
-from window.widgets.record_search import RecordSearch
-from window.widgets.splitter import Splitter
-from window.widgets.table import Table
-from window.widgets.trend_plot import TrendPlot
-from window.work import records as store
-from window.work.activity import Resumption
-from window.work.background import Background
+from tumble.calibrations.quantities import format_concise
+from tumble.calibrations.records.record import Record
+from tumble.calibrations.result import Parameter
+from tumble.calibrations.verdict import Outcome
+from tumble.procedures.errors import InputError
+from tumble.window.look.numbers import local
+from tumble.window.look.plain import PlainLabel
+from tumble.window.look.sentences import in_language
+from tumble.window.screens.cut_off_view import CutOffView
+from tumble.window.screens.stand_records import StandRecords
+from tumble.window.widgets.dialog import FileDialog, QuestionDialog
+from tumble.window.widgets.record_search import RecordSearch
+from tumble.window.widgets.splitter import Splitter
+from tumble.window.widgets.table import Table
+from tumble.window.widgets.trend_plot import TrendPlot
+from tumble.window.work import records as store
+from tumble.window.work.activity import Resumption
+from tumble.window.work.background import Background
 
 if TYPE_CHECKING:
-    from calibrations.records.compare import Difference
-    from calibrations.records.verify import Verification
+    from tumble.calibrations.records.compare import Difference
+    from tumble.calibrations.records.verify import Verification
 
 _FORMATS: Final = "JSON (*.json);;HTML (*.html);;CSV (*.csv);;PDF (*.pdf)"
 

@@ -8,22 +8,22 @@ from PySide6.QtCore import QUrl, Signal
 from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QTabWidget, QVBoxLayout, QWidget
 
-from app.running import Job
-from app.stand import LoadedStand, same_instruments
-from calibrations.usable import Model
-from calibrations.verdict import Outcome, Verdict
-from procedures.errors import InputError
-from procedures.programme import load_programme
-from window.look.plain import PlainLabel
-from window.look.sentences import in_language
-from window.look.theme import colours
-from window.screens.loop_view import LoopView
-from window.widgets.correlation_table import CorrelationTable
-from window.widgets.result_plots import FitPlot, ResidualFigure
-from window.widgets.table import Table
-from window.work.activity import Concluded, FurtherExperiment
-from window.work.background import Background
-from window.work.presentation import Presentation, present
+from tumble.app.running import Job
+from tumble.app.stand import LoadedStand, same_instruments
+from tumble.calibrations.usable import Model
+from tumble.calibrations.verdict import Outcome, Verdict
+from tumble.procedures.errors import InputError
+from tumble.procedures.programme import load_programme
+from tumble.window.look.plain import PlainLabel
+from tumble.window.look.sentences import in_language
+from tumble.window.look.theme import colours
+from tumble.window.screens.loop_view import LoopView
+from tumble.window.widgets.correlation_table import CorrelationTable
+from tumble.window.widgets.result_plots import FitPlot, ResidualFigure
+from tumble.window.widgets.table import Table
+from tumble.window.work.activity import Concluded, FurtherExperiment
+from tumble.window.work.background import Background
+from tumble.window.work.presentation import Presentation, present
 
 
 class ResultScreen(QWidget):

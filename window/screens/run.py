@@ -8,29 +8,29 @@ from PySide6.QtCore import Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QVBoxLayout, QWidget
 
-from app.exits import Exit, JobError
-from app.wiring import Attendant
-from drivers.protocols import HeadStatus
-from procedures.errors import InputError
-from procedures.events import Event, ReadingRequested, RunFinished, State, StateChanged
-from procedures.progress import TimeLeft
-from procedures.steps import Point
-from window.look.numbers import local, minutes
-from window.look.sentences import in_language
-from window.screens.run_state import Phase, RunState
-from window.screens.run_view import RunView
-from window.widgets.motion_button import MotionButton
-from window.widgets.prompts import ReadingPrompt
-from window.widgets.resume_offer import ResumeOffer
-from window.widgets.run_form import RunForm
-from window.work.activity import Activity, Calibration, Concluded
-from window.work.background import Background
-from window.work.bridge import EventBridge
-from window.work.operator import SEATED, WindowOperator
-from window.work.stand_worker import StandWorker
+from tumble.app.exits import Exit, JobError
+from tumble.app.wiring import Attendant
+from tumble.drivers.protocols import HeadStatus
+from tumble.procedures.errors import InputError
+from tumble.procedures.events import Event, ReadingRequested, RunFinished, State, StateChanged
+from tumble.procedures.progress import TimeLeft
+from tumble.procedures.steps import Point
+from tumble.window.look.numbers import local, minutes
+from tumble.window.look.sentences import in_language
+from tumble.window.screens.run_state import Phase, RunState
+from tumble.window.screens.run_view import RunView
+from tumble.window.widgets.motion_button import MotionButton
+from tumble.window.widgets.prompts import ReadingPrompt
+from tumble.window.widgets.resume_offer import ResumeOffer
+from tumble.window.widgets.run_form import RunForm
+from tumble.window.work.activity import Activity, Calibration, Concluded
+from tumble.window.work.background import Background
+from tumble.window.work.bridge import EventBridge
+from tumble.window.work.operator import SEATED, WindowOperator
+from tumble.window.work.stand_worker import StandWorker
 
 if TYPE_CHECKING:
-    from app.cut_off import CutOff
+    from tumble.app.cut_off import CutOff
 
 
 class RunScreen(QWidget):

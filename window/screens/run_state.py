@@ -6,8 +6,8 @@ from typing import Final
 
 from PySide6.QtCore import QCoreApplication
 
-from procedures.events import State
-from window.look.sentences import state_name
+from tumble.procedures.events import State
+from tumble.window.look.sentences import state_name
 
 translate: Final = QCoreApplication.translate
 

@@ -7,19 +7,19 @@ import numpy as np
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
 
-from drivers.protocols import HeadStatus, SampleBlock
-from procedures.events import Event, PointCompleted, SamplesAcquired, StepStarted, WarningRaised
-from procedures.plan import Plan
-from procedures.steps import Dwell, Point
-from window.look.sentences import sentence_of
-from window.widgets.dial import Dial
-from window.widgets.pose_map import PoseMap
-from window.widgets.prompts import MountPrompt
-from window.widgets.run_log import RunLog
-from window.widgets.run_plots import OutputPlot, ResidualPlot, SamplesPlot, TemperaturePlot
-from window.widgets.splitter import Splitter
-from window.work.background import Background
-from window.work.live_fit import LiveFit, fit_live
+from tumble.drivers.protocols import HeadStatus, SampleBlock
+from tumble.procedures.events import Event, PointCompleted, SamplesAcquired, StepStarted, WarningRaised
+from tumble.procedures.plan import Plan
+from tumble.procedures.steps import Dwell, Point
+from tumble.window.look.sentences import sentence_of
+from tumble.window.widgets.dial import Dial
+from tumble.window.widgets.pose_map import PoseMap
+from tumble.window.widgets.prompts import MountPrompt
+from tumble.window.widgets.run_log import RunLog
+from tumble.window.widgets.run_plots import OutputPlot, ResidualPlot, SamplesPlot, TemperaturePlot
+from tumble.window.widgets.splitter import Splitter
+from tumble.window.work.background import Background
+from tumble.window.work.live_fit import LiveFit, fit_live
 
 _REDRAW_MS: Final = 50
 _REFIT_MS: Final = 400

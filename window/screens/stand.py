@@ -6,23 +6,23 @@ from pathlib import Path
 from PySide6.QtCore import QSettings, Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
-from app.stand import LoadedStand, load_stand
-from app.wiring import Attendant
-from drivers.protocols import HeadStatus, Identity
-from procedures.errors import InputError
-from procedures.events import Event, Identified
-from window.look.plain import PlainLabel
-from window.look.sentences import in_language
-from window.widgets.dial import Dial
-from window.widgets.dialog import FileDialog
-from window.widgets.instrument_table import InstrumentTable
-from window.widgets.jog import Jog
-from window.widgets.simulation_settings import SimulationSettings
-from window.widgets.splitter import Splitter
-from window.work.bridge import EventBridge
-from window.work.operator import WindowOperator
-from window.work.session import StandIdentity
-from window.work.stand_worker import StandWorker
+from tumble.app.stand import LoadedStand, load_stand
+from tumble.app.wiring import Attendant
+from tumble.drivers.protocols import HeadStatus, Identity
+from tumble.procedures.errors import InputError
+from tumble.procedures.events import Event, Identified
+from tumble.window.look.plain import PlainLabel
+from tumble.window.look.sentences import in_language
+from tumble.window.widgets.dial import Dial
+from tumble.window.widgets.dialog import FileDialog
+from tumble.window.widgets.instrument_table import InstrumentTable
+from tumble.window.widgets.jog import Jog
+from tumble.window.widgets.simulation_settings import SimulationSettings
+from tumble.window.widgets.splitter import Splitter
+from tumble.window.work.bridge import EventBridge
+from tumble.window.work.operator import WindowOperator
+from tumble.window.work.session import StandIdentity
+from tumble.window.work.stand_worker import StandWorker
 
 
 class StandScreen(QWidget):

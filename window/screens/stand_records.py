@@ -7,10 +7,10 @@ import pyqtgraph as pg
 from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QComboBox, QVBoxLayout, QWidget
 
-from window.look.plots import Plot
+from tumble.window.look.plots import Plot
 
 if TYPE_CHECKING:  # the analysis takes half a second: a window is up before that
-    from calibrations.stand_records.record import StandRecord
+    from tumble.calibrations.stand_records.record import StandRecord
 
 _ARCSEC = 3600.0
 
@@ -41,7 +41,7 @@ class StandRecords(QWidget):
         self.choice.addItems([f"{each.identity.stand} {each.version}, {each.status}" for each in self._records])
 
     def _draw(self, place: int) -> None:
-        from app.stand_records import head_map_curve
+        from tumble.app.stand_records import head_map_curve
 
         curve = head_map_curve(self._records[place]) if 0 <= place < len(self._records) else None
         if curve is None:

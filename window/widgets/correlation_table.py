@@ -3,8 +3,8 @@
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QHeaderView, QTableWidget, QTableWidgetItem, QWidget
 
-from window.look.numbers import local
-from window.work.presentation import Presentation
+from tumble.window.look.numbers import local
+from tumble.window.work.presentation import Presentation
 
 _BLUE, _ORANGE = "#0072B2", "#D55E00"
 

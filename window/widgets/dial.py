@@ -7,10 +7,10 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QWidget
 
-from drivers.manual import format_dms
-from drivers.protocols import HeadStatus
-from window.look.numbers import local
-from window.look.theme import Colours, colours
+from tumble.drivers.manual import format_dms
+from tumble.drivers.protocols import HeadStatus
+from tumble.window.look.numbers import local
+from tumble.window.look.theme import Colours, colours
 
 _TICK_DEG: Final = 10
 _LABEL_DEG: Final = 30

@@ -10,8 +10,8 @@ from typing import Final
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QFileDialog, QFrame, QHBoxLayout, QLabel, QPushButton, QScrollArea, QVBoxLayout, QWidget
 
-from window.look.plain import PlainLabel
-from window.widgets.motion_button import MotionButton
+from tumble.window.look.plain import PlainLabel
+from tumble.window.widgets.motion_button import MotionButton
 
 YES_KEY: Final = "F3"
 """No scanner types it, and nothing else uses it."""

@@ -6,10 +6,10 @@ from typing import Final
 from PySide6.QtCore import QDate, QLocale, Qt
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
 
-from app.stand import LoadedStand
-from drivers.protocols import Identity
-from drivers.tables import Instrument
-from window.look.plain import PlainLabel
+from tumble.app.stand import LoadedStand
+from tumble.drivers.protocols import Identity
+from tumble.drivers.tables import Instrument
+from tumble.window.look.plain import PlainLabel
 
 _SOON: Final = timedelta(days=30)
 

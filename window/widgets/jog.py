@@ -5,9 +5,9 @@ from typing import Final
 from PySide6.QtCore import QSettings, Signal
 from PySide6.QtWidgets import QComboBox, QFrame, QGridLayout, QLabel, QLineEdit, QWidget
 
-from drivers.manual import parse_reading
-from window.look.numbers import local
-from window.widgets.motion_button import MotionButton
+from tumble.drivers.manual import parse_reading
+from tumble.window.look.numbers import local
+from tumble.window.widgets.motion_button import MotionButton
 
 _STEPS_DEG: Final = ("0.01", "0.1", "1", "5", "10", "45", "90")
 

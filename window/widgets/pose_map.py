@@ -10,8 +10,8 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QBrush, QColor, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QWidget
 
-from procedures.steps import Dwell
-from window.look.theme import Colours, colours
+from tumble.procedures.steps import Dwell
+from tumble.window.look.theme import Colours, colours
 
 Pose: TypeAlias = tuple[str, float]
 """Mount and head angle within the turn."""

@@ -8,8 +8,8 @@ from PySide6.QtCore import QEvent, QPointF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QWidget
 
-from calibrations.geometry import MOUNTS, FloatArray
-from window.look.theme import Colours, colours
+from tumble.calibrations.geometry import MOUNTS, FloatArray
+from tumble.window.look.theme import Colours, colours
 
 _HALF_SIZES: Final = (0.62, 0.42, 0.16)
 """Of the unit along Ox, Oy, Oz: a flat box whose axes cannot be taken for each other."""

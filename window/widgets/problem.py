@@ -7,11 +7,11 @@ from typing import Final
 
 from PySide6.QtCore import QCoreApplication
 
-from app.exits import status_of
-from drivers.private_files import state_folder
-from window.look.plain import PlainLabel
-from window.look.sentences import in_language
-from window.widgets.dialog import Dialog
+from tumble.app.exits import status_of
+from tumble.drivers.private_files import state_folder
+from tumble.window.look.plain import PlainLabel
+from tumble.window.look.sentences import in_language
+from tumble.window.widgets.dialog import Dialog
 
 translate: Final = QCoreApplication.translate
 

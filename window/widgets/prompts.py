@@ -3,13 +3,13 @@
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QLineEdit, QVBoxLayout, QWidget
 
-from procedures.eyepiece import on_the_circle
-from window.look.numbers import local
-from window.look.plain import PlainLabel
-from window.look.sentences import in_language
-from window.widgets.huge_label import HugeLabel
-from window.widgets.motion_button import MotionButton
-from window.widgets.pose_picture import PosePicture
+from tumble.procedures.eyepiece import on_the_circle
+from tumble.window.look.numbers import local
+from tumble.window.look.plain import PlainLabel
+from tumble.window.look.sentences import in_language
+from tumble.window.widgets.huge_label import HugeLabel
+from tumble.window.widgets.motion_button import MotionButton
+from tumble.window.widgets.pose_picture import PosePicture
 
 
 class MountPrompt(QFrame):

@@ -5,8 +5,8 @@ from datetime import UTC, datetime, time
 from PySide6.QtCore import QDate, Signal
 from PySide6.QtWidgets import QComboBox, QDateEdit, QGridLayout, QLabel, QLineEdit, QWidget
 
-from calibrations.verdict import Outcome
-from window.work.records import Search
+from tumble.calibrations.verdict import Outcome
+from tumble.window.work.records import Search
 
 
 class RecordSearch(QWidget):

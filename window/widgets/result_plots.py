@@ -6,8 +6,8 @@ import pyqtgraph as pg
 from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
 
-from window.widgets.run_plots import AnglePlot, OutputPlot
-from window.work.presentation import Presentation, Rows
+from tumble.window.widgets.run_plots import AnglePlot, OutputPlot
+from tumble.window.work.presentation import Presentation, Rows
 
 translate: Final = QCoreApplication.translate
 

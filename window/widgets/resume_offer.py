@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QPushButton, QWidget
 
-from window.look.plain import PlainLabel
-from window.look.sentences import in_language
-from window.widgets.motion_button import MotionButton
+from tumble.window.look.plain import PlainLabel
+from tumble.window.look.sentences import in_language
+from tumble.window.widgets.motion_button import MotionButton
 
 if TYPE_CHECKING:
-    from app.cut_off import CutOff
+    from tumble.app.cut_off import CutOff
 
 
 class ResumeOffer(QFrame):

@@ -6,15 +6,15 @@ from pathlib import Path
 from PySide6.QtCore import QSettings, Signal
 from PySide6.QtWidgets import QComboBox, QGridLayout, QLabel, QLineEdit, QPushButton, QWidget
 
-from app.running import Job
-from app.stand import LoadedStand
-from drivers.text import LONGEST_NAME
-from procedures.errors import InputError
-from procedures.programme import load_programme, shipped_programmes
-from window.look.numbers import local, minutes
-from window.look.plain import PlainLabel
-from window.look.sentences import in_language
-from window.widgets.dialog import FileDialog
+from tumble.app.running import Job
+from tumble.app.stand import LoadedStand
+from tumble.drivers.text import LONGEST_NAME
+from tumble.procedures.errors import InputError
+from tumble.procedures.programme import load_programme, shipped_programmes
+from tumble.window.look.numbers import local, minutes
+from tumble.window.look.plain import PlainLabel
+from tumble.window.look.sentences import in_language
+from tumble.window.widgets.dialog import FileDialog
 
 
 class RunForm(QWidget):

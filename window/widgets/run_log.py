@@ -6,7 +6,7 @@ from typing import Final
 from PySide6.QtGui import QColor, QTextCharFormat, QTextCursor
 from PySide6.QtWidgets import QPlainTextEdit, QWidget
 
-from window.look.theme import colours
+from tumble.window.look.theme import colours
 
 _LINES: Final = 5000
 

@@ -8,12 +8,12 @@ import pyqtgraph as pg
 from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QWidget
 
-from calibrations.geometry import MOUNTS, FloatArray
-from drivers.protocols import SampleBlock
-from procedures.steps import Point
-from window.look.plots import Plot
-from window.look.theme import MARKERS
-from window.work.live_fit import LiveFit
+from tumble.calibrations.geometry import MOUNTS, FloatArray
+from tumble.drivers.protocols import SampleBlock
+from tumble.procedures.steps import Point
+from tumble.window.look.plots import Plot
+from tumble.window.look.theme import MARKERS
+from tumble.window.work.live_fit import LiveFit
 
 translate: Final = QCoreApplication.translate
 _MOUNTS: Final = tuple(MOUNTS)

@@ -4,7 +4,7 @@ from PySide6.QtCore import QEvent, QObject
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QScrollArea, QWidget
 
-from window.widgets.splitter import Splitter
+from tumble.window.widgets.splitter import Splitter
 
 
 class ScreenArea(QScrollArea):

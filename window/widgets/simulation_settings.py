@@ -6,8 +6,8 @@ from typing import Final
 from PySide6.QtCore import QSettings, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QFrame, QHBoxLayout, QLabel, QWidget
 
-from app.wiring import Attendant, obliging_operator
-from procedures.operator import Operator
+from tumble.app.wiring import Attendant, obliging_operator
+from tumble.procedures.operator import Operator
 
 _SPEEDS: Final = (None, 1.0, 10.0, 100.0)
 """Times real time; None takes no time at all."""

@@ -3,10 +3,10 @@
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
 
-from drivers.manual import format_dms
-from drivers.protocols import HeadStatus
-from window.look.numbers import local
-from window.stop_guard import STOP_KEYS
+from tumble.drivers.manual import format_dms
+from tumble.drivers.protocols import HeadStatus
+from tumble.window.look.numbers import local
+from tumble.window.stop_guard import STOP_KEYS
 
 
 class StopBar(QWidget):

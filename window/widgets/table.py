@@ -6,7 +6,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QBrush, QColor
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem, QWidget
 
-from window.look.plain import as_tooltip
+from tumble.window.look.plain import as_tooltip
 
 
 class Table(QTableWidget):

@@ -7,10 +7,10 @@ import numpy as np
 import pyqtgraph as pg
 from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
 
-from calibrations.model import UNITS
-from calibrations.records.record import Record
-from window.look.numbers import local
-from window.look.plots import LocalAxis, Plot
+from tumble.calibrations.model import UNITS
+from tumble.calibrations.records.record import Record
+from tumble.window.look.numbers import local
+from tumble.window.look.plots import LocalAxis, Plot
 
 
 class TrendPlot(QWidget):

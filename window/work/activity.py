@@ -5,17 +5,17 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
-from app.running import Job, failure
-from app.simulation import Past
-from app.stand_lock import holding_recording
-from app.wiring import Connected
-from procedures.announcer import Listener
-from procedures.progress import Progress
+from tumble.app.running import Job, failure
+from tumble.app.simulation import Past
+from tumble.app.stand_lock import holding_recording
+from tumble.app.wiring import Connected
+from tumble.procedures.announcer import Listener
+from tumble.procedures.progress import Progress
 
 if TYPE_CHECKING:  # the analysis and the store take half a second: a window is up before that
-    from app.analysing import Traced
-    from app.calibrating import Calibrated
-    from app.resuming import Unfinished
+    from tumble.app.analysing import Traced
+    from tumble.app.calibrating import Calibrated
+    from tumble.app.resuming import Unfinished
 
 Tell = Callable[[str], None]
 
@@ -65,7 +65,7 @@ class Calibration:
 
     def carry_out(self, connected: Connected, listeners: Sequence[Listener], tell: Tell) -> Concluded:
         """Do it."""
-        from app.calibrating import calibrate
+        from tumble.app.calibrating import calibrate
 
         return _stored(calibrate(self.job, connected, self.store, listeners, tell))
 
@@ -86,16 +86,16 @@ class Resumption:
     @property
     def past(self) -> Sequence[Past]:
         """The runs before it, and this one up to the break."""
-        from app.resuming import lived_through
-        from app.same_stand import followed
+        from tumble.app.resuming import lived_through
+        from tumble.app.same_stand import followed
 
         recording = self.unfinished.recording
         return lived_through(followed(recording), self.job.stand, recording)
 
     def carry_out(self, connected: Connected, listeners: Sequence[Listener], tell: Tell) -> Concluded:
         """Do it."""
-        from app.calibrating import conclude, make_ready
-        from app.resuming import resume
+        from tumble.app.calibrating import conclude, make_ready
+        from tumble.app.resuming import resume
 
         make_ready(self.store)
         path = self.unfinished.path
@@ -119,8 +119,8 @@ class FurtherExperiment:
 
     def carry_out(self, connected: Connected, listeners: Sequence[Listener], tell: Tell) -> Concluded:
         """Do it."""
-        from app.acting import AtStand, prepare, run_experiment
-        from app.closing import begin, follow
+        from tumble.app.acting import AtStand, prepare, run_experiment
+        from tumble.app.closing import begin, follow
 
         job, clock = self.job, connected.stand.clock
         at = AtStand(

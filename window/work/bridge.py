@@ -5,9 +5,9 @@ from typing import Final
 
 from PySide6.QtCore import QObject, Signal
 
-from drivers.protocols import HeadStatus
-from procedures.events import Event, MountAnswered, PointCompleted
-from procedures.progress import Progress, TimeLeft
+from tumble.drivers.protocols import HeadStatus
+from tumble.procedures.events import Event, MountAnswered, PointCompleted
+from tumble.procedures.progress import Progress, TimeLeft
 
 _LOOKS_S: Final = 0.04
 """Least real time between two sights of a moving head that are passed on."""

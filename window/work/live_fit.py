@@ -5,10 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from calibrations.geometry import FloatArray
-from calibrations.model import basis, coefficients
-from calibrations.observations import Observations
-from procedures.steps import Point
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.model import basis, coefficients
+from tumble.calibrations.observations import Observations
+from tumble.procedures.steps import Point
 
 FEWEST_POINTS = 10
 """Points below which ten functions of the pose fit anything."""
@@ -31,7 +31,7 @@ class LiveFit:
 
 def fit_live(points: Sequence[Point]) -> LiveFit | None:
     """Fit the points of a run; None while there are too few of them."""
-    from calibrations.joint import fit_jointly  # takes the time in which a window is up
+    from tumble.calibrations.joint import fit_jointly  # takes the time in which a window is up
 
     if len(points) < FEWEST_POINTS:
         return None

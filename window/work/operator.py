@@ -1,11 +1,11 @@
-"""The person in front of the window, as the engine sees them. Fits `procedures.operator.Operator`."""
+"""The person in front of the window, as the engine sees them. Fits `tumble.procedures.operator.Operator`."""
 
 from queue import Empty, SimpleQueue
 from typing import Final
 
 from PySide6.QtCore import QObject, Signal
 
-from procedures.operator import Answer, understand, understand_reading
+from tumble.procedures.operator import Answer, understand, understand_reading
 
 SEATED: Final = "yes"
 _BLINK_S: Final = 0.02

@@ -3,7 +3,7 @@
 import time
 from typing import Final
 
-from procedures.control import Control
+from tumble.procedures.control import Control
 
 _BLINK_S: Final = 0.02
 

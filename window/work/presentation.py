@@ -6,15 +6,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from calibrations.geometry import FloatArray
-from calibrations.quantities import format_correlation
-from calibrations.result import Calibration
-from calibrations.usable import Model
-from calibrations.verdict import Verdict
-from window.work.activity import Concluded
+from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.quantities import format_correlation
+from tumble.calibrations.result import Calibration
+from tumble.calibrations.usable import Model
+from tumble.calibrations.verdict import Verdict
+from tumble.window.work.activity import Concluded
 
 if TYPE_CHECKING:
-    from calibrations.tracing.words import Comparison, Finding
+    from tumble.calibrations.tracing.words import Comparison, Finding
 
 _MICRO = 1e6
 
@@ -43,7 +43,7 @@ class Presentation:
     """Whose values the table holds."""
     notices: tuple[str, ...]
     table: tuple[Any, ...]
-    """`calibrations.report.results.ResultRow`, one for each parameter."""
+    """`tumble.calibrations.report.results.ResultRow`, one for each parameter."""
     names: tuple[str, ...]
     correlation: FloatArray
     correlation_texts: tuple[tuple[str, ...], ...]
@@ -58,9 +58,9 @@ class Presentation:
 
 def present(concluded: Concluded) -> Presentation:
     """Work out what there is to show."""
-    from calibrations.report.results import notices, results  # matplotlib takes half a second
-    from calibrations.report.subject import Subject
-    from calibrations.tracing.words import comparisons, findings, headline, leaning, untold
+    from tumble.calibrations.report.results import notices, results  # matplotlib takes half a second
+    from tumble.calibrations.report.subject import Subject
+    from tumble.calibrations.tracing.words import comparisons, findings, headline, leaning, untold
 
     traced = concluded.traced
     use, loop = traced.usable, traced.loop
@@ -94,7 +94,7 @@ def present(concluded: Concluded) -> Presentation:
 
 def rows_of(calibration: Calibration) -> Rows:
     """What plots need of a calibration."""
-    from calibrations.report.figures import model_curve
+    from tumble.calibrations.report.figures import model_curve
 
     observations, noise = calibration.observations, calibration.noise
     mounts = observations.mounts.tolist()

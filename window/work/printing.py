@@ -8,7 +8,7 @@ from PySide6.QtCore import QByteArray, QMarginsF, QSizeF, QThread, QUrl
 from PySide6.QtGui import QImage, QPageLayout, QPageSize, QPainter, QPdfWriter, QTextDocument
 from PySide6.QtSvg import QSvgRenderer
 
-from app.exits import Exit, JobError
+from tumble.app.exits import Exit, JobError
 
 _SVG: Final = re.compile(r"<svg .*?</svg>", re.DOTALL)
 _MARGIN_MM: Final = 15.0

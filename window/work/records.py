@@ -10,19 +10,19 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
-from app.exits import Exit, JobError
-from app.files import check_result, replacing, write_text
-from app.kinds import Kind
-from app.running import Job
-from calibrations.records.record import Record
-from calibrations.verdict import Outcome
-from window.work.activity import Concluded, Resumption
+from tumble.app.exits import Exit, JobError
+from tumble.app.files import check_result, replacing, write_text
+from tumble.app.kinds import Kind
+from tumble.app.running import Job
+from tumble.calibrations.records.record import Record
+from tumble.calibrations.verdict import Outcome
+from tumble.window.work.activity import Concluded, Resumption
 
 if TYPE_CHECKING:
-    from app.cut_off import CutOff
-    from calibrations.records.compare import Difference
-    from calibrations.records.verify import Verification
-    from calibrations.stand_records.record import StandRecord
+    from tumble.app.cut_off import CutOff
+    from tumble.calibrations.records.compare import Difference
+    from tumble.calibrations.records.verify import Verification
+    from tumble.calibrations.stand_records.record import StandRecord
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -50,10 +50,10 @@ class Found:
 
 def search(folder: Path, wanted: Search) -> Found:
     """Look for records and for runs that came to none; a store that is not there holds nothing."""
-    from app.cut_off import cut_off_runs
-    from app.recall import open_store
-    from app.stand_records import list_stand_records
-    from calibrations.records.store import DATABASE
+    from tumble.app.cut_off import cut_off_runs
+    from tumble.app.recall import open_store
+    from tumble.app.stand_records import list_stand_records
+    from tumble.calibrations.records.store import DATABASE
 
     if not (folder / DATABASE).is_file():
         return Found(records=(), cut_off=cut_off_runs(folder), programmes=())
@@ -71,9 +71,9 @@ def search(folder: Path, wanted: Search) -> Found:
 
 def open_record(folder: Path, record_id: str) -> Concluded:
     """Read the raw file of a record and work out everything that the screen Result shows."""
-    from app.analysing import fit, trace
-    from app.calibrating import report_path
-    from app.recall import recall
+    from tumble.app.analysing import fit, trace
+    from tumble.app.calibrating import report_path
+    from tumble.app.recall import recall
 
     record, measurement = recall(folder, record_id)
     traced = trace(fit(measurement, record.provenance.serial_number, folder=folder))
@@ -88,7 +88,7 @@ def open_record(folder: Path, record_id: str) -> Concluded:
 
 def analyse_again(folder: Path, record_id: str) -> Concluded:
     """Analyse the raw file of a record anew and store what comes of it as a further revision."""
-    from app.calibrating import report_path, store, write_report
+    from tumble.app.calibrating import report_path, store, write_report
 
     concluded = open_record(folder, record_id)
     record = store(concluded.traced, folder)
@@ -99,8 +99,8 @@ def analyse_again(folder: Path, record_id: str) -> Concluded:
 
 def differences(folder: Path, first: str, second: str) -> "tuple[Difference, ...]":
     """Compare two records."""
-    from app.recall import open_store
-    from calibrations.records.compare import compare
+    from tumble.app.recall import open_store
+    from tumble.calibrations.records.compare import compare
 
     records = open_store(folder)
     return compare(records.get(first), records.get(second))
@@ -108,7 +108,7 @@ def differences(folder: Path, first: str, second: str) -> "tuple[Difference, ...
 
 def verify_all(folder: Path, record_ids: Sequence[str]) -> "tuple[Verification, ...]":
     """Verify records."""
-    from app.recall import open_store, verify_record
+    from tumble.app.recall import open_store, verify_record
 
     records = open_store(folder)
     return tuple(verify_record(records, records.get(record_id)) for record_id in record_ids)
@@ -116,8 +116,8 @@ def verify_all(folder: Path, record_ids: Sequence[str]) -> "tuple[Verification, 
 
 def resumption(folder: Path, path: Path) -> Resumption:
     """What there is to go on with a run that was cut off."""
-    from app.resuming import find
-    from app.same_stand import load_same_stand
+    from tumble.app.resuming import find
+    from tumble.app.same_stand import load_same_stand
 
     unfinished = find(path)
     header = unfinished.recording.header
@@ -133,8 +133,8 @@ def resumption(folder: Path, path: Path) -> Resumption:
 
 def export(folder: Path, record_id: str, path: Path) -> Path:
     """Write a record in the format that the name of the file ends in: JSON, HTML, CSV or PDF. Raises `JobError`."""
-    from app.recall import open_store, report_again
-    from calibrations.records.export import document_text
+    from tumble.app.recall import open_store, report_again
+    from tumble.calibrations.records.export import document_text
 
     match path.suffix.lower():
         case ".json":
@@ -153,8 +153,8 @@ def export(folder: Path, record_id: str, path: Path) -> Path:
 
 
 def _write_rows(folder: Path, record_id: str, path: Path) -> None:
-    from app.recall import recall
-    from calibrations.table import write_table
+    from tumble.app.recall import recall
+    from tumble.calibrations.table import write_table
 
     check_result(path, Kind.TABLE)
     _, measurement = recall(folder, record_id)
@@ -163,8 +163,8 @@ def _write_rows(folder: Path, record_id: str, path: Path) -> None:
 
 
 def _write_pdf(folder: Path, record_id: str, path: Path) -> None:
-    from app.recall import report_again
-    from window.work.printing import print_page
+    from tumble.app.recall import report_again
+    from tumble.window.work.printing import print_page
 
     check_result(path, Kind.PDF)
     with TemporaryDirectory() as aside, replacing(path, Kind.PDF) as begun:

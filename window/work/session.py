@@ -5,13 +5,13 @@ from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 from typing import Final
 
-from app.simulation import Past
-from app.stand import LoadedStand
-from app.stand_lock import holding
-from app.wiring import Attendant, Connected, connect
-from drivers.errors import DeviceError
-from drivers.protocols import HeadStatus, Identity
-from procedures.motion import Motion
+from tumble.app.simulation import Past
+from tumble.app.stand import LoadedStand
+from tumble.app.stand_lock import holding
+from tumble.app.wiring import Attendant, Connected, connect
+from tumble.drivers.errors import DeviceError
+from tumble.drivers.protocols import HeadStatus, Identity
+from tumble.procedures.motion import Motion
 
 _TOLERANCE_DEG: Final = 0.01
 

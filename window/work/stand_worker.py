@@ -8,17 +8,17 @@ from queue import Empty, SimpleQueue
 
 from PySide6.QtCore import QObject, Signal, SignalInstance, Slot
 
-from app.simulation import Past
-from app.stand import LoadedStand
-from app.wiring import Attendant, Connected
-from procedures.control import Control
-from procedures.errors import InputError, StopRequestedError
-from procedures.motion import Motion
-from window.work.activity import Activity, progress_of
-from window.work.bridge import EventBridge
-from window.work.order_thread import OrderThread
-from window.work.patience import PatientControl
-from window.work.session import StandSession
+from tumble.app.simulation import Past
+from tumble.app.stand import LoadedStand
+from tumble.app.wiring import Attendant, Connected
+from tumble.procedures.control import Control
+from tumble.procedures.errors import InputError, StopRequestedError
+from tumble.procedures.motion import Motion
+from tumble.window.work.activity import Activity, progress_of
+from tumble.window.work.bridge import EventBridge
+from tumble.window.work.order_thread import OrderThread
+from tumble.window.work.patience import PatientControl
+from tumble.window.work.session import StandSession
 
 Action = Callable[[Control], object]
 Move = Callable[[Motion, Callable[[], bool]], object]

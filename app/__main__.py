@@ -1,5 +1,0 @@
-"""`python -m app` is `tumble`."""
-
-from app.cli import main
-
-main()

@@ -1,0 +1,5 @@
+"""`python -m tumble` is `tumble`."""
+
+from tumble.app.cli import main
+
+main()
