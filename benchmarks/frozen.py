@@ -9,6 +9,7 @@ says which.
 import argparse
 import json
 import math
+import os
 import subprocess
 import sys
 import tempfile
@@ -30,6 +31,12 @@ TOGETHER: Final = {
 RECORDINGS: Final = {"recording_v1": ROOT / "tests" / "procedures" / "fixtures" / "recording_v1.mcap"}
 """Recordings of earlier versions."""
 PROGRAMMES: Final = ("quick", "reversal", "seed", "probe-end")
+KERNELS: Final = "Haswell"
+"""Those of OpenBLAS with which results are frozen and compared, on whatever machine.
+
+Others round otherwise. Monte Carlo trials, ties and what is flat then differ by more than their digits; what is stated
+with an uncertainty, by much less than that.
+"""
 RELATIVE: Final = 1e-9
 """On the machine that froze the results."""
 ABSOLUTE: Final = 1e-13
@@ -106,7 +113,8 @@ def write(path: Path, said: Results) -> None:
 
 def _run(*arguments: object) -> int:
     command = [sys.executable, "-m", "tumble", *map(str, arguments)]
-    return subprocess.run(command, cwd=ROOT, capture_output=True, check=False).returncode
+    environment = {"OPENBLAS_CORETYPE": KERNELS, **os.environ}
+    return subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, check=False).returncode
 
 
 def _now(name: str) -> Results:

@@ -1,6 +1,7 @@
 """What several tests share."""
 
 import gc
+import os
 import signal
 import sys
 import threading
@@ -11,9 +12,11 @@ from typing import Final
 import pytest
 from hypothesis import settings
 
+from benchmarks.frozen import KERNELS
 from tumble.app.cli import limit_blas_threads
 
-limit_blas_threads()  # as the program does, before numpy is loaded
+os.environ.setdefault("OPENBLAS_CORETYPE", KERNELS)  # before numpy is loaded
+limit_blas_threads()  # as the program does
 signal.signal(signal.SIGINT, signal.default_int_handler)  # programs that tests start hear it, in the background too
 if hasattr(signal, "SIGHUP"):
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
