@@ -31,15 +31,24 @@ def close_other_loop(paths: Sequence[Path], show: bool, page: Path | None = None
     InputError
         Unreadable or malformed, or of different kinds.
     """
+    kind = kind_of_files(paths)
+    if kind is Kind.ACCELEROMETER:
+        return None
     try:
-        kinds = {_kind(path) for path in paths}
-        if kinds == {Kind.ACCELEROMETER}:
-            return None
-        if len(kinds) > 1:
-            raise InputError(f"{paths[0]} and {paths[-1]} are tables of different kinds; give them one by one")
-        return _temperature(paths, show, page) if kinds == {Kind.RUNS} else _head(paths, show, page)
+        return _temperature(paths, show, page) if kind is Kind.RUNS else _head(paths, show, page)
     except (TableError, ValueError) as error:
         raise InputError(str(error)) from error
+
+
+def kind_of_files(paths: Sequence[Path]) -> Kind:
+    """What files are tables of, all of them the same. Raises `InputError`."""
+    try:
+        first, *others = (_kind(path) for path in paths)
+    except (TableError, ValueError) as error:
+        raise InputError(str(error)) from error
+    if any(other is not first for other in others):
+        raise InputError(f"{paths[0]} and {paths[-1]} are tables of different kinds; give them one by one")
+    return first
 
 
 def _kind(path: Path) -> Kind:

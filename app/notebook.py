@@ -1,0 +1,258 @@
+"""What a notebook or a script uses: a few functions, and results that show themselves. All of it is in `tumble` itself.
+
+Every function raises `InputError` or `JobError` with one sentence that says what happened and what to do.
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+from markupsafe import Markup
+
+from tumble.app.analysing import Analysed, trace
+from tumble.app.analysing import fit as analyse
+from tumble.app.calibrating import calibrate as carry_out
+from tumble.app.joining import read_together
+from tumble.app.measurements import read_measurement
+from tumble.app.other_tables import kind_of_files
+from tumble.app.running import Job, Outline, failure
+from tumble.app.running import run as measure
+from tumble.app.stand import load_stand, read_stand
+from tumble.app.stand_lock import holding
+from tumble.app.wiring import connect
+from tumble.calibrations.known_tables import Kind
+from tumble.calibrations.quantities import format_concise
+from tumble.procedures.errors import InputError
+from tumble.procedures.plan import Plan
+from tumble.procedures.programme import Programme, load_programme
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+    from tumble.calibrations.records.store import Store
+
+Place: TypeAlias = str | PathLike[str]
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A figure: a notebook shows it, `save` writes it."""
+
+    svg: str
+
+    def _repr_svg_(self) -> str:
+        return self.svg
+
+    def save(self, path: Place) -> None:
+        """Write it as SVG."""
+        Path(path).write_text(self.svg, encoding="utf-8")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Result:
+    """What an analysis says: values with uncertainties, what was found, what is withheld and why."""
+
+    name: str
+    document: Mapping[str, Any]
+    """As the command line writes it with `--json`: `tumble.fit/1` or `tumble.loop/1`."""
+    draw: Callable[[], Picture] = field(repr=False)
+
+    @property
+    def values(self) -> tuple[dict[str, Any], ...]:
+        """The values to use: `name`, `value`, `standard_uncertainty`, `unit`; `reason` where there is no value."""
+        return tuple(_values(self.document))
+
+    def to_dict(self) -> dict[str, Any]:
+        """The JSON document."""
+        return dict(self.document)
+
+    def to_dataframe(self) -> "pd.DataFrame":
+        """`values` as a table of pandas, which has to be installed. Raises `ImportError`."""
+        import pandas as pd
+
+        return pd.DataFrame(self.values).set_index("name")
+
+    def plot(self) -> Picture:
+        """What the model leaves."""
+        return self.draw()
+
+    def _repr_html_(self) -> str:
+        rows = Markup("").join(
+            Markup("<tr><td>{}</td><td>{}</td><td>{}</td></tr>").format(value["name"], *_cells(value))
+            for value in self.values
+        )
+        head = Markup("<tr><th>parameter</th><th>value (standard uncertainty)</th><th>remark</th></tr>")
+        return Markup("<table><caption>{}</caption>{}{}</table>").format(self.name, head, rows)
+
+
+def fit(path: Place, *, stand: Place | None = None, serial_number: str = "") -> Result:
+    """Fit the declared model to a recording or an observation table.
+
+    Parameters
+    ----------
+    path
+        Recording (`.mcap`) or table (CSV).
+    stand
+        Stand file, for the budget of a table.
+    serial_number
+        Of the unit, where the file does not say.
+    """
+    recorded = read_stand(Path(stand)).recorded if stand else None
+    return _of(analyse(read_measurement(Path(path), recorded), serial_number))
+
+
+def close_loop(*paths: Place, stand: Place | None = None, serial_number: str = "") -> Result:
+    """Trace what the declared model leaves to its causes.
+
+    Several recordings and tables of one unit are taken together, in the order in which they were measured. A table of a
+    head against a reference, or of parameters against temperature, is traced likewise.
+    """
+    files = [Path(path) for path in paths]
+    match kind_of_files(files):
+        case Kind.ACCELEROMETER:
+            recorded = read_stand(Path(stand)).recorded if stand else None
+            return _of(trace(analyse(read_together(files, recorded), serial_number)))
+        case Kind.RUNS:
+            return _of_runs(_only(files))
+        case _:
+            return _of_head(_only(files))
+
+
+def plan(programme: Place, *, stand: Place | None = None) -> Plan:
+    """Every step of a programme with its time; nothing moves.
+
+    `programme` is the name of one that comes along, or a file; without `stand` it is planned for the built-in one.
+    """
+    return Outline(stand=read_stand(_path(stand)), programme=_programme(programme)).plan()
+
+
+def run(
+    programme: Place, serial_number: str, recording: Place, *, stand: Place | None = None, operator: str = ""
+) -> Path:
+    """Carry out a programme at a stand, the built-in simulated one without `stand`, and leave a recording."""
+    job, path = _job(programme, serial_number, stand, operator), Path(recording)
+    with holding(job.stand, serial_number):
+        connected = connect(job.stand)
+        try:
+            outcome = measure(job, connected, path)
+        finally:
+            connected.links.close()
+    if error := failure(outcome, path):
+        raise error
+    return path
+
+
+def calibrate(
+    programme: Place, serial_number: str, store: Place, *, stand: Place | None = None, operator: str = ""
+) -> Result:
+    """Run, fit, close the loop, store and report: the whole job. Record and report lie in the folder `store`."""
+    job = _job(programme, serial_number, stand, operator)
+    with holding(job.stand, serial_number):
+        connected = connect(job.stand)
+        try:
+            return _of(carry_out(job, connected, Path(store)).analysed)
+        finally:
+            connected.links.close()
+
+
+def records(store: Place) -> "Store":
+    """The records in a folder: `find`, `latest`, `get`. Raises `StoreError`."""
+    from tumble.calibrations.records.store import Store
+
+    return Store(Path(store))
+
+
+def _job(programme: Place, serial_number: str, stand: Place | None, operator: str) -> Job:
+    loaded = load_stand(_path(stand))
+    return Job(stand=loaded, programme=_programme(programme), serial_number=serial_number, operator=operator)
+
+
+def _programme(programme: Place) -> Programme:
+    return load_programme(programme if isinstance(programme, str) else Path(programme))
+
+
+def _path(place: Place | None) -> Path | None:
+    return None if place is None else Path(place)
+
+
+def _only(files: Sequence[Path]) -> Path:
+    if len(files) > 1:
+        raise InputError(f"{files[1]}: give one table of this kind at a time")
+    return files[0]
+
+
+def _of(analysed: Analysed) -> Result:
+    def draw() -> Picture:
+        from tumble.calibrations.report.residuals import angle_figure  # matplotlib takes half a second
+
+        return Picture(str(angle_figure(analysed.usable.calibration)))
+
+    return Result(name=analysed.provenance.serial_number, document=analysed.as_json(), draw=draw)
+
+
+def _of_head(path: Path) -> Result:
+    from tumble.calibrations.reference.document import document
+    from tumble.calibrations.reference.loop import close_reference_loop
+    from tumble.calibrations.table import read_table
+
+    loop = close_reference_loop(read_table(path))
+
+    def draw() -> Picture:
+        from tumble.calibrations.report.head_page import residual_figure
+
+        return Picture(str(residual_figure(loop, loop.explanation.residual_deg, "after")))
+
+    return Result(name=path.stem, document=document(loop), draw=draw)
+
+
+def _of_runs(path: Path) -> Result:
+    from tumble.calibrations.temperature.document import document
+    from tumble.calibrations.temperature.loop import close_temperature_loop
+    from tumble.calibrations.temperature.table import read_runs
+
+    loop = close_temperature_loop(read_runs(path))
+
+    def draw() -> Picture:
+        from tumble.calibrations.report.temperature_page import left_figure
+
+        return Picture(str(left_figure(loop)))
+
+    return Result(name=path.stem, document=document(loop), draw=draw)
+
+
+def _values(document: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
+    if document.get("method") == "temperature":
+        for name, part in document["parameters"].items():
+            yield from _named({f"{name}, {term}": value for term, value in part["augmented"]["parameters"].items()})
+            yield from _found(part["effects"], f"{name}, ")
+    elif "parameters" in document:
+        yield from _named(document["parameters"])
+        yield from _found(document.get("loop", {}).get("effects", ()))
+    else:
+        yield from _named(document["augmented"]["parameters"])
+        yield from _found(document["effects"])
+
+
+def _named(parameters: Mapping[str, Mapping[str, Any]]) -> Iterator[dict[str, Any]]:
+    for name, value in parameters.items():
+        yield {"name": name, **{key: value.get(key) for key in ("value", "standard_uncertainty", "unit", "reason")}}
+
+
+def _found(effects: Sequence[Mapping[str, Any]], where: str = "") -> Iterator[dict[str, Any]]:
+    for effect in effects:
+        coefficients = effect["coefficients"]
+        single = len(coefficients) == 1
+        yield from _named(
+            {
+                where + (effect["name"] if single else f"{effect['name']}, {name}"): coefficients[name]
+                for name in coefficients
+            }
+        )
+
+
+def _cells(value: Mapping[str, Any]) -> tuple[str, str]:
+    if value["value"] is None:
+        return "not identifiable", value["reason"] or ""
+    return format_concise(value["value"], value["standard_uncertainty"], value["unit"]), ""
