@@ -1,6 +1,7 @@
 """What a notebook or a script uses: a few functions, and results that show themselves. All of it is in `tumble` itself.
 
-Every function raises `InputError` or `JobError` with one sentence that says what happened and what to do.
+What goes wrong is an `InputError`, a `JobError`, a `DeviceError` or a `StoreError`: one sentence that says what
+happened and what to do.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -24,6 +25,7 @@ from tumble.app.stand_lock import holding
 from tumble.app.wiring import connect
 from tumble.calibrations.known_tables import Kind
 from tumble.calibrations.quantities import format_concise
+from tumble.calibrations.table import TableError
 from tumble.procedures.errors import InputError
 from tumble.procedures.plan import Plan
 from tumble.procedures.programme import Programme, load_programme
@@ -103,21 +105,24 @@ def fit(path: Place, *, stand: Place | None = None, serial_number: str = "") -> 
     return _of(analyse(read_measurement(Path(path), recorded), serial_number))
 
 
-def close_loop(*paths: Place, stand: Place | None = None, serial_number: str = "") -> Result:
+def close_loop(path: Place, *further: Place, stand: Place | None = None, serial_number: str = "") -> Result:
     """Trace what the declared model leaves to its causes.
 
-    Several recordings and tables of one unit are taken together, in the order in which they were measured. A table of a
-    head against a reference, or of parameters against temperature, is traced likewise.
+    Several recordings and tables of one unit are taken together, in the order in which they were measured; they are not
+    corrected by a stand record. A table of a head against a reference, or of parameters against temperature, is traced
+    likewise.
     """
-    files = [Path(path) for path in paths]
-    match kind_of_files(files):
-        case Kind.ACCELEROMETER:
-            recorded = read_stand(Path(stand)).recorded if stand else None
-            return _of(trace(analyse(read_together(files, recorded), serial_number)))
-        case Kind.RUNS:
-            return _of_runs(_only(files))
-        case _:
-            return _of_head(_only(files))
+    files = [Path(place) for place in (path, *further)]
+    kind = kind_of_files(files)
+    if kind is Kind.ACCELEROMETER:
+        recorded = read_stand(Path(stand)).recorded if stand else None
+        return _of(trace(analyse(read_together(files, recorded), serial_number)))
+    if further:
+        raise InputError(f"{files[1]}: give one table of this kind at a time")
+    try:
+        return _of_runs(files[0]) if kind is Kind.RUNS else _of_head(files[0])
+    except (TableError, ValueError) as error:
+        raise InputError(str(error)) from error
 
 
 def plan(programme: Place, *, stand: Place | None = None) -> Plan:
@@ -175,12 +180,6 @@ def _programme(programme: Place) -> Programme:
 
 def _path(place: Place | None) -> Path | None:
     return None if place is None else Path(place)
-
-
-def _only(files: Sequence[Path]) -> Path:
-    if len(files) > 1:
-        raise InputError(f"{files[1]}: give one table of this kind at a time")
-    return files[0]
 
 
 def _of(analysed: Analysed) -> Result:

@@ -58,7 +58,8 @@ def _seatings(steps: Sequence[PlannedStep]) -> Iterator[tuple[str, list[Dwell], 
                 yield mount, dwells, duration_s
             mount, dwells, duration_s = planned.step.mount, [], 0.0
         else:
-            mount, dwells = planned.step.mount, [*dwells, planned.step]
+            mount = planned.step.mount
+            dwells.append(planned.step)
         duration_s += planned.duration_s
     yield mount, dwells, duration_s
 

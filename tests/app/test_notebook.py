@@ -112,6 +112,20 @@ def test_tables_of_different_kinds_are_refused(tmp_path):
         tumble.close_loop(tmp_path / "t.csv", tmp_path / "head.csv")
 
 
+def test_two_heads_are_given_one_by_one(tmp_path):
+    (tmp_path / "head.csv").write_text(HEAD)
+
+    with pytest.raises(InputError, match="one table of this kind at a time"):
+        tumble.close_loop(tmp_path / "head.csv", tmp_path / "head.csv")
+
+
+def test_a_head_that_cannot_be_read_is_told_as_any_other_table(tmp_path):
+    (tmp_path / "head.csv").write_text(HEAD + "nonsense,1\n")
+
+    with pytest.raises(InputError, match=r"head.csv"):
+        tumble.close_loop(tmp_path / "head.csv")
+
+
 def test_a_programme_is_planned_and_run(tmp_path):
     assert tumble.plan("quick").dwells == 60
     recording = tumble.run("probe-end", "SN-2", tmp_path / "run.mcap")
