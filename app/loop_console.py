@@ -7,11 +7,18 @@ from rich.table import Table
 
 from tumble.app.closing import Closing
 from tumble.app.console import messages, results
-from tumble.calibrations.support import series
+from tumble.calibrations.core.sentences import series
+from tumble.calibrations.methods.dividing_head.loop.loop import Loop
+from tumble.calibrations.methods.dividing_head.loop.misreading import Misreading
+from tumble.calibrations.methods.dividing_head.loop.sentences import (
+    Comparison,
+    comparisons,
+    findings,
+    headline,
+    leaning,
+    untold,
+)
 from tumble.calibrations.tracing.findings import EffectFound
-from tumble.calibrations.tracing.loop import Loop
-from tumble.calibrations.tracing.misreading import Misreading
-from tumble.calibrations.tracing.words import Comparison, comparisons, findings, headline, leaning, untold
 
 
 def show_loop(loop: Loop, console: Console | None = None) -> None:

@@ -23,9 +23,9 @@ from tumble.app.running import run as measure
 from tumble.app.stand import load_stand, read_stand
 from tumble.app.stand_lock import holding
 from tumble.app.wiring import connect
+from tumble.calibrations.core.cells import TableError
+from tumble.calibrations.core.quantities import format_concise
 from tumble.calibrations.known_tables import Kind
-from tumble.calibrations.quantities import format_concise
-from tumble.calibrations.table import TableError
 from tumble.procedures.errors import InputError
 from tumble.procedures.plan import Plan
 from tumble.procedures.programme import Programme, load_programme
@@ -192,11 +192,11 @@ def _of(analysed: Analysed) -> Result:
 
 
 def _of_head(path: Path) -> Result:
-    from tumble.calibrations.reference.document import document
-    from tumble.calibrations.reference.loop import close_reference_loop
-    from tumble.calibrations.table import read_table
+    from tumble.calibrations.methods.head_reference.document import document
+    from tumble.calibrations.methods.head_reference.loop import close_reference_loop
+    from tumble.calibrations.methods.head_reference.observations import read_head_table
 
-    loop = close_reference_loop(read_table(path))
+    loop = close_reference_loop(read_head_table(path))
 
     def draw() -> Picture:
         from tumble.calibrations.report.head_page import residual_figure
@@ -207,9 +207,9 @@ def _of_head(path: Path) -> Result:
 
 
 def _of_runs(path: Path) -> Result:
-    from tumble.calibrations.temperature.document import document
-    from tumble.calibrations.temperature.loop import close_temperature_loop
-    from tumble.calibrations.temperature.table import read_runs
+    from tumble.calibrations.methods.temperature.document import document
+    from tumble.calibrations.methods.temperature.loop import close_temperature_loop
+    from tumble.calibrations.methods.temperature.table import read_runs
 
     loop = close_temperature_loop(read_runs(path))
 

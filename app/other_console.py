@@ -7,11 +7,13 @@ from rich.table import Table
 
 from tumble.app.console import results, warn
 from tumble.app.loop_console import findings_table
-from tumble.calibrations.observations import SetAside
-from tumble.calibrations.quantities import format_concise, format_number
-from tumble.calibrations.reference.changes import Comparison
-from tumble.calibrations.reference.loop import ReferenceLoop
-from tumble.calibrations.reference.sentences import (
+from tumble.calibrations.core.parameter import ModelFit, Parameter
+from tumble.calibrations.core.quantities import format_concise, format_number
+from tumble.calibrations.core.rows import SetAside
+from tumble.calibrations.core.sentences import series
+from tumble.calibrations.methods.head_reference.changes import Comparison
+from tumble.calibrations.methods.head_reference.loop import ReferenceLoop
+from tumble.calibrations.methods.head_reference.sentences import (
     CHANGES_HEADINGS,
     PARTS_HEADINGS,
     SETTINGS_HEADINGS,
@@ -22,11 +24,9 @@ from tumble.calibrations.reference.sentences import (
     sentences,
     setting_rows,
 )
-from tumble.calibrations.support import series
-from tumble.calibrations.temperature.loop import ParameterLoop, TemperatureLoop
-from tumble.calibrations.temperature.shared import shared_sentence
-from tumble.calibrations.tracing.linear_loop import Model, Stated
-from tumble.calibrations.tracing.words import unexplained_sentence
+from tumble.calibrations.methods.temperature.loop import ParameterLoop, TemperatureLoop
+from tumble.calibrations.methods.temperature.shared import shared_sentence
+from tumble.calibrations.tracing.sentences import unexplained_sentence
 
 _SETTINGS = 40
 """Of more angles than this those are shown that differ most."""
@@ -153,8 +153,8 @@ def _effects(parameter: ParameterLoop) -> list[str]:
     return listed
 
 
-def _parameter(model: Model) -> str:
-    stated: Stated = next(iter(model.parameters.values()))
+def _parameter(model: ModelFit) -> str:
+    stated: Parameter = next(iter(model.parameters.values()))
     if stated.value is None or stated.standard_uncertainty is None:
         return f"cannot be told: {stated.reason}"
     return format_concise(stated.value, stated.standard_uncertainty, stated.unit)

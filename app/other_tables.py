@@ -6,16 +6,17 @@ from typing import Any
 
 from tumble.app.files import is_recording, write_text
 from tumble.app.other_console import show_comparison, show_head, show_temperature
-from tumble.calibrations.bounded import check_bounded
+from tumble.calibrations.core.bounded import check_bounded
+from tumble.calibrations.core.cells import TableError
 from tumble.calibrations.known_tables import Kind, kind_of
-from tumble.calibrations.reference.changes import compare
-from tumble.calibrations.reference.comparison_document import comparison_json
-from tumble.calibrations.reference.document import document as head_document
-from tumble.calibrations.reference.loop import close_reference_loop
-from tumble.calibrations.table import TableError, read_table
-from tumble.calibrations.temperature.document import document as temperature_document
-from tumble.calibrations.temperature.loop import close_temperature_loop
-from tumble.calibrations.temperature.table import read_runs
+from tumble.calibrations.methods.head_reference.changes import compare
+from tumble.calibrations.methods.head_reference.comparison_document import comparison_json
+from tumble.calibrations.methods.head_reference.document import document as head_document
+from tumble.calibrations.methods.head_reference.loop import close_reference_loop
+from tumble.calibrations.methods.head_reference.observations import read_head_table
+from tumble.calibrations.methods.temperature.document import document as temperature_document
+from tumble.calibrations.methods.temperature.loop import close_temperature_loop
+from tumble.calibrations.methods.temperature.table import read_runs
 from tumble.procedures.errors import InputError
 
 _MOST_COMPARED = 2
@@ -78,7 +79,7 @@ def _temperature(paths: Sequence[Path], show: bool, page: Path | None) -> dict[s
 def _head(paths: Sequence[Path], show: bool, page: Path | None) -> dict[str, Any]:
     if len(paths) > _MOST_COMPARED:
         raise InputError(f"{paths[2]}: give one table of a head, or two to be compared")
-    loops = [close_reference_loop(read_table(path)) for path in paths]
+    loops = [close_reference_loop(read_head_table(path)) for path in paths]
     documents = [head_document(loop) for loop in loops]
     if show:
         for path, loop in zip(paths, loops, strict=True):

@@ -6,11 +6,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tumble.app.measurements import Measurement
+from tumble.calibrations.methods.dividing_head.questions import questioned
 from tumble.calibrations.records import DATABASE
 from tumble.calibrations.stand_records.applying import corrected
 from tumble.calibrations.stand_records.head_map import Curve
 from tumble.calibrations.stand_records.record import StandIdentity, StandRecord, Status
-from tumble.calibrations.tracing.questions import questioned
 from tumble.procedures.errors import InputError
 
 if TYPE_CHECKING:

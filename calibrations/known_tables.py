@@ -6,9 +6,11 @@ from enum import Enum
 from pathlib import Path
 from typing import Final
 
-from tumble.calibrations.support import series
-from tumble.calibrations.table import FIELDS, TableError, read_header, read_lines
-from tumble.calibrations.temperature.columns import Column, holds_numbers, named, says_runs
+from tumble.calibrations.core.cells import TableError
+from tumble.calibrations.core.files import read_header, read_lines
+from tumble.calibrations.core.sentences import series
+from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.calibrations.methods.temperature.columns import Column, holds_numbers, named, says_runs
 
 READ: Final = (
     "an accelerometer on a head (angle_deg, voltage_V), a head against a reference (angle_deg, reference_deg), or "
@@ -114,7 +116,7 @@ def _unknown(header: Sequence[str], numbers: Sequence[str]) -> str:
 
 def _near(header: Sequence[str]) -> dict[str, str]:
     """Columns that are misspelt, and how they are spelt."""
-    lowered = {name.lower(): name for name in header if name not in FIELDS}
+    lowered = {name.lower(): name for name in header if name not in Observations.spelt()}
     wanted = [known for known in ("angle_deg", "reference_deg", "voltage_V") if known not in header]
     close = {known: difflib.get_close_matches(known.lower(), lowered, n=1, cutoff=_NEAR) for known in wanted}
     return {lowered[names[0]]: known for known, names in close.items() if names}

@@ -26,10 +26,11 @@ from tumble.app.running import Job
 from tumble.app.stand import read_stand
 from tumble.app.stand_records import with_stand_record
 from tumble.app.terminal import say
-from tumble.calibrations.montecarlo import TRIALS
-from tumble.calibrations.observations import Observations
+from tumble.calibrations.methods.dividing_head.loop.loop import Loop
+from tumble.calibrations.methods.dividing_head.loop.sentences import comparisons
+from tumble.calibrations.methods.dividing_head.montecarlo import TRIALS
+from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.tracing.chain import Chain
-from tumble.calibrations.tracing.words import comparisons
 from tumble.procedures.announcer import Listener
 from tumble.procedures.errors import InputError
 from tumble.procedures.programme import load_programme
@@ -145,7 +146,7 @@ def _tell_set_aside(observations: Observations) -> None:
             results().print(line, markup=False, soft_wrap=True)
 
 
-def _tell(traced: Traced, chain: Chain | None, json_path: Path | None, page: Path | None) -> None:
+def _tell(traced: Traced, chain: Chain[Loop] | None, json_path: Path | None, page: Path | None) -> None:
     """Show the result where it is wanted. Raises `SystemExit` where limits are not met or not decided."""
     warn(traced.loop.augmented.warnings)
     if str(json_path) != "-":

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tumble.calibrations.effects.scene import Scene
-from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.methods.dividing_head.effects.scene import Scene
 
 Column = NDArray[Any]
 

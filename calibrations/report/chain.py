@@ -6,9 +6,10 @@ import numpy as np
 from markupsafe import Markup
 from matplotlib.ticker import MaxNLocator
 
-from tumble.calibrations.quantities import format_number
+from tumble.calibrations.core.quantities import format_number
+from tumble.calibrations.core.sentences import series
+from tumble.calibrations.methods.dividing_head.loop.loop import Loop
 from tumble.calibrations.report.drawing import BAND, COLOURS, HALF_IN, MARKERS, sheet, styled, to_svg
-from tumble.calibrations.support import series
 from tumble.calibrations.tracing.chain import Chain, Link, Stage
 from tumble.calibrations.tracing.rivals import CLOSE
 
@@ -16,7 +17,7 @@ _LEAST = 0.5
 """Differences in -2 ln L below this are drawn here: the axis is logarithmic."""
 
 
-def chain_part(chain: Chain | None) -> dict[str, Any]:
+def chain_part(chain: Chain[Loop] | None) -> dict[str, Any]:
     """Every experiment with its decision, why it ended, and a plot of the explanations."""
     if chain is None:
         return {"steps": [], "ended": "", "explanations": None, "first_error": ""}
@@ -28,7 +29,7 @@ def chain_part(chain: Chain | None) -> dict[str, Any]:
     }
 
 
-def _step(link: Link) -> dict[str, str]:
+def _step(link: Link[Loop]) -> dict[str, str]:
     return {
         "rivals": series(link.rivals_before, "or"),
         "programme": link.experiment.programme,
@@ -40,14 +41,14 @@ def _step(link: Link) -> dict[str, str]:
     }
 
 
-def _error(stage: Stage) -> str:
+def _error(stage: Stage[Loop]) -> str:
     """Held-out error of the declared model and of the augmented one, on everything measured by then."""
     errors = (stage.loop.declared.held_out_rms_v, stage.loop.augmented.held_out_rms_v)
     return " → ".join("none" if error is None else format_number(error, "V") for error in errors)
 
 
 @styled
-def explanations_figure(chain: Chain) -> Markup:
+def explanations_figure(chain: Chain[Loop]) -> Markup:
     """How far each explanation lies behind the best after each measurement; in the band it cannot be told from it."""
     names = list(dict.fromkeys(name for stage in chain.stages for names in stage.disputed for name in names))
     figure, (panel,) = sheet(HALF_IN + 1.5, 2.8)

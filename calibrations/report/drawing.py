@@ -11,8 +11,8 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
 
-from tumble.calibrations.geometry import FloatArray
-from tumble.calibrations.observations import Observations
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.methods.dividing_head.observations import Observations
 
 COLOURS: Final = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 """Okabe and Ito 2008, strongest first; one for each mount."""

@@ -3,10 +3,11 @@
 import numpy as np
 from markupsafe import Markup
 
-from tumble.calibrations.flips import FlipClosure
-from tumble.calibrations.geometry import FloatArray
-from tumble.calibrations.model import PARAMETERS, basis, coefficients
-from tumble.calibrations.observations import Observations
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.methods.dividing_head.flips import FlipClosure
+from tumble.calibrations.methods.dividing_head.model import PARAMETERS, basis, coefficients
+from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.calibrations.report.drawing import (
     COLOURS,
     HALF_IN,
@@ -19,7 +20,6 @@ from tumble.calibrations.report.drawing import (
     styled,
     to_svg,
 )
-from tumble.calibrations.result import Calibration
 
 
 @styled

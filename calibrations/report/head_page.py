@@ -7,12 +7,15 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 from markupsafe import Markup
 
-from tumble.calibrations.geometry import FloatArray
-from tumble.calibrations.quantities import format_concise, format_number
-from tumble.calibrations.reference.changes import Comparison
-from tumble.calibrations.reference.head_map import head_map
-from tumble.calibrations.reference.loop import ReferenceLoop
-from tumble.calibrations.reference.sentences import (
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.parameter import ModelFit
+from tumble.calibrations.core.quantities import format_concise, format_number
+from tumble.calibrations.core.sentences import series
+from tumble.calibrations.methods.dividing_head.loop.sentences import findings
+from tumble.calibrations.methods.head_reference.changes import Comparison
+from tumble.calibrations.methods.head_reference.head_map import head_map
+from tumble.calibrations.methods.head_reference.loop import ReferenceLoop
+from tumble.calibrations.methods.head_reference.sentences import (
     CHANGES_HEADINGS,
     PARTS_HEADINGS,
     SETTINGS_HEADINGS,
@@ -25,10 +28,8 @@ from tumble.calibrations.reference.sentences import (
 from tumble.calibrations.report.drawing import COLOURS, INK, WIDE_IN, sheet, styled, to_svg
 from tumble.calibrations.report.stand import head_map_figure
 from tumble.calibrations.report.tables_page import Part, page
-from tumble.calibrations.support import series
 from tumble.calibrations.tracing.experiments import Experiment
-from tumble.calibrations.tracing.linear_loop import Model
-from tumble.calibrations.tracing.words import findings, unexplained_sentence
+from tumble.calibrations.tracing.sentences import unexplained_sentence
 
 
 def render_head(name: str, loop: ReferenceLoop, against: tuple[str, Comparison] | None = None) -> str:
@@ -116,7 +117,7 @@ def _comparison(loop: ReferenceLoop) -> Iterator[Sequence[str]]:
         yield "lack of fit against the repeats", *(each.words if each else "" for each in loop.agreements)
 
 
-def _offset(model: Model) -> str:
+def _offset(model: ModelFit) -> str:
     stated = model.parameters["offset"]
     if stated.value is None or stated.standard_uncertainty is None:
         return f"cannot be told: {stated.reason}"

@@ -3,14 +3,14 @@
 from collections.abc import Sequence
 from typing import Any
 
+from tumble.calibrations.core.sentences import series
+from tumble.calibrations.methods.dividing_head.loop.loop import Loop
+from tumble.calibrations.methods.dividing_head.loop.sentences import comparisons, findings, headline, untold
 from tumble.calibrations.report.abscissa import Abscissa
 from tumble.calibrations.report.chain import chain_part
 from tumble.calibrations.report.outlooks import outlook_figure
 from tumble.calibrations.report.subject import Subject
 from tumble.calibrations.report.traces import abscissae, trace_figure
-from tumble.calibrations.support import series
-from tumble.calibrations.tracing.loop import Loop
-from tumble.calibrations.tracing.words import comparisons, findings, headline, untold
 
 
 def closed_loop(subject: Subject) -> dict[str, Any]:

@@ -3,7 +3,8 @@
 import numpy as np
 from markupsafe import Markup
 
-from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.report.drawing import BAND, COLOURS, HALF_IN, INK, MARKERS, MICRO, sheet, styled, to_svg
 from tumble.calibrations.tracing.separation import Outlook
 
@@ -24,7 +25,7 @@ def outlook_figure(outlook: Outlook, name: str) -> Markup:
     panel.axhline(0.0, color=INK, linewidth=0.7)
     for number, each in enumerate(outlook.differences):
         panel.plot(
-            *_broken(outlook.rows.angle_deg[probed], each.left_v[probed] * per_v),
+            *_broken(_head_angle_deg(outlook)[probed], each.left_v[probed] * per_v),
             marker=MARKERS[number % len(MARKERS)],
             color=COLOURS[number % len(COLOURS)],
             markersize=2.5,
@@ -43,3 +44,9 @@ def _broken(angle_deg: FloatArray, values: FloatArray) -> tuple[FloatArray, Floa
     """A line that stops where the next dwell is not near."""
     jumps = np.flatnonzero(np.abs(np.diff(angle_deg)) > _NEXT_DEG) + 1
     return np.insert(angle_deg, jumps, np.nan), np.insert(values, jumps, np.nan)
+
+
+def _head_angle_deg(outlook: Outlook) -> FloatArray:
+    """Head angle of every row of an accelerometer's experiment."""
+    assert isinstance(outlook.rows, Observations), "an experiment goes on with the rows of its table"
+    return outlook.rows.angle_deg

@@ -6,7 +6,9 @@ from typing import Any
 
 from markupsafe import Markup
 
-from tumble.calibrations.provenance import LimitCheck, Provenance
+from tumble.calibrations.core.provenance import LimitCheck, Provenance
+from tumble.calibrations.methods.dividing_head.loop.loop import Loop
+from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.calibrations.report import evidence, uncertainty
 from tumble.calibrations.report.loop import closed_loop
 from tumble.calibrations.report.origin import origin
@@ -14,9 +16,7 @@ from tumble.calibrations.report.results import header, results
 from tumble.calibrations.report.stand import corrections_of_the_stand
 from tumble.calibrations.report.subject import Subject
 from tumble.calibrations.report.templates import TEMPLATES
-from tumble.calibrations.result import Calibration
 from tumble.calibrations.tracing.chain import Chain
-from tumble.calibrations.tracing.loop import Loop
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -57,7 +57,7 @@ def render_report(
     record_id: str = "",
     revision: int = 1,
     loop: Loop | None = None,
-    chain: Chain | None = None,
+    chain: Chain[Loop] | None = None,
     contradictions: Sequence[str] = (),
 ) -> str:
     """One HTML page that needs nothing else: style and plots are inside, there is no script.

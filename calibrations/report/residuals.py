@@ -7,8 +7,9 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 from scipy.special import ndtri
 
-from tumble.calibrations.geometry import FloatArray
-from tumble.calibrations.repeats import pose_groups
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.methods.dividing_head.poses import pose_groups
+from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.calibrations.report.drawing import (
     BAND,
     COLOURS,
@@ -24,7 +25,6 @@ from tumble.calibrations.report.drawing import (
     styled,
     to_svg,
 )
-from tumble.calibrations.result import Calibration
 
 BINS = 30
 """Groups of equally many rows whose means are shown against a quantity that never repeats."""

@@ -3,10 +3,10 @@
 from dataclasses import dataclass
 from typing import Any
 
-from tumble.calibrations.fit import coverage_factor
-from tumble.calibrations.joint import LACK_OF_FIT_P
-from tumble.calibrations.provenance import LimitCheck
-from tumble.calibrations.quantities import (
+from tumble.calibrations.core.coverage import coverage_factor
+from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.core.provenance import LimitCheck
+from tumble.calibrations.core.quantities import (
     format_concise,
     format_freedom,
     format_interval,
@@ -15,12 +15,11 @@ from tumble.calibrations.quantities import (
     format_quantity,
     rounded,
 )
+from tumble.calibrations.core.sentences import equals, series
+from tumble.calibrations.core.verdict import Judgement, Model, Outcome, Verdict
+from tumble.calibrations.methods.dividing_head.joint import LACK_OF_FIT_P
+from tumble.calibrations.methods.dividing_head.loop.sentences import found_sentences
 from tumble.calibrations.report.subject import Subject
-from tumble.calibrations.result import Parameter
-from tumble.calibrations.support import equals, series
-from tumble.calibrations.tracing.words import found_sentences
-from tumble.calibrations.usable import Model
-from tumble.calibrations.verdict import Judgement, Outcome, Verdict
 
 
 @dataclass(frozen=True, kw_only=True)

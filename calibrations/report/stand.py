@@ -5,11 +5,11 @@ from typing import Any
 import numpy as np
 from markupsafe import Markup
 
+from tumble.calibrations.core.sentences import equals, series
 from tumble.calibrations.report.drawing import BAND, COLOURS, WIDE_IN, sheet, styled, to_svg
 from tumble.calibrations.report.subject import Subject
 from tumble.calibrations.stand_records.head_map import HeadMap
 from tumble.calibrations.stand_records.record import StandRecord
-from tumble.calibrations.support import equals, series
 
 _ARCSEC = 3600.0
 

@@ -3,13 +3,14 @@
 from dataclasses import dataclass
 from functools import cached_property
 
-from tumble.calibrations.judging import judge
-from tumble.calibrations.provenance import LimitCheck, Provenance
-from tumble.calibrations.result import Calibration, Parameter
+from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.core.provenance import LimitCheck, Provenance
+from tumble.calibrations.core.verdict import Verdict
+from tumble.calibrations.methods.dividing_head.judging import judge
+from tumble.calibrations.methods.dividing_head.loop.loop import Loop
+from tumble.calibrations.methods.dividing_head.result import Calibration
+from tumble.calibrations.methods.dividing_head.usable import Usable, usable
 from tumble.calibrations.tracing.chain import Chain
-from tumble.calibrations.tracing.loop import Loop
-from tumble.calibrations.usable import Usable, usable
-from tumble.calibrations.verdict import Verdict
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -25,7 +26,7 @@ class Subject:
     revision: int = 1
     loop: Loop | None = None
     """None where the loop was not closed."""
-    chain: Chain | None = None
+    chain: Chain[Loop] | None = None
     """None where nothing was run to close it."""
     decided: Verdict | None = None
     """The verdict, where it is known already."""

@@ -5,12 +5,12 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 from markupsafe import Markup
 
-from tumble.calibrations.quantities import format_number
+from tumble.calibrations.core.quantities import format_number
+from tumble.calibrations.methods.dividing_head.loop.sentences import findings
+from tumble.calibrations.methods.temperature.loop import ParameterLoop, TemperatureLoop
+from tumble.calibrations.methods.temperature.shared import shared_sentence
 from tumble.calibrations.report.drawing import COLOURS, INK, MARKERS, WIDE_IN, styled, to_svg
 from tumble.calibrations.report.tables_page import Part, page
-from tumble.calibrations.temperature.loop import ParameterLoop, TemperatureLoop
-from tumble.calibrations.temperature.shared import shared_sentence
-from tumble.calibrations.tracing.words import findings
 
 _COLUMNS = 3
 

@@ -4,9 +4,9 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
-from tumble.calibrations.fit import coverage_factor
-from tumble.calibrations.montecarlo import TRIALS
-from tumble.calibrations.quantities import (
+from tumble.calibrations.core.coverage import coverage_factor
+from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.core.quantities import (
     fixed,
     format_concise,
     format_correlation,
@@ -16,9 +16,9 @@ from tumble.calibrations.quantities import (
     prefixed,
     two_digit_places,
 )
+from tumble.calibrations.methods.dividing_head.montecarlo import TRIALS
 from tumble.calibrations.report.results import freedom
 from tumble.calibrations.report.subject import Subject
-from tumble.calibrations.result import Parameter
 
 FEW_DEGREES_OF_FREEDOM = 30
 _RESOLVED = 3 * math.sqrt(0.025 * 0.975 / TRIALS) / 0.0584

@@ -5,16 +5,16 @@ from dataclasses import replace
 
 import numpy as np
 
-from tumble.calibrations.blas_threads import one_blas_thread
-from tumble.calibrations.effects.scene import Scene
-from tumble.calibrations.joint import fit_jointly
-from tumble.calibrations.observations import Observations
+from tumble.calibrations.core.blas_threads import one_blas_thread
+from tumble.calibrations.methods.dividing_head.effects.scene import Scene
+from tumble.calibrations.methods.dividing_head.joint import fit_jointly
+from tumble.calibrations.methods.dividing_head.loop.table import scene_of
+from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.stand_records.agreement import AGREE_P
 from tumble.calibrations.stand_records.corrections import Corrections, chi_square_p
 from tumble.calibrations.stand_records.evidence import Run
 from tumble.calibrations.stand_records.record import StandRecord
 from tumble.calibrations.stand_records.terms import HEAD_COURSE, Term
-from tumble.calibrations.tracing.ground import scene_of
 
 
 @one_blas_thread

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 from scipy.special import chdtrc
 
-from tumble.calibrations.effects.scene import Scene
-from tumble.calibrations.geometry import FloatArray
-from tumble.calibrations.quantities import format_concise
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.quantities import format_concise
+from tumble.calibrations.methods.dividing_head.effects.scene import Scene
 from tumble.calibrations.stand_records.head_map import HeadMap
 from tumble.calibrations.stand_records.terms import BACKLASH, Term, harmonic_term
 

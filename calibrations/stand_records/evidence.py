@@ -7,19 +7,19 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from tumble.calibrations.budget import StandUncertainty, sources
-from tumble.calibrations.effects.effect import Structure
-from tumble.calibrations.effects.scene import Scene
-from tumble.calibrations.effects.stand import HIGHEST_ORDER
-from tumble.calibrations.fit import covariance
-from tumble.calibrations.geometry import FloatArray
-from tumble.calibrations.joint import LACK_OF_FIT_P, Joint, fit_rows
-from tumble.calibrations.model import PARAMETERS
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.sentences import equals, series
+from tumble.calibrations.methods.dividing_head.budget import StandUncertainty, sources
+from tumble.calibrations.methods.dividing_head.effects.scene import Scene
+from tumble.calibrations.methods.dividing_head.effects.stand import HIGHEST_ORDER
+from tumble.calibrations.methods.dividing_head.fit import covariance
+from tumble.calibrations.methods.dividing_head.joint import LACK_OF_FIT_P, Joint, fit_rows
+from tumble.calibrations.methods.dividing_head.loop.loop import Explained, Loop
+from tumble.calibrations.methods.dividing_head.model import PARAMETERS
 from tumble.calibrations.stand_records.corrections import Corrections
 from tumble.calibrations.stand_records.terms import LASTING, Term, harmonic_term, head_course, union
-from tumble.calibrations.support import equals, series
+from tumble.calibrations.tracing.effect import Structure
 from tumble.calibrations.tracing.findings import EffectFound
-from tumble.calibrations.tracing.loop import Explained, Loop
 from tumble.calibrations.tracing.trace import Found, Trace
 
 _ANGLE: Final = "angle"
@@ -97,7 +97,7 @@ class Run:
 
     @property
     def _scene(self) -> Scene:
-        return self.explained.base.scene
+        return self.explained.table.scene
 
     def _terms(self) -> Iterator[Term]:
         told = {effect.name: effect for effect in self._lasting() if not effect.also_possible}
@@ -129,7 +129,7 @@ class Run:
 
 def _fit(explained: Explained, trace: Trace, columns: Sequence[FloatArray]) -> Joint:
     """The declared model with further columns and what else was found."""
-    base = explained.base
+    base = explained.table
     functions = np.column_stack([base.declared, *columns, *(form.columns for form in trace.forms)])
     return fit_rows(base.joint.observations, functions, base.joint.weights, base.memory.whitening(trace.noise))
 

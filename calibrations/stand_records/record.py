@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from tumble.calibrations.observations import Observations
+from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.records.canonical import canonical_sha256, plain
 from tumble.calibrations.records.times import read_time, utc_text
 from tumble.calibrations.stand_records.corrections import Corrections, corrections_from_json

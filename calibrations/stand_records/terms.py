@@ -6,12 +6,12 @@ from typing import Final
 
 import numpy as np
 
-from tumble.calibrations.effects.daq import DAQ_EFFECTS
-from tumble.calibrations.effects.effect import Effect
-from tumble.calibrations.effects.scene import Scene
-from tumble.calibrations.effects.stand import STAND_EFFECTS
-from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.methods.dividing_head.effects.daq import DAQ_EFFECTS
+from tumble.calibrations.methods.dividing_head.effects.scene import Scene
+from tumble.calibrations.methods.dividing_head.effects.stand import STAND_EFFECTS
 from tumble.calibrations.stand_records.head_map import harmonics
+from tumble.calibrations.tracing.effect import Effect
 
 BACKLASH: Final = "backlash"
 HEAD_COURSE: Final = "head_course"

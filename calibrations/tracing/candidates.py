@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 from scipy.special import fdtri
 
-from tumble.calibrations.conditional import SINGULAR
-from tumble.calibrations.effects.effect import Effect, Form, Structure
-from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.solutions import SINGULAR
+from tumble.calibrations.tracing.effect import Effect, Form, Structure
 from tumble.calibrations.tracing.table import Table
 
 FALSE_ALARM = 0.001

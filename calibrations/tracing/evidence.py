@@ -19,9 +19,9 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from tumble.calibrations.effects.effect import Structure, Variable
-from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.tracing.blocks import WITHIN, Lack, held_out_gain, lack_of_fit, within
+from tumble.calibrations.tracing.effect import Structure, Variable
 from tumble.calibrations.tracing.seen import Linearised, Seen
 from tumble.calibrations.tracing.table import Table
 from tumble.calibrations.tracing.trace import Found, Trace

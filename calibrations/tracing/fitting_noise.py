@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from tumble.calibrations.effects.effect import Form
+from tumble.calibrations.tracing.effect import Form
 from tumble.calibrations.tracing.noise import NoiseModel
 from tumble.calibrations.tracing.table import Table
 
@@ -32,31 +32,31 @@ def noise_price(noise: NoiseModel) -> float:
     return flicker + walk + LEVEL_PRICE * len(noise.levels)
 
 
-def fitting(ground: Table, forms: Sequence[Form], noise: NoiseModel) -> tuple[tuple[NoiseModel, float], ...]:
+def fitting(table: Table, forms: Sequence[Form], noise: NoiseModel) -> tuple[tuple[NoiseModel, float], ...]:
     """The flicker and the walk that fit best with these forms beside a noise, each with its deviance."""
     flickers = [replace(noise, flicker=tried.flicker) for tried in _FLICKERS]
-    return _best(ground.deviance_by_noise(forms), flickers), best_walk(ground, forms, noise)
+    return _best(table.deviance_by_noise(forms), flickers), best_walk(table, forms, noise)
 
 
-def with_likely_flicker(ground: Table, forms: Sequence[Form], noise: NoiseModel) -> NoiseModel:
+def with_likely_flicker(table: Table, forms: Sequence[Form], noise: NoiseModel) -> NoiseModel:
     """The noise with the flicker that is to be expected beside it: each level weighed by its likelihood.
 
     Flicker need not earn its price to be there: it is the ordinary noise of a unit, and what it does to the mean of a
     run no residual shows.
     """
-    if noise.flicker or noise.walk or not ground.memory.modes.shape[1]:
+    if noise.flicker or noise.walk or not table.memory.modes.shape[1]:
         return noise
-    deviance = ground.deviance_by_noise(forms)
+    deviance = table.deviance_by_noise(forms)
     levels = np.array([0.0, *(tried.flicker for tried in _FLICKERS)])
     deviances = np.array([deviance(replace(noise, flicker=float(level))) for level in levels])
     weights = np.exp(-0.5 * (deviances - deviances.min()))
     return replace(noise, flicker=float(weights @ levels / weights.sum()))
 
 
-def is_slow(ground: Table, form: Form) -> bool:
+def is_slow(table: Table, form: Form) -> bool:
     """Whether a shape is nearly all made of waves of which the run holds few."""
-    white = ground.memory.whitening(NoiseModel(walk=100.0))
-    columns = form.columns * np.sqrt(ground.weights)[:, None]
+    white = table.memory.whitening(NoiseModel(walk=100.0))
+    columns = form.columns * np.sqrt(table.weights)[:, None]
     columns = columns - columns.mean(axis=0)
     return bool(np.sum(white(columns) ** 2) < _MOSTLY_SLOW * np.sum(columns**2))
 
@@ -73,12 +73,12 @@ def _best(deviance: Callable[[NoiseModel], float], tried: Sequence[NoiseModel]) 
     return tried[first], deviances[first]
 
 
-def best_walk(ground: Table, forms: Sequence[Form], noise: NoiseModel) -> tuple[NoiseModel, float]:
+def best_walk(table: Table, forms: Sequence[Form], noise: NoiseModel) -> tuple[NoiseModel, float]:
     """The noise with the random walk that fits best in place of flicker, and its deviance.
 
     Its rate is found first, then whether it has a corner.
     """
-    deviance = ground.deviance_by_noise(forms)
+    deviance = table.deviance_by_noise(forms)
     walks = [replace(noise, flicker=0.0, walk=walk, corner=0.0) for walk in _WALKS]
     coarse, _ = _best(deviance, walks)
     finer = [replace(coarse, walk=coarse.walk * ratio) for ratio in (1 / 3, 1.0, 3.0)]
@@ -87,9 +87,9 @@ def best_walk(ground: Table, forms: Sequence[Form], noise: NoiseModel) -> tuple[
     return _best(deviance, (best, *bent))
 
 
-def best_level(ground: Table, forms: Sequence[Form], noise: NoiseModel, name: str) -> NoiseModel:
+def best_level(table: Table, forms: Sequence[Form], noise: NoiseModel, name: str) -> NoiseModel:
     """The noise with the levels of an effect drawn with the variance that fits best."""
-    deviance = ground.deviance_by_noise(forms)
+    deviance = table.deviance_by_noise(forms)
 
     def at(logarithm: float) -> NoiseModel:
         return noise.with_level(name, float(np.exp(logarithm)))

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tumble.calibrations.conditional import SINGULAR
-from tumble.calibrations.effects.effect import Structure
-from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.solutions import SINGULAR
 from tumble.calibrations.tracing.candidates import Candidate
-from tumble.calibrations.tracing.footing import Fitted, Footing
+from tumble.calibrations.tracing.effect import Structure
+from tumble.calibrations.tracing.whitened import Fitted, WhitenedFit
 
 _ABSORBED = 1e-5
 """A column of which less than this part is left beside the model is taken as absorbed by it."""
@@ -33,7 +33,7 @@ class Problem:
 
     Parameters
     ----------
-    footing
+    whitened_fit
         The declared model in the noise.
     columns
         Columns of all candidates side by side, weighted and turned, shape (turned rows, n).
@@ -43,17 +43,17 @@ class Problem:
         How many of them are looked for at most.
     """
 
-    def __init__(self, footing: Footing, columns: FloatArray, offered: Sequence[Candidate], most: int) -> None:
+    def __init__(self, whitened_fit: WhitenedFit, columns: FloatArray, offered: Sequence[Candidate], most: int) -> None:
         self.most = most
         length = np.linalg.norm(columns, axis=0)
         self._scale = np.where(length > 0, length, 1.0)
-        self._footing = footing
-        self._split = footing.split(columns / self._scale).by_columns()
+        self._footing = whitened_fit
+        self._split = whitened_fit.split(columns / self._scale).by_columns()
         along, beside = self._split.along, self._split.beside
-        output = footing.output
+        output = whitened_fit.output
         self._squares = np.sum(along**2, axis=0) + np.einsum("ij,ij->j", beside, beside)
         self._with_output = along.T @ output.along[:, 0] + beside.T @ output.beside[:, 0]
-        self._rows = footing.rows
+        self._rows = whitened_fit.rows
         self._explained: dict[tuple[int, ...], Explanation] = {}
         self._promised: dict[tuple[int, ...], FloatArray] = {}
         self.offered = tuple(offered)

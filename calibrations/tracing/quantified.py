@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from tumble.calibrations.effects.effect import Effect, Form, Quantity
-from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.tracing.effect import Effect, Form, Quantity
 from tumble.calibrations.tracing.table import Table, View
 from tumble.calibrations.tracing.trace import Found, Trace
 

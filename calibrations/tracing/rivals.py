@@ -4,18 +4,10 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from tumble.calibrations.effects.effect import Structure
+from tumble.calibrations.tracing.effect import Structure
 from tumble.calibrations.tracing.fitting_noise import best_level, best_walk
 from tumble.calibrations.tracing.problem import Problem
-from tumble.calibrations.tracing.trace import (
-    WALK,
-    Found,
-    Trace,
-    Tracer,
-    found,
-    refined_one,
-    trace_price,
-)
+from tumble.calibrations.tracing.trace import WALK, Found, Trace, Tracer, found, refined_one, trace_price
 
 CLOSE = 3.84
 """Two explanations whose deviances differ by less cannot be told apart (chi-square, one degree of freedom, 95%)."""
@@ -114,20 +106,20 @@ def _in_place(
     tracer: Tracer[Any], rest: Trace, taken: tuple[str, ...], asked: Collection[str]
 ) -> Iterator[tuple[Found | None, Trace]]:
     """The rest of an explanation with each effect that promises anything, refined."""
-    ground = tracer.ground
+    table = tracer.table
     for rough in _best_forms(tracer.problem(rest.noise), tuple(item.number for item in rest.found), asked):
         effect = rough.effect
         if effect.name in taken:
             continue
         if effect.drawn:
-            noise = best_level(ground, rest.forms, rest.noise, effect.name)
-            yield None, replace(rest, noise=noise, deviance=ground.deviance(rest.forms, noise))
+            noise = best_level(table, rest.forms, rest.noise, effect.name)
+            yield None, replace(rest, noise=noise, deviance=table.deviance(rest.forms, noise))
             continue
-        fine = refined_one(ground, rough, rest.forms, rest.noise)
-        deviance = ground.deviance([*rest.forms, fine.form], rest.noise)
+        fine = refined_one(table, rough, rest.forms, rest.noise)
+        deviance = table.deviance([*rest.forms, fine.form], rest.noise)
         yield fine, replace(rest, found=(*rest.found, fine), deviance=deviance)
-    if WALK not in taken and ground.memory.modes.shape[1]:
-        noise, deviance = best_walk(ground, rest.forms, rest.noise)
+    if WALK not in taken and table.memory.modes.shape[1]:
+        noise, deviance = best_walk(table, rest.forms, rest.noise)
         yield None, replace(rest, noise=noise, deviance=deviance)
 
 

@@ -5,8 +5,8 @@ from copy import copy
 from dataclasses import dataclass, replace
 from typing import Any, Generic, Self, TypeVar
 
-from tumble.calibrations.effects.effect import Effect, Form, Structure
 from tumble.calibrations.tracing.candidates import Candidate, all_columns, candidates
+from tumble.calibrations.tracing.effect import Effect, Form, Structure
 from tumble.calibrations.tracing.fitting_noise import (
     best_level,
     best_walk,
@@ -88,7 +88,7 @@ class Tracer(Generic[_T]):
 
     Parameters
     ----------
-    ground
+    table
         The table, ready to be fitted with the declared model.
     barred
         Effects that are not looked for.
@@ -96,14 +96,14 @@ class Tracer(Generic[_T]):
         In which the search is made first.
     """
 
-    def __init__(self, ground: _T, barred: frozenset[str] = frozenset(), noise: NoiseModel = WHITE) -> None:
-        self.ground = ground
+    def __init__(self, table: _T, barred: frozenset[str] = frozenset(), noise: NoiseModel = WHITE) -> None:
+        self.table = table
         self.barred = barred
         self._noise = noise
-        self.effects = ground.effects
-        self.offered = candidates(ground)
-        self.columns = all_columns(self.offered, ground.rows)
-        self._turned = ground.whole.turned(self.columns)
+        self.effects = table.effects
+        self.offered = candidates(table)
+        self.columns = all_columns(self.offered, table.rows)
+        self._turned = table.whole.turned(self.columns)
         self._problems: dict[NoiseModel, Problem] = {}
 
     def without(self, barred: frozenset[str]) -> Self:
@@ -112,18 +112,18 @@ class Tracer(Generic[_T]):
         other.barred = barred
         return other
 
-    def among(self, ground: _T, noise: NoiseModel) -> Self:
+    def among(self, table: _T, noise: NoiseModel) -> Self:
         """The same rows and effects where more can be noise, searched in a noise first."""
         other = copy(self)
-        other.ground, other._noise = ground, noise
-        other._turned, other._problems = ground.whole.turned(self.columns), {}
+        other.table, other._noise = table, noise
+        other._turned, other._problems = table.whole.turned(self.columns), {}
         return other
 
     def problem(self, noise: NoiseModel) -> Problem:
         """The table in a kind of noise."""
         if noise not in self._problems:
-            footing, most = self.ground.whole.footing(noise), self.ground.most_effects
-            self._problems[noise] = Problem(footing, self._turned, self.offered, most)
+            whitened_fit, most = self.table.whole.whitened_fit(noise), self.table.most_effects
+            self._problems[noise] = Problem(whitened_fit, self._turned, self.offered, most)
         return self._problems[noise].without(self.barred)
 
     def trace(self) -> Trace:
@@ -132,35 +132,35 @@ class Tracer(Generic[_T]):
         The search is made in white noise first. Where what it finds, or what it leaves, could as well be noise that
         remembers, it is made again in such noise, and the cheaper explanation is taken.
         """
-        if self.ground.rows < self.ground.fewest_rows:
-            return Trace(found=(), noise=NoiseModel(), deviance=self.ground.deviance((), NoiseModel()))
+        if self.table.rows < self.table.fewest_rows:
+            return Trace(found=(), noise=NoiseModel(), deviance=self.table.deviance((), NoiseModel()))
         white = self._searched(self._noise)
         others = [self._adapted(self._settled(noise, white)) for noise in self._other_noises(white)]
         best = min((self._drawn(trace) for trace in (white, *others)), key=trace_price)
         if best.noise.walk:
             best = min(best, self._without(best, WALK), key=trace_price)
-        return self._with_single_forms(refined(self.ground, best))
+        return self._with_single_forms(refined(self.table, best))
 
     def _with_single_forms(self, trace: Trace) -> Trace:
         """Leave out the second form of an effect that stood only for a scanned value between two of the grid."""
         names = [item.effect.name for item in trace.found]
         double = [item for item in trace.found if names.count(item.effect.name) > 1]
         rests = [replace(trace, found=tuple(kept for kept in trace.found if kept is not item)) for item in double]
-        return min((trace, *(refined(self.ground, rest) for rest in rests)), key=trace_price)
+        return min((trace, *(refined(self.table, rest) for rest in rests)), key=trace_price)
 
     def _other_noises(self, white: Trace) -> list[NoiseModel]:
         """Noises worth a search of their own: with what was found, or with the fast part of it.
 
         What changes slowly may be the wandering itself, taken for effects: without it both are always tried.
         """
-        if not self.ground.memory.modes.shape[1]:
+        if not self.table.memory.modes.shape[1]:
             return []
-        beside = fitting(self.ground, white.forms, self._noise)
+        beside = fitting(self.table, white.forms, self._noise)
         noises = [noise for noise, deviance in beside if white.deviance - deviance > _NOTICED]
-        slow = [item.effect.drawn or is_slow(self.ground, item.form) for item in white.found]
+        slow = [item.effect.drawn or is_slow(self.table, item.form) for item in white.found]
         if any(slow):
             fast = [item.form for item, away in zip(white.found, slow, strict=True) if not away]
-            noises += [noise for noise, _ in fitting(self.ground, fast, self._noise)]
+            noises += [noise for noise, _ in fitting(self.table, fast, self._noise)]
         return list(dict.fromkeys(noises))
 
     def _drawn(self, trace: Trace) -> Trace:
@@ -176,7 +176,7 @@ class Tracer(Generic[_T]):
     def _without(self, trace: Trace, name: str) -> Trace:
         """A trace without an effect that is noise."""
         rest = trace.without(name)
-        return replace(rest, deviance=self.ground.deviance(rest.forms, rest.noise))
+        return replace(rest, deviance=self.table.deviance(rest.forms, rest.noise))
 
     def _with_drawn_levels(self, trace: Trace) -> Trace:
         """Take effects that draw levels out of the columns: of levels, only the variance is a parameter."""
@@ -184,15 +184,15 @@ class Tracer(Generic[_T]):
         kept = tuple(item for item in trace.found if not item.effect.drawn)
         noise = trace.noise
         for name in names:
-            noise = best_level(self.ground, [item.form for item in kept], noise, name)
-        deviance = self.ground.deviance([item.form for item in kept], noise)
+            noise = best_level(self.table, [item.form for item in kept], noise, name)
+        deviance = self.table.deviance([item.form for item in kept], noise)
         return Trace(found=kept, noise=noise, deviance=deviance)
 
     def _adapted(self, trace: Trace) -> Trace:
         """A trace with the walk that suits what was found; searched again where that is another one."""
         if not trace.noise.walk:
             return trace
-        noise, _ = best_walk(self.ground, trace.forms, trace.noise)
+        noise, _ = best_walk(self.table, trace.forms, trace.noise)
         return trace if noise == trace.noise else min(trace, self._settled(noise, trace), key=trace_price)
 
     def _searched(self, noise: NoiseModel) -> Trace:
@@ -226,14 +226,14 @@ def trace_price(trace: Trace) -> float:
     return trace.deviance + noise_price(trace.noise) + entries([found.candidate for found in trace.found])
 
 
-def refined(ground: Table, trace: Trace, rounds: int = 2) -> Trace:
+def refined(table: Table, trace: Trace, rounds: int = 2) -> Trace:
     """Move what was scanned on a grid to where it fits best."""
     found = list(trace.found)
     for _ in range(rounds if any(item.effect.at for item in found) else 0):
         for place, item in enumerate(found):
             others = [other.form for other in (*found[:place], *found[place + 1 :])]
-            found[place] = refined_one(ground, item, others, trace.noise)
-    deviance = ground.deviance([item.form for item in found], trace.noise)
+            found[place] = refined_one(table, item, others, trace.noise)
+    deviance = table.deviance([item.form for item in found], trace.noise)
     return Trace(found=tuple(found), noise=trace.noise, deviance=deviance)
 
 
@@ -241,20 +241,20 @@ _RATIO = 1.35
 """Grids of scanned values are finer than this ratio between neighbours."""
 
 
-def refined_one(ground: Table, item: Found, others: Sequence[Form], noise: NoiseModel) -> Found:
+def refined_one(table: Table, item: Found, others: Sequence[Form], noise: NoiseModel) -> Found:
     """The form of one effect with its scanned value by golden-section search about its grid value."""
     at = item.effect.at
     if at is None:
         return item
     (value,) = item.form.scanned.values()
 
-    beside = ground.deviance_beside(others, noise)
+    beside = table.deviance_beside(others, noise)
 
     def deviance(trial: float) -> float:
-        return beside(at(ground.scene, trial))
+        return beside(at(table.scene, trial))
 
     low, high = sorted((value / _RATIO, value * _RATIO))
     better = golden_section(deviance, low, high, steps=14)
     if deviance(better) >= deviance(value):
         return item
-    return replace(item, form=at(ground.scene, better))
+    return replace(item, form=at(table.scene, better))

@@ -10,8 +10,8 @@ from unittest.mock import patch
 from matplotlib.figure import Figure
 
 from tumble.app.cli import main
-from tumble.calibrations import analysis
-from tumble.calibrations.tracing.loop import explain
+from tumble.calibrations.methods.dividing_head import analysis
+from tumble.calibrations.methods.dividing_head.loop.loop import explain
 
 STAND = """\
 name = "bench-1"

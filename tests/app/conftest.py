@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from app_jobs import STAND, TINY, Ran, cheaply, few_trials_of, tracing_once, tumble
 
-from tumble.calibrations import analysis
+from tumble.calibrations.methods.dividing_head import analysis
 
 
 @dataclass(frozen=True, kw_only=True)

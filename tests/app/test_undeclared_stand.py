@@ -7,7 +7,7 @@ from app_jobs import STAND, tumble
 
 from tumble.app.analysing import fit, trace
 from tumble.app.measurements import read_measurement
-from tumble.calibrations.budget import StandUncertainty
+from tumble.calibrations.methods.dividing_head.budget import StandUncertainty
 from tumble.calibrations.report.results import notices
 from tumble.calibrations.report.subject import Subject
 

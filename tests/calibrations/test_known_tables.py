@@ -1,9 +1,10 @@
 import pytest
 
+from tumble.calibrations.core.cells import TableError
+from tumble.calibrations.core.files import read_header
 from tumble.calibrations.known_tables import Kind, kind_of
-from tumble.calibrations.table import TableError, read_header
-from tumble.calibrations.temperature.columns import Column, column_of, holds_numbers, unit_of
-from tumble.calibrations.temperature.table import read_runs
+from tumble.calibrations.methods.temperature.columns import Column, column_of, holds_numbers, unit_of
+from tumble.calibrations.methods.temperature.table import read_runs
 
 TRIAD = (
     "run,ambient_degC,sensor_degC,bias_x_arcsec,bias_y_arcsec,bias_z_arcsec,scale_x_percent,scale_y_percent,"

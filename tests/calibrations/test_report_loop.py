@@ -10,7 +10,8 @@ from loop_examples import clean, found, misread, timed, with_k_xx
 from report_examples import provenance
 from test_report_page import parsed, text_of
 
-from tumble.calibrations.effects import CATALOGUE
+from tumble.calibrations.methods.dividing_head.effects import CATALOGUE
+from tumble.calibrations.methods.dividing_head.loop.table import scene_of
 from tumble.calibrations.report import outlooks, traces
 from tumble.calibrations.report.abscissa import BY_EFFECT, BY_VARIABLE
 from tumble.calibrations.report.page import SECTIONS
@@ -20,7 +21,6 @@ from tumble.calibrations.report.traces import MOST_FIGURES, abscissae, trace_fig
 from tumble.calibrations.tracing.chain import Chain, Link, Stage
 from tumble.calibrations.tracing.experiments import Experiment
 from tumble.calibrations.tracing.findings import Unexplained
-from tumble.calibrations.tracing.ground import scene_of
 from tumble.calibrations.tracing.separation import Difference, Outlook
 
 UNEXPLAINED = Unexplained(depends_on="angle", description="a bump of 18 arcsec near 141 deg on the head")

@@ -3,10 +3,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tumble.calibrations.core.cells import TableError
 from tumble.calibrations.known_tables import Kind, kind_of
-from tumble.calibrations.table import TableError
-from tumble.calibrations.temperature.loop import close_temperature_loop
-from tumble.calibrations.temperature.table import Runs, read_runs
+from tumble.calibrations.methods.temperature.loop import close_temperature_loop
+from tumble.calibrations.methods.temperature.table import Runs, read_runs
 
 PRINTED = {
     "bias_x_arcsec": 4.3,

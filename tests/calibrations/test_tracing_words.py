@@ -5,9 +5,8 @@ from dataclasses import replace
 import pytest
 from loop_examples import clean, found, misread, with_k_xx
 
-from tumble.calibrations.tracing.findings import Unexplained
-from tumble.calibrations.tracing.misreading import Misreading
-from tumble.calibrations.tracing.words import (
+from tumble.calibrations.methods.dividing_head.loop.misreading import Misreading
+from tumble.calibrations.methods.dividing_head.loop.sentences import (
     comparisons,
     findings,
     found_sentences,
@@ -16,6 +15,7 @@ from tumble.calibrations.tracing.words import (
     misread_text,
     untold,
 )
+from tumble.calibrations.tracing.findings import Unexplained
 
 
 def finding(*arguments, **named):

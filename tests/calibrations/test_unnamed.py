@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from test_effects import scene
 
-from tumble.calibrations.effects.effect import Form
-from tumble.calibrations.effects.unnamed import STRUCTURES, taken_by
+from tumble.calibrations.methods.dividing_head.effects.unnamed import STRUCTURES, taken_by
+from tumble.calibrations.tracing.effect import Form
 
 BY_NAME = {structure.name: structure for structure in STRUCTURES}
 

@@ -11,7 +11,7 @@ import pytest
 from PySide6.QtCore import QEvent, QSettings
 from window_driver import LONG, TINY, Driver
 
-from tumble.calibrations import analysis
+from tumble.calibrations.methods.dividing_head import analysis
 from tumble.window.look.language import Language
 from tumble.window.start import Application, application
 

@@ -6,15 +6,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tumble.calibrations.geometry import FloatArray
-from tumble.calibrations.quantities import format_correlation
-from tumble.calibrations.result import Calibration
-from tumble.calibrations.usable import Model
-from tumble.calibrations.verdict import Verdict
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.quantities import format_correlation
+from tumble.calibrations.core.verdict import Model, Verdict
+from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.window.work.activity import Concluded
 
 if TYPE_CHECKING:
-    from tumble.calibrations.tracing.words import Comparison, Finding
+    from tumble.calibrations.methods.dividing_head.loop.sentences import Comparison, Finding
 
 _MICRO = 1e6
 
@@ -58,9 +57,15 @@ class Presentation:
 
 def present(concluded: Concluded) -> Presentation:
     """Work out what there is to show."""
+    from tumble.calibrations.methods.dividing_head.loop.sentences import (
+        comparisons,
+        findings,
+        headline,
+        leaning,
+        untold,
+    )
     from tumble.calibrations.report.results import notices, results  # matplotlib takes half a second
     from tumble.calibrations.report.subject import Subject
-    from tumble.calibrations.tracing.words import comparisons, findings, headline, leaning, untold
 
     traced = concluded.traced
     use, loop = traced.usable, traced.loop
