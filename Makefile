@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 WORKERS ?= 2
 RELATIVE ?= 1e-9
-TEXTS := window/translations/tumble_uk
+CATALOGUES := $(wildcard tumble/locales/*/LC_MESSAGES/tumble.po)
 
 .DEFAULT_GOAL := help
 .PHONY: help setup gui texts demo test test-screen frozen check endurance lock clean
@@ -16,7 +16,7 @@ help:
 	@echo "make test-screen   tests of the window on a real X11 screen that nobody sees (needs xvfb)"
 	@echo "make frozen RELATIVE=1e-6   results of all tables and recordings against the frozen ones"
 	@echo "make endurance   kills, cuts, flips, runs through the wire, faults at every step, a soak, mutated frames (two hours)"
-	@echo "make texts  collect the texts of the window for its translators"
+	@echo "make texts  collect the messages for the translators of tumble/locales, and compile what they wrote"
 	@echo "make lock   pin the dependencies anew"
 
 $(VENV)/.ready: requirements.lock pyproject.toml
@@ -25,10 +25,10 @@ $(VENV)/.ready: requirements.lock pyproject.toml
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --editable .
 	touch $@
 
-$(TEXTS).qm: $(TEXTS).ts | $(VENV)/.ready
-	$(BIN)/pyside6-lrelease -silent $< -qm $@
+%.mo: %.po | $(VENV)/.ready
+	$(BIN)/python setup.py --quiet compile_catalogues
 
-setup: $(VENV)/.ready $(TEXTS).qm
+setup: $(VENV)/.ready $(CATALOGUES:.po=.mo)
 
 demo: setup
 	$(BIN)/tumble calibrate --programme seed --serial DEMO-1 --operator demo --store tumble-store
@@ -71,11 +71,11 @@ lock:
 	uv pip compile --universal --python-version 3.11 --generate-hashes --no-emit-index-url --no-header \
 	    --extra test --extra check pyproject.toml -o requirements.lock
 
-texts: setup
-	$(BIN)/pyside6-lupdate -no-obsolete -locations none -target-language uk_UA $$(find window -name '*.py' | sort) -ts $(TEXTS).ts
+texts: $(VENV)/.ready
+	$(BIN)/python setup.py --quiet extract_messages update_catalog compile_catalogues
 
 gui: setup
 	$(BIN)/tumble gui
 
 clean:
-	rm -rf $(VENV) tumble-store $(TEXTS).qm
+	rm -rf $(VENV) tumble-store $(CATALOGUES:.po=.mo)

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QStackedWidget, QVBoxLay
 
 from tumble.app.stand import LoadedStand
 from tumble.drivers.protocols import HeadStatus
+from tumble.window.look.language import tr
 from tumble.window.menus import fill_menus
 from tumble.window.place import keep_on_screen, remember_place, restore_place
 from tumble.window.screens.records import RecordsScreen
@@ -59,7 +60,7 @@ class MainWindow(QMainWindow):
         self.way_out = WayOut(self)
         self._guard = StopGuard(self.stop_bar.button, self)
         self._screens = QStackedWidget()
-        titles = (self.tr("Stand"), self.tr("Run"), self.tr("Result"), self.tr("Records"))
+        titles = (tr("Stand"), tr("Run"), tr("Result"), tr("Records"))
         self._navigation = Navigation(titles)
         self._lay_out()
         self._connect()
@@ -119,8 +120,8 @@ class MainWindow(QMainWindow):
             self._say_what_stops()
 
     def _say_what_stops(self) -> None:
-        text = self.tr("Esc stops nothing: it closes dialogs. STOP is {key}.").format(key=STOP_KEYS[0])
-        self.dialogs.show_dialog(Dialog(self.tr("Not stopped"), text, "fault"))
+        text = tr("Esc stops nothing: it closes dialogs. STOP is {key}.", key=STOP_KEYS[0])
+        self.dialogs.show_dialog(Dialog(tr("Not stopped"), text, "fault"))
 
     def _room(self) -> int:
         """What navigation, menus and STOP leave of the height."""
@@ -189,15 +190,17 @@ class MainWindow(QMainWindow):
         if self.busy or shown.is_of(its):
             self._begin_here(activity, points)
             return
-        text = self.tr(
+        text = tr(
             "This run was measured at the stand {its} ({path}); on screen is the stand {shown}. "
-            "Leave that one, and go on with the run at {its}?"
+            "Leave that one, and go on with the run at {its}?",
+            its=its.file.name,
+            path=its.path or tr("the simulated stand that is built in"),
+            shown=shown.loaded.file.name,
         )
-        place = its.path or self.tr("the simulated stand that is built in")
         question = QuestionDialog(
-            self.tr("Another stand"),
-            text.format(its=its.file.name, path=place, shown=shown.loaded.file.name),
-            self.tr("Take the stand {its}, and go on").format(its=its.file.name),
+            tr("Another stand"),
+            text,
+            tr("Take the stand {its}, and go on", its=its.file.name),
         )
         question.agreed.connect(lambda: self._begin_there(activity, points))
         self.dialogs.show_dialog(question)

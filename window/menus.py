@@ -2,11 +2,12 @@
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QCoreApplication, QSettings
+from PySide6.QtCore import QSettings
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QLabel, QMenu
 
-from tumble.window.look.language import Language, preferred
+from tumble.messages import Language
+from tumble.window.look.language import preferred, tr
 from tumble.window.look.theme import Shade
 from tumble.window.stop_guard import STOP_KEYS
 from tumble.window.widgets.dialog import YES_KEY, Dialog
@@ -14,7 +15,6 @@ from tumble.window.widgets.dialog import YES_KEY, Dialog
 if TYPE_CHECKING:
     from tumble.window.main_window import MainWindow
 
-translate: Final = QCoreApplication.translate
 SCALES: Final = (0.8, 1.0, 1.25, 1.5, 2.0, 2.5)
 
 
@@ -35,27 +35,27 @@ def language() -> Language:
 
 def fill_menus(window: "MainWindow") -> None:
     """Give a window its menus."""
-    view = window.menuBar().addMenu(translate("Menus", "&View"))
+    view = window.menuBar().addMenu(tr("&View"))
     _fill_shades(window, view)
     view.addSeparator()
-    _add(view, translate("Menus", "Larger text"), QKeySequence("Ctrl++"), lambda: _scale(window, 1))
-    _add(view, translate("Menus", "Smaller text"), QKeySequence("Ctrl+-"), lambda: _scale(window, -1))
-    languages = window.menuBar().addMenu(translate("Menus", "&Language"))
+    _add(view, tr("Larger text"), QKeySequence("Ctrl++"), lambda: _scale(window, 1))
+    _add(view, tr("Smaller text"), QKeySequence("Ctrl+-"), lambda: _scale(window, -1))
+    languages = window.menuBar().addMenu(tr("&Language"))
     group = QActionGroup(languages)
     for choice in Language:
         action = _add(languages, choice.endonym, None, lambda choice=choice: _speak(window, choice))
         _tick(action, group, choice is language())
-    help_menu = window.menuBar().addMenu(translate("Menus", "&Help"))
-    _add(help_menu, translate("Menus", "Keys"), QKeySequence("F1"), lambda: _show_keys(window))
-    _add(help_menu, translate("Menus", "Quit"), QKeySequence("Ctrl+Q"), window.close)
+    help_menu = window.menuBar().addMenu(tr("&Help"))
+    _add(help_menu, tr("Keys"), QKeySequence("F1"), lambda: _show_keys(window))
+    _add(help_menu, tr("Quit"), QKeySequence("Ctrl+Q"), window.close)
 
 
 def _fill_shades(window: "MainWindow", view: QMenu) -> None:
     group = QActionGroup(view)
     names = {
-        Shade.DESKTOP: translate("Menus", "As the desktop"),
-        Shade.LIGHT: translate("Menus", "Light"),
-        Shade.DARK: translate("Menus", "Dark"),
+        Shade.DESKTOP: tr("As the desktop"),
+        Shade.LIGHT: tr("Light"),
+        Shade.DARK: tr("Dark"),
     }
     for choice, name in names.items():
         action = _add(view, name, None, lambda choice=choice: _shade(window, choice))
@@ -97,27 +97,27 @@ def _speak(window: "MainWindow", choice: Language) -> None:
 
 
 def _tell_language_later(window: "MainWindow") -> None:
-    text = translate("Menus", "The language changes when the window is opened the next time: the stand is at work.")
-    window.dialogs.show_dialog(Dialog(translate("Menus", "Language"), text))
+    text = tr("The language changes when the window is opened the next time: the stand is at work.")
+    window.dialogs.show_dialog(Dialog(tr("Language"), text))
 
 
 def _show_keys(window: "MainWindow") -> None:
     keys = {
-        ", ".join(STOP_KEYS): translate("Menus", "stop the head, whatever is going on"),
-        "Esc": translate("Menus", "close a dialog; it stops nothing"),
-        "F5": translate("Menus", "start the run"),
-        "F6": translate("Menus", "pause"),
-        "F7": translate("Menus", "go on after a pause"),
-        YES_KEY: translate("Menus", "yes to the question that is asked"),
-        "F9": translate("Menus", "the unit sits in the mount"),
-        "Enter": translate("Menus", "the head reads as set, or as typed"),
-        "Ctrl+1 … Ctrl+4": translate("Menus", "Stand, Run, Result, Records"),
-        "Ctrl+← Ctrl+→": translate("Menus", "one step with the head"),
-        "F8": translate("Menus", "go to the angle that was typed"),
-        "Ctrl+Home": translate("Menus", "home the head"),
-        "Ctrl++ Ctrl+-": translate("Menus", "larger, smaller text"),
+        ", ".join(STOP_KEYS): tr("stop the head, whatever is going on"),
+        "Esc": tr("close a dialog; it stops nothing"),
+        "F5": tr("start the run"),
+        "F6": tr("pause"),
+        "F7": tr("go on after a pause"),
+        YES_KEY: tr("yes to the question that is asked"),
+        "F9": tr("the unit sits in the mount"),
+        "Enter": tr("the head reads as set, or as typed"),
+        "Ctrl+1 … Ctrl+4": tr("Stand, Run, Result, Records"),
+        "Ctrl+← Ctrl+→": tr("one step with the head"),
+        "F8": tr("go to the angle that was typed"),
+        "Ctrl+Home": tr("home the head"),
+        "Ctrl++ Ctrl+-": tr("larger, smaller text"),
     }
     rows = "".join(f"<tr><td><b>{key}</b>&nbsp;&nbsp;</td><td>{text}</td></tr>" for key, text in keys.items())
-    dialog = Dialog(translate("Menus", "Keys"), "")
+    dialog = Dialog(tr("Keys"), "")
     dialog.add(QLabel(f"<table>{rows}</table>"))
     window.dialogs.show_dialog(dialog)

@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject
 
+from tumble.window.look.language import tr
 from tumble.window.widgets.dialog import QuestionDialog
 
 if TYPE_CHECKING:
@@ -63,9 +64,9 @@ class WayOut(QObject):
 
     def _ask(self) -> None:
         question = QuestionDialog(
-            self.tr("Leave"),
-            self.tr("The stand is at work. Stop it at a standstill, and leave? Complete points are kept."),
-            self.tr("Stop and leave"),
+            tr("Leave"),
+            tr("The stand is at work. Stop it at a standstill, and leave? Complete points are kept."),
+            tr("Stop and leave"),
         )
         question.agreed.connect(self.leave)
         self._window.dialogs.show_dialog(question)

@@ -12,7 +12,7 @@ from PySide6.QtCore import QEvent, QSettings
 from window_driver import LONG, TINY, Driver
 
 from tumble.calibrations.methods.dividing_head import analysis
-from tumble.window.look.language import Language
+from tumble.messages import Language
 from tumble.window.start import Application, application
 
 

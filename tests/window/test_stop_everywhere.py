@@ -9,8 +9,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from window_driver import STAND
 
+from tumble.messages import Language
 from tumble.window import menus
-from tumble.window.look.language import Language
 from tumble.window.stop_guard import STOP_KEYS
 from tumble.window.widgets.dialog import Dialog
 

@@ -5,6 +5,9 @@ from typing import Final
 
 from PySide6.QtCore import QLocale
 
+from tumble.messages import Language
+from tumble.window.look.language import spoken
+
 _POINT: Final = re.compile(r"(?<=\d)\.(?=\d)")
 _UNIT: Final = re.compile(r"(?<![A-Za-z.])(?:[pnµmk]?V|Hz|kHz|ms|s|min|h)(?![A-Za-z])")
 _RANGE: Final = re.compile(r"(?<=\d) to (?=[-−\d])")
@@ -22,16 +25,15 @@ _CYRILLIC: Final = {
     "min": "хв",
     "h": "год",
 }
-"""ДСТУ ISO 80000; g, ° and K are the same in both languages."""
+"""ДСТУ ISO 80000; g, ° and K are the same in every language."""
+_TO: Final = {Language.ENGLISH: " to ", Language.UKRAINIAN: " … ", Language.GERMAN: " bis "}
 
 
 def local(text: str) -> str:
     """Text with numbers and units in it, with the decimal sign and the units of the language."""
-    locale = QLocale()
-    written = _POINT.sub(locale.decimalPoint(), text)
-    if not _is_ukrainian(locale):
-        return written
-    return _UNIT.sub(lambda unit: _CYRILLIC[unit[0]], _RANGE.sub(" … ", written))
+    language = spoken()
+    written = _RANGE.sub(_TO[language], _POINT.sub(QLocale().decimalPoint(), text))
+    return _UNIT.sub(lambda unit: _CYRILLIC[unit[0]], written) if language is Language.UKRAINIAN else written
 
 
 def parse_number(text: str) -> float:
@@ -44,7 +46,3 @@ def minutes(duration_s: float) -> str:
     whole_minutes, seconds = divmod(max(round(duration_s), 0), 60)
     hours, rest = divmod(whole_minutes, 60)
     return f"{hours}:{rest:02d}:{seconds:02d}" if hours else f"{rest}:{seconds:02d}"
-
-
-def _is_ukrainian(locale: QLocale) -> bool:
-    return locale.language() == QLocale.Language.Ukrainian

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
+from tumble.window.look.language import tr
 from tumble.window.look.sentences import in_language
 from tumble.window.widgets.motion_button import MotionButton
 from tumble.window.widgets.table import Table
@@ -23,10 +24,8 @@ class CutOffView(QWidget):
         super().__init__(parent)
         self._runs: tuple[CutOff, ...] = ()
         self._allowed = True
-        self.table = Table(
-            (self.tr("unit"), self.tr("programme"), self.tr("points"), self.tr("ended"), self.tr("recording"))
-        )
-        self.resume_button = MotionButton(self.tr("Go on with it"), "F7")
+        self.table = Table((tr("unit"), tr("programme"), tr("points"), tr("ended"), tr("recording")))
+        self.resume_button = MotionButton(tr("Go on with it"), "F7")
         self.resume_button.clicked.connect(self._resume)
         self.table.itemSelectionChanged.connect(self._refresh)
         layout = QVBoxLayout(self)
@@ -42,7 +41,7 @@ class CutOffView(QWidget):
                     run.serial_number,
                     run.programme_name,
                     str(run.points),
-                    in_language(run.ending) or self.tr("broke off"),
+                    in_language(run.ending) or tr("broke off"),
                     run.path.name,
                 )
                 for run in runs

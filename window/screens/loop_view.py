@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QLabel, QListWidget, QVBoxLayout, QWidget
 
+from tumble.window.look.language import tr
+from tumble.window.look.names import effect_name
 from tumble.window.look.numbers import local, minutes
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
@@ -30,25 +32,25 @@ class LoopView(QWidget):
         self.headline = _wrapped()
         self.findings = Table(
             (
-                self.tr("effect"),
-                self.tr("or"),
-                self.tr("belongs to"),
-                self.tr("coefficients (standard uncertainty)"),
-                self.tr("p"),
+                tr("effect"),
+                tr("or"),
+                tr("belongs to"),
+                tr("coefficients (standard uncertainty)"),
+                tr("p"),
             )
         )
-        self.comparisons = Table(("", self.tr("declared model"), self.tr("with what was found"), self.tr("change")))
+        self.comparisons = Table(("", tr("declared model"), tr("with what was found"), tr("change")))
         self.untold = _wrapped()
         self.experiments = QListWidget()
         self.experiments.setWordWrap(True)
         self.experiments.setMinimumHeight(70)
-        self.run_button = MotionButton(self.tr("Run the chosen experiment"), "F5")
+        self.run_button = MotionButton(tr("Run the chosen experiment"), "F5")
         self.run_button.clicked.connect(self._run)
         self.experiments.currentRowChanged.connect(self._refresh)
         self._titles = {
-            self.findings: QLabel(self.tr("What was found")),
-            self.comparisons: QLabel(self.tr("Before and after")),
-            self.experiments: QLabel(self.tr("What to measure next")),
+            self.findings: QLabel(tr("What was found")),
+            self.comparisons: QLabel(tr("Before and after")),
+            self.experiments: QLabel(tr("What to measure next")),
         }
         layout = QVBoxLayout(self)
         layout.addWidget(self.headline)
@@ -67,7 +69,7 @@ class LoopView(QWidget):
         self.findings.fill(
             [
                 (
-                    found.name,
+                    effect_name(found.name),
                     in_language(found.also_possible),
                     in_language(found.belongs_to),
                     local(found.coefficients),
@@ -85,8 +87,7 @@ class LoopView(QWidget):
         self.findings.show_whole()
         self.comparisons.show_whole()
         told = [
-            self.tr("{name} cannot be told: {reason}").format(name=n, reason=in_language(why))
-            for n, why in presentation.untold
+            tr("{name} cannot be told: {reason}", name=n, reason=in_language(why)) for n, why in presentation.untold
         ]
         self.untold.setText(
             local("\n".join([*told, *([in_language(presentation.leaning)] if presentation.leaning else [])]))
@@ -110,7 +111,7 @@ class LoopView(QWidget):
     def _list_experiments(self, experiments: "Sequence[Experiment]") -> None:
         self.experiments.clear()
         for experiment in experiments:
-            title = self.tr("no programme helps")
+            title = tr("no programme helps")
             if experiment.programme:
                 title = f"{experiment.programme} ({minutes(experiment.stand_time_s)})"
             self.experiments.addItem(f"{title}: {in_language(experiment.why)}")

@@ -13,6 +13,7 @@ from tumble.calibrations.core.quantities import format_concise
 from tumble.calibrations.core.verdict import Outcome
 from tumble.calibrations.records.record import Record
 from tumble.procedures.errors import InputError
+from tumble.window.look.language import tr
 from tumble.window.look.numbers import local
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
@@ -55,22 +56,22 @@ class RecordsScreen(QWidget):
         self.search, self.trend, self.cut_off, self.stands = RecordSearch(), TrendPlot(), CutOffView(), StandRecords()
         self.table = Table(
             (
-                self.tr("unit"),
-                self.tr("programme"),
-                self.tr("measured"),
-                self.tr("revision"),
-                self.tr("verdict"),
+                tr("unit"),
+                tr("programme"),
+                tr("measured"),
+                tr("revision"),
+                tr("verdict"),
                 "kx",
-                self.tr("record"),
+                tr("record"),
             )
         )
         self.said = PlainLabel()
         self.tabs = QTabWidget()
-        self.open_button = self._button(self.tr("&Open"), self._open)
-        self.compare_button = self._button(self.tr("&Compare two"), self._compare)
-        self.verify_button = self._button(self.tr("Ver&ify"), self._verify)
-        self.again_button = self._button(self.tr("&Analyse again"), self._analyse_again)
-        self.export_button = self._button(self.tr("&Export…"), self._choose_export)
+        self.open_button = self._button(tr("&Open"), self._open)
+        self.compare_button = self._button(tr("&Compare two"), self._compare)
+        self.verify_button = self._button(tr("Ver&ify"), self._verify)
+        self.again_button = self._button(tr("&Analyse again"), self._analyse_again)
+        self.export_button = self._button(tr("&Export…"), self._choose_export)
         self._lay_out()
         self.search.changed.connect(self.refresh)
         self.table.itemDoubleClicked.connect(lambda _: self._open())
@@ -111,9 +112,9 @@ class RecordsScreen(QWidget):
         column.addLayout(buttons)
         column.addWidget(self.said)
         for part, title in (
-            (self.trend, self.tr("Trend")),
-            (self.cut_off, self.tr("Runs without a record")),
-            (self.stands, self.tr("Stands")),
+            (self.trend, tr("Trend")),
+            (self.cut_off, tr("Runs without a record")),
+            (self.stands, tr("Stands")),
         ):
             self.tabs.addTab(part, title)
         layout = QVBoxLayout(self)
@@ -133,17 +134,17 @@ class RecordsScreen(QWidget):
         self.cut_off.show_runs(found.cut_off)
         self.found_cut_off.emit(found.cut_off)
         self.stands.show_records(found.stands)
-        title = self.tr("Runs without a record")
+        title = tr("Runs without a record")
         self.tabs.setTabText(1, f"{title} ({len(found.cut_off)})" if found.cut_off else title)
         self._refresh_buttons()
 
     def _line(self, record: Record) -> tuple[str, ...]:
         kx, origin = record.values["kx"], record.provenance
         verdicts = {
-            Outcome.PASS: self.tr("✓ inside"),
-            Outcome.FAIL: self.tr("✗ outside"),
-            Outcome.NOT_DECIDED: self.tr("? not decided"),
-            Outcome.NO_LIMITS: self.tr("not judged"),
+            Outcome.PASS: tr("✓ inside"),
+            Outcome.FAIL: tr("✗ outside"),
+            Outcome.NOT_DECIDED: tr("? not decided"),
+            Outcome.NO_LIMITS: tr("not judged"),
         }
         return (
             origin.serial_number,
@@ -166,7 +167,7 @@ class RecordsScreen(QWidget):
         self.verify_button.setEnabled(count > 0)
 
     def _start(self, function: Callable[[], object], done: Callable[..., None]) -> None:
-        self.said.setText(self.tr("One moment…"))
+        self.said.setText(tr("One moment…"))
         self._background.start(function, done, self._refuse)
 
     def _refuse(self, error: Exception) -> None:
@@ -197,11 +198,12 @@ class RecordsScreen(QWidget):
         self._start(partial(store.verify_all, self._folder(), ids), self._say_verified)
 
     def _say_verified(self, found: "tuple[Verification, ...]") -> None:
-        good, bad = self.tr("✓ {id} is verified."), self.tr("✗ {id} does NOT verify:")
         lines = []
         for one in found:
-            lines.append((good if one.verified else bad).format(id=one.record_id))
-            lines.extend(() if one.verified else map(in_language, one.sentences))
+            if one.verified:
+                lines.append(tr("✓ {id} is verified.", id=one.record_id))
+            else:
+                lines.extend([tr("✗ {id} does NOT verify:", id=one.record_id), *map(in_language, one.sentences)])
         self.said.setText("\n".join(lines))
 
     def _choose_export(self) -> None:
@@ -209,7 +211,7 @@ class RecordsScreen(QWidget):
             self._ask_for_export(record.id)
 
     def _ask_for_export(self, record_id: str) -> None:
-        dialog = FileDialog(self.tr("Export"), Path.home() / f"{record_id}.json", _FORMATS, saving=True)
+        dialog = FileDialog(tr("Export"), Path.home() / f"{record_id}.json", _FORMATS, saving=True)
         dialog.chosen.connect(self._export_unless_there)
         self.dialog_wanted.emit(dialog)
 
@@ -218,13 +220,13 @@ class RecordsScreen(QWidget):
         if not path.exists():
             self.export_to(path)
             return
-        title, text = self.tr("Export"), self.tr("{path} is there already. Replace it?").format(path=path)
-        question = QuestionDialog(title, text, self.tr("Replace"))
+        title, text = tr("Export"), tr("{path} is there already. Replace it?", path=path)
+        question = QuestionDialog(title, text, tr("Replace"))
         question.agreed.connect(lambda: self.export_to(path))
         self.dialog_wanted.emit(question)
 
     def _say_exported(self, path: Path) -> None:
-        self.said.setText(self.tr("Written: {path}").format(path=path))
+        self.said.setText(tr("Written: {path}", path=path))
 
     def resume(self, path: Path) -> None:
         """Find out what there is to go on with, and ask for that."""

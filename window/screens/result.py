@@ -13,6 +13,7 @@ from tumble.app.stand import LoadedStand, same_instruments
 from tumble.calibrations.core.verdict import Model, Outcome, Verdict
 from tumble.procedures.errors import InputError
 from tumble.procedures.programme import load_programme
+from tumble.window.look.language import tr
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
 from tumble.window.look.theme import colours
@@ -39,16 +40,16 @@ class ResultScreen(QWidget):
         self._store = Path()
         self.presentation: Presentation | None = None
         self.verdict, self._subject, self._notices = PlainLabel(), PlainLabel(), PlainLabel()
-        self.report_button = QPushButton(self.tr("Open the &report"))
+        self.report_button = QPushButton(tr("Open the &report"))
         self.table = Table(
             (
-                self.tr("parameter"),
-                self.tr("value, expanded uncertainty"),
-                self.tr("95% interval"),
-                self.tr("standard uncertainty"),
-                self.tr("limits"),
-                self.tr("verdict"),
-                self.tr("condition"),
+                tr("parameter"),
+                tr("value, expanded uncertainty"),
+                tr("95% interval"),
+                tr("standard uncertainty"),
+                tr("limits"),
+                tr("verdict"),
+                tr("condition"),
             )
         )
         self.fit, self.residuals = FitPlot(), ResidualFigure()
@@ -69,7 +70,7 @@ class ResultScreen(QWidget):
         self._background.start(partial(present, concluded), self._show)
 
     def _show_nothing(self) -> None:
-        self.verdict.setText(self.tr("There is no result yet: run a programme, or open a record."))
+        self.verdict.setText(tr("There is no result yet: run a programme, or open a record."))
         self.report_button.setEnabled(False)
         self.tabs.setEnabled(False)
 
@@ -102,11 +103,11 @@ class ResultScreen(QWidget):
         """What is decided, and of which model where that is not the declared one."""
         failed, undecided = (", ".join(verdict.named(each)) for each in (Outcome.FAIL, Outcome.NOT_DECIDED))
         parts = [
-            self.tr("The programme states no limits") if verdict.outcome is Outcome.NO_LIMITS else "",
-            self.tr("✓ Inside the limits") if verdict.outcome is Outcome.PASS else "",
-            self.tr("✗ Outside the limits: {names}").format(names=failed) if failed else "",
-            self.tr("? Not decided: {names}").format(names=undecided) if undecided else "",
-            self.tr("(with what was found)") if verdict.judged is Model.AUGMENTED else "",
+            tr("The programme states no limits") if verdict.outcome is Outcome.NO_LIMITS else "",
+            tr("✓ Inside the limits") if verdict.outcome is Outcome.PASS else "",
+            tr("✗ Outside the limits: {names}", names=failed) if failed else "",
+            tr("? Not decided: {names}", names=undecided) if undecided else "",
+            tr("(with what was found)") if verdict.judged is Model.AUGMENTED else "",
         ]
         return " ".join(filter(None, parts))
 
@@ -132,11 +133,11 @@ class ResultScreen(QWidget):
         head.addWidget(self.verdict, stretch=1)
         head.addWidget(self.report_button)
         for title, part in (
-            (self.tr("Parameters"), self.table),
-            (self.tr("Fit"), self.fit),
-            (self.tr("Residuals"), self.residuals),
-            (self.tr("Correlations"), self.correlation),
-            (self.tr("Closed loop"), self.loop),
+            (tr("Parameters"), self.table),
+            (tr("Fit"), self.fit),
+            (tr("Residuals"), self.residuals),
+            (tr("Correlations"), self.correlation),
+            (tr("Closed loop"), self.loop),
         ):
             self.tabs.addTab(part, title)
         layout = QVBoxLayout(self)
@@ -155,12 +156,14 @@ class ResultScreen(QWidget):
         concluded, stand = self.presentation.concluded, self._stand()
         origin = concluded.traced.provenance
         if not same_instruments(origin.stand, stand):
-            text = self.tr(
+            text = tr(
                 "{unit} was measured at the stand {its}, and the stand {chosen} is on screen: choose {its} on the "
-                "screen Stand, then run the experiment"
+                "screen Stand, then run the experiment",
+                unit=origin.serial_number,
+                its=origin.stand_name,
+                chosen=stand.file.name,
             )
-            names = {"unit": origin.serial_number, "its": origin.stand_name, "chosen": stand.file.name}
-            self.refused.emit(InputError(text.format(**names)))
+            self.refused.emit(InputError(text))
             return
         job = Job(
             stand=stand,

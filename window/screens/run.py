@@ -15,6 +15,7 @@ from tumble.procedures.errors import InputError
 from tumble.procedures.events import Event, ReadingRequested, RunFinished, State, StateChanged
 from tumble.procedures.progress import TimeLeft
 from tumble.procedures.steps import Point
+from tumble.window.look.language import tr
 from tumble.window.look.numbers import local, minutes
 from tumble.window.look.sentences import in_language
 from tumble.window.screens.run_state import Phase, RunState
@@ -69,9 +70,9 @@ class RunScreen(QWidget):
             ReadingPrompt(),
         )
         self.offered = ResumeOffer()
-        self.start_button = MotionButton(self.tr("Start"), "F5")
-        self.pause_button = MotionButton(self.tr("Pause"), "F6")
-        self.resume_button = MotionButton(self.tr("Go on"), "F7")
+        self.start_button = MotionButton(tr("Start"), "F5")
+        self.pause_button = MotionButton(tr("Pause"), "F6")
+        self.resume_button = MotionButton(tr("Go on"), "F7")
         self._bar, self._left, self._state_label = QProgressBar(), QLabel(), QLabel()
         self._lay_out()
         self._connect(bridge)
@@ -233,23 +234,22 @@ class RunScreen(QWidget):
         self._bar.setValue(done)
         self._bar.setFormat(f"{done} / {self._bar.maximum()}")
         self._bar.setUpdatesEnabled(True)
-        text = "" if left is None else self.tr("{time} ± {error} left")
-        self._left.setText(text.format(time=minutes(left.time_s), error=minutes(left.standard_error_s)) if left else "")
+        self._left.setText("" if left is None else _time_left(left))
 
     def _conclude(self, stage: str) -> None:
         self._now.phase = Phase.CONCLUDING
         self._left.setText(
             {
-                "fitting": self.tr("Fitting…"),
-                "tracing": self.tr("Tracing what is left…"),
-                "storing": self.tr("Storing…"),
-                "reporting": self.tr("Writing the report…"),
+                "fitting": tr("Fitting…"),
+                "tracing": tr("Tracing what is left…"),
+                "storing": tr("Storing…"),
+                "reporting": tr("Writing the report…"),
             }.get(stage, stage)
         )
         self._refresh()
 
     def _end_well(self, concluded: Concluded) -> None:
-        self._end(self.tr("Done"))
+        self._end(tr("Done"))
         self.concluded.emit(concluded)
 
     def _end_badly(self, error: BaseException) -> None:
@@ -279,3 +279,7 @@ class RunScreen(QWidget):
         text = self._now.text
         self._state_label.setText(text)
         self.state_changed.emit(local(text), self._now.restless)
+
+
+def _time_left(left: TimeLeft) -> str:
+    return tr("{time} ± {error} left", time=minutes(left.time_s), error=minutes(left.standard_error_s))

@@ -2,14 +2,10 @@
 
 from dataclasses import dataclass
 from enum import Enum, auto
-from typing import Final
-
-from PySide6.QtCore import QCoreApplication
 
 from tumble.procedures.events import State
+from tumble.window.look.language import tr
 from tumble.window.look.sentences import state_name
-
-translate: Final = QCoreApplication.translate
 
 
 class Phase(Enum):
@@ -50,13 +46,13 @@ class RunState:
     def text(self) -> str:
         """In a word or two."""
         if self.restless:
-            return translate("RunScreen", "Fault: the head's standstill was not read back")
+            return tr("Fault: the head's standstill was not read back")
         if self.phase is Phase.CONCLUDING:
-            return translate("RunScreen", "Analysing")
+            return tr("Analysing")
         if self.pausing and self.state is State.AWAITING_OPERATOR:
-            return translate("RunScreen", "Waits for you, and pauses then")
+            return tr("Waits for you, and pauses then")
         if self.pausing:
-            return translate("RunScreen", "Pausing…")
+            return tr("Pausing…")
         if self.phase is Phase.RUNNING and self.state is State.IDLE:
-            return translate("RunScreen", "Getting ready")
+            return tr("Getting ready")
         return state_name(self.state)

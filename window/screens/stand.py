@@ -11,6 +11,7 @@ from tumble.app.wiring import Attendant
 from tumble.drivers.protocols import HeadStatus, Identity
 from tumble.procedures.errors import InputError
 from tumble.procedures.events import Event, Identified
+from tumble.window.look.language import tr
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
 from tumble.window.widgets.dial import Dial
@@ -43,8 +44,8 @@ class StandScreen(QWidget):
         self.dial, self.table, self.jog = Dial(), InstrumentTable(), Jog()
         self.simulation = SimulationSettings()
         self.connect_button, self.disconnect_button = (
-            QPushButton(self.tr("&Connect")),
-            QPushButton(self.tr("&Disconnect")),
+            QPushButton(tr("&Connect")),
+            QPushButton(tr("&Disconnect")),
         )
         self._name, self._notice = QLabel(), PlainLabel()
         self._lay_out()
@@ -72,7 +73,7 @@ class StandScreen(QWidget):
         return True
 
     def _show_stand(self, loaded: LoadedStand) -> None:
-        place = str(loaded.path) if loaded.path else self.tr("the simulated stand that is built in")
+        place = str(loaded.path) if loaded.path else tr("the simulated stand that is built in")
         self._name.setText(f"<b>{escape(loaded.file.name)}</b><br>{escape(place)}")
         self.table.show_stand(loaded)
         self.simulation.setVisible(loaded.file.simulates)
@@ -97,7 +98,7 @@ class StandScreen(QWidget):
         bridge.announced.connect(self._hear)
 
     def _lay_out(self) -> None:
-        self._browse, self._built_in = QPushButton(self.tr("Stand &file…")), QPushButton(self.tr("&Built-in"))
+        self._browse, self._built_in = QPushButton(tr("Stand &file…")), QPushButton(tr("&Built-in"))
         self._browse.clicked.connect(self._choose)
         self._built_in.clicked.connect(lambda: self.use(load_stand()))
         self._name.setWordWrap(True)
@@ -119,7 +120,7 @@ class StandScreen(QWidget):
         layout.addWidget(halves, stretch=1)
 
     def _choose(self) -> None:
-        dialog = FileDialog(self.tr("Stand file"), self.loaded.folder, self.tr("Stand files (*.toml)"))
+        dialog = FileDialog(tr("Stand file"), self.loaded.folder, tr("Stand files (*.toml)"))
         dialog.chosen.connect(self.open)
         self.dialog_wanted.emit(dialog)
 
@@ -149,7 +150,7 @@ class StandScreen(QWidget):
 
     def _see(self, status: HeadStatus) -> None:
         self.dial.show_status(status)
-        unreferenced = [] if status.referenced else [self.tr("The head does not know its angle: home it first.")]
+        unreferenced = [] if status.referenced else [tr("The head does not know its angle: home it first.")]
         self._notice.setText("\n".join([*map(in_language, self._warnings), *unreferenced]))
 
     def _hear(self, event: Event) -> None:

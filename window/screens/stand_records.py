@@ -4,9 +4,9 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import pyqtgraph as pg
-from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QComboBox, QVBoxLayout, QWidget
 
+from tumble.window.look.language import tr
 from tumble.window.look.plots import Plot
 
 if TYPE_CHECKING:  # the analysis takes half a second: a window is up before that
@@ -22,8 +22,8 @@ class StandRecords(QWidget):
         super().__init__(parent)
         self.choice = QComboBox()
         self.plot = Plot(
-            QCoreApplication.translate("StandRecords", "head angle (°)"),
-            QCoreApplication.translate("StandRecords", "error of the head (″)"),
+            tr("head angle (°)"),
+            tr("error of the head (″)"),
         )
         self.line = self.plot.plot([], [])
         self._low, self._high = self.plot.plot([], []), self.plot.plot([], [])

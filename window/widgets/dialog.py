@@ -10,6 +10,7 @@ from typing import Final
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QFileDialog, QFrame, QHBoxLayout, QLabel, QPushButton, QScrollArea, QVBoxLayout, QWidget
 
+from tumble.window.look.language import tr
 from tumble.window.look.plain import PlainLabel
 from tumble.window.widgets.motion_button import MotionButton
 
@@ -34,7 +35,7 @@ class Dialog(QFrame):
         self._text.setVisible(bool(text))
         heading = QLabel(title)
         heading.setObjectName("bad" if kind == "fault" else "heading")
-        self._close = QPushButton(self.tr("Close  [Esc]"))
+        self._close = QPushButton(tr("Close  [Esc]"))
         self._close.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._close.clicked.connect(self.dismiss)
         self._buttons = QHBoxLayout()

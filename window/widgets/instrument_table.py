@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
 from tumble.app.stand import LoadedStand
 from tumble.drivers.protocols import Identity
 from tumble.drivers.tables import Instrument
+from tumble.window.look.language import tr
 from tumble.window.look.plain import PlainLabel
 
 _SOON: Final = timedelta(days=30)
@@ -23,17 +24,15 @@ class InstrumentTable(QFrame):
         self._grid = QGridLayout(self)
         self._cells: dict[tuple[str, str], QLabel] = {}
         names = {
-            "driver": self.tr("Driver"),
-            "address": self.tr("Address"),
-            "model": self.tr("Model"),
-            "serial": self.tr("Serial number"),
-            "firmware": self.tr("Firmware"),
-            "certificate": self.tr("Certificate"),
-            "due": self.tr("Calibration due"),
+            "driver": tr("Driver"),
+            "address": tr("Address"),
+            "model": tr("Model"),
+            "serial": tr("Serial number"),
+            "firmware": tr("Firmware"),
+            "certificate": tr("Certificate"),
+            "due": tr("Calibration due"),
         }
-        for column, (key, title) in enumerate(
-            {"head": self.tr("Dividing head"), "daq": self.tr("Voltmeter")}.items(), 1
-        ):
+        for column, (key, title) in enumerate({"head": tr("Dividing head"), "daq": tr("Voltmeter")}.items(), 1):
             heading = QLabel(title)
             heading.setObjectName("heading")
             self._grid.addWidget(heading, 0, column)
@@ -77,11 +76,11 @@ class InstrumentTable(QFrame):
             return
         written = QLocale().toString(QDate(due.year, due.month, due.day), QLocale.FormatType.ShortFormat)
         if table.overdue(today):
-            self._say(key, "due", self.tr("✗ {date}: overdue").format(date=written), "bad")
+            self._say(key, "due", tr("✗ {date}: overdue", date=written), "bad")
         elif due - today < _SOON:
-            self._say(key, "due", self.tr("⚠ {date}: soon").format(date=written), "bad")
+            self._say(key, "due", tr("⚠ {date}: soon", date=written), "bad")
         else:
-            self._say(key, "due", self.tr("✓ {date}").format(date=written), "good")
+            self._say(key, "due", tr("✓ {date}", date=written), "good")
 
     def _say(self, key: str, name: str, text: str, kind: str = "") -> None:
         label = self._cells[key, name]

@@ -6,6 +6,7 @@ from PySide6.QtCore import QSettings, Signal
 from PySide6.QtWidgets import QComboBox, QFrame, QGridLayout, QLabel, QLineEdit, QWidget
 
 from tumble.drivers.manual import parse_reading
+from tumble.window.look.language import tr
 from tumble.window.look.numbers import local
 from tumble.window.widgets.motion_button import MotionButton
 
@@ -28,13 +29,13 @@ class Jog(QFrame):
         for step in _STEPS_DEG:
             self.step.addItem(local(f"{step}°"), float(step))
         self.step.setCurrentIndex(int(str(QSettings().value("stand/step", 4))))
-        self.angle.setPlaceholderText(self.tr("12 34 56, or 12.5"))
+        self.angle.setPlaceholderText(tr("12 34 56, or 12.5"))
         self.back = MotionButton("◀", "Ctrl+Left")
         self.ahead = MotionButton("▶", "Ctrl+Right")
-        self.go = MotionButton(self.tr("Go"), "F8")
-        self.home = MotionButton(self.tr("Home"), "Ctrl+Home")
-        self.back.setAccessibleName(self.tr("One step back"))
-        self.ahead.setAccessibleName(self.tr("One step ahead"))
+        self.go = MotionButton(tr("Go"), "F8")
+        self.home = MotionButton(tr("Home"), "Ctrl+Home")
+        self.back.setAccessibleName(tr("One step back"))
+        self.ahead.setAccessibleName(tr("One step ahead"))
         self._lay_out()
         self.back.clicked.connect(lambda: self.step_wanted.emit(-self._step_deg))
         self.ahead.clicked.connect(lambda: self.step_wanted.emit(self._step_deg))
@@ -48,7 +49,7 @@ class Jog(QFrame):
 
     def _lay_out(self) -> None:
         grid = QGridLayout(self)
-        step, angle = QLabel(self.tr("S&tep")), QLabel(self.tr("&Angle"))
+        step, angle = QLabel(tr("S&tep")), QLabel(tr("&Angle"))
         step.setBuddy(self.step)
         angle.setBuddy(self.angle)
         for row, parts in enumerate(

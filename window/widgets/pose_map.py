@@ -11,6 +11,7 @@ from PySide6.QtGui import QBrush, QColor, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QWidget
 
 from tumble.procedures.steps import Dwell
+from tumble.window.look.names import mount_name
 from tumble.window.look.theme import Colours, colours
 
 Pose: TypeAlias = tuple[str, float]
@@ -113,13 +114,14 @@ class PoseMap(QWidget):
         painter.drawEllipse(cell.centre, cell.radius, cell.radius)
         painter.setPen(QColor(chosen.ink))
         font = self.font()
-        advance = max(painter.fontMetrics().horizontalAdvance(mount), 1)
+        name = mount_name(mount)
+        advance = max(painter.fontMetrics().horizontalAdvance(name), 1)
         font.setPointSizeF(font.pointSizeF() * min(1.0, 1.5 * cell.radius / advance))
         painter.setFont(font)
         box = QRectF(cell.centre.x() - cell.radius, cell.centre.y() - cell.radius, 2 * cell.radius, 2 * cell.radius)
         done = sum(count for (of, _), count in self._done.items() if of == mount)
         planned = sum(count for (of, _), count in self._planned.items() if of == mount)
-        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, f"{mount}\n{done}/{planned}")
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, f"{name}\n{done}/{planned}")
 
     def _draw_poses(self, painter: QPainter, chosen: Colours, cells: dict[str, Cell]) -> None:
         to_come, done = QPen(QColor(chosen.pale), 1.2), QPen(QColor(chosen.accent), 1.2)

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QWidget
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.dividing_head.geometry import MOUNTS
+from tumble.window.look.names import mount_name
 from tumble.window.look.theme import Colours, colours
 
 _HALF_SIZES: Final = (0.62, 0.42, 0.16)
@@ -43,7 +44,7 @@ class PosePicture(QWidget):
     def show_mount(self, mount: str) -> None:
         """Show a mount; an empty name for none."""
         self._mount = mount
-        self.setAccessibleName(mount)
+        self.setAccessibleName(mount_name(mount))
         self.update()
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802  # Qt's name

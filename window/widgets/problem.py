@@ -3,17 +3,13 @@
 import traceback
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Final
-
-from PySide6.QtCore import QCoreApplication
 
 from tumble.app.exits import status_of
 from tumble.drivers.private_files import state_folder
+from tumble.window.look.language import tr
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
 from tumble.window.widgets.dialog import Dialog
-
-translate: Final = QCoreApplication.translate
 
 
 class ProblemDialog(Dialog):
@@ -21,15 +17,14 @@ class ProblemDialog(Dialog):
 
     def __init__(self, error: BaseException) -> None:
         known = isinstance(error, Exception) and status_of(error) is not None
-        text = translate("ProblemDialog", "A fault of the program; the head was told to stop.")
-        title = translate("ProblemDialog", "Something went wrong")
+        text = tr("A fault of the program; the head was told to stop.")
+        title = tr("Something went wrong")
         super().__init__(title, in_language(str(error)) if known else text, "fault")
         self._details = PlainLabel()
         self._details.setWordWrap(True)
         if not known:
-            told = self.tr("{error}\nThe details are in {place}.")
-            place = keep_details(error)
-            self._details.setText(told.format(error=f"{type(error).__name__}: {error}", place=place))
+            said, place = f"{type(error).__name__}: {error}", keep_details(error)
+            self._details.setText(tr("{error}\nThe details are in {place}.", error=said, place=place))
             self.add(self._details)
 
     def informativeText(self) -> str:  # noqa: N802  # as Qt's dialogs have it

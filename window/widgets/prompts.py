@@ -4,6 +4,8 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QLineEdit, QVBoxLayout, QWidget
 
 from tumble.procedures.eyepiece import on_the_circle
+from tumble.window.look.language import tr
+from tumble.window.look.names import mount_name
 from tumble.window.look.numbers import local
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
@@ -20,13 +22,14 @@ class MountPrompt(QFrame):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("card")
+        self._mount = ""
         self._title = HugeLabel()
         self._title.setMaximumHeight(64)
         self._picture = PosePicture()
-        self.confirm = MotionButton(self.tr("It sits there"), "F9")
+        self.confirm = MotionButton(tr("It sits there"), "F9")
         self.confirm.setObjectName("primary")
         self.confirm.clicked.connect(self.seated)
-        hint = QLabel(self.tr("Seat the unit as in the picture,\nat head angle 0°."))
+        hint = QLabel(tr("Seat the unit as in the picture,\nat head angle 0°."))
         layout = QVBoxLayout(self)
         layout.addWidget(self._title)
         layout.addWidget(self._picture, stretch=1)
@@ -36,11 +39,12 @@ class MountPrompt(QFrame):
     @property
     def mount(self) -> str:
         """The mount that is asked for."""
-        return self._title.text
+        return self._mount
 
     def ask(self, mount: str) -> None:
         """Ask for a mount."""
-        self._title.say(mount)
+        self._mount = mount
+        self._title.say(mount_name(mount))
         self._picture.show_mount(mount)
 
 
@@ -58,8 +62,8 @@ class ReadingPrompt(QFrame):
         self._prompt.setWordWrap(True)
         self._prompt.setObjectName("heading")
         self.field = QLineEdit()
-        self.field.setPlaceholderText(self.tr("12 34 56, or 12.5"))
-        self.field.setAccessibleName(self.tr("Reading of the head"))
+        self.field.setPlaceholderText(tr("12 34 56, or 12.5"))
+        self.field.setAccessibleName(tr("Reading of the head"))
         self.field.returnPressed.connect(self._answer)
         self._open = False
         font = self.field.font()
@@ -90,6 +94,6 @@ class ReadingPrompt(QFrame):
             return
         text = self.field.text()
         self._open = False
-        self._prompt.setText(self.tr("Measuring…"))
+        self._prompt.setText(tr("Measuring…"))
         self.field.clear()
         self.answered.emit(text)

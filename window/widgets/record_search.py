@@ -6,6 +6,7 @@ from PySide6.QtCore import QDate, Signal
 from PySide6.QtWidgets import QComboBox, QDateEdit, QGridLayout, QLabel, QLineEdit, QWidget
 
 from tumble.calibrations.core.verdict import Outcome
+from tumble.window.look.language import tr
 from tumble.window.work.records import Search
 
 
@@ -19,24 +20,24 @@ class RecordSearch(QWidget):
         self.serial, self.programme, self.verdict = QLineEdit(), QComboBox(), QComboBox()
         self.serial.setClearButtonEnabled(True)
         self.since, self.until = self._day(), self._day()
-        self.programme.addItem(self.tr("any"), "")
-        self.verdict.addItem(self.tr("any"), None)
+        self.programme.addItem(tr("any"), "")
+        self.verdict.addItem(tr("any"), None)
         names = {
-            Outcome.PASS: self.tr("inside"),
-            Outcome.FAIL: self.tr("outside"),
-            Outcome.NOT_DECIDED: self.tr("not decided"),
-            Outcome.NO_LIMITS: self.tr("not judged"),
+            Outcome.PASS: tr("inside"),
+            Outcome.FAIL: tr("outside"),
+            Outcome.NOT_DECIDED: tr("not decided"),
+            Outcome.NO_LIMITS: tr("not judged"),
         }
         for verdict, name in names.items():
             self.verdict.addItem(name, verdict)
         grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 0)
         parts: tuple[tuple[str, QWidget], ...] = (
-            (self.tr("&Serial number"), self.serial),
-            (self.tr("&Programme"), self.programme),
-            (self.tr("&Verdict"), self.verdict),
-            (self.tr("Fro&m"), self.since),
-            (self.tr("&Until"), self.until),
+            (tr("&Serial number"), self.serial),
+            (tr("&Programme"), self.programme),
+            (tr("&Verdict"), self.verdict),
+            (tr("Fro&m"), self.since),
+            (tr("&Until"), self.until),
         )
         for column, (title, field) in enumerate(parts):
             label = QLabel(title)
@@ -70,7 +71,7 @@ class RecordSearch(QWidget):
         field = QDateEdit()
         field.setCalendarPopup(True)
         field.setMinimumDate(QDate(2000, 1, 1))
-        field.setSpecialValueText(self.tr("any"))
+        field.setSpecialValueText(tr("any"))
         field.setDate(field.minimumDate())
         return field
 

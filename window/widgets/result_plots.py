@@ -1,15 +1,11 @@
 """Plots of a result: the fit, and the residual against what one likes."""
 
-from typing import Final
-
 import pyqtgraph as pg
-from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
 
+from tumble.window.look.language import tr
 from tumble.window.widgets.run_plots import AnglePlot, OutputPlot
 from tumble.window.work.presentation import Presentation, Rows
-
-translate: Final = QCoreApplication.translate
 
 
 class FitPlot(OutputPlot):
@@ -27,13 +23,13 @@ class ResidualFigure(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.model, self.against = QComboBox(), QComboBox()
-        self.plot = AnglePlot(left=translate("ResultPlots", "residual (µV)"))
+        self.plot = AnglePlot(left=tr("residual (µV)"))
         self._band = pg.LinearRegionItem((0, 0), orientation="horizontal", movable=False)
         self._band.setZValue(-10)
         self.plot.addItem(self._band)
         self._presentation: Presentation | None = None
         choice = QHBoxLayout()
-        for title, box in ((self.tr("&Model"), self.model), (self.tr("A&gainst"), self.against)):
+        for title, box in ((tr("&Model"), self.model), (tr("A&gainst"), self.against)):
             form = QFormLayout()
             form.addRow(title, box)
             choice.addLayout(form)
@@ -51,7 +47,7 @@ class ResidualFigure(QWidget):
         self._presentation = None
         self.model.clear()
         self.against.clear()
-        models = {"declared": self.tr("declared model"), "augmented": self.tr("with what was found")}
+        models = {"declared": tr("declared model"), "augmented": tr("with what was found")}
         for name in presentation.models:
             self.model.addItem(models[name], name)
         for name in presentation.models["declared"].abscissae:
@@ -62,10 +58,10 @@ class ResidualFigure(QWidget):
 
     def _label(self, name: str) -> str:
         return {
-            "turn": self.tr("head angle within the turn (°)"),
-            "time": self.tr("time (min)"),
-            "temperature": self.tr("temperature (°C)"),
-            "realisation": self.tr("realisation"),
+            "turn": tr("head angle within the turn (°)"),
+            "time": tr("time (min)"),
+            "temperature": tr("temperature (°C)"),
+            "realisation": tr("realisation"),
         }[name]
 
     def _draw(self) -> None:
@@ -73,7 +69,7 @@ class ResidualFigure(QWidget):
             return
         rows = self._presentation.models[self.model.currentData()]
         name = self.against.currentData()
-        self.plot.name_axes(self._label(name), translate("ResultPlots", "residual (µV)"))
+        self.plot.name_axes(self._label(name), tr("residual (µV)"))
         self._band.setRegion((-rows.scatter_uv, rows.scatter_uv))
         self.plot.forget_key()
         self.plot.draw(rows.mounts, rows.abscissae[name], rows.residual_uv)

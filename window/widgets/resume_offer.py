@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QPushButton, QWidget
 
+from tumble.window.look.language import tr
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
 from tumble.window.widgets.motion_button import MotionButton
@@ -28,10 +29,10 @@ class ResumeOffer(QFrame):
         self._declined: set[Path] = set()
         self._text = PlainLabel()
         self._text.setWordWrap(True)
-        self.button = MotionButton(self.tr("Go on with it"), "F7")
+        self.button = MotionButton(tr("Go on with it"), "F7")
         self.button.setObjectName("primary")
         self.button.clicked.connect(self._want)
-        later = QPushButton(self.tr("Not now"))
+        later = QPushButton(tr("Not now"))
         later.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         later.clicked.connect(self._decline)
         layout = QHBoxLayout(self)
@@ -51,19 +52,17 @@ class ResumeOffer(QFrame):
         self.setVisible(bool(wanted))
 
     def _show(self, run: "CutOff") -> None:
-        self._run = run
-        text = self.tr(
-            "Not at its end: unit {unit}, programme {programme}, {points} points done at the stand {stand}, "
-            "begun {when}: {why}."
-        )
+        self._run, began_at = run, f"{run.began_at.astimezone():%Y-%m-%d %H:%M}"
         self._text.setText(
-            text.format(
+            tr(
+                "Not at its end: unit {unit}, programme {programme}, {points} points done at the stand {stand}, "
+                "begun {when}: {why}.",
                 unit=run.serial_number,
                 programme=run.programme_name,
                 points=run.points,
                 stand=run.stand_name,
-                when=f"{run.began_at.astimezone():%Y-%m-%d %H:%M}",
-                why=in_language(run.ending) or self.tr("it broke off"),
+                when=began_at,
+                why=in_language(run.ending) or tr("it broke off"),
             )
         )
 

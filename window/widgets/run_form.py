@@ -11,6 +11,7 @@ from tumble.app.stand import LoadedStand
 from tumble.drivers.text import LONGEST_NAME
 from tumble.procedures.errors import InputError
 from tumble.procedures.programme import load_programme, shipped_programmes
+from tumble.window.look.language import tr
 from tumble.window.look.numbers import local, minutes
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
@@ -32,13 +33,13 @@ class RunForm(QWidget):
         self._stand = stand
         self.serial, self.operator, self.programme = QLineEdit(), QLineEdit(), QComboBox()
         self.serial.setMaxLength(LONGEST_NAME)
-        self.serial.setPlaceholderText(self.tr("type or scan"))
+        self.serial.setPlaceholderText(tr("type or scan"))
         self.serial.returnPressed.connect(self.await_scan)
         self.programme.addItems(shipped_programmes())
         self.programme.setCurrentText(str(QSettings().value("run/programme", "seed")))
         self.programme.setMinimumContentsLength(14)
         self.operator.setText(str(QSettings().value("run/operator", "")))
-        self._browse = QPushButton(self.tr("File…"))
+        self._browse = QPushButton(tr("File…"))
         self._browse.clicked.connect(self._choose_file)
         self.summary = PlainLabel()
         self.summary.setWordWrap(True)
@@ -66,7 +67,7 @@ class RunForm(QWidget):
         """What is asked for. Raises `InputError`."""
         serial_number = self.serial.text().strip()
         if not serial_number:
-            raise InputError(self.tr("There is no serial number yet: type it or scan it"))
+            raise InputError(tr("There is no serial number yet: type it or scan it"))
         return Job(
             stand=self._stand(),
             programme=load_programme(self.programme.currentText()),
@@ -78,10 +79,10 @@ class RunForm(QWidget):
         grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 0)
         parts = (
-            (self.tr("&Serial number"), self.serial, 3),
-            (self.tr("&Programme"), self.programme, 3),
+            (tr("&Serial number"), self.serial, 3),
+            (tr("&Programme"), self.programme, 3),
             ("", self._browse, 0),
-            (self.tr("&Operator"), self.operator, 2),
+            (tr("&Operator"), self.operator, 2),
         )
         for column, (text, field, stretch) in enumerate(parts):
             label = QLabel(text)
@@ -91,7 +92,7 @@ class RunForm(QWidget):
             grid.setColumnStretch(column, stretch)
 
     def _choose_file(self) -> None:
-        dialog = FileDialog(self.tr("Programme"), Path.cwd(), self.tr("Programmes (*.toml)"))
+        dialog = FileDialog(tr("Programme"), Path.cwd(), tr("Programmes (*.toml)"))
         dialog.chosen.connect(lambda path: self.add_programme(str(path)))
         self.dialog_wanted.emit(dialog)
 
@@ -112,7 +113,10 @@ class RunForm(QWidget):
         except InputError as error:
             self.summary.setText(in_language(str(error)))
             return
-        text = self.tr("{points} points, {mountings} mountings, about {time}")
-        self.summary.setText(
-            local(text.format(points=planned.dwells, mountings=planned.mount_changes, time=minutes(planned.duration_s)))
+        text = tr(
+            "{points} points, {mountings} mountings, about {time}",
+            points=planned.dwells,
+            mountings=planned.mount_changes,
+            time=minutes(planned.duration_s),
         )
+        self.summary.setText(local(text))

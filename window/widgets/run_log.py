@@ -6,6 +6,7 @@ from typing import Final
 from PySide6.QtGui import QColor, QTextCharFormat, QTextCursor
 from PySide6.QtWidgets import QPlainTextEdit, QWidget
 
+from tumble.window.look.language import tr
 from tumble.window.look.theme import colours
 
 _LINES: Final = 5000
@@ -20,7 +21,7 @@ class RunLog(QPlainTextEdit):
         self.setMaximumBlockCount(_LINES)
         self.setMinimumHeight(60)
         self.setTabChangesFocus(True)
-        self.setAccessibleName(self.tr("Log of the run"))
+        self.setAccessibleName(tr("Log of the run"))
 
     def say(self, sentence: str, warning: bool = False) -> None:
         """Add a sentence."""

@@ -5,18 +5,17 @@ from typing import Final
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QWidget
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.dividing_head.geometry import MOUNTS
 from tumble.drivers.protocols import SampleBlock
 from tumble.procedures.steps import Point
+from tumble.window.look.language import tr
 from tumble.window.look.plots import Plot
 from tumble.window.look.theme import MARKERS
 from tumble.window.work.live_fit import LiveFit
 
-translate: Final = QCoreApplication.translate
 _MOUNTS: Final = tuple(MOUNTS)
 _SIGNS: Final = {"o": "●", "s": "■", "t1": "▲", "d": "◆", "t": "▼", "p": "⬟"}
 """The shapes of pyqtgraph in writing."""
@@ -35,7 +34,7 @@ class AnglePlot(Plot):
     """Something of every point against the head angle, in the colour and shape of its mount."""
 
     def __init__(self, left: str, parent: QWidget | None = None) -> None:
-        super().__init__(bottom=translate("RunPlots", "head angle (°)"), left=left, parent=parent)
+        super().__init__(bottom=tr("head angle (°)"), left=left, parent=parent)
         self._series: dict[str, pg.PlotDataItem] = {}
         self._named: tuple[str, ...] = ()
         self.recoloured.connect(self._restyle)
@@ -85,7 +84,7 @@ class OutputPlot(AnglePlot):
     """Output against angle, with the model through every mount."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(left=translate("RunPlots", "output (V)"), parent=parent)
+        super().__init__(left=tr("output (V)"), parent=parent)
         self._curves: dict[str, pg.PlotDataItem] = {}
         self.recoloured.connect(self._recolour_curves)
 
@@ -109,7 +108,7 @@ class ResidualPlot(AnglePlot):
     """Residual against angle: what is far outside of the band is a gross error, and is ringed."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(left=translate("RunPlots", "residual (µV)"), parent=parent)
+        super().__init__(left=tr("residual (µV)"), parent=parent)
         self._band = pg.LinearRegionItem((0, 0), orientation="horizontal", movable=False)
         self._rings = pg.ScatterPlotItem(size=17, brush=None)
         self._band.setZValue(-10)
@@ -149,8 +148,8 @@ class TemperaturePlot(Plot):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(
-            bottom=translate("RunPlots", "time (min)"),
-            left=translate("RunPlots", "temperature (°C)"),
+            bottom=tr("time (min)"),
+            left=tr("temperature (°C)"),
             parent=parent,
         )
         self._line = self.plot([], [], pen=self.pen(self.colours.accent))
@@ -168,8 +167,8 @@ class SamplesPlot(Plot):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(
-            bottom=translate("RunPlots", "time in the dwell (s)"),
-            left=translate("RunPlots", "samples (V)"),
+            bottom=tr("time in the dwell (s)"),
+            left=tr("samples (V)"),
             parent=parent,
         )
         self._lines: list[pg.PlotDataItem] = []

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QFrame, QHBoxLayout, QLabel,
 
 from tumble.app.wiring import Attendant, obliging_operator
 from tumble.procedures.operator import Operator
+from tumble.window.look.language import tr
 
 _SPEEDS: Final = (None, 1.0, 10.0, 100.0)
 """Times real time; None takes no time at all."""
@@ -21,15 +22,15 @@ class SimulationSettings(QFrame):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("card")
-        self.imagined = QCheckBox(self.tr("The simulated operator seats the unit"))
+        self.imagined = QCheckBox(tr("The simulated operator seats the unit"))
         self.speed = QComboBox()
         for factor in _SPEEDS:
-            self.speed.addItem(self.tr("at once") if factor is None else f"× {factor:g}", factor)
+            self.speed.addItem(tr("at once") if factor is None else f"× {factor:g}", factor)
         settings = QSettings()
         self.imagined.setChecked(settings.value("simulation/imagined", "false") == "true")
         self.speed.setCurrentIndex(int(str(settings.value("simulation/speed", 2))))
         layout = QHBoxLayout(self)
-        label = QLabel(self.tr("Simulated stand: time"))
+        label = QLabel(tr("Simulated stand: time"))
         label.setWordWrap(True)
         layout.addWidget(label)
         layout.addWidget(self.speed)

@@ -5,6 +5,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWi
 
 from tumble.drivers.manual import format_dms
 from tumble.drivers.protocols import HeadStatus
+from tumble.window.look.language import tr
 from tumble.window.look.numbers import local
 from tumble.window.stop_guard import STOP_KEYS
 
@@ -17,11 +18,11 @@ class StopBar(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.state, self._angle, self._busy = QLabel(), QLabel(), QLabel()
-        self.button = QPushButton(self.tr("⬢ STOP") + f"  [{STOP_KEYS[0]}]")
+        self.button = QPushButton(tr("⬢ STOP") + f"  [{STOP_KEYS[0]}]")
         self.button.setObjectName("stop")
         self.button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.button.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
-        self.button.setAccessibleName(self.tr("Stop the head"))
+        self.button.setAccessibleName(tr("Stop the head"))
         self.button.clicked.connect(self.stop_wanted)
         self.state.setObjectName("state")
         self._busy.setObjectName("pale")
@@ -44,12 +45,12 @@ class StopBar(QWidget):
     def show_head(self, status: HeadStatus | None) -> None:
         """Show where the head is; None where nobody knows."""
         if status is None:
-            self._angle.setText(self.tr("not connected"))
+            self._angle.setText(tr("not connected"))
         elif not status.referenced:
-            self._angle.setText(self.tr("angle not known"))
+            self._angle.setText(tr("angle not known"))
         else:
             self._angle.setText(f"{'↻ ' if status.moving else ''}{local(format_dms(status.angle_deg))}")
 
     def show_busy(self, busy: bool) -> None:
         """Say whether an analysis is under way."""
-        self._busy.setText(self.tr("computing…") if busy else "")
+        self._busy.setText(tr("computing…") if busy else "")

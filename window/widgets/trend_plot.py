@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QVBoxLayout, 
 
 from tumble.calibrations.methods.dividing_head.model import UNITS
 from tumble.calibrations.records.record import Record
+from tumble.window.look.language import tr
 from tumble.window.look.numbers import local
 from tumble.window.look.plots import LocalAxis, Plot
 
@@ -21,8 +22,8 @@ class TrendPlot(QWidget):
         self.parameter, self.over = QComboBox(), QComboBox()
         self.parameter.addItems(list(UNITS))
         self.parameter.setCurrentText("kx")
-        self.over.addItem(self.tr("time"), "time")
-        self.over.addItem(self.tr("units"), "units")
+        self.over.addItem(tr("time"), "time")
+        self.over.addItem(tr("units"), "units")
         self.plot = Plot("", "")
         self._dates, self._numbers = pg.DateAxisItem(orientation="bottom"), LocalAxis(orientation="bottom")
         self._bars = pg.ErrorBarItem(beam=0)
@@ -44,7 +45,7 @@ class TrendPlot(QWidget):
         self.plot.addItem(self._bars)
         self.plot.addItem(self._marks)
         choice = QHBoxLayout()
-        for title, box in ((self.tr("P&arameter"), self.parameter), (self.tr("O&ver"), self.over)):
+        for title, box in ((tr("P&arameter"), self.parameter), (tr("O&ver"), self.over)):
             form = QFormLayout()
             form.addRow(title, box)
             choice.addLayout(form)

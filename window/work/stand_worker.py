@@ -14,6 +14,7 @@ from tumble.app.wiring import Attendant, Connected
 from tumble.procedures.control import Control
 from tumble.procedures.errors import InputError, StopRequestedError
 from tumble.procedures.motion import Motion
+from tumble.window.look.language import tr
 from tumble.window.work.activity import Activity, progress_of
 from tumble.window.work.bridge import EventBridge
 from tumble.window.work.order_thread import OrderThread
@@ -75,7 +76,7 @@ class StandWorker(QObject):
     def use(self, loaded: LoadedStand) -> None:
         """Choose another stand; the one before is left. Raises `InputError` while that one is at work."""
         if self.busy:
-            raise InputError(self.tr("The stand is at work: stop it, or wait, before you choose another"))
+            raise InputError(tr("The stand is at work: stop it, or wait, before you choose another"))
         self.disconnect_from()
         self.session = StandSession(loaded, self._bridge.look)
         self.chosen.emit(loaded)
@@ -96,8 +97,10 @@ class StandWorker(QObject):
         """
         session, its = self.session, activity.job.stand
         if not session.is_of(its):
-            sentence = self.tr("The run belongs to the stand {its}, and {chosen} is chosen: choose {its} first")
-            raise InputError(sentence.format(its=its.file.name, chosen=session.loaded.file.name))
+            names = {"its": its.file.name, "chosen": session.loaded.file.name}
+            raise InputError(
+                tr("The run belongs to the stand {its}, and {chosen} is chosen: choose {its} first", **names)
+            )
         return self._begin(partial(self._carry_out, session, activity, attendant), self.broken_off)
 
     def move_to(self, angle_deg: float) -> None:

@@ -1,0 +1,117 @@
+"""No catalogue lacks a key of the source, holds one that is gone, or loses what stands in braces."""
+
+import ast
+import gettext
+import re
+import subprocess
+import sys
+from pathlib import Path
+from string import Formatter
+
+import pytest
+from babel.messages.pofile import read_po
+
+from tumble.messages import Language
+
+ROOT = Path(__file__).parents[2]
+LANGUAGES = [language for language in Language if language is not Language.ENGLISH]
+
+
+@pytest.fixture(scope="module")
+def source(tmp_path_factory):
+    found = tmp_path_factory.mktemp("texts") / "tumble.pot"
+    command = [sys.executable, "setup.py", "--quiet", "extract_messages", "--output-file", found]
+    subprocess.run(command, cwd=ROOT, check=True, capture_output=True)
+    return keys(read(found))
+
+
+def read(path):
+    with path.open("rb") as file:
+        return [message for message in read_po(file) if message.id]
+
+
+def keys(messages):
+    return {message.id for message in messages}
+
+
+def catalogue(language):
+    return ROOT / "tumble" / "locales" / language / "LC_MESSAGES" / "tumble.po"
+
+
+def wordings(text):
+    return [text] if isinstance(text, str) else list(text)
+
+
+def fields(text):
+    """What stands in braces, with conversion and format; bare braces by their place."""
+    found = [part[1:] for part in Formatter().parse(text) if part[1] is not None]
+    return sorted((name or str(place), *rest) for place, (name, *rest) in enumerate(found))
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_it_holds_every_key_of_the_source_and_no_other(language, source):
+    held = keys(read(catalogue(language)))
+    assert source - held == set(), "run `make texts`, and translate what is new"
+    assert held - source == set(), "run `make texts`, which takes out what is gone"
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_it_leaves_nothing_untranslated(language):
+    wanting = [m.id for m in read(catalogue(language)) if m.fuzzy or not all(wordings(m.string))]
+    assert wanting == []
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_it_keeps_what_stands_in_braces(language):
+    for message in read(catalogue(language)):
+        allowed = [fields(wording) for wording in wordings(message.id)]
+        assert all(fields(wording) in allowed for wording in wordings(message.string)), message.id
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_it_keeps_access_keys_marks_and_the_space_at_the_ends(language):
+    for message in read(catalogue(language)):
+        for text in wordings(message.string):
+            of = wordings(message.id)[0]
+            assert text.count("&") == of.count("&"), of
+            assert re.findall("[✓✗⚠⬢…\n]", text) == re.findall("[✓✗⚠⬢…\n]", of), of
+            assert (text[0] == " ", text[-1] == " ") == (of[0] == " ", of[-1] == " "), of
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_what_is_compiled_is_what_was_written(language):
+    compiled = gettext.translation("tumble", ROOT / "tumble" / "locales", [language])
+    stale = [m.id for m in read(catalogue(language)) if isinstance(m.id, str) and compiled.gettext(m.id) != m.string]
+    assert stale == [], "run `make setup`, which compiles the catalogues"
+
+
+def test_bare_braces_count_by_their_place():
+    assert fields("{} of {}") == fields("{1} von {0}") != fields("{} von {x}")
+
+
+TR = ROOT / "window" / "look" / "language.py"
+"""Where `tr` hands on what the others gave it."""
+KEYS = {"Message": 1, "Message.counted": 2, "translatable": 1, "tr": 1}
+"""What marks text for the catalogue, and how many of its arguments are keys."""
+
+
+def computed_keys(path):
+    """Calls whose key is no literal, which nobody can find for the catalogue."""
+    calls = [node for node in ast.walk(ast.parse(path.read_text("utf-8"))) if isinstance(node, ast.Call)]
+    for call in calls:
+        marked = call.args[: KEYS.get(ast.unparse(call.func), 0)]
+        if not all(isinstance(argument, ast.Constant) for argument in marked):
+            yield f"{path.name}:{call.lineno}"
+
+
+def test_every_key_is_a_literal_of_the_source():
+    folders = ("window", "app", "procedures", "drivers", "calibrations")
+    paths = [path for folder in folders for path in (ROOT / folder).rglob("*.py")]
+    found = [place for path in paths if path != TR for place in computed_keys(path)]
+    assert found == []
+
+
+def test_the_window_takes_no_text_from_qt():
+    taken = re.compile(r"self\.tr\(|QCoreApplication\.translate|QT_TRANSLATE_NOOP")
+    found = [path.name for path in (ROOT / "window").rglob("*.py") if taken.search(path.read_text("utf-8"))]
+    assert found == []

@@ -1,0 +1,103 @@
+"""Messages: text in English made of a template and fields, which is put into another language where it is shown.
+
+The template is the key under which `locales/<language>/LC_MESSAGES/tumble.po` holds its translation. English is the
+source: what a catalogue does not hold stays in English, so that nothing is ever lost. This module imports nothing of
+the product, and everything may import it.
+"""
+
+import gettext
+from collections.abc import Iterable, Mapping
+from enum import StrEnum
+from functools import cache
+from pathlib import Path
+from typing import Final, Self
+
+_LOCALES: Final = Path(__file__).resolve().parent / "locales"
+
+
+class Language(StrEnum):
+    """A language that the product speaks."""
+
+    ENGLISH = "en"
+    UKRAINIAN = "uk"
+    GERMAN = "de"
+
+    @property
+    def endonym(self) -> str:
+        """What it calls itself."""
+        return {"en": "English", "uk": "Українська", "de": "Deutsch"}[self]
+
+
+class Message(str):
+    """Text in English that keeps its template and its fields, to be put into another language.
+
+    `Message("{rows} rows are too few", rows=3)` is the string `3 rows are too few`. The template is written as for
+    `str.format`, its fields named; a field that is a message itself is put into the language with the whole.
+    """
+
+    template: str
+    plural: str
+    """The template for more than one; empty where number makes no difference."""
+    fields: Mapping[str, object]
+
+    def __new__(cls, template: str, /, **fields: object) -> Self:
+        """A message; `KeyError` where the template names a field that is not given."""
+        return cls._made(template, "", fields)
+
+    @classmethod
+    def counted(cls, singular: str, plural: str, /, *, count: int, **fields: object) -> Self:
+        """A message whose wording depends on a number, which is its field `count`."""
+        return cls._made(singular, plural, {"count": count, **fields})
+
+    @classmethod
+    def joined(cls, separator: str, parts: Iterable[str]) -> Self:
+        """Several messages or texts as one, each put into the language by itself."""
+        fields = {f"part{place}": part for place, part in enumerate(parts)}
+        return cls(separator.join(f"{{{name}}}" for name in fields), **fields)
+
+    @classmethod
+    def _made(cls, template: str, plural: str, fields: Mapping[str, object]) -> Self:
+        chosen = plural if plural and fields["count"] != 1 else template
+        made = super().__new__(cls, chosen.format(**fields))
+        made.template, made.plural, made.fields = template, plural, fields
+        return made
+
+    def in_language(self, language: Language) -> str:
+        """The text in a language; in English where the catalogue lacks the template."""
+        if self.plural:
+            count = self.fields["count"]
+            assert isinstance(count, int), "`counted` takes a whole number"
+            template = _catalogue(language).ngettext(self.template, self.plural, count)
+        else:
+            template = _looked_up(self.template, language)
+        return template.format(**{name: _field(value, language) for name, value in self.fields.items()})
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return _restored, (type(self), self.template, self.plural, dict(self.fields))
+
+
+def translate(text: str, language: Language) -> str:
+    """Text in a language: a message with its fields, any other as a key of the catalogue; English where unknown."""
+    return text.in_language(language) if isinstance(text, Message) else _looked_up(text, language)
+
+
+def translatable(template: str) -> str:
+    """The template itself, marked for the catalogue; for tables of templates that are put into words later."""
+    return template
+
+
+def _field(value: object, language: Language) -> object:
+    return value.in_language(language) if isinstance(value, Message) else value
+
+
+def _looked_up(template: str, language: Language) -> str:
+    return _catalogue(language).gettext(template) if template else ""  # the empty key holds the catalogue's header
+
+
+def _restored(kind: type[Message], template: str, plural: str, fields: Mapping[str, object]) -> Message:
+    return kind._made(template, plural, fields)
+
+
+@cache
+def _catalogue(language: Language) -> gettext.NullTranslations:
+    return gettext.translation("tumble", _LOCALES, [language], fallback=True)
