@@ -78,7 +78,7 @@ def write_report(
     traced: Traced, path: Path, record_id: str = "", revision: int = 1, chain: Chain[Loop] | None = None
 ) -> None:
     """Write the HTML report, with the experiments that closed the loop where there were any. Raises `JobError`."""
-    from tumble.calibrations.report import render_report  # matplotlib takes half a second
+    from tumble.calibrations.methods.dividing_head.report import render_report  # matplotlib takes half a second
 
     page = render_report(
         traced.calibration,

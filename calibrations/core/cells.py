@@ -6,8 +6,9 @@ comment, wherever it stands.
 """
 
 import csv
+import math
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Final
 
@@ -154,3 +155,15 @@ def _ascii_number(cell: str, delimiter: str) -> str:
     if not _NUMBER.fullmatch(plain) or (delimiter == "," and "," in plain):
         return cell
     return plain.replace(",", ".")
+
+
+def holds_numbers(place: int, lines: Sequence[tuple[int, Sequence[str]]]) -> bool:
+    """Whether any cell of a column is a number; a column of remarks is left out."""
+    return any(_is_number(cells[place]) for _, cells in lines)
+
+
+def _is_number(cell: str) -> bool:
+    try:
+        return not math.isnan(number(cell)) or cell.lower() == "nan"
+    except ValueError:
+        return False

@@ -86,7 +86,11 @@ def cheaply(blank="report"):
     with ExitStack() as stack:
         stack.enter_context(patch.object(analysis, "monte_carlo", few_trials_of(analysis.monte_carlo)))
         if blank == "report":
-            stack.enter_context(patch("tumble.calibrations.report.render_report", lambda *_, **__: "<html></html>"))
+            stack.enter_context(
+                patch(
+                    "tumble.calibrations.methods.dividing_head.report.render_report", lambda *_, **__: "<html></html>"
+                )
+            )
         else:
             stack.enter_context(patch("tumble.calibrations.report.drawing._lay_out", lambda _: None))
             stack.enter_context(patch.object(Figure, "savefig", lambda _, file, **__: file.write("<svg ></svg>")))

@@ -102,4 +102,6 @@ def no_figures():
 @pytest.fixture
 def no_report(monkeypatch):
     """Drawing takes two seconds; a test of something else does without."""
-    monkeypatch.setattr("tumble.calibrations.report.render_report", lambda *_, **__: "<html></html>")
+    monkeypatch.setattr(
+        "tumble.calibrations.methods.dividing_head.report.render_report", lambda *_, **__: "<html></html>"
+    )

@@ -9,10 +9,10 @@ from report_examples import FACE_UP, calibrate, dwells, face_up, flips_only, pro
 
 from tumble.calibrations.methods.dividing_head.flips import FlipClosure, FlipMean
 from tumble.calibrations.methods.dividing_head.geometry import projections
-from tumble.calibrations.report import evidence
-from tumble.calibrations.report.figures import closure_figure, fit_figure, model_curve
-from tumble.calibrations.report.residuals import covariate_figures, normal_figure
-from tumble.calibrations.report.subject import Subject
+from tumble.calibrations.methods.dividing_head.report import evidence
+from tumble.calibrations.methods.dividing_head.report.figures import closure_figure, fit_figure, model_curve
+from tumble.calibrations.methods.dividing_head.report.residuals import covariate_figures, normal_figure
+from tumble.calibrations.methods.dividing_head.report.subject import Subject
 
 XLINK = "{http://www.w3.org/1999/xlink}href"
 

@@ -12,12 +12,12 @@ from test_report_page import parsed, text_of
 
 from tumble.calibrations.methods.dividing_head.effects import CATALOGUE
 from tumble.calibrations.methods.dividing_head.loop.table import scene_of
-from tumble.calibrations.report import outlooks, traces
-from tumble.calibrations.report.abscissa import BY_EFFECT, BY_VARIABLE
-from tumble.calibrations.report.page import SECTIONS
-from tumble.calibrations.report.results import notices
-from tumble.calibrations.report.subject import Subject
-from tumble.calibrations.report.traces import MOST_FIGURES, abscissae, trace_figure
+from tumble.calibrations.methods.dividing_head.report import outlooks, traces
+from tumble.calibrations.methods.dividing_head.report.abscissa import BY_EFFECT, BY_VARIABLE
+from tumble.calibrations.methods.dividing_head.report.page import SECTIONS
+from tumble.calibrations.methods.dividing_head.report.results import notices
+from tumble.calibrations.methods.dividing_head.report.subject import Subject
+from tumble.calibrations.methods.dividing_head.report.traces import MOST_FIGURES, abscissae, trace_figure
 from tumble.calibrations.tracing.chain import Chain, Link, Stage
 from tumble.calibrations.tracing.experiments import Experiment
 from tumble.calibrations.tracing.findings import Unexplained

@@ -9,8 +9,8 @@ from tumble.calibrations.core.provenance import Provenance
 from tumble.calibrations.methods.dividing_head.analysis import analyse
 from tumble.calibrations.methods.dividing_head.budget import StandUncertainty
 from tumble.calibrations.methods.dividing_head.loop.loop import close_loop
-from tumble.calibrations.report import render_report
-from tumble.calibrations.stand_records.applying import contradictions, corrected
+from tumble.calibrations.methods.dividing_head.report import render_report
+from tumble.calibrations.methods.dividing_head.stand.applying import contradictions, corrected
 from tumble.calibrations.stand_records.corrections import Corrections
 from tumble.calibrations.stand_records.terms import Term
 

@@ -10,6 +10,7 @@ from tumble.calibrations.core.gravity import Gravity
 from tumble.calibrations.core.repeats import settings
 from tumble.calibrations.methods.dividing_head.effects.scene import Scene
 from tumble.calibrations.methods.dividing_head.poses import mountings
+from tumble.calibrations.methods.dividing_head.stand.columns import corrections_columns_v
 from tumble.calibrations.stand_records.record import StandRecord
 
 _ARCSEC_DEG = 1.0 / 3600.0
@@ -120,7 +121,7 @@ def _recorded(scene: Scene, record: StandRecord) -> Source:
     return Source(
         name=f"stand record {record.version}",
         symbol=f"{len(corrections.values)} coefficients of {len(corrections.terms)} terms, correlated",
-        errors_v=corrections.columns_v(scene) @ independent,
+        errors_v=corrections_columns_v(corrections, scene) @ independent,
     )
 
 

@@ -5,13 +5,7 @@ from typing import Final
 import numpy as np
 
 from tumble.calibrations.core.rows import SetAside
-from tumble.calibrations.core.screening import (
-    MOSTLY,
-    beyond,
-    used_without,
-    with_likely_temperatures,
-    without_missing,
-)
+from tumble.calibrations.core.screening import MOSTLY, beyond, used_without, with_likely_temperatures, without_missing
 from tumble.calibrations.methods.dividing_head.observations import Observations
 
 MOST_DEG: Final = 1e6

@@ -3,13 +3,10 @@
 A name is the quantity, then its unit. Only what says both is taken for a parameter of a sensor.
 """
 
-import math
 import re
 from collections.abc import Sequence
 from enum import Enum
 from typing import Final
-
-from tumble.calibrations.core.cells import number
 
 _UNITS: Final = (
     *("V_per_g", "mV_per_g", "uV_per_g", "V_g", "mV_g", "uV_g", "µV_g", "V_g2", "V/g", "mV/g", "uV/g", "µV/g", "V/g^2"),
@@ -99,15 +96,3 @@ def named(header: Sequence[str], kind: Column) -> list[str]:
 def says_runs(columns: Sequence[str]) -> bool:
     """Whether the columns of numbers say that they are a temperature and parameters, and none is anything else."""
     return bool(named(columns, Column.TEMPERATURE)) and not named(columns, Column.UNKNOWN)
-
-
-def holds_numbers(place: int, lines: Sequence[tuple[int, Sequence[str]]]) -> bool:
-    """Whether any cell of a column is a number; a column of remarks is left out."""
-    return any(_is_number(cells[place]) for _, cells in lines)
-
-
-def _is_number(cell: str) -> bool:
-    try:
-        return not math.isnan(number(cell)) or cell.lower() == "nan"
-    except ValueError:
-        return False

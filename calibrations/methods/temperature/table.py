@@ -7,13 +7,13 @@ from pathlib import Path
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
-from tumble.calibrations.core.cells import Line, TableError, is_missing
+from tumble.calibrations.core.cells import Line, TableError, holds_numbers, is_missing
 from tumble.calibrations.core.cells import number as as_number
 from tumble.calibrations.core.files import read_lines
 from tumble.calibrations.core.rows import OVERLOAD, SetAside
 from tumble.calibrations.core.screening import SENSORS_DEGC
 from tumble.calibrations.methods.temperature.clock import clock_s
-from tumble.calibrations.methods.temperature.columns import Column, column_of, holds_numbers, named
+from tumble.calibrations.methods.temperature.columns import Column, column_of, named
 
 _ORDER = "run"
 _FEWEST = 4

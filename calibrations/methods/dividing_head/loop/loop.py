@@ -39,13 +39,7 @@ from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.calibrations.tracing import explained as tracing
 from tumble.calibrations.tracing.effect import Effect
 from tumble.calibrations.tracing.experiments import Experiment, next_experiments
-from tumble.calibrations.tracing.findings import (
-    EffectFound,
-    Unexplained,
-    Withheld,
-    effects_found,
-    withheld,
-)
+from tumble.calibrations.tracing.findings import EffectFound, Unexplained, Withheld, effects_found, withheld
 from tumble.calibrations.tracing.fitting_noise import with_likely_flicker
 from tumble.calibrations.tracing.held_out import held_out_rms
 from tumble.calibrations.tracing.judged import judged

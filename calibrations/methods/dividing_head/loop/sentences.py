@@ -1,7 +1,7 @@
 """What closing the loop found, in words: the same for report and terminal."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.quantities import format_concise, format_number, format_probability
@@ -10,28 +10,13 @@ from tumble.calibrations.methods.dividing_head.joint import LACK_OF_FIT_P
 from tumble.calibrations.methods.dividing_head.loop.loop import Loop
 from tumble.calibrations.methods.dividing_head.loop.misreading import Misreading
 from tumble.calibrations.methods.dividing_head.result import Calibration
-from tumble.calibrations.tracing.effect import OWNER_WORDS, Quantity
-from tumble.calibrations.tracing.findings import EffectFound
-from tumble.calibrations.tracing.sentences import unexplained_sentence
+from tumble.calibrations.tracing.sentences import Finding, findings, unexplained_sentence
 
 MISREADING = "misreading"
-_UNIT_SUFFIXES = ("_deg", "_s", "_V")
 _NEGLIGIBLE = 0.01
 """A change below this part of the standard uncertainty is none."""
 _LISTED = 6
 """Of the misread rows so many are listed, the rest counted."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Finding:
-    """One effect found, every cell as text."""
-
-    name: str
-    also_possible: str
-    """The effects that explain the data as well; empty where it is told apart."""
-    belongs_to: str
-    coefficients: str
-    p_value: str
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -103,39 +88,6 @@ def misread_text(misread: Sequence[Misreading]) -> str:
     return f"{listed} and {more} more" if more > 0 else listed
 
 
-def findings(effects: Sequence[EffectFound], misread: Sequence[Misreading] = ()) -> list[Finding]:
-    """The effects found, in the order of the evidence."""
-    return [
-        Finding(
-            name=effect.name,
-            also_possible=series(effect.also_possible, "or") if effect.also_possible else "",
-            belongs_to=OWNER_WORDS[effect.belongs_to],
-            coefficients=misread_text(misread) if effect.name == MISREADING else _coefficients(effect),
-            p_value=format_probability(effect.p_value),
-        )
-        for effect in effects
-    ]
-
-
-def _coefficients(effect: EffectFound) -> str:
-    if len(effect.coefficients) == 1:
-        (quantity,) = effect.coefficients.values()
-        return _quantity(quantity)
-    return ", ".join(f"{_without_unit(key)} {_quantity(quantity)}" for key, quantity in effect.coefficients.items())
-
-
-def _quantity(quantity: Quantity) -> str:
-    if quantity.standard_uncertainty is not None:
-        return format_concise(quantity.value, quantity.standard_uncertainty, quantity.unit)
-    return f"{quantity.value:g}" if quantity.value.is_integer() else format_number(quantity.value, quantity.unit, 4)
-
-
-def _without_unit(key: str) -> str:
-    """The name of a coefficient without the unit that its value states."""
-    suffix = next((suffix for suffix in _UNIT_SUFFIXES if key.endswith(suffix)), "")
-    return key.removesuffix(suffix)
-
-
 def comparisons(loop: Loop) -> list[Comparison]:
     """Adequacy and parameters of the declared and of the augmented model; none where the two are one.
 
@@ -201,3 +153,10 @@ def leaning(loop: Loop) -> str:
     names, verb = series(list(found)), "rest" if len(found) > 1 else "rests"
     settled = f"; a sweep in {series(first.settled_by, 'or')} would settle it" if first.settled_by else ""
     return f"{names} {verb} on {first.rests_on} alone: {first.remark}{settled}"
+
+
+def findings_of(loop: Loop) -> list[Finding]:
+    """The effects found, in the order of the evidence; of misread rows, which they are."""
+    found = findings(loop.effects)
+    text = misread_text(loop.misread)
+    return [replace(each, coefficients=text) if each.name == MISREADING else each for each in found]

@@ -5,12 +5,12 @@ from typing import Any
 
 from tumble.calibrations.core.sentences import series
 from tumble.calibrations.methods.dividing_head.loop.loop import Loop
-from tumble.calibrations.methods.dividing_head.loop.sentences import comparisons, findings, headline, untold
-from tumble.calibrations.report.abscissa import Abscissa
-from tumble.calibrations.report.chain import chain_part
-from tumble.calibrations.report.outlooks import outlook_figure
-from tumble.calibrations.report.subject import Subject
-from tumble.calibrations.report.traces import abscissae, trace_figure
+from tumble.calibrations.methods.dividing_head.loop.sentences import comparisons, findings_of, headline, untold
+from tumble.calibrations.methods.dividing_head.report.abscissa import Abscissa
+from tumble.calibrations.methods.dividing_head.report.chain import chain_part
+from tumble.calibrations.methods.dividing_head.report.outlooks import outlook_figure
+from tumble.calibrations.methods.dividing_head.report.subject import Subject
+from tumble.calibrations.methods.dividing_head.report.traces import abscissae, trace_figure
 
 
 def closed_loop(subject: Subject) -> dict[str, Any]:
@@ -21,7 +21,7 @@ def closed_loop(subject: Subject) -> dict[str, Any]:
     found = bool(loop.effects or loop.unexplained)
     if not found:
         return {"headline": headline(loop)} | dict.fromkeys(_PARTS, ()) | chain
-    parts = (findings(loop.effects, loop.misread), _figures(loop), comparisons(loop), untold(loop), _experiments(loop))
+    parts = (findings_of(loop), _figures(loop), comparisons(loop), untold(loop), _experiments(loop))
     return {"headline": headline(loop)} | dict(zip(_PARTS, parts, strict=True)) | chain
 
 

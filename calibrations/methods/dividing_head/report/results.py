@@ -19,7 +19,7 @@ from tumble.calibrations.core.sentences import equals, series
 from tumble.calibrations.core.verdict import Judgement, Model, Outcome, Verdict
 from tumble.calibrations.methods.dividing_head.joint import LACK_OF_FIT_P
 from tumble.calibrations.methods.dividing_head.loop.sentences import found_sentences
-from tumble.calibrations.report.subject import Subject
+from tumble.calibrations.methods.dividing_head.report.subject import Subject
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -9,6 +9,7 @@ from scipy.special import ndtri
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.dividing_head.poses import pose_groups
+from tumble.calibrations.methods.dividing_head.report.subject import mounts_of
 from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.calibrations.report.drawing import (
     BAND,
@@ -20,7 +21,6 @@ from tumble.calibrations.report.drawing import (
     MICRO,
     WIDE_IN,
     cloud,
-    mounts_of,
     sheet,
     styled,
     to_svg,

@@ -17,8 +17,8 @@ from tumble.calibrations.core.quantities import (
     two_digit_places,
 )
 from tumble.calibrations.methods.dividing_head.montecarlo import TRIALS
-from tumble.calibrations.report.results import freedom
-from tumble.calibrations.report.subject import Subject
+from tumble.calibrations.methods.dividing_head.report.results import freedom
+from tumble.calibrations.methods.dividing_head.report.subject import Subject
 
 FEW_DEGREES_OF_FREEDOM = 30
 _RESOLVED = 3 * math.sqrt(0.025 * 0.975 / TRIALS) / 0.0584

@@ -10,9 +10,10 @@ from tumble.calibrations.methods.dividing_head.effects.scene import Scene
 from tumble.calibrations.methods.dividing_head.joint import fit_jointly
 from tumble.calibrations.methods.dividing_head.loop.table import scene_of
 from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.calibrations.methods.dividing_head.stand.columns import corrections_voltage_v
+from tumble.calibrations.methods.dividing_head.stand.evidence import Run
 from tumble.calibrations.stand_records.agreement import AGREE_P
 from tumble.calibrations.stand_records.corrections import Corrections, chi_square_p
-from tumble.calibrations.stand_records.evidence import Run
 from tumble.calibrations.stand_records.record import StandRecord
 from tumble.calibrations.stand_records.terms import HEAD_COURSE, Term
 
@@ -35,8 +36,10 @@ def corrected(observations: Observations, record: StandRecord) -> Observations:
         observations = replace(observations, correction_deg=error_deg)
     if all(term.of_angle for term in corrections.terms):
         return observations
-    nearly = replace(observations, voltage_v=observations.output_v - corrections.voltage_v(_seen(observations)))
-    return replace(observations, voltage_v=observations.output_v - corrections.voltage_v(_seen(nearly)))
+    nearly = replace(
+        observations, voltage_v=observations.output_v - corrections_voltage_v(corrections, _seen(observations))
+    )
+    return replace(observations, voltage_v=observations.output_v - corrections_voltage_v(corrections, _seen(nearly)))
 
 
 def _seen(observations: Observations) -> Scene:

@@ -8,6 +8,7 @@ from tumble.calibrations.core.provenance import LimitCheck, Provenance
 from tumble.calibrations.core.verdict import Verdict
 from tumble.calibrations.methods.dividing_head.judging import judge
 from tumble.calibrations.methods.dividing_head.loop.loop import Loop
+from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.calibrations.methods.dividing_head.usable import Usable, usable
 from tumble.calibrations.tracing.chain import Chain
@@ -47,3 +48,8 @@ class Subject:
     def told(self) -> tuple[Parameter, ...]:
         """The parameters that have a value that may be used."""
         return tuple(parameter for parameter in self.use.calibration.parameters.values() if parameter.value is not None)
+
+
+def mounts_of(observations: Observations) -> list[str]:
+    """The mounts of a table in the order in which they first come."""
+    return list(dict.fromkeys(observations.mounts.tolist()))

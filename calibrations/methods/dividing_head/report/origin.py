@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from tumble.calibrations.report.subject import Subject
+from tumble.calibrations.methods.dividing_head.report.subject import Subject
 
 
 def origin(subject: Subject) -> dict[str, Any]:

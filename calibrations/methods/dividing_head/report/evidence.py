@@ -5,12 +5,11 @@ from typing import Any
 from tumble.calibrations.core.quantities import format_concise, format_number
 from tumble.calibrations.core.sentences import equals
 from tumble.calibrations.methods.dividing_head.joint import LACK_OF_FIT_P
+from tumble.calibrations.methods.dividing_head.report.figures import closure_figure, fit_figure, model_curve
+from tumble.calibrations.methods.dividing_head.report.residuals import angle_figure, covariate_figures, normal_figure
+from tumble.calibrations.methods.dividing_head.report.subject import Subject, mounts_of
 from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.calibrations.methods.dividing_head.significance import closure_sentence, support
-from tumble.calibrations.report.drawing import mounts_of
-from tumble.calibrations.report.figures import closure_figure, fit_figure, model_curve
-from tumble.calibrations.report.residuals import angle_figure, covariate_figures, normal_figure
-from tumble.calibrations.report.subject import Subject
 
 LISTED_ROWS = 50
 """Of the rows set aside so many are listed, the rest counted."""

@@ -8,15 +8,17 @@ from markupsafe import Markup
 
 from tumble.calibrations.core.provenance import LimitCheck, Provenance
 from tumble.calibrations.methods.dividing_head.loop.loop import Loop
+from tumble.calibrations.methods.dividing_head.report import evidence, uncertainty
+from tumble.calibrations.methods.dividing_head.report.loop import closed_loop
+from tumble.calibrations.methods.dividing_head.report.origin import origin
+from tumble.calibrations.methods.dividing_head.report.results import header, results
+from tumble.calibrations.methods.dividing_head.report.stand import corrections_of_the_stand
+from tumble.calibrations.methods.dividing_head.report.subject import Subject
 from tumble.calibrations.methods.dividing_head.result import Calibration
-from tumble.calibrations.report import evidence, uncertainty
-from tumble.calibrations.report.loop import closed_loop
-from tumble.calibrations.report.origin import origin
-from tumble.calibrations.report.results import header, results
-from tumble.calibrations.report.stand import corrections_of_the_stand
-from tumble.calibrations.report.subject import Subject
-from tumble.calibrations.report.templates import TEMPLATES
+from tumble.calibrations.report.templates import templates
 from tumble.calibrations.tracing.chain import Chain
+
+_PACKAGE = "tumble.calibrations.methods.dividing_head"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -29,7 +31,7 @@ class Section:
 
     def render(self, subject: Subject) -> Markup:
         """The section without its heading: the template `<anchor>.html.j2` with what `content` gives."""
-        return Markup(TEMPLATES.get_template(f"{self.anchor}.html.j2").render(self.content(subject)))
+        return Markup(templates(_PACKAGE).get_template(f"{self.anchor}.html.j2").render(self.content(subject)))
 
 
 SECTIONS = (
@@ -94,4 +96,4 @@ def render_report(
         contradictions=tuple(contradictions),
     )
     bodies = [(section, section.render(subject)) for section in SECTIONS]
-    return TEMPLATES.get_template("page.html.j2").render(subject=subject, sections=bodies, **header(subject))
+    return templates(_PACKAGE).get_template("page.html.j2").render(subject=subject, sections=bodies, **header(subject))

@@ -7,6 +7,7 @@ from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.dividing_head.flips import FlipClosure
 from tumble.calibrations.methods.dividing_head.model import PARAMETERS, basis, coefficients
 from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.calibrations.methods.dividing_head.report.subject import mounts_of
 from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.calibrations.report.drawing import (
     COLOURS,
@@ -15,7 +16,6 @@ from tumble.calibrations.report.drawing import (
     PALE,
     WIDE_IN,
     cloud,
-    mounts_of,
     sheet,
     styled,
     to_svg,

@@ -13,10 +13,16 @@ from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.dividing_head.effects.scene import Scene
 from tumble.calibrations.methods.dividing_head.loop.loop import Loop
 from tumble.calibrations.methods.dividing_head.loop.table import scene_of
+from tumble.calibrations.methods.dividing_head.report.abscissa import BY_EFFECT, BY_VARIABLE, Abscissa, Column
+from tumble.calibrations.methods.dividing_head.report.residuals import (
+    band,
+    groups_of,
+    mark_residuals,
+    scatter_uv,
+    weighted_uv,
+)
 from tumble.calibrations.methods.dividing_head.result import Calibration
-from tumble.calibrations.report.abscissa import BY_EFFECT, BY_VARIABLE, Abscissa, Column
 from tumble.calibrations.report.drawing import COLOURS, HALF_IN, INK, sheet, styled, to_svg
-from tumble.calibrations.report.residuals import band, groups_of, mark_residuals, scatter_uv, weighted_uv
 
 MOST_FIGURES = 4
 _ARCSEC_PER_DEG = 3600.0

@@ -16,6 +16,7 @@ from tumble.calibrations.methods.dividing_head.fit import covariance
 from tumble.calibrations.methods.dividing_head.joint import LACK_OF_FIT_P, Joint, fit_rows
 from tumble.calibrations.methods.dividing_head.loop.loop import Explained, Loop
 from tumble.calibrations.methods.dividing_head.model import PARAMETERS
+from tumble.calibrations.methods.dividing_head.stand.columns import columns_v, tangent_v
 from tumble.calibrations.stand_records.corrections import Corrections
 from tumble.calibrations.stand_records.terms import LASTING, Term, harmonic_term, head_course, union
 from tumble.calibrations.tracing.effect import Structure
@@ -72,11 +73,11 @@ class Run:
         seat and voltmeter add; the head's own uncertainty is what is sought.
         """
         trace = self._beside(terms)
-        first = _fit(self.explained, trace, [term.columns_v(self._scene) for term in terms])
+        first = _fit(self.explained, trace, [columns_v(term, self._scene) for term in terms])
         start = len(PARAMETERS)
         roughly = _cut(terms, first.fit.theta[start:])
-        tangents = [term.tangent_v(self._scene, value) for term, value in zip(terms, roughly, strict=True)]
-        columns = [*(term.columns_v(self._scene) for term in terms), *(t for t in tangents if t is not None)]
+        tangents = [tangent_v(term, self._scene, value) for term, value in zip(terms, roughly, strict=True)]
+        columns = [*(columns_v(term, self._scene) for term in terms), *(t for t in tangents if t is not None)]
         joint = _fit(self.explained, trace, columns)
         here = slice(start, start + sum(term.size for term in terms))
         told = [bool(mask.all()) for mask in _cut(terms, joint.fit.estimable[here])]
