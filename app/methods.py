@@ -20,8 +20,11 @@ GROUP = "tumble.methods"
 
 @cache
 def methods() -> tuple[Method, ...]:
-    """All that are installed, by name."""
-    return tuple(point.load() for point in sorted(entry_points(group=GROUP), key=lambda point: point.name))
+    """All that are installed, by name. Raises `InputError` where the installation says none."""
+    points = sorted(entry_points(group=GROUP), key=lambda point: point.name)
+    if not points:
+        raise InputError("no method is installed: this installation is older than its files; install tumble again")
+    return tuple(point.load() for point in points)
 
 
 def method_of(paths: Sequence[Path]) -> Method:

@@ -24,7 +24,7 @@ class Ended(StrEnum):
     """Why no further experiment is run."""
 
     NOTHING_TO_TELL = "nothing to tell apart"
-    TOLD_APART = "told apart"
+    TOLD_APART = "distinguished"
     NOTHING_AVAILABLE = "no available experiment"
     NOT_AS_PROMISED = "not as promised"
     ENOUGH = "as many as were asked for"
@@ -86,7 +86,7 @@ class Link(Generic[L]):
 
     @property
     def separated(self) -> tuple[str, ...]:
-        """The names that it told apart, the ones that are left first; none where it failed to."""
+        """The names that it distinguished, the ones that are left first; none where it failed to."""
         left = {name for effect in self.after.loop.effects for name in (effect.name, *effect.also_possible)}
         remaining = tuple(name for name in self.rivals_before if name in left)
         gone = tuple(name for name in self.rivals_before if name not in left)
@@ -214,7 +214,7 @@ def experiments_for(
 ) -> tuple[Experiment, ...]:
     """What would tell apart the rivals of a table, of what can be run.
 
-    Explanations a little too far behind to be rivals are told apart too: by mere chance the true one may be there.
+    Explanations a little too far behind to be rivals are distinguished too: by mere chance the true one may be there.
     """
     if explained is None:
         return ()
@@ -235,7 +235,7 @@ def cheapest(experiments: Sequence[Experiment]) -> Experiment | None:
 
 
 def cannot(experiments: Sequence[Experiment], elsewhere: Mapping[str, tuple[Experiment, str]]) -> str:
-    """Why nothing more is told apart.
+    """Why nothing more is distinguished.
 
     Parameters
     ----------

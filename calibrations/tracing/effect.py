@@ -23,8 +23,8 @@ class Form:
     """Volts per unit of each coefficient, shape (rows, coefficients)."""
     scanned: Mapping[str, float] = field(default_factory=dict)
     """Values of what enters nonlinearly (order, time constant, threshold, period), by contract key."""
-    doubt: float = 0.0
-    """What the shape must earn in -2 ln L beyond others, as one that could stand in for almost anything."""
+    penalty: float = 0.0
+    """What the shape is penalised by in -2 ln L beyond others, as one that could stand in for almost anything."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -59,7 +59,7 @@ class Effect(Generic[Seen]):
     report: Reported
     at: Callable[[Seen, float], Form] | None = None
     """The form for any value of what is scanned, where that is a continuous quantity."""
-    drawn: bool = False
+    random: bool = False
     """Whether the coefficients are levels drawn at random, as many as there are seats or turn-ons."""
     additive: bool = False
     """Whether coefficients of two forms add up to one reported coefficient; otherwise the larger is reported."""

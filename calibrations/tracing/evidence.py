@@ -93,7 +93,7 @@ def gathered(table: Table, trace: Trace) -> dict[str, Evidence]:
     depends, which needs no evidence beyond that for the structure itself; but where settings differ, the shape is one
     of many.
     """
-    names = dict.fromkeys(item.effect.name for item in trace.found if not item.effect.drawn)
+    names = dict.fromkeys(item.effect.name for item in trace.found if not item.effect.random)
     linearised = Linearised(table, trace)
     every = (_evidence(linearised, name) for name in names)
     return {each.name: each for each in every if each.variable == "angle" or not each.unnamed}

@@ -16,7 +16,7 @@ from tumble.calibrations.tracing.table import Extensible
 from tumble.calibrations.tracing.trace import Trace
 
 APART = 16.0
-"""Explanations that differ by this in -2 ln L are told apart: four standard deviations."""
+"""Explanations that differ by this in -2 ln L are distinguished: four standard deviations."""
 _RUNS = 3
 """How often a probe is run where once is not enough."""
 
@@ -79,13 +79,13 @@ class _Offer:
         return [rival for rival in among if separations[rival] >= APART]
 
     def worth(self, among: list[int], sure: bool) -> tuple[float, float]:
-        """Rivals told apart per second; of equal ones the clearer, in whole multiples of what is needed."""
+        """Rivals distinguished per second; of equal ones the clearer, in whole multiples of what is needed."""
         clearness = float(np.minimum(self.separations(sure)[among] // APART, 4).sum())
         return len(self.apart(among, sure)) / max(self.stand_time_s, 1.0), clearness
 
 
 def _answers(question: Question, probes: Sequence[Probe], otherwise: str) -> Iterator[Experiment]:
-    """Experiments until every rival is told apart or nothing tells any of the rest."""
+    """Experiments until every rival is distinguished or nothing tells any of the rest."""
     rows, left = question.table, list(range(len(question.rivals)))
     while left:
         offers = _offers(question, rows, left, probes)
@@ -170,7 +170,7 @@ def _outlook(question: Question, offer: _Offer, probe: Probe, apart: list[int], 
 
 
 def _needed(question: Question, offer: _Offer, apart: list[int]) -> list[str]:
-    """Explanations one of which must be true for them to be told apart."""
+    """Explanations one of which must be true for them to be distinguished."""
     return sorted({question.name if offer.each_way[0, rival] >= APART else question.rivals[rival] for rival in apart})
 
 

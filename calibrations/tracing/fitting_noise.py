@@ -1,4 +1,4 @@
-"""Which noise that remembers suits a table, for given effects, and what it must earn."""
+"""Which autocorrelated noise suits a table, for given effects, and its penalty."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -14,19 +14,19 @@ FLICKER_FLOOR = 0.25
 MOST_FLICKER = FLICKER_FLOOR**2 / (2 * np.log(2))
 """The same as variance of the first mode (IEEE Std 952, annex C: floor² = 2 ln 2 h)."""
 FLICKER_PRICE = 4.0
-"""What flicker must earn: one variance, and the ordinary noise of a unit. With the next three, judged by
+"""Penalty of flicker: one variance, and the ordinary noise of a unit. With the next three, judged by
 `python -m benchmarks.loop clean` and `exactness`, which must be run again when one is changed."""
 WALK_PRICE = 11.0
-"""What a random walk must earn. It parts one from flicker with a floor of a fifth of a dwell's deviation: in one of a
+"""Penalty of a random walk. It parts one from flicker with a floor of a fifth of a dwell's deviation: in one of a
 hundred tables flicker still earns it, and of walks of 12 noise units some three in ten do not."""
 CORNER_PRICE = 4.0
-"""What a corner of the walk must earn: one number more."""
+"""Penalty of a corner of the walk: one number more."""
 LEVEL_PRICE = 13.0
-"""What levels drawn at random must earn: one variance, among some thirty effects."""
+"""Penalty of random effects: one variance, among some thirty effects."""
 
 
-def noise_price(noise: NoiseModel) -> float:
-    """What everything in a noise beyond white must earn in -2 ln L."""
+def noise_penalty(noise: NoiseModel) -> float:
+    """What everything in a noise beyond white is penalised by in -2 ln L."""
     flicker = FLICKER_PRICE if noise.flicker else 0.0
     walk = (WALK_PRICE + CORNER_PRICE * bool(noise.corner)) if noise.walk else 0.0
     return flicker + walk + LEVEL_PRICE * len(noise.levels)
@@ -41,7 +41,7 @@ def fitting(table: Table, forms: Sequence[Form], noise: NoiseModel) -> tuple[tup
 def with_likely_flicker(table: Table, forms: Sequence[Form], noise: NoiseModel) -> NoiseModel:
     """The noise with the flicker that is to be expected beside it: each level weighed by its likelihood.
 
-    Flicker need not earn its price to be there: it is the ordinary noise of a unit, and what it does to the mean of a
+    Flicker may be there below its penalty: it is the ordinary noise of a unit, and what it does to the mean of a
     run no residual shows.
     """
     if noise.flicker or noise.walk or not table.memory.modes.shape[1]:

@@ -30,7 +30,7 @@ def held_out_rms(tracer: Tracer[Any], trace: Trace, parts: Iterable[NDArray[np.b
 def _errors(tracer: Tracer[Any], trace: Trace, out: NDArray[np.bool_]) -> FloatArray:
     """Output minus what the other rows predict, of the rows that are held out."""
     table = tracer.table
-    barred = [candidate.effect.drawn or candidate.effect.name in tracer.barred for candidate in tracer.offered]
+    barred = [candidate.effect.random or candidate.effect.name in tracer.barred for candidate in tracer.offered]
     offered = [] if table.not_traced else list(compress(tracer.offered, np.logical_not(barred)))
     sample = table.sample_of(~out)
     problem = Problem(

@@ -28,7 +28,7 @@ class Quantified:
     covariance: FloatArray
     """Of the coefficients of all further columns."""
     residual: FloatArray
-    """Output minus fitted, and minus what is known of noise that remembers, shape (rows,)."""
+    """Output minus fitted, and minus what is known of autocorrelated noise, shape (rows,)."""
     dwell: float
     """Standard deviation of a row of weight 1, in the unit of the output."""
 

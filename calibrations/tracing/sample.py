@@ -1,4 +1,4 @@
-"""Rows ready for comparison: weighted, and turned so that noise that remembers is confined to the first of them."""
+"""Rows ready for comparison: weighted, and turned so that autocorrelated noise is confined to the first of them."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace

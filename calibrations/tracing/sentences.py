@@ -25,7 +25,7 @@ class Finding:
 
     name: str
     also_possible: str
-    """The effects that explain the data as well; empty where it is told apart."""
+    """The effects that explain the data as well; empty where it is distinguished."""
     belongs_to: str
     coefficients: str
     p_value: str

@@ -1,4 +1,4 @@
-"""How far an experiment would part explanations of a table that cannot be told apart in it.
+"""How far an experiment would part explanations of a table that are not distinguishable in it.
 
 The measure is that of T-optimality (Atkinson and Fedorov 1975): if one explanation is true, the squared length T
 of what the other cannot follow, in standard deviations of a dwell. As the noise is estimated with everything else,
@@ -61,7 +61,7 @@ class Outlook:
     dwell_v: float
     """Noise of a dwell, in volts."""
     differences: tuple[Difference, ...]
-    """One for each rival that is told apart."""
+    """One for each rival that is distinguished."""
 
 
 class Question:

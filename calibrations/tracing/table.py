@@ -140,7 +140,7 @@ class Extensible(Table, ABC):
 
 
 def memory_of(effects: Sequence[Effect[Any]], scene: View, weights: FloatArray) -> Memory:
-    """Along what noise can remember in a table: its time, and the levels of the effects that draw some."""
-    drawn = {effect.name: forms[0].columns for effect in effects if effect.drawn and (forms := effect.forms(scene))}
+    """Along what noise can be correlated over in a table: its time, and the levels of the effects that draw some."""
+    drawn = {effect.name: forms[0].columns for effect in effects if effect.random and (forms := effect.forms(scene))}
     levels = {name: scaled_levels(columns, weights) for name, columns in drawn.items()}
     return Memory(modes=slow_modes(scene.hours, weights), levels=levels)

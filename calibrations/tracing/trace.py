@@ -1,4 +1,4 @@
-"""Traces what the declared model leaves to named effects, to noise that remembers, or to structure without a name."""
+"""Traces what the declared model leaves to named effects, to autocorrelated noise, or to structure without a name."""
 
 from collections.abc import Sequence
 from copy import copy
@@ -13,11 +13,11 @@ from tumble.calibrations.tracing.fitting_noise import (
     fitting,
     golden_section,
     is_slow,
-    noise_price,
+    noise_penalty,
 )
 from tumble.calibrations.tracing.noise import SETTINGS, WHITE, NoiseModel
 from tumble.calibrations.tracing.problem import Explanation, Problem
-from tumble.calibrations.tracing.search import entries, search, settled
+from tumble.calibrations.tracing.search import penalties, search, settled
 from tumble.calibrations.tracing.table import Table
 
 _NOTICED = 3.84
@@ -59,7 +59,7 @@ class Trace:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Names of all effects of the catalogue that were found, those that are noise that remembers included."""
+        """Names of all effects of the catalogue that were found, those that are autocorrelated noise included."""
         drawn = [name for name, _ in self.noise.levels if name != SETTINGS]
         walk = [WALK] if self.noise.walk else []
         return tuple(dict.fromkeys([*(found.effect.name for found in self.named), *drawn, *walk]))
@@ -129,16 +129,16 @@ class Tracer(Generic[_T]):
     def trace(self) -> Trace:
         """Find the effects of the table.
 
-        The search is made in white noise first. Where what it finds, or what it leaves, could as well be noise that
-        remembers, it is made again in such noise, and the cheaper explanation is taken.
+        The search is made in white noise first. Where what it finds, or what it leaves, could as well be autocorrelated
+        noise, it is made again in such noise, and the cheaper explanation is taken.
         """
         if self.table.rows < self.table.fewest_rows:
             return Trace(found=(), noise=NoiseModel(), deviance=self.table.deviance((), NoiseModel()))
         white = self._searched(self._noise)
         others = [self._adapted(self._settled(noise, white)) for noise in self._other_noises(white)]
-        best = min((self._drawn(trace) for trace in (white, *others)), key=trace_price)
+        best = min((self._with_random_effects(trace) for trace in (white, *others)), key=penalised_deviance)
         if best.noise.walk:
-            best = min(best, self._without(best, WALK), key=trace_price)
+            best = min(best, self._without(best, WALK), key=penalised_deviance)
         return self._with_single_forms(refined(self.table, best))
 
     def _with_single_forms(self, trace: Trace) -> Trace:
@@ -146,7 +146,7 @@ class Tracer(Generic[_T]):
         names = [item.effect.name for item in trace.found]
         double = [item for item in trace.found if names.count(item.effect.name) > 1]
         rests = [replace(trace, found=tuple(kept for kept in trace.found if kept is not item)) for item in double]
-        return min((trace, *(refined(self.table, rest) for rest in rests)), key=trace_price)
+        return min((trace, *(refined(self.table, rest) for rest in rests)), key=penalised_deviance)
 
     def _other_noises(self, white: Trace) -> list[NoiseModel]:
         """Noises worth a search of their own: with what was found, or with the fast part of it.
@@ -157,31 +157,31 @@ class Tracer(Generic[_T]):
             return []
         beside = fitting(self.table, white.forms, self._noise)
         noises = [noise for noise, deviance in beside if white.deviance - deviance > _NOTICED]
-        slow = [item.effect.drawn or is_slow(self.table, item.form) for item in white.found]
+        slow = [item.effect.random or is_slow(self.table, item.form) for item in white.found]
         if any(slow):
             fast = [item.form for item, away in zip(white.found, slow, strict=True) if not away]
             noises += [noise for noise, _ in fitting(self.table, fast, self._noise)]
         return list(dict.fromkeys(noises))
 
-    def _drawn(self, trace: Trace) -> Trace:
+    def _with_random_effects(self, trace: Trace) -> Trace:
         """A trace with the levels of its effects drawn; settled again where there are any."""
-        drawn = self._with_drawn_levels(trace)
+        drawn = self._with_random_levels(trace)
         if drawn.noise.levels == trace.noise.levels:
             return trace
-        again = self._with_drawn_levels(self._settled(drawn.noise, drawn))
-        best = min(drawn, again, key=trace_price)
+        again = self._with_random_levels(self._settled(drawn.noise, drawn))
+        best = min(drawn, again, key=penalised_deviance)
         names = [name for name, _ in best.noise.levels if name != SETTINGS]
-        return min((best, *(self._without(best, name) for name in names)), key=trace_price)
+        return min((best, *(self._without(best, name) for name in names)), key=penalised_deviance)
 
     def _without(self, trace: Trace, name: str) -> Trace:
         """A trace without an effect that is noise."""
         rest = trace.without(name)
         return replace(rest, deviance=self.table.deviance(rest.forms, rest.noise))
 
-    def _with_drawn_levels(self, trace: Trace) -> Trace:
+    def _with_random_levels(self, trace: Trace) -> Trace:
         """Take effects that draw levels out of the columns: of levels, only the variance is a parameter."""
-        names = list(dict.fromkeys(item.effect.name for item in trace.found if item.effect.drawn))
-        kept = tuple(item for item in trace.found if not item.effect.drawn)
+        names = list(dict.fromkeys(item.effect.name for item in trace.found if item.effect.random))
+        kept = tuple(item for item in trace.found if not item.effect.random)
         noise = trace.noise
         for name in names:
             noise = best_level(self.table, [item.form for item in kept], noise, name)
@@ -193,7 +193,7 @@ class Tracer(Generic[_T]):
         if not trace.noise.walk:
             return trace
         noise, _ = best_walk(self.table, trace.forms, trace.noise)
-        return trace if noise == trace.noise else min(trace, self._settled(noise, trace), key=trace_price)
+        return trace if noise == trace.noise else min(trace, self._settled(noise, trace), key=penalised_deviance)
 
     def _searched(self, noise: NoiseModel) -> Trace:
         """Search; where structure without a name came out of it, again without: it may stand in for several effects."""
@@ -201,12 +201,12 @@ class Tracer(Generic[_T]):
         trace = self._traced(noise, search(problem))
         if not trace.unnamed:
             return trace
-        return min(trace, self._traced(noise, search(problem.named())), key=trace_price)
+        return min(trace, self._traced(noise, search(problem.named())), key=penalised_deviance)
 
     def _settled(self, noise: NoiseModel, start: Trace) -> Trace:
         """What another trace turns into in another noise."""
         problem = self.problem(noise)
-        chosen = tuple(item.number for item in start.found if not (noise.levels and item.effect.drawn))
+        chosen = tuple(item.number for item in start.found if not (noise.levels and item.effect.random))
         return self._traced(noise, settled(problem, problem.explain(chosen)))
 
     def _traced(self, noise: NoiseModel, explanation: Explanation) -> Trace:
@@ -221,9 +221,9 @@ def found(problem: Problem, number: int) -> Found:
     return Found(candidate=candidate, form=candidate.form, number=number)
 
 
-def trace_price(trace: Trace) -> float:
-    """Deviance plus what everything in the trace must earn."""
-    return trace.deviance + noise_price(trace.noise) + entries([found.candidate for found in trace.found])
+def penalised_deviance(trace: Trace) -> float:
+    """Deviance plus the penalties of everything in the trace."""
+    return trace.deviance + noise_penalty(trace.noise) + penalties([found.candidate for found in trace.found])
 
 
 def refined(table: Table, trace: Trace, rounds: int = 2) -> Trace:

@@ -12,24 +12,27 @@ from tumble.calibrations.tracing.noise import Whitening
 
 @dataclass(frozen=True, kw_only=True)
 class Split:
-    """Columns taken apart: what the declared functions can be, and what is left beside them."""
+    """Columns taken apart: what the declared functions can be, and what is left orthogonal to them."""
 
-    along: FloatArray
+    projected: FloatArray
     """Shape (functions, n)."""
-    beside: FloatArray
+    orthogonal: FloatArray
     """Shape (turned rows, n)."""
 
     def pick(self, columns: list[int]) -> "Split":
         """Some of the columns."""
-        return Split(along=self.along[:, columns], beside=self.beside.T.take(columns, axis=0).T)
+        return Split(projected=self.projected[:, columns], orthogonal=self.orthogonal.T.take(columns, axis=0).T)
 
     def by_columns(self) -> "Split":
         """The same, each column in one piece of memory, so that some of them are picked fast."""
-        return Split(along=self.along, beside=np.asfortranarray(self.beside))
+        return Split(projected=self.projected, orthogonal=np.asfortranarray(self.orthogonal))
 
     def with_further(self, other: "Split") -> "Split":
         """These columns, then those of another."""
-        return Split(along=np.hstack([self.along, other.along]), beside=np.hstack([self.beside, other.beside]))
+        return Split(
+            projected=np.hstack([self.projected, other.projected]),
+            orthogonal=np.hstack([self.orthogonal, other.orthogonal]),
+        )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -77,21 +80,21 @@ class WhitenedFit:
     def split(self, columns: FloatArray) -> Split:
         """Make columns white that are weighted and turned, shape (turned rows, n); take out the declared functions."""
         whitened = self._white.turned(columns)
-        along = self._q.T @ whitened
-        return Split(along=along, beside=whitened - self._q @ along)
+        projected = self._q.T @ whitened
+        return Split(projected=projected, orthogonal=whitened - self._q @ projected)
 
     def compressed(self, further: Split) -> Compressed:
         """The rows as only the declared model and further columns see them; those of the declared come first."""
-        size, terms = self._size, further.along.shape[1]
-        triangular = triangular_factor(np.hstack([further.beside, self.output.beside]))
+        size, terms = self._size, further.projected.shape[1]
+        triangular = triangular_factor(np.hstack([further.orthogonal, self.output.orthogonal]))
         r, z, rest = triangular[:terms, :terms], triangular[:terms, terms], triangular[terms:, terms]
         whole = np.zeros((size + r.shape[0], size + terms))
         whole[:size, :size] = self.r
-        whole[:size, size:] = further.along
+        whole[:size, size:] = further.projected
         whole[size:, size:] = r
         return Compressed(
             r=whole,
-            z=np.concatenate([self.output.along[:, 0], z]),
+            z=np.concatenate([self.output.projected[:, 0], z]),
             rotation=np.empty((0, 0)),
             rest_v2=float(rest @ rest),
         )

@@ -67,7 +67,7 @@ def test_what_is_of_another_kind_is_refused_by_its_name(tmp_path, header, looks)
     ("header", "said"),
     [
         ("angle_degs,Voltage_v,temperature_degC", "is angle_degs angle_deg and Voltage_v voltage_V? Rename"),
-        ("angle_deg,Voltage_v", "column voltage_V (or reference_deg) is missing; is Voltage_v voltage_V?"),
+        ("angle_deg,Voltage_v", "column voltage_V is missing; is Voltage_v voltage_V?"),
         ("angle_deg,refrence_deg", "is refrence_deg reference_deg?"),
         ("Angle_deg,voltage_V", "is Angle_deg angle_deg?"),
         ("temperature_degC,battery_V", "column battery_V says no parameter of a sensor with its unit"),
@@ -75,7 +75,7 @@ def test_what_is_of_another_kind_is_refused_by_its_name(tmp_path, header, looks)
         ("temperature_degC,a_x_g,a_y_g,a_z_g", "columns a_x_g, a_y_g and a_z_g say no parameter"),
         ("temperature_degC,bias_mV,fan_percent", "column fan_percent says no parameter"),
         ("temperature_K,bias_mV", "column angle_deg, or a temperature in °C (…_degC) is missing"),
-        ("first,second", "column angle_deg is missing; the columns are first, second; tumble reads"),
+        ("first,second", "not a table that tumble knows; the columns are first, second; tumble reads"),
     ],
 )
 def test_a_table_of_no_kind_is_refused_with_what_is_there(tmp_path, header, said):

@@ -14,7 +14,7 @@ from tumble.calibrations.methods.dividing_head.joint import fit_jointly
 from tumble.calibrations.methods.dividing_head.loop.table import dividing_head_table
 from tumble.calibrations.tracing.effect import Structure
 from tumble.calibrations.tracing.noise import NoiseModel
-from tumble.calibrations.tracing.search import entries, price, search
+from tumble.calibrations.tracing.search import penalised, penalties, search
 from tumble.calibrations.tracing.trace import Tracer
 
 WHITE = NoiseModel()
@@ -67,7 +67,7 @@ def test_the_search_ends_with_the_cheapest_set(tracer):
     found = search(problem)
 
     assert [problem.offered[number].effect.name for number in found.chosen] == ["k_xx"]
-    assert price(problem, found) == found.deviance + entries([problem.offered[number] for number in found.chosen])
+    assert penalised(problem, found) == found.deviance + penalties([problem.offered[number] for number in found.chosen])
 
 
 def test_a_search_for_names_alone_finds_no_shape_without_one(tracer):

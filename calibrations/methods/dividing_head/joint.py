@@ -68,7 +68,7 @@ class Joint:
     lack: LackOfFit
     noise: Noise
     residual_v: FloatArray
-    """Measured minus fitted, and minus what is known of noise that remembers, shape (rows,), in volts."""
+    """Measured minus fitted, and minus what is known of autocorrelated noise, shape (rows,), in volts."""
 
     @property
     def slope_v_per_deg(self) -> FloatArray:

@@ -41,7 +41,7 @@ def _periods(order: int) -> Forms[HeadScene]:
         if scene.distinct_angles < _FEWEST_ANGLES:
             return ()
         seen = scene.arc_deg >= _ARC_DEG[order]
-        return (Form(columns=wave(scene, order), doubt=0.0 if seen else NEVER),)
+        return (Form(columns=wave(scene, order), penalty=0.0 if seen else NEVER),)
 
     return forms
 

@@ -18,7 +18,7 @@ from tumble.calibrations.tracing.held_out import held_out_rms
 from tumble.calibrations.tracing.linear import LinearFit, fit_linear
 from tumble.calibrations.tracing.linear_loop import LinearExplained, explain_linear, rms
 from tumble.calibrations.tracing.noise import NoiseModel
-from tumble.calibrations.tracing.trace import trace_price
+from tumble.calibrations.tracing.trace import penalised_deviance
 from tumble.calibrations.tracing.within import Within
 
 _LOOKS = 5
@@ -152,7 +152,7 @@ def _followed(table: HeadTable) -> LinearExplained[HeadTable]:
         if np.max(np.abs(scene.seen_deg - last.table.scene.seen_deg)) < _MOVED_DEG:
             break
         looks.append(explain_linear(replace(table, scene=scene), UNITS))
-    return min(looks, key=lambda look: trace_price(look.trace))
+    return min(looks, key=lambda look: penalised_deviance(look.trace))
 
 
 def _seen(explained: LinearExplained[HeadTable]) -> HeadScene:

@@ -69,7 +69,7 @@ class HeadTable(Extensible):
 
     @property
     def wandering(self) -> "HeadTable":
-        """The same for noise that remembers: neighbouring dwells err alike, which uncertainties must know.
+        """The same for autocorrelated noise: neighbouring dwells err alike, which uncertainties must know.
 
         Means of settings come in no order of time, and remember nothing.
         """

@@ -16,7 +16,7 @@ _FEWEST_BOTH_WAYS = 3
 CUBIC: Final = ("temperature_linear", "temperature_quadratic", "temperature_cubic")
 """What a cubic consists of."""
 _EXPECTED = 8.0
-"""What a polynomial need not earn: that a parameter follows temperature smoothly is what anyone expects. With thirteen
+"""Penalty that a polynomial is spared: that it follows temperature smoothly is what anyone expects. With thirteen
 runs it is then believed at a chance of one in a hundred, as a term that is added to a fit usually is."""
 _DOUBT = 6.0
 """Doubt in a drift from run to run where each run has a temperature of its own: that is the better guess."""
@@ -29,7 +29,7 @@ def _power(order: int) -> Forms[RunScene]:
         if len(scene.known_degc) < order + 3:
             return ()
         column = np.polynomial.Chebyshev.basis(order)(scene.relative)
-        return (Form(columns=column[:, None], doubt=-_EXPECTED),)
+        return (Form(columns=column[:, None], penalty=-_EXPECTED),)
 
     return forms
 
@@ -56,7 +56,7 @@ def _hysteresis(scene: RunScene) -> Sequence[Form]:
 
 
 def _order(scene: RunScene) -> Sequence[Form]:
-    return (Form(columns=(scene.order - 1.0)[:, None], doubt=_DOUBT),)
+    return (Form(columns=(scene.order - 1.0)[:, None], penalty=_DOUBT),)
 
 
 def run_effects(unit: str) -> tuple[Effect[RunScene], ...]:

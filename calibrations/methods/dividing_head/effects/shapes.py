@@ -46,12 +46,12 @@ def head_course(scene: Scene) -> Iterator[Form]:
     """Any smooth error of the head, or any error at each setting; a mean error is alpha0's."""
     slope = scene.slope_v_per_deg[:, None]
     smooth = slope * _bells(scene.angle_deg, 24, 360.0) @ contrasts(24)
-    yield Form(columns=smooth, scanned={"knots": 24.0}, doubt=_ANY_COURSE)
+    yield Form(columns=smooth, scanned={"knots": 24.0}, penalty=_ANY_COURSE)
     settings, setting = np.unique(np.round(scene.angle_deg % 360.0, 1), return_inverse=True)
     if len(settings) <= min(_MOST_SETTINGS, len(setting) // 6):
         at_each = (setting[:, None] == np.arange(len(settings))).astype(float)
         columns = slope * at_each @ contrasts(len(settings))
-        yield Form(columns=columns, scanned={"knots": float(len(settings))}, doubt=_ANY_COURSE)
+        yield Form(columns=columns, scanned={"knots": float(len(settings))}, penalty=_ANY_COURSE)
 
 
 def polynomials(scene: Scene) -> Iterator[Form]:
@@ -82,7 +82,7 @@ def bumps(scene: Scene) -> Iterator[Form]:
 def response_course(scene: Scene) -> Iterator[Form]:
     """Any smooth response to ax."""
     for count in (14, 36):
-        yield Form(columns=_bells(scene.ax_g, count), scanned={"knots": float(count)}, doubt=_ANY_COURSE)
+        yield Form(columns=_bells(scene.ax_g, count), scanned={"knots": float(count)}, penalty=_ANY_COURSE)
 
 
 def time_bends(scene: Scene) -> Iterator[Form]:
@@ -113,7 +113,7 @@ def time_steps(scene: Scene) -> Iterator[Form]:
 def time_course(scene: Scene) -> Iterator[Form]:
     """Any smooth course in time."""
     for hours in _hours(scene):
-        yield Form(columns=_bells(hours, 16), scanned={"knots": 16.0}, doubt=_WANDERING)
+        yield Form(columns=_bells(hours, 16), scanned={"knots": 16.0}, penalty=_WANDERING)
 
 
 def _hours(scene: Scene) -> Iterator[FloatArray]:
@@ -144,7 +144,7 @@ def temperature_steps(scene: Scene) -> Iterator[Form]:
 def temperature_course(scene: Scene) -> Iterator[Form]:
     """Any smooth course against temperature, or its rate of change."""
     for temperature_k in _temperature(scene):
-        yield Form(columns=_bells(temperature_k, 8), scanned={"knots": 8.0}, doubt=_ANY_COURSE)
+        yield Form(columns=_bells(temperature_k, 8), scanned={"knots": 8.0}, penalty=_ANY_COURSE)
         for hours in _hours(scene):
             smooth = np.polynomial.Polynomial.fit(hours, temperature_k, min(8, len(hours) // 20 + 1))
             yield _column(smooth.deriv()(hours), rate=1.0)

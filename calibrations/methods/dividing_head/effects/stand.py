@@ -125,6 +125,6 @@ STAND_EFFECTS: tuple[Effect[Scene], ...] = (
         source="repeatability of the seat",
         forms=_seating,
         report=spread("seating", "deg"),
-        drawn=True,
+        random=True,
     ),
 )

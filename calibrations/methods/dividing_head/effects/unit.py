@@ -146,7 +146,7 @@ UNIT_EFFECTS: tuple[Effect[Scene], ...] = (
         source="IEEE Std 528, turn-on to turn-on bias",
         forms=_realisation_bias,
         report=spread("realisation_bias", "V"),
-        drawn=True,
+        random=True,
     ),
     Effect(
         name="vibration_rectification",

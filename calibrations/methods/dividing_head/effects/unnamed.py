@@ -49,7 +49,7 @@ def _since(at: Mapping[str, float]) -> str:
     )
 
 
-def taken_by(name: str, at: Mapping[str, float]) -> tuple[str, ...]:
+def withheld_by(name: str, at: Mapping[str, float]) -> tuple[str, ...]:
     """Parameters that have no meaning beside a shape that could be them as well.
 
     A bend has a slope or a mean of its own, and of two realisations nobody knows which is the odd one.

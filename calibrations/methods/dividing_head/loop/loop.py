@@ -44,7 +44,7 @@ from tumble.calibrations.tracing.fitting_noise import with_likely_flicker
 from tumble.calibrations.tracing.held_out import held_out_rms
 from tumble.calibrations.tracing.judged import judged
 from tumble.calibrations.tracing.rivals import Rival
-from tumble.calibrations.tracing.trace import trace_price
+from tumble.calibrations.tracing.trace import penalised_deviance
 
 Explained: TypeAlias = tracing.Explained[DividingHeadTable, Augmented]
 """A table without gross errors, what it was traced to, and what could stand in its place."""
@@ -209,7 +209,7 @@ def _explained(joint: Joint, effects: Sequence[Effect[Scene]], reference_tempera
         if not trace.found or moved_deg < _MOVED_DEG or abs(alpha0_deg) > _FAR_DEG:
             break
         base = relinearised(base, best.joint.fit.theta)
-    return min(looks, key=lambda look: trace_price(look.trace))
+    return min(looks, key=lambda look: penalised_deviance(look.trace))
 
 
 def _rejected_rows(joint: Joint) -> set[int]:

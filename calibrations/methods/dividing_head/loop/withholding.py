@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from tumble.calibrations.core.parameter import Parameter
-from tumble.calibrations.methods.dividing_head.effects.unnamed import taken_by
+from tumble.calibrations.methods.dividing_head.effects.unnamed import withheld_by
 from tumble.calibrations.methods.dividing_head.loop.augmented import Augmented, augment
 from tumble.calibrations.methods.dividing_head.loop.table import DividingHeadTable
 from tumble.calibrations.methods.dividing_head.model import PARAMETERS
@@ -21,7 +21,7 @@ _COURSES = ("time", "temperature", "order", "realisation", "direction")
 def without_courses(calibration: Calibration, best: Augmented) -> Calibration:
     """Take back parameters of which structure without a name has a part of its own: nobody knows where it is absent."""
     for item in best.found:
-        taken = taken_by(item.effect.name, item.form.scanned)
+        taken = withheld_by(item.effect.name, item.form.scanned)
         calibration = _without(calibration, taken, "it depends on where an unexplained course is zero")
     u0 = calibration.parameters["u0"]
     if u0.value is None or u0.standard_uncertainty is None:
