@@ -69,7 +69,7 @@ endurance: setup
 
 lock:
 	uv pip compile --universal --python-version 3.11 --generate-hashes --no-emit-index-url --no-header \
-	    --extra test --extra check pyproject.toml -o requirements.lock
+	    --extra test --extra check --extra docs pyproject.toml -o requirements.lock
 
 texts: setup
 	$(BIN)/pyside6-lupdate -no-obsolete -locations none -target-language uk_UA $$(find window -name '*.py' | sort) -ts $(TEXTS).ts
