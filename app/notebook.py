@@ -134,12 +134,21 @@ def plan(programme: Place, *, stand: Place | None = None) -> Plan:
 
 
 def run(
-    programme: Place, serial_number: str, recording: Place, *, stand: Place | None = None, operator: str = ""
+    programme: Place,
+    serial_number: str,
+    recording: Place,
+    *,
+    stand: Place | None = None,
+    operator: str = "",
+    answers: Place | None = None,
 ) -> Path:
-    """Carry out a programme at a stand, the built-in simulated one without `stand`, and leave a recording."""
+    """Carry out a programme at a stand, the built-in simulated one without `stand`, and leave a recording.
+
+    At a stand that is not simulated a person seats the unit; `answers` is a file that answers for whoever is not there.
+    """
     job, path = _job(programme, serial_number, stand, operator), Path(recording)
     with holding(job.stand, serial_number):
-        connected = connect(job.stand)
+        connected = connect(job.stand, _path(answers))
         try:
             outcome = measure(job, connected, path)
         finally:
@@ -150,12 +159,21 @@ def run(
 
 
 def calibrate(
-    programme: Place, serial_number: str, store: Place, *, stand: Place | None = None, operator: str = ""
+    programme: Place,
+    serial_number: str,
+    store: Place,
+    *,
+    stand: Place | None = None,
+    operator: str = "",
+    answers: Place | None = None,
 ) -> Result:
-    """Run, fit, close the loop, store and report: the whole job. Record and report lie in the folder `store`."""
+    """Run, fit, close the loop, store and report: the whole job. Record and report lie in the folder `store`.
+
+    `answers` as in `run`.
+    """
     job = _job(programme, serial_number, stand, operator)
     with holding(job.stand, serial_number):
-        connected = connect(job.stand)
+        connected = connect(job.stand, _path(answers))
         try:
             return _of(carry_out(job, connected, Path(store)).analysed)
         finally:
