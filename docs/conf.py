@@ -18,7 +18,7 @@ extensions = [
     "sphinx.ext.napoleon",
     "sphinx_click",
 ]
-exclude_patterns = ["_*", "README.md"]
+exclude_patterns = ["_*"]
 nitpicky = False
 
 html_theme = "furo"
