@@ -1,7 +1,6 @@
 """Docstrings of this project are plain text with `code` in backticks; here they become reStructuredText."""
 
 import re
-from typing import Any
 
 from sphinx.application import Sphinx
 
@@ -19,7 +18,7 @@ def as_restructured_text(line: str) -> str:
     return "".join(parts)
 
 
-def convert(_app: Sphinx, _what: str, _name: str, _thing: Any, _options: Any, lines: list[str]) -> None:
+def convert(_app: Sphinx, _what: str, _name: str, _thing: object, _options: object, lines: list[str]) -> None:
     """Convert in place, before napoleon sees sections."""
     lines[:] = [as_restructured_text(line) for line in lines]
 

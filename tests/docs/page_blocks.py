@@ -8,7 +8,7 @@ from pathlib import Path
 from app_jobs import tumble
 
 ROOT = Path(__file__).parents[2]
-PAGES = (ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md")))
+PAGES = (ROOT / "README.md", *sorted(p for p in (ROOT / "docs").rglob("*.md") if "_site" not in p.parts))
 RUN = ("sh", "console", "python")
 _BLOCK = re.compile(r"(?:^<!-- not run: (?P<reason>.+?) -->\n)?^```(?P<kind>\w+)\n(?P<text>.*?)^```$", re.M | re.S)
 
@@ -46,3 +46,10 @@ def run_page(page):
             assert program == "tumble", f"{page.name}: {program} is not run here: give the block a reason"
             ran = tumble(*arguments)
             assert ran.status == 0, f"{page.name}: tumble {shlex.join(arguments)}: {ran.status}, {ran.err}"
+
+
+def links_of(page):
+    """Targets of links and pictures that point into the repository."""
+    text = re.sub(r"^```.*?^```$", "", page.read_text("utf-8"), flags=re.M | re.S)
+    targets = re.findall(r"\]\(([^)#\s]+)", text)
+    return [target for target in targets if not target.startswith(("http:", "https:"))]
