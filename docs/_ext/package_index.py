@@ -1,4 +1,4 @@
-"""What is in a package: modules and public names, each with the first paragraph of its docstring; nothing is imported."""
+"""What is in a package: modules and public names, with the first paragraph of each docstring; nothing is imported."""
 
 import ast
 from collections.abc import Iterator

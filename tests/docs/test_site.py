@@ -26,3 +26,10 @@ def test_links_lead_somewhere(page):
 
 def test_a_path_outside_the_repository_is_in_no_page():
     assert [page.name for page in PAGES if re.search(r"(?<![\w.])/(work|home|tmp)/\w", page.read_text("utf-8"))] == []
+
+
+def test_what_needs_files_of_others_sits_with_the_measured_tables():
+    elsewhere = [path for path in (ROOT / "tests").rglob("test_*.py") if path.parent.name != "measured"]
+    needing = re.compile(r"def \w+\((?:.*, )?shared[,)]|parents\[\d\]\.parent / ")
+
+    assert [path.name for path in elsewhere if needing.search(path.read_text("utf-8"))] == []
