@@ -1,4 +1,4 @@
-"""A motorised axis against a resolver, before and after rewiring (public repository anderssandstrom/amci_resolver_issue)."""
+"""A motorised axis against a resolver, before and after rewiring (anderssandstrom/amci_resolver_issue, public)."""
 
 import json
 
