@@ -15,7 +15,7 @@ from tumble.app.stand import RecordedStand, Site
 from tumble.calibrations.budget import StandUncertainty
 from tumble.calibrations.judging import inside
 from tumble.calibrations.observations import Observations
-from tumble.calibrations.provenance import LimitCheck, Provenance
+from tumble.calibrations.provenance import LimitCheck, Provenance, Source
 from tumble.calibrations.records.raw import file_sha256, stored_path
 from tumble.calibrations.result import Parameter
 from tumble.calibrations.stand_records.record import StandRecord
@@ -44,6 +44,11 @@ class Measurement:
     """What head and DAQ said of themselves when they were identified."""
     stand_record: StandRecord | None = None
     """What the rows were corrected by."""
+
+    def source(self, folder: Path) -> Source:
+        """The file as records name it, its path relative to a folder if it lies in it."""
+        kind = "recording" if self.header else "table"
+        return Source(kind=kind, path=stored_path(folder, self.path), sha256=self.sha256)
 
     @property
     def uncertainty(self) -> StandUncertainty:
@@ -132,7 +137,7 @@ def _read_recording(path: Path, stand: Mapping[str, Any] | None) -> Measurement:
 
 
 def provenance(measurement: Measurement, serial_number: str = "", folder: Path | None = None) -> Provenance:
-    """Where a calibration of `measurement` comes from; the raw file's path is relative to `folder` if it lies in it."""
+    """Where a calibration of `measurement` comes from; paths are relative to `folder` inside it."""
     header, program = measurement.header, program_identity()
     files = (measurement, *measurement.others)
     programme = measurement.programme
@@ -143,8 +148,7 @@ def provenance(measurement: Measurement, serial_number: str = "", folder: Path |
         programme_sha256=header.programme_sha256 if header else "",
         stand_name=str(measurement.stand.get("name", "")),
         stand=measurement.stand,
-        raw_path=", ".join(stored_path(folder or Path(), file.path) for file in files),
-        raw_sha256=", ".join(file.sha256 for file in files),
+        sources=tuple(file.source(folder or Path()) for file in files),
         measured_at=_iso(header.started_wall_ns) if header else "",
         program_version=program.version,
         git_commit=program.git_commit,

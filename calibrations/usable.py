@@ -2,21 +2,13 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from enum import StrEnum
 from typing import TYPE_CHECKING
 
 from tumble.calibrations.result import Calibration, Parameter
+from tumble.calibrations.verdict import Model as Model
 
 if TYPE_CHECKING:
     from tumble.calibrations.tracing.loop import Loop
-
-
-class Model(StrEnum):
-    """Which of the two models a value comes from."""
-
-    DECLARED = "declared"
-    AUGMENTED = "augmented"
-    """The declared model with the effects that were found."""
 
 
 @dataclass(frozen=True, kw_only=True)

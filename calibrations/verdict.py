@@ -5,9 +5,15 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
 
-from tumble.calibrations.usable import Model
-
 DECISION_RULE = "simple acceptance"
+
+
+class Model(StrEnum):
+    """Which of the two models a value comes from."""
+
+    DECLARED = "declared"
+    AUGMENTED = "augmented"
+    """The declared model with the effects that were found."""
 
 
 class Outcome(StrEnum):
