@@ -109,7 +109,7 @@ def _chain(chain: Chain) -> Finding:
 
 
 def _gaps(path: Path, inventory: Inventory) -> Iterator[Finding]:
-    if lost := inventory.deleted_outside_chains:
+    if lost := inventory.numbers_without_record:
         records = "A record was" if lost == 1 else f"{lost} records were"
         words = f"{records} deleted from the database; restore it from a backup."
         yield Finding(name=str(path), judgement=Judgement.RECORDS_REMOVED, sentences=(words,))

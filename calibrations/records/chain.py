@@ -33,8 +33,6 @@ class Chain:
     length: int
     """How many records there must be."""
     last_sha256: str
-    missing: int
-    """How many of them are not there."""
     faults: tuple[str, ...]
     """In sentences; empty where the chain is whole."""
 
@@ -86,7 +84,6 @@ def _chain(writer: str, links: Sequence[Row[*tuple[Any, ...]]], end: Row[*tuple[
             place="",
             length=len(links),
             last_sha256=links[-1].content_sha256,
-            missing=0,
             faults=(lost, *_broken(links)),
         )
     present = {link.sequence for link in links}
@@ -96,7 +93,6 @@ def _chain(writer: str, links: Sequence[Row[*tuple[Any, ...]]], end: Row[*tuple[
         place=end.place,
         length=end.sequence,
         last_sha256=end.content_sha256,
-        missing=len(missing),
         faults=(*_deleted(missing, end), *_broken(links), *_beyond(links, end)),
     )
 

@@ -32,11 +32,6 @@ class Inventory:
         """Ids of records that other rows name and that are not there."""
         return tuple(sorted(self.named - self.ids))
 
-    @property
-    def deleted_outside_chains(self) -> int:
-        """How many records were deleted that no chain misses."""
-        return max(0, self.numbers_without_record - sum(chain.missing for chain in self.chains))
-
 
 def inventory(connection: Connection) -> Inventory:
     """Look through the tables of a store."""

@@ -16,7 +16,7 @@ class Given:
 
     @property
     def words(self) -> str:
-        """`alpha0 = 0°`."""
+        """`NAME = 0°`."""
         unit = "°" if self.unit == "deg" else f" {self.unit}" if self.unit else ""
         return f"{self.name} = {self.value:g}{unit}"
 
