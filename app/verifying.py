@@ -15,6 +15,7 @@ from tumble.calibrations.records.chain import Chain
 from tumble.calibrations.records.errors import RecordError, StoreError
 from tumble.calibrations.records.inventory import Inventory
 from tumble.calibrations.records.raw import resolved_path
+from tumble.calibrations.records.verify import altered
 from tumble.procedures.errors import InputError
 from tumble.procedures.recording.errors import RecordingError
 
@@ -81,6 +82,7 @@ def leftovers(store: "Store") -> tuple[Finding, ...]:
     return (
         *(_fault(store.path, fault) for fault in inventory.faults),
         *(_removed(record_id) for record_id in inventory.removed),
+        *_superseded(store, inventory),
         *(_chain(chain) for chain in inventory.chains),
         *_gaps(store.path, inventory),
         *_reports(store.folder, inventory),
@@ -98,11 +100,26 @@ def _removed(record_id: str) -> Finding:
     return Finding(name=record_id, judgement=Judgement.REMOVED, sentences=(lost,))
 
 
+def _superseded(store: "Store", inventory: Inventory) -> Iterator[Finding]:
+    """Superseded records that were altered; they are not fitted again."""
+    for record_id in sorted(inventory.ids - set(store.standing())):
+        try:
+            found = altered(store.get(record_id), store)
+        except StoreError as error:
+            yield Finding(name=record_id, judgement=Judgement.NOT_VERIFIED, sentences=(f"{error}.",))
+        else:
+            if found:
+                words = f"Altered in the store: {', '.join(found)}; restore the store from a backup."
+                yield Finding(name=record_id, judgement=Judgement.NOT_VERIFIED, sentences=(words,))
+
+
 def _chain(chain: Chain) -> Finding:
     """The last hash is said so that it can be noted elsewhere: against it a store made anew is held."""
     name = f"chain {chain.writer}" + (f" of {chain.place}" if chain.place else "")
     if not chain.faults:
-        last = f"{chain.length} records follow from each other; the last is {chain.last_sha256[:16]}."
+        last = (
+            f"Every record follows from the one before; the last, number {chain.length}, is {chain.last_sha256[:16]}."
+        )
         return Finding(name=name, judgement=Judgement.WHOLE, sentences=(last,))
     broken = tuple(f"{fault}; restore the store from a backup." for fault in chain.faults)
     return Finding(name=name, judgement=Judgement.BROKEN, sentences=broken)

@@ -1,25 +1,20 @@
 """`tumble records`: list, show, compare, export, verify, migrate."""
 
-from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
 
 import click
-from rich.table import Column, Table
 
 from tumble.app.commands import options
 from tumble.app.console import results
 from tumble.app.exits import Exit
 from tumble.app.recall import open_store, unprotected
+from tumble.app.record_console import effects_of, listing, show_parameters
 from tumble.app.terminal import say
 from tumble.app.verifying import Finding, Judgement, leftovers, verified_record
-from tumble.calibrations.quantities import format_concise
 from tumble.calibrations.records.compare import compare
 from tumble.calibrations.records.export import document
 from tumble.calibrations.records.old_formats import OLD_WORDS, outcome_of
-from tumble.calibrations.records.parameter import RecordedParameter
-from tumble.calibrations.records.record import Record
 from tumble.calibrations.verdict import Model, Outcome
 
 
@@ -61,41 +56,8 @@ def list_records(
         verdict=outcome_of(verdict) if verdict else None,
     )
     if str(json_path) != "-":
-        results().print(_listing(found))
+        results().print(listing(found))
     options.write_json({"schema": "tumble.records/1", "records": [document(record) for record in found]}, json_path)
-
-
-def _listing(found: tuple[Record, ...]) -> Table:
-    table = Table(
-        Column("record", no_wrap=True), "unit", "method", "programme", "measured", "revision", "verdict", _SCALE_FACTOR
-    )
-    for record in found:
-        shown = record.values.get(_SCALE_FACTOR)
-        origin = record.provenance
-        measured = origin.measured_at or f"{record.created_at:%Y-%m-%d %H:%M}"
-        table.add_row(
-            record.id,
-            origin.serial_number,
-            record.method,
-            origin.programme_name,
-            measured,
-            str(record.revision),
-            record.verdict.outcome.words,
-            "; ".join(filter(None, (_value(shown), shown.condition))) if shown else "",
-        )
-    return table
-
-
-_SCALE_FACTOR = "kx"
-"""The parameter that the list shows, of records that have it."""
-
-
-def _value(parameter: RecordedParameter) -> str:
-    if parameter.value is None:
-        return ""
-    if parameter.standard_uncertainty is None:
-        return f"{parameter.value:g} {parameter.unit}".rstrip()
-    return format_concise(parameter.value, parameter.standard_uncertainty, parameter.unit)
 
 
 @command.command("show")
@@ -119,32 +81,12 @@ def show(record_id: str, folder: Path) -> None:
     say(f"program    {origin.program_version} {origin.git_commit[:12]}{' (changed)' if origin.git_dirty else ''}")
     if old := unprotected(store.raw_files(record)):
         say(old)
-    if effects := [effect["name"] for effect in _effects(record)]:
+    if effects := [effect["name"] for effect in effects_of(record)]:
         say(f"with {', '.join(effects)}")
-    _show_parameters(record.values)
+    show_parameters(record.values)
     if record.model is Model.AUGMENTED:
         say("of the declared model alone, which does not describe these data:")
-        _show_parameters(record.parameters)
-
-
-def _effects(record: Record) -> Sequence[Mapping[str, Any]]:
-    """The effects found, of the loop in a result or of a result that is one."""
-    found: Sequence[Mapping[str, Any]] = record.result.get("loop", record.result).get("effects", ())
-    return found
-
-
-def _show_parameters(parameters: Mapping[str, RecordedParameter]) -> None:
-    width = max((len(name) + 1 for name in parameters), default=0)
-    for name, parameter in parameters.items():
-        beside = f"  {name:{max(width, _NAMES)}s}"
-        if parameter.value is None:
-            say(f"{beside}cannot be told: {parameter.reason}")
-        else:
-            say(f"{beside}{_value(parameter)}{parameter.condition and f'  {parameter.condition}'}")
-
-
-_NAMES = 7
-"""Width of the column of names; longer names widen it."""
+        show_parameters(record.parameters)
 
 
 @command.command("compare")

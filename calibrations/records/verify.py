@@ -130,7 +130,7 @@ def verify(record: Record, store: "Store", refit: Refit | None, program_version:
     return Verification(
         record_id=record.id,
         sources=sources,
-        altered=_altered(record, store),
+        altered=altered(record, store),
         parameters=_checks(record, again) if again else (),
         unknown="" if refit else record.method,
         recorded_with=record.provenance.program_version,
@@ -144,7 +144,8 @@ def _state(path: Path, sha256: str) -> RawFile:
     return RawFile.INTACT if file_sha256(path) == sha256 else RawFile.CHANGED
 
 
-def _altered(record: Record, store: "Store") -> tuple[str, ...]:
+def altered(record: Record, store: "Store") -> tuple[str, ...]:
+    """What the store holds differently from what was recorded, see `Verification.altered`."""
     row, parameters = store.rows(record)
     columns = [f"column {name}" for name, value in record_row(record).items() if row[name] != value]
     return (

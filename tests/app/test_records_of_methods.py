@@ -147,4 +147,22 @@ def test_a_record_deleted_past_the_triggers_is_noticed(tmp_path, number):
 def test_a_whole_chain_says_its_last_hash(tmp_path):
     record = Store(tmp_path).add(head_entry(close_reference_loop(read_table(HEAD))), origin(HEAD))
     said = tumble("records", "verify", "--store", tmp_path).out
-    assert f"1 records follow from each other; the last is {record.content_sha256[:16]}." in said
+    assert f"the last, number 1, is {record.content_sha256[:16]}." in said
+
+
+def test_a_superseded_record_that_was_altered_is_noticed(tmp_path):
+    store = Store(tmp_path)
+    first = store.add(pendulum(), origin(HEAD))
+    store.add(pendulum(), origin(HEAD), supersedes=first.id)
+    with closing(sqlite3.connect(tmp_path / "records.sqlite")) as connection, connection:
+        connection.execute("DROP TRIGGER records_no_update")
+        connection.execute("UPDATE records SET operator = 'somebody else' WHERE revision = 1")
+    said = tumble("records", "verify", "--store", tmp_path).out
+    assert f"{first.id}: NOT VERIFIED\n  Altered in the store: column operator; restore" in said
+
+
+def test_every_raw_file_is_named_as_a_source(tmp_path, write):
+    table = write("t.csv", "1\n")
+    record = Store(tmp_path / "s").add(pendulum(), origin(HEAD, table))
+    shown = tumble("records", "show", record.id, "--store", tmp_path / "s").out.splitlines()
+    assert [line.split()[2] for line in shown if line.startswith("raw file ")] == [str(HEAD), str(table)]

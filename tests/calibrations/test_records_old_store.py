@@ -136,6 +136,23 @@ def test_the_first_record_added_migrates_the_store_and_keeps_a_copy_of_it(folder
     assert dump(folder / f"{DATABASE}.version-1") == before
 
 
+def test_a_first_stand_record_migrates_the_store_too(folder):
+    known = StandRecords(folder)
+    (old,) = known.find()
+    known.add(
+        identity=old.identity,
+        status=old.status,
+        corrections=old.corrections,
+        contributions=old.contributions,
+        agreement_p=None,
+        validity=old.validity,
+        program_version="0.2.0",
+    )
+    assert (folder / f"{DATABASE}.version-1").exists()
+    assert [record.version for record in known.find()] == [1, 2]
+    assert known.find()[0].content_sha256 == old.content_sha256
+
+
 def test_a_second_migration_does_nothing(folder):
     store = Store(folder)
     assert store.migrate() == folder / f"{DATABASE}.version-1"
