@@ -17,10 +17,9 @@ _SCALE_FACTOR = "kx"
 
 
 def listing(found: tuple[Record, ...]) -> Table:
-    """A line for every record."""
-    table = Table(
-        Column("record", no_wrap=True), "unit", "method", "programme", "measured", "revision", "verdict", _SCALE_FACTOR
-    )
+    """A line for every record, and its method below: a further column would break serial numbers."""
+    first = Column("record, method", no_wrap=True)
+    table = Table(first, "unit", "programme", "measured", "revision", "verdict", _SCALE_FACTOR)
     for record in found:
         shown = record.values.get(_SCALE_FACTOR)
         origin = record.provenance
@@ -28,13 +27,13 @@ def listing(found: tuple[Record, ...]) -> Table:
         table.add_row(
             record.id,
             origin.serial_number,
-            record.method,
             origin.programme_name,
             measured,
             str(record.revision),
             record.verdict.outcome.words,
             "; ".join(filter(None, (_value(shown), shown.condition))) if shown else "",
         )
+        table.add_row(record.method)
     return table
 
 

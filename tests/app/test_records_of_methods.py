@@ -103,7 +103,7 @@ def test_a_joint_result_analysed_again_supersedes_the_first(joint):
 
 def test_a_record_of_an_unknown_method_is_listed_shown_and_exported(tmp_path):
     record = Store(tmp_path).add(pendulum(), origin(HEAD))
-    assert "pendul" in tumble("records", "list", "--store", tmp_path).out
+    assert "pendulum" in tumble("records", "list", "--store", tmp_path).out
     assert "period 2.0070(10) s" in tumble("records", "show", record.id, "--store", tmp_path).out
     assert '"method": "pendulum"' in tumble("records", "export", record.id, "--store", tmp_path).out
 
