@@ -1,6 +1,6 @@
 """Stored records, and the raw files that they come from."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -11,8 +11,10 @@ from tumble.app.files import is_recording
 from tumble.app.identity import program_identity
 from tumble.app.joining import read_together
 from tumble.app.measurements import Measurement
+from tumble.app.methods import methods
 from tumble.app.stand_records import corrected_by
-from tumble.calibrations.entry import METHOD
+from tumble.calibrations.core.method import Method
+from tumble.calibrations.methods.dividing_head.entry import METHOD
 from tumble.calibrations.records import DATABASE
 from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.records.errors import RecordError, StoreError
@@ -69,40 +71,17 @@ def report_again(folder: Path, record_id: str, path: Path | None = None) -> Path
 
 def verify_record(store: "Store", record: Record) -> Verification:
     """Hash again, fit again from the raw files, compare."""
-    again = REFITS.get(record.method)
-    refit = partial(again, record, store.folder) if again else None
+    method = next((each for each in methods() if each.name == record.method), None)
+    refit = None if method is None else partial(_refit, method, record, store.folder)
     return verify(record, store, refit, program_identity().version)
 
 
-def _refit(record: Record, folder: Path, paths: Sequence[Path], stand: Mapping[str, Any]) -> Entry:
+def _refit(method: Method, record: Record, folder: Path, paths: Sequence[Path], stand: Mapping[str, Any]) -> Entry:
+    """How the numbers of a record come back from its raw files."""
+    if not method.at_stand:
+        return method.close_loop(paths).entry()
     measurement = _as_corrected(read_together(paths, stand), record, folder)
     return trace(fit(measurement, trials=0)).entry
-
-
-def _refit_head(_record: Record, _folder: Path, paths: Sequence[Path], _stand: Mapping[str, Any]) -> Entry:
-    from tumble.calibrations.reference.entry import entry
-    from tumble.calibrations.reference.loop import close_reference_loop
-    from tumble.calibrations.table import read_table
-
-    (path,) = paths
-    return entry(close_reference_loop(read_table(path)))
-
-
-def _refit_temperature(_record: Record, _folder: Path, paths: Sequence[Path], _stand: Mapping[str, Any]) -> Entry:
-    from tumble.calibrations.temperature.entry import entry
-    from tumble.calibrations.temperature.loop import close_temperature_loop
-    from tumble.calibrations.temperature.table import read_runs
-
-    (path,) = paths
-    return entry(close_temperature_loop(read_runs(path)))
-
-
-REFITS: Mapping[str, Callable[[Record, Path, Sequence[Path], Mapping[str, Any]], Entry]] = {
-    METHOD: _refit,
-    "head_reference": _refit_head,
-    "temperature": _refit_temperature,
-}
-"""How the numbers of a record come back from its raw files, by method: record, folder of the store, files, stand."""
 
 
 def unprotected(raw_files: Sequence[Path]) -> str:

@@ -6,7 +6,7 @@ from typing import Any
 from rich.table import Column, Table
 
 from tumble.app.terminal import say
-from tumble.calibrations.quantities import format_concise
+from tumble.calibrations.core.quantities import format_concise
 from tumble.calibrations.records.parameter import RecordedParameter
 from tumble.calibrations.records.record import Record
 

@@ -6,8 +6,8 @@ from typing import Self
 
 from pydantic import BaseModel, ConfigDict, Field, create_model, model_validator
 
-from tumble.calibrations.budget import StandUncertainty
-from tumble.calibrations.gravity import Gravity, normal_gravity
+from tumble.calibrations.core.gravity import Gravity, normal_gravity
+from tumble.calibrations.methods.dividing_head.budget import StandUncertainty
 from tumble.drivers.driver import SIMULATED
 from tumble.drivers.names import GivenName
 from tumble.drivers.simulated import Simulated

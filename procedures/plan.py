@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from tumble.calibrations.geometry import projections
+from tumble.calibrations.methods.dividing_head.geometry import projections
 from tumble.procedures.acquisition import Acquisition
 from tumble.procedures.approach import Place, direction_of
 from tumble.procedures.composition import advance

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tumble.calibrations.observations import OVERLOAD_V
+from tumble.calibrations.core.rows import OVERLOAD
 from tumble.drivers.protocols import SampleBlock
 
 
@@ -26,7 +26,7 @@ def reduce_block(block: SampleBlock) -> Reduction:
     """Reduce a block of at least two samples."""
     voltage_v = block.voltage_v
     samples = len(voltage_v)
-    usable = int(np.count_nonzero(np.abs(voltage_v) <= OVERLOAD_V))  # false for NaN, too
+    usable = int(np.count_nonzero(np.abs(voltage_v) <= OVERLOAD))  # false for NaN, too
     if usable < samples:
         return Reduction(voltage_v=math.nan, voltage_sd_v=math.nan, samples=samples, unusable=samples - usable)
     mean_v = float(voltage_v.mean())

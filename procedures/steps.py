@@ -16,7 +16,7 @@ class Mounting:
     """Ask the operator to seat the unit in another mount. The reply is a `Mounted`."""
 
     mount: str
-    """Name of the mount, a key of `tumble.calibrations.geometry.MOUNTS`."""
+    """Name of the mount, a key of `tumble.calibrations.methods.dividing_head.geometry.MOUNTS`."""
 
 
 @dataclass(frozen=True, kw_only=True)

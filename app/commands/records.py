@@ -12,10 +12,10 @@ from tumble.app.recall import open_store, unprotected
 from tumble.app.record_console import effects_of, listing, show_parameters
 from tumble.app.terminal import say
 from tumble.app.verifying import Finding, Judgement, leftovers, verified_record
+from tumble.calibrations.core.verdict import Model, Outcome
 from tumble.calibrations.records.compare import compare
 from tumble.calibrations.records.export import document
 from tumble.calibrations.records.old_formats import OLD_WORDS, outcome_of
-from tumble.calibrations.verdict import Model, Outcome
 
 
 @click.group("records")

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from sqlalchemy import Connection, select
 
-from tumble.calibrations.provenance import Provenance
+from tumble.calibrations.core.provenance import Provenance
 from tumble.calibrations.records.canonical import canonical_sha256, plain
 from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.records.errors import RecordError

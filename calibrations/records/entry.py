@@ -4,10 +4,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from tumble.calibrations.provenance import LimitCheck
+from tumble.calibrations.core.provenance import LimitCheck
+from tumble.calibrations.core.verdict import Model, Verdict
 from tumble.calibrations.records.canonical import plain
 from tumble.calibrations.records.parameter import named
-from tumble.calibrations.verdict import Model, Verdict
 
 NOT_JUDGED = Verdict(judged=Model.DECLARED, parameters=())
 

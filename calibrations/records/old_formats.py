@@ -11,9 +11,9 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from tumble.calibrations.provenance import LimitCheck, Provenance, Source
+from tumble.calibrations.core.provenance import LimitCheck, Provenance, Source
+from tumble.calibrations.core.verdict import Judgement, Model, Outcome, Verdict, verdict_from_json
 from tumble.calibrations.records.parameter import named
-from tumble.calibrations.verdict import Judgement, Model, Outcome, Verdict, verdict_from_json
 
 JUDGED_SINCE = 3
 """The format from which on a record holds a verdict with its reasons."""

@@ -5,10 +5,10 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Any
 
-from tumble.calibrations.provenance import LimitCheck, Provenance
+from tumble.calibrations.core.provenance import LimitCheck, Provenance
+from tumble.calibrations.core.verdict import Model, Verdict
 from tumble.calibrations.records.old_formats import METHODS_SINCE, model_of, models_of
 from tumble.calibrations.records.parameter import RecordedParameter, parameters_from_json
-from tumble.calibrations.verdict import Model, Verdict
 
 FORMAT_VERSION = 4
 """Of the records that this program writes: what a record holds and how its hash is taken.

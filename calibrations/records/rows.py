@@ -4,13 +4,13 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any
 
-from tumble.calibrations.provenance import LimitCheck
+from tumble.calibrations.core.provenance import LimitCheck
+from tumble.calibrations.core.verdict import verdict_from_json
 from tumble.calibrations.records.export import content
 from tumble.calibrations.records.old_formats import METHODS_SINCE, provenance_of, unsaid, verdict_of
 from tumble.calibrations.records.parameter import RecordedParameter
 from tumble.calibrations.records.record import Link, Record
 from tumble.calibrations.records.times import read_time, utc_text
-from tumble.calibrations.verdict import verdict_from_json
 
 _FROM_PROVENANCE = (
     "serial_number",

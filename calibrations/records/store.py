@@ -7,7 +7,8 @@ from typing import Any
 
 from sqlalchemy import ColumnElement, Select, exists, func, insert, select
 
-from tumble.calibrations.provenance import Provenance
+from tumble.calibrations.core.provenance import Provenance
+from tumble.calibrations.core.verdict import Outcome
 from tumble.calibrations.records import DATABASE as DATABASE
 from tumble.calibrations.records.adding import new_record, revisable
 from tumble.calibrations.records.chain import append, next_link, place
@@ -21,7 +22,6 @@ from tumble.calibrations.records.rows import parameter_rows, record_from_row, re
 from tumble.calibrations.records.schema import PARAMETERS, RECORDS
 from tumble.calibrations.records.times import utc_now, utc_text
 from tumble.calibrations.records.transactions import migrate, reading, writing
-from tumble.calibrations.verdict import Outcome
 
 _NEWER = RECORDS.alias("newer")
 _STANDS = ~exists().where(_NEWER.c.supersedes == RECORDS.c.id)

@@ -13,16 +13,16 @@ from tumble.app.calibrating import store as store_result
 from tumble.app.identity import program_identity
 from tumble.app.joining import read_together
 from tumble.app.recall import open_store, verify_record
-from tumble.calibrations.provenance import Provenance, Source
+from tumble.calibrations.core.provenance import Provenance, Source
+from tumble.calibrations.methods.dividing_head.table import read_table
+from tumble.calibrations.methods.head_reference.entry import entry as head_entry
+from tumble.calibrations.methods.head_reference.loop import close_reference_loop
+from tumble.calibrations.methods.temperature.entry import entry as temperature_entry
+from tumble.calibrations.methods.temperature.loop import close_temperature_loop
+from tumble.calibrations.methods.temperature.table import read_runs
 from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.records.raw import file_sha256
 from tumble.calibrations.records.store import Store
-from tumble.calibrations.reference.entry import entry as head_entry
-from tumble.calibrations.reference.loop import close_reference_loop
-from tumble.calibrations.table import read_table
-from tumble.calibrations.temperature.entry import entry as temperature_entry
-from tumble.calibrations.temperature.loop import close_temperature_loop
-from tumble.calibrations.temperature.table import read_runs
 
 HEAD = Path(__file__).parents[1] / "calibrations" / "fixtures" / "store_0_1" / "tables" / "head.csv"
 SCALE_BY_TEMPERATURE = "temperature_degC,kx_V_per_g\n" + "".join(

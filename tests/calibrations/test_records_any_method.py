@@ -8,15 +8,15 @@ from pathlib import Path
 import pytest
 from records_examples import calibration, provenance
 
-from tumble.calibrations.entry import entry
-from tumble.calibrations.provenance import Source
+from tumble.calibrations.core.provenance import Source
+from tumble.calibrations.core.verdict import Judgement, Model, Outcome, Verdict
+from tumble.calibrations.methods.dividing_head.entry import entry
 from tumble.calibrations.records.compare import compare
 from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.records.errors import RecordError
 from tumble.calibrations.records.export import document, is_intact
 from tumble.calibrations.records.store import Store
 from tumble.calibrations.records.verify import RawFile, verify
-from tumble.calibrations.verdict import Judgement, Model, Outcome, Verdict
 
 PERIOD = {"value": 2.007, "standard_uncertainty": 0.001, "unit": "s", "interval_95": [2.005, 2.009]}
 LENGTH = {"value": None, "standard_uncertainty": None, "unit": "m", "reason": "it takes a second length"}

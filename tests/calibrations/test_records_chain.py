@@ -7,7 +7,7 @@ from contextlib import closing
 import pytest
 from records_examples import calibration, minutes_pass, provenance
 
-from tumble.calibrations.entry import entry
+from tumble.calibrations.methods.dividing_head.entry import entry
 from tumble.calibrations.records import chain
 from tumble.calibrations.records.export import document, is_intact
 from tumble.calibrations.records.store import DATABASE, Store

@@ -5,10 +5,10 @@ from dataclasses import replace
 import pytest
 from records_examples import calibration, provenance, raw_source, sweep_only
 
-from tumble.calibrations.entry import entry
+from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.methods.dividing_head.entry import entry
 from tumble.calibrations.records.compare import compare
 from tumble.calibrations.records.store import Store
-from tumble.calibrations.result import Parameter
 
 
 @pytest.fixture

@@ -8,7 +8,7 @@ import pytest
 from records_examples import calibration, provenance
 from sqlalchemy import Engine, event
 
-from tumble.calibrations.entry import entry
+from tumble.calibrations.methods.dividing_head.entry import entry
 from tumble.calibrations.records import database
 from tumble.calibrations.records.errors import StoreError
 from tumble.calibrations.records.store import DATABASE, Store

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from records_examples import KX_INSIDE, calibration, provenance
 
-from tumble.calibrations.entry import entry
+from tumble.calibrations.methods.dividing_head.entry import entry
 from tumble.calibrations.records.canonical import canonical_text, plain
 from tumble.calibrations.records.export import document, document_text, is_intact
 from tumble.calibrations.records.store import Store

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from records_examples import calibration, provenance
 
-from tumble.calibrations.entry import entry
+from tumble.calibrations.methods.dividing_head.entry import entry
 from tumble.calibrations.records.errors import StoreError
 from tumble.calibrations.records.export import document, is_intact
 from tumble.calibrations.records.migrations import running

@@ -18,10 +18,10 @@ from records_examples import (
     sweep_only,
 )
 
-from tumble.calibrations.entry import entry
+from tumble.calibrations.core.verdict import Outcome
+from tumble.calibrations.methods.dividing_head.entry import entry
 from tumble.calibrations.records.errors import RecordError
 from tumble.calibrations.records.store import Store
-from tumble.calibrations.verdict import Outcome
 
 
 @pytest.fixture

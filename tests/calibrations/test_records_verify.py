@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 from records_examples import KX_INSIDE, RAW, calibration, provenance, store_with_raw_file, sweep_only
 
-from tumble.calibrations.entry import entry
+from tumble.calibrations.methods.dividing_head.entry import entry
 from tumble.calibrations.records.verify import RawFile, verify
 
 

@@ -10,7 +10,7 @@ from dataclasses import asdict
 
 from sqlalchemy import Connection
 
-from tumble.calibrations.provenance import LimitCheck
+from tumble.calibrations.core.provenance import LimitCheck
 from tumble.calibrations.records.canonical import canonical_text
 from tumble.calibrations.records.old_formats import outcome_of, sources_of, unsaid, verdict_of
 
