@@ -9,8 +9,8 @@ from tumble.app.stand import LoadedStand
 from tumble.calibrations.observations import Observations
 from tumble.calibrations.tracing.probes import PROBES, STEP_DEG, Probe
 from tumble.procedures.errors import ProgrammeError
+from tumble.procedures.methods.dividing_head.sweep import Sweep
 from tumble.procedures.programme import Programme, load_programme, programme_from_text
-from tumble.procedures.sweep import Sweep
 
 NO_THERMOMETER = "the stand has no thermometer"
 NOBODY_WARMS = "nobody is at the stand who could warm the unit"

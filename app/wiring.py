@@ -20,7 +20,7 @@ from tumble.emulators.backstage import Backstage, find_backstage
 from tumble.procedures.announcer import Listener
 from tumble.procedures.control import Control
 from tumble.procedures.errors import InputError
-from tumble.procedures.eyepiece import OperatorEyepiece
+from tumble.procedures.methods.dividing_head.eyepiece import OperatorEyepiece
 from tumble.procedures.operator import Answers, ConsoleOperator, Operator, ScriptedOperator, SeatingOperator
 
 _UNASKED: Final = (

@@ -27,8 +27,8 @@ from tumble.procedures.events import (
     StepStarted,
     WarningRaised,
 )
-from tumble.procedures.eyepiece import OperatorEyepiece
 from tumble.procedures.measuring import Measuring, Taken
+from tumble.procedures.methods.dividing_head.eyepiece import OperatorEyepiece
 from tumble.procedures.motion import POLL_S, Motion
 from tumble.procedures.operator import Answer, Operator
 from tumble.procedures.outcome import Outcome, message_of, outcome_of

@@ -14,14 +14,14 @@ from tumble.procedures.acquisition import Acquisition
 from tumble.procedures.approach import Approach
 from tumble.procedures.composition import compose
 from tumble.procedures.errors import InputError, ProgrammeError
-from tumble.procedures.flip import Flip
+from tumble.procedures.methods.dividing_head.flip import Flip
+from tumble.procedures.methods.dividing_head.sweep import Sweep
 from tumble.procedures.steps import Direction, Procedure
-from tumble.procedures.sweep import Sweep
 from tumble.procedures.toml_lines import line_of, parse_toml, read_text
 
 Parameter: TypeAlias = Literal["u0", "kx", "ky", "kz", "kxy", "alpha0"]
 
-_SHIPPED = files("tumble.procedures") / "programmes"
+_SHIPPED = files("tumble.procedures.methods.dividing_head") / "programmes"
 MOST_DWELLS = 200_000
 """In a run: a week or two of stand time."""
 _DIRECTIONS: Final[Mapping[str, Direction]] = {"up": 1, "down": -1, "either": 0}

@@ -17,8 +17,8 @@ from tumble.drivers.protocols import Identity, Reconnectable, Stand
 from tumble.procedures.composition import compose
 from tumble.procedures.engine import Engine
 from tumble.procedures.events import Identified, WarningRaised
+from tumble.procedures.methods.dividing_head.sweep import Sweep
 from tumble.procedures.outcome import FinishReason
-from tumble.procedures.sweep import Sweep
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = (DOCS / "adding-an-instrument.md").read_text("utf-8")

@@ -7,10 +7,10 @@ from fakes import QUICK, FakeDaq, FakeHead, MemorySink, point_at
 from tumble.drivers.clock import VirtualClock
 from tumble.drivers.manual import ManualHead
 from tumble.drivers.protocols import Stand
-from tumble.procedures.doubt import doubt
 from tumble.procedures.engine import Engine
 from tumble.procedures.events import FinishReason, PointCompleted, ReadingAnswered, ReadingRequested
-from tumble.procedures.eyepiece import OperatorEyepiece, on_the_circle
+from tumble.procedures.methods.dividing_head.doubt import doubt
+from tumble.procedures.methods.dividing_head.eyepiece import OperatorEyepiece, on_the_circle
 from tumble.procedures.operator import Answers, ScriptedOperator
 from tumble.procedures.programme import programme_from_text
 from tumble.procedures.steps import Dwell

@@ -6,7 +6,7 @@ from fakes import point_at
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tumble.procedures.flip import Flip, extremum_deg
+from tumble.procedures.methods.dividing_head.flip import Flip, extremum_deg
 from tumble.procedures.steps import Dwell
 
 

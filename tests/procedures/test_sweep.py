@@ -3,7 +3,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tumble.procedures.sweep import Sweep
+from tumble.procedures.methods.dividing_head.sweep import Sweep
 
 
 def sweep(**settings):

@@ -11,9 +11,9 @@ from typing import Final
 
 from tumble.drivers.clock import Clock
 from tumble.drivers.manual.reading import format_dms, parse_reading
-from tumble.procedures.doubt import Doubt, doubt
 from tumble.procedures.errors import UnansweredError
 from tumble.procedures.events import Event, ReadingAnswered, ReadingRequested
+from tumble.procedures.methods.dividing_head.doubt import Doubt, doubt
 from tumble.procedures.motion import POLL_S
 from tumble.procedures.operator import Answer, Operator
 from tumble.procedures.steps import Point
