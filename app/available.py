@@ -63,7 +63,7 @@ def warms(probe: Probe) -> bool:
 def programme_of(probe: Probe) -> Programme:
     """The programme of an experiment: the one that comes along, shortened where the experiment is."""
     shipped = load_programme(probe.programme)
-    (sweep,) = shipped.procedures
+    (sweep,) = shipped.parts
     assert isinstance(sweep, Sweep), "every probe is one"
     if (sweep.start_deg, sweep.points) == (probe.start_deg, probe.points):
         return shipped

@@ -112,7 +112,7 @@ def read_measurement(path: Path, stand: Mapping[str, Any] | None = None) -> Meas
 
 
 def _read_recording(path: Path, stand: Mapping[str, Any] | None) -> Measurement:
-    from tumble.procedures.recording.observations import observations  # MCAP only where there is a recording
+    from tumble.procedures.methods.dividing_head.observations import observations  # MCAP only for a recording
     from tumble.procedures.recording.reader import read_recording
 
     try:

@@ -1,5 +1,6 @@
 """Stand files as they are written: what stands where, how well it is known, and how to reach it."""
 
+from collections.abc import Mapping
 from datetime import date
 from functools import lru_cache
 from typing import Self
@@ -11,7 +12,7 @@ from tumble.calibrations.gravity import Gravity, normal_gravity
 from tumble.drivers.driver import SIMULATED
 from tumble.drivers.names import GivenName
 from tumble.drivers.simulated import Simulated
-from tumble.drivers.tables import DaqTable, HeadTable
+from tumble.drivers.tables import DAQ, HEAD, DaqTable, HeadTable
 
 _STRICT = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
@@ -63,6 +64,26 @@ class StandFile(BaseModel):
     stand_record: StandRecordTable = StandRecordTable()
 
     @property
+    def positioners(self) -> Mapping[str, HeadTable]:
+        """The tables of the positioners, by name."""
+        return {HEAD: self.head}
+
+    @property
+    def samplers(self) -> Mapping[str, DaqTable]:
+        """The tables of the samplers, by name."""
+        return {DAQ: self.daq}
+
+    @property
+    def sampling(self) -> DaqTable:
+        """Samples and rate of a dwell, which are those of the first sampler."""
+        return next(iter(self.samplers.values()))
+
+    @property
+    def by_hand(self) -> bool:
+        """Whether a person turns a positioner and reads it."""
+        return any(table.by_hand for table in self.positioners.values())
+
+    @property
     def simulates(self) -> bool:
         """Whether the unit exists in this process only."""
         return self.daq.driver == SIMULATED
@@ -80,7 +101,7 @@ class StandFile(BaseModel):
 
     def expired(self, on: date) -> list[str]:
         """A sentence for every instrument whose calibration is overdue on a day, see `Instrument.overdue`."""
-        instruments = {"head": self.head, "daq": self.daq}
+        instruments = {**self.positioners, **self.samplers}
         return [
             f"stand {self.name}: the calibration of the {name} was due on {table.calibration_due}; have it done"
             for name, table in instruments.items()

@@ -15,12 +15,14 @@ from tumble.drivers.clock import Clock, ReleasedClock, SystemClock
 from tumble.drivers.driver import Bench, DaqDriver, HeadDriver
 from tumble.drivers.links.opened import Links
 from tumble.drivers.manual import Eyepiece
-from tumble.drivers.protocols import Daq, DividingHead, HeadStatus, Stand
+from tumble.drivers.protocols import Positioner, PositionerStatus, Sampler, Stand
+from tumble.drivers.tables import DAQ, HEAD, TITLES
 from tumble.emulators.backstage import Backstage, find_backstage
 from tumble.procedures.announcer import Listener
 from tumble.procedures.control import Control
 from tumble.procedures.errors import InputError
 from tumble.procedures.methods.dividing_head.eyepiece import OperatorEyepiece
+from tumble.procedures.methods.dividing_head.layout import MOUNT
 from tumble.procedures.operator import Answers, ConsoleOperator, Operator, ScriptedOperator, SeatingOperator
 
 _UNASKED: Final = (
@@ -60,7 +62,7 @@ class Connected:
     """Recordings of the runs so far, in their order: what a simulated stand lives through before it goes on."""
     control: Control = field(default_factory=Control)
     """Pauses, resumes and stops what goes on there; from any thread."""
-    look: Callable[[HeadStatus], None] = lambda _: None
+    look: Callable[[PositionerStatus], None] = lambda _: None
     """Is shown where the head is on its way."""
 
 
@@ -102,10 +104,11 @@ def connect(
         raise
     stand = Stand(
         name=loaded.file.name,
-        head=head,
-        daq=daq,
+        positioners={HEAD: head},
+        samplers={DAQ: daq},
         clock=clock,
-        serials={"head": loaded.file.head.serial, "daq": loaded.file.daq.serial},
+        serials={HEAD: loaded.file.head.serial, DAQ: loaded.file.daq.serial},
+        titles=TITLES,
     )
     warnings = (_UNASKED.format(loaded.file.name),) if backstage and attendant.imagined else ()
     made = Connected(
@@ -128,7 +131,7 @@ def _backstage(loaded: LoadedStand) -> Backstage | None:
 
 def _behind_the_scenes(made: Connected, backstage: Backstage) -> Connected:
     """An emulated stand, where nobody seats the unit but who emulates it."""
-    operator = SeatingOperator(made.operator, backstage.seat)
+    operator = SeatingOperator(made.operator, {MOUNT: backstage.seat})
     return replace(made, operator=operator, listeners=(switching_on(backstage.switch_on),))
 
 
@@ -137,12 +140,12 @@ def _simulated(loaded: LoadedStand, attendant: Attendant, past: Sequence[Past]) 
     simulated = simulation(loaded, clock).after(past)
     if attendant.speed is not None:
         clock.release(attendant.speed)
-    operator = SeatingOperator(attendant.operator(), simulated.world.seat)
+    operator = SeatingOperator(attendant.operator(), {MOUNT: simulated.world.seat})
     person = _Person(lambda: operator, clock, simulated)
     stand = simulated.stand
     if loaded.head_driver is not None:
         bench = Bench(clock=clock, links=Links(), folder=loaded.folder, eyepiece=person.at_the_head)
-        stand = replace(stand, head=_connected_head(loaded, loaded.head_driver, bench))
+        stand = replace(stand, positioners={HEAD: _connected_head(loaded, loaded.head_driver, bench)})
     return Connected(
         stand=stand,
         operator=operator,
@@ -183,7 +186,7 @@ class _Person:
         return TurningEyepiece(self.eyepiece, self._hand) if self._hand else self.eyepiece
 
 
-def _instruments(loaded: LoadedStand, bench: Bench) -> tuple[DividingHead, Daq]:
+def _instruments(loaded: LoadedStand, bench: Bench) -> tuple[Positioner, Sampler]:
     """Head and DAQ of a stand that is not simulated. Raises `InputError`, `DeviceError`."""
     assert loaded.head_driver is not None and loaded.daq_driver is not None, "load_stand sees to that"
     try:
@@ -193,11 +196,11 @@ def _instruments(loaded: LoadedStand, bench: Bench) -> tuple[DividingHead, Daq]:
         raise InputError(f"{loaded.path}: {error}") from error
 
 
-def _connected_head(loaded: LoadedStand, driver: HeadDriver, bench: Bench) -> DividingHead:
+def _connected_head(loaded: LoadedStand, driver: HeadDriver, bench: Bench) -> Positioner:
     table = loaded.file.head
     return connected(lambda: driver.connect(table, bench), table.driver, "dividing head", HEAD_NEEDS)
 
 
-def _connected_daq(loaded: LoadedStand, driver: DaqDriver, bench: Bench) -> Daq:
+def _connected_daq(loaded: LoadedStand, driver: DaqDriver, bench: Bench) -> Sampler:
     table = loaded.file.daq
     return connected(lambda: driver.connect(table, bench), table.driver, "DAQ", DAQ_NEEDS)

@@ -4,6 +4,7 @@ A driver that has keys of its own derives its table from one of these; see `tumb
 """
 
 import re
+from collections.abc import Mapping
 from datetime import date, datetime
 from typing import ClassVar, Final, Literal, Self, TypeAlias
 
@@ -14,6 +15,11 @@ from tumble.drivers.links.can_address import CanAddress, Option
 from tumble.drivers.links.places import check_network, check_scheme, check_server
 from tumble.drivers.names import Name
 
+HEAD: Final = "head"
+DAQ: Final = "daq"
+"""Tables of a stand file, and the names of these instruments at the stand."""
+TITLES: Final = {HEAD: "dividing head", DAQ: "DAQ"}
+"""What sentences call them."""
 MOST_SAMPLES: Final = 10_000_000
 """More in one dwell is a slip of the pen."""
 
@@ -134,6 +140,11 @@ class HeadTable(Instrument):
         if self.steps_per_deg == 0:
             raise ValueError("steps_per_deg is 0: give the counts per degree")
         return self
+
+    @property
+    def allowed(self) -> Mapping[str, tuple[str, ...] | None]:
+        """What the seat on it allows, by condition; None allows everything."""
+        return {"mount": self.mounts}
 
     @property
     def turns(self) -> float:
