@@ -62,9 +62,8 @@ def test_a_point_has_both_positions_and_a_mean_of_every_channel(stand, programme
 
 def test_both_axes_set_out_at_once(stand):
     (point,) = stand.engine().run(dwell for dwell in [replace(dwell_at(90.0, 60.0), conditions={})]).points
-    assert point.time_s == pytest.approx(
-        90.0 / 30.0 + 0.04 + 0.05, abs=0.06
-    )  # the longer move, two blocks, half a dwell
+    longer_move_s, two_blocks_s, half_a_dwell_s = 90.0 / 30.0, 0.04, 0.05
+    assert point.time_s == pytest.approx(longer_move_s + two_blocks_s + half_a_dwell_s, abs=0.06)
 
 
 def test_every_axis_is_approached_from_the_same_side(stand, programme):
