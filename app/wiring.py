@@ -16,7 +16,7 @@ from tumble.drivers.driver import Bench, DaqDriver, HeadDriver
 from tumble.drivers.links.opened import Links
 from tumble.drivers.manual import Eyepiece
 from tumble.drivers.protocols import Positioner, PositionerStatus, Sampler, Stand
-from tumble.drivers.tables import DAQ, HEAD, TITLES
+from tumble.drivers.tables import HEAD, TITLES
 from tumble.emulators.backstage import Backstage, find_backstage
 from tumble.procedures.announcer import Listener
 from tumble.procedures.control import Control
@@ -98,16 +98,17 @@ def connect(
     person = _Person(operator, clock, backstage)
     bench = Bench(clock=clock, links=links, folder=loaded.folder, eyepiece=person.at_the_head)
     try:
-        head, daq = _instruments(loaded, bench)
+        positioners, samplers = _instruments(loaded, bench)
     except BaseException:
         links.close()
         raise
     stand = Stand(
         name=loaded.file.name,
-        positioners={HEAD: head},
-        samplers={DAQ: daq},
+        positioners=positioners,
+        samplers=samplers,
         clock=clock,
-        serials={HEAD: loaded.file.head.serial, DAQ: loaded.file.daq.serial},
+        serials={name: table.serial for name, table in loaded.file.instruments.items()},
+        channels={name: table.channels for name, table in loaded.file.samplers.items() if table.channels},
         titles=TITLES,
     )
     warnings = (_UNASKED.format(loaded.file.name),) if backstage and attendant.imagined else ()
@@ -126,7 +127,7 @@ def _backstage(loaded: LoadedStand) -> Backstage | None:
     """Where the stand is emulated, its backstage; never of a stand whose file has no table `simulated`."""
     if loaded.file.simulated is None:
         return None
-    return find_backstage((loaded.file.head.address, loaded.file.daq.address))
+    return find_backstage([table.address for table in loaded.file.instruments.values()])
 
 
 def _behind_the_scenes(made: Connected, backstage: Backstage) -> Connected:
@@ -145,7 +146,7 @@ def _simulated(loaded: LoadedStand, attendant: Attendant, past: Sequence[Past]) 
     stand = simulated.stand
     if loaded.head_driver is not None:
         bench = Bench(clock=clock, links=Links(), folder=loaded.folder, eyepiece=person.at_the_head)
-        stand = replace(stand, positioners={HEAD: _connected_head(loaded, loaded.head_driver, bench)})
+        stand = replace(stand, positioners={HEAD: _positioner(loaded, HEAD, loaded.head_driver, bench)})
     return Connected(
         stand=stand,
         operator=operator,
@@ -186,21 +187,23 @@ class _Person:
         return TurningEyepiece(self.eyepiece, self._hand) if self._hand else self.eyepiece
 
 
-def _instruments(loaded: LoadedStand, bench: Bench) -> tuple[Positioner, Sampler]:
-    """Head and DAQ of a stand that is not simulated. Raises `InputError`, `DeviceError`."""
-    assert loaded.head_driver is not None and loaded.daq_driver is not None, "load_stand sees to that"
+def _instruments(loaded: LoadedStand, bench: Bench) -> tuple[dict[str, Positioner], dict[str, Sampler]]:
+    """Positioners and samplers of a stand that is not simulated, by name. Raises `InputError`, `DeviceError`."""
+    positioners, samplers = loaded.positioner_drivers, loaded.sampler_drivers
     try:
-        daq = _connected_daq(loaded, loaded.daq_driver, bench)  # first: it never needs a person
-        return _connected_head(loaded, loaded.head_driver, bench), daq
+        # the samplers first: they never need a person
+        sampling = {name: _sampler(loaded, name, driver, bench) for name, driver in samplers.items() if driver}
+        moving = {name: _positioner(loaded, name, driver, bench) for name, driver in positioners.items() if driver}
     except ValueError as error:
         raise InputError(f"{loaded.path}: {error}") from error
+    return moving, sampling
 
 
-def _connected_head(loaded: LoadedStand, driver: HeadDriver, bench: Bench) -> Positioner:
-    table = loaded.file.head
-    return connected(lambda: driver.connect(table, bench), table.driver, "dividing head", HEAD_NEEDS)
+def _positioner(loaded: LoadedStand, name: str, driver: HeadDriver, bench: Bench) -> Positioner:
+    table = loaded.file.positioners[name]
+    return connected(lambda: driver.connect(table, bench), table.driver, TITLES.get(name, name), HEAD_NEEDS)
 
 
-def _connected_daq(loaded: LoadedStand, driver: DaqDriver, bench: Bench) -> Sampler:
-    table = loaded.file.daq
-    return connected(lambda: driver.connect(table, bench), table.driver, "DAQ", DAQ_NEEDS)
+def _sampler(loaded: LoadedStand, name: str, driver: DaqDriver, bench: Bench) -> Sampler:
+    table = loaded.file.samplers[name]
+    return connected(lambda: driver.connect(table, bench), table.driver, TITLES.get(name, name), DAQ_NEEDS)

@@ -182,6 +182,8 @@ class Stand:
     """Serial numbers that the instruments must have, by name; any where nothing is said."""
     titles: Mapping[str, str] = field(default_factory=dict)
     """What sentences call the instruments, by name; the name itself where nothing is said."""
+    channels: Mapping[str, Sequence[str]] = field(default_factory=dict)
+    """Names of the channels of a sampler, in their order, by its name; those that it gives where nothing is said."""
 
     def title(self, name: str) -> str:
         """What sentences call an instrument."""

@@ -13,7 +13,7 @@ from pydantic_core import PydanticCustomError
 
 from tumble.drivers.links.can_address import CanAddress, Option
 from tumble.drivers.links.places import check_network, check_scheme, check_server
-from tumble.drivers.names import Name
+from tumble.drivers.names import GivenName, Name
 
 HEAD: Final = "head"
 DAQ: Final = "daq"
@@ -162,3 +162,5 @@ class DaqTable(Instrument):
     """Relative standard uncertainty; None where nobody states it."""
     offset_uncertainty_v: float | None = Field(default=None, ge=0.0, le=100.0)
     """Standard uncertainty; None where nobody states it."""
+    channels: tuple[GivenName, ...] = ()
+    """Names of its channels in their order, the unit in each (`u_x_v`); without it those of the driver."""

@@ -1,9 +1,9 @@
 """The samplers of a stand: each takes its block in turn, and every block is whole."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from tumble.drivers.errors import DeviceError
-from tumble.drivers.protocols import Block, FloatArray, Sampler, Stand
+from tumble.drivers.protocols import Block, ChannelBlock, FloatArray, Sampler, Stand
 from tumble.procedures.losses import Losses
 
 
@@ -24,8 +24,10 @@ class Sampling:
 
     def _blocks(self, samples: int, rate_hz: float) -> Iterator[Block]:
         for name, sampler in self._stand.samplers.items():
+            title, names = self._stand.title(name), self._stand.channels.get(name)
             with self._losses.using(name):
-                yield acquire(sampler, samples, rate_hz, self._stand.title(name))
+                block = acquire(sampler, samples, rate_hz, title)
+            yield renamed(block, names, title) if names else block
 
 
 def acquire(sampler: Sampler, samples: int, rate_hz: float, title: str) -> Block:
@@ -36,6 +38,19 @@ def acquire(sampler: Sampler, samples: int, rate_hz: float, title: str) -> Block
             happened = f"gave {len(values)} of {samples} samples"
             raise DeviceError(title, happened, "check its trigger and its connection, then resume the run")
     return block
+
+
+def renamed(block: Block, names: Sequence[str], title: str) -> Block:
+    """The block with other names for its channels, in their order. Raises `DeviceError` where it has more or fewer."""
+    if len(names) != len(block.channels):
+        happened = f"gives {len(block.channels)} channels, and the stand file names {len(names)}"
+        raise DeviceError(title, happened, "correct channels of the stand file")
+    return ChannelBlock(
+        channels=dict(zip(names, block.channels.values(), strict=True)),
+        rate_hz=block.rate_hz,
+        device_time_s=block.device_time_s,
+        temperature_degc=block.temperature_degc,
+    )
 
 
 def channels_of(blocks: Iterable[Block]) -> dict[str, FloatArray]:

@@ -18,6 +18,8 @@ from tumble.procedures.programme import Programme
 from tumble.procedures.steps import Dwell
 
 AXES = ("outer", "inner")
+MADE = []
+"""Axes that a driver file of a test has made."""
 CHANNELS = ("u_x_v", "u_y_v", "u_z_v")
 
 LAYOUT = Layout(
