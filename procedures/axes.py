@@ -7,8 +7,9 @@ from tumble.drivers.protocols import PositionerStatus, Stand
 from tumble.procedures.acquisition import Acquisition
 from tumble.procedures.approach import Place
 from tumble.procedures.errors import ProcedureError
+from tumble.procedures.journeys import Journey, together
 from tumble.procedures.losses import Losses
-from tumble.procedures.motion import Journey, Motion, standstill, together
+from tumble.procedures.motion import Motion, standstill
 from tumble.procedures.steps import Direction
 
 

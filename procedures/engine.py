@@ -27,9 +27,9 @@ from tumble.procedures.events import (
     StepStarted,
     WarningRaised,
 )
+from tumble.procedures.journeys import POLL_S
 from tumble.procedures.losses import Losses
 from tumble.procedures.measuring import Measuring, Taken
-from tumble.procedures.motion import POLL_S
 from tumble.procedures.operator import Answer, Operator
 from tumble.procedures.outcome import Outcome, message_of, outcome_of
 from tumble.procedures.recovery import Recovery

@@ -1,28 +1,21 @@
 """Moving one positioner, and making sure of its standstill."""
 
 import math
-from collections.abc import Callable, Generator, Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
-from typing import Final, TypeAlias
+from typing import Final
 
 from tumble.drivers.clock import Clock
 from tumble.drivers.errors import DeviceError, LinkLostError, ReferenceLostError
 from tumble.drivers.protocols import Positioner, PositionerStatus, Reconnectable
 from tumble.procedures.approach import EITHER_WAY, Approach, Place, direction_of
+from tumble.procedures.journeys import POLL_S, Journey, together
 from tumble.procedures.steps import Direction
 from tumble.procedures.watch import Watch, allowed_s
-
-POLL_S: Final = 0.05
-"""Time between two looks at the head or at the operator."""
 
 _STANDSTILL_S: Final = 10.0
 _HOMING_S: Final = 60.0
 _HALF_TURN_DEG: Final = 180.0
-
-
-Journey: TypeAlias = Generator[None, bool | None, PositionerStatus]
-"""A move under way: each time it yields the clock may go on; it is sent whether the positioner was braked meanwhile,
-and then sets out again. It returns what the positioner reports at its end."""
 
 
 class Motion:
@@ -236,27 +229,6 @@ class Motion:
 
     def _near(self, first_deg: float, second_deg: float) -> bool:
         return abs(first_deg - second_deg) <= self._tolerance_deg
-
-
-def together(journeys: Sequence[Journey], clock: Clock, checkpoint: Callable[[], bool]) -> list[PositionerStatus]:
-    """Make journeys at the same time; returns how each positioner stands at its end, in their order.
-
-    `checkpoint` is called between two looks; it may raise, and returns true where it braked all of them.
-    """
-    under_way = dict(enumerate(journeys))
-    arrived: dict[int, PositionerStatus] = {}
-    braked: bool | None = None  # a generator that begins is sent nothing
-    while True:
-        for number, journey in list(under_way.items()):
-            try:
-                journey.send(braked)
-            except StopIteration as ended:
-                arrived[number] = ended.value
-                del under_way[number]
-        if not under_way:
-            return [arrived[number] for number in range(len(journeys))]
-        clock.sleep(POLL_S)
-        braked = checkpoint()
 
 
 def standstill(motions: Sequence[Motion], clock: Clock) -> bool:

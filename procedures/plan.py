@@ -49,10 +49,10 @@ class Plan:
 
     @property
     def angle_range_deg(self) -> tuple[float, float]:
-        """Lowest and highest target of any positioner."""
+        """Lowest and highest target of any positioner; 0 and 0 where nothing moves."""
         dwells = [planned.step for planned in self.steps if isinstance(planned.step, Dwell)]
         targets_deg = [target_deg for dwell in dwells for target_deg in dwell.targets_deg.values()]
-        return min(targets_deg), max(targets_deg)
+        return min(targets_deg, default=0.0), max(targets_deg, default=0.0)
 
     def steps_after(self, points: int) -> tuple[PlannedStep, ...]:
         """What is left to do once so many points are there."""

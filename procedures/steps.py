@@ -99,9 +99,8 @@ Procedure: TypeAlias = Generator[Step, Reply, None]
 
 def pose(conditions: Mapping[str, str], positions_deg: Mapping[str, float], unit: str = " deg") -> str:
     """Where a dwell is taken, for a sentence: `face-up at 30 deg`, or `outer 90 deg, inner 45 deg`."""
+    places = ", ".join(f"{name} {position_deg:g}{unit}" for name, position_deg in positions_deg.items())
     if len(positions_deg) == 1:
         (position_deg,) = positions_deg.values()
         places = f"{position_deg:g}{unit}"
-    else:
-        places = ", ".join(f"{name} {position_deg:g}{unit}" for name, position_deg in positions_deg.items())
-    return f"{', '.join(conditions.values())} at {places}" if conditions else places
+    return " at ".join(filter(None, [", ".join(conditions.values()), places]))

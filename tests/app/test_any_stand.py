@@ -6,6 +6,7 @@ import pytest
 from two_axes import CHANNELS, TWO_AXES
 
 from tumble.app.available import available
+from tumble.app.measurements import read_measurement
 from tumble.app.resuming import find, resume
 from tumble.app.running import Job, run
 from tumble.app.same_stand import load_same_stand
@@ -193,3 +194,10 @@ def test_another_instrument_in_any_table_is_another_stand(write):
     assert same_instruments(here.recorded, here)
     other = load_stand(write(STAND.replace('serial = "1"', 'serial = "2"')))
     assert not same_instruments(here.recorded, other)
+
+
+def test_the_analysis_of_a_head_refuses_the_recording_of_another_method(write, tmp_path):
+    loaded, recording = load_stand(write()), tmp_path / "run.mcap"
+    run(job_at(loaded), at(loaded), recording)
+    with pytest.raises(InputError, match=r"run\.mcap: is of the method two_axes, which this does not analyse"):
+        read_measurement(recording)

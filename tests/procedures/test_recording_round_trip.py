@@ -233,3 +233,12 @@ def test_a_recording_of_the_first_format_is_still_read():
     assert (recording.header.format_version, recording.header.job) == (1, "run")
     assert recording.complete
     assert [point.positions_deg["head"] for point in recording.points] == [0.0, 60.0, 120.0, 180.0, 240.0, 300.0]
+
+
+def test_a_header_that_names_no_method_is_of_the_dividing_head():
+    strings = header_to_strings(HEADER)
+    written = {name: text for name, text in strings.items() if name not in ("method", "method_version")}
+
+    header = header_from_strings(written, HEADER.programme_text)
+
+    assert (header.method, header.method_version) == ("dividing_head", 1)

@@ -9,8 +9,10 @@ from recording_examples import HEADER
 from two_axes import CHANNELS, TWO_AXES, TwoAxesStand, dwell_at
 
 from tumble.drivers.errors import LinkLostError
+from tumble.drivers.protocols import Stand
 from tumble.procedures import registry
 from tumble.procedures.approach import Approach
+from tumble.procedures.engine import Engine
 from tumble.procedures.errors import ProgrammeError
 from tumble.procedures.events import ConditionAnswered, FinishReason, PointVerified, SamplesAcquired
 from tumble.procedures.plan import plan
@@ -19,6 +21,7 @@ from tumble.procedures.programme import programme_from_text
 from tumble.procedures.recording.errors import RecordingError
 from tumble.procedures.recording.reader import iter_samples, read_recording
 from tumble.procedures.recording.writer import Recorder
+from tumble.procedures.steps import pose
 
 PROGRAMME = """method = "two_axes"
 name = "four"
@@ -241,3 +244,23 @@ def test_a_link_that_is_lost_on_one_axis_is_awaited(stand, programme):
     outcome = stand.engine().run(programme.procedure())
     assert (outcome.reason, stand.inner.pulled) == (FinishReason.COMPLETED, 2)
     assert len(outcome.points) == 4
+
+
+@pytest.mark.parametrize(
+    ("conditions", "positions_deg", "said"),
+    [
+        ({"mount": "edge"}, {"head": 30.0}, "edge at 30 deg"),
+        ({}, {"head": 30.0}, "30 deg"),
+        ({"base": "level"}, {"outer": 90.0, "inner": -45.0}, "level at outer 90 deg, inner -45 deg"),
+        ({"fixture": "io", "axis": "up"}, {}, "io, up"),
+    ],
+)
+def test_where_a_dwell_is_taken_is_said_in_few_words(conditions, positions_deg, said):
+    assert pose(conditions, positions_deg) == said
+
+
+def test_a_stand_that_moves_nothing_measures_and_is_at_rest(stand):
+    still = Stand(name="shelf", positioners={}, samplers=stand.samplers, clock=stand.clock)
+    dwell = replace(dwell_at(0.0, 0.0), targets_deg={}, conditions={})
+    outcome = Engine(still, stand.operator, stand.sink, QUICK).run(step for step in [dwell])
+    assert (outcome.reason, len(outcome.points)) == (FinishReason.COMPLETED, 1)

@@ -13,9 +13,9 @@ from tumble.drivers.clock import Clock
 from tumble.drivers.manual.reading import format_dms, parse_reading
 from tumble.procedures.errors import UnansweredError
 from tumble.procedures.events import Event, ReadingAnswered, ReadingRequested
+from tumble.procedures.journeys import POLL_S
 from tumble.procedures.methods.dividing_head.doubt import Doubt, doubt
 from tumble.procedures.methods.dividing_head.rows import row_of
-from tumble.procedures.motion import POLL_S
 from tumble.procedures.operator import Answer, Operator
 from tumble.procedures.steps import Point
 
