@@ -33,7 +33,7 @@ class Axes:
                 acquisition.position_tolerance_deg,
                 acquisition.approach,
                 look,
-                stand.title(name),
+                title=stand.title(name),
             )
             for name, positioner in stand.positioners.items()
         }

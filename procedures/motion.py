@@ -33,7 +33,8 @@ class Motion:
         tolerance_deg: float,
         approach: Approach = EITHER_WAY,
         look: Callable[[PositionerStatus], None] = lambda _: None,
-        title: str = "dividing head",
+        *,
+        title: str,
     ) -> None:
         self._head = head
         self._clock = clock

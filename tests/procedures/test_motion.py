@@ -3,7 +3,7 @@ from fakes import FakeHead, FakeStand
 
 from tumble.drivers.clock import VirtualClock
 from tumble.drivers.errors import DeviceError
-from tumble.procedures.approach import Approach, Place
+from tumble.procedures.approach import EITHER_WAY, Approach, Place
 from tumble.procedures.errors import ProgrammeError
 from tumble.procedures.motion import Motion
 from tumble.procedures.plan import plan
@@ -20,7 +20,7 @@ def going_on():
 def head_and_motion(approach=None):
     clock = VirtualClock()
     head = FakeHead(clock)
-    return head, Motion(head, clock, 0.01, **({} if approach is None else {"approach": approach}))
+    return head, Motion(head, clock, 0.01, approach or EITHER_WAY, title="dividing head")
 
 
 @pytest.mark.parametrize(

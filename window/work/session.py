@@ -66,7 +66,7 @@ class StandSession:
     def motion(self) -> Motion:
         """Moves of the head. Raises `DeviceError`."""
         stand = self.connected.stand
-        return Motion(stand.positioners[HEAD], stand.clock, _TOLERANCE_DEG, look=self._look)
+        return Motion(stand.positioners[HEAD], stand.clock, _TOLERANCE_DEG, look=self._look, title=stand.title(HEAD))
 
     def connect(self, attendant: Attendant, past: Sequence[Past] = ()) -> StandIdentity:
         """Reach the instruments, which were left before. Raises `InputError`, `JobError`, `DeviceError`."""
