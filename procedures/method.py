@@ -32,7 +32,7 @@ class ProcedurePart(Generic[Table]):
 
 
 class Method(Protocol):
-    """A calibration method as far as a stand is concerned; what the entry point group `tumble.methods` names."""
+    """A calibration method as far as a stand is concerned; what the entry point group `tumble.procedures` names."""
 
     @property
     def name(self) -> str:

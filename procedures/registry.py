@@ -1,4 +1,4 @@
-"""The methods that are installed, by the entry point group `tumble.methods`."""
+"""The methods that can be run at a stand, by the entry point group `tumble.procedures`."""
 
 import sys
 from collections.abc import Mapping
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 FIRST: Final = "dividing_head"
 """The method of programmes and recordings that name none: version 0.1 knew no other."""
-_GROUP: Final = "tumble.methods"
+_GROUP: Final = "tumble.procedures"
 
 
 def find_method(name: str) -> "Method":
