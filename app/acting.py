@@ -9,7 +9,7 @@ from tumble.app.exits import Exit, JobError
 from tumble.app.running import Job, failure, recording_path, run
 from tumble.app.stand import LoadedStand
 from tumble.app.wiring import Connected
-from tumble.calibrations.tracing.probes import Probe
+from tumble.calibrations.methods.dividing_head.probes import Probe
 from tumble.procedures.announcer import Listener
 from tumble.procedures.events import ConditionAnswered, Event
 from tumble.procedures.programme import Programme

@@ -6,16 +6,16 @@ from pathlib import Path
 from typing import Any
 
 from tumble.app.measurements import Measurement, check_limits, provenance
-from tumble.calibrations.analysis import analyse
-from tumble.calibrations.judging import judge
-from tumble.calibrations.montecarlo import TRIALS
-from tumble.calibrations.provenance import LimitCheck, Provenance
-from tumble.calibrations.result import Calibration
-from tumble.calibrations.tracing.document import document, result_document
-from tumble.calibrations.tracing.loop import Explained, Loop, asked_next, explain
-from tumble.calibrations.tracing.questions import questioned
-from tumble.calibrations.usable import Usable, usable
-from tumble.calibrations.verdict import Verdict
+from tumble.calibrations.core.provenance import LimitCheck, Provenance
+from tumble.calibrations.core.verdict import Verdict
+from tumble.calibrations.methods.dividing_head.analysis import analyse
+from tumble.calibrations.methods.dividing_head.document import document, result_document
+from tumble.calibrations.methods.dividing_head.judging import judge
+from tumble.calibrations.methods.dividing_head.loop.loop import Explained, Loop, asked_next, explain
+from tumble.calibrations.methods.dividing_head.montecarlo import TRIALS
+from tumble.calibrations.methods.dividing_head.questions import questioned
+from tumble.calibrations.methods.dividing_head.result import Calibration
+from tumble.calibrations.methods.dividing_head.usable import Usable, usable
 from tumble.procedures.errors import InputError
 
 

@@ -6,8 +6,8 @@ from dataclasses import dataclass, field, replace
 
 from tumble.app.running import Job
 from tumble.app.stand import LoadedStand
-from tumble.calibrations.observations import Observations
-from tumble.calibrations.tracing.probes import PROBES, STEP_DEG, Probe
+from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.calibrations.methods.dividing_head.probes import PROBES, STEP_DEG, Probe
 from tumble.procedures.errors import ProgrammeError
 from tumble.procedures.methods.dividing_head.sweep import Sweep
 from tumble.procedures.programme import Programme, load_programme, programme_from_text

@@ -13,6 +13,7 @@ from tumble.app.measurements import read_measurement
 from tumble.app.running import Job, failure, recording_path, run
 from tumble.app.stand_records import with_stand_record
 from tumble.app.wiring import Connected
+from tumble.calibrations.methods.dividing_head.loop.loop import Loop
 from tumble.calibrations.records.errors import StoreError
 from tumble.calibrations.records.record import Record
 from tumble.calibrations.tracing.chain import Chain
@@ -74,10 +75,10 @@ def has_report(path: Path) -> bool:
 
 
 def write_report(
-    traced: Traced, path: Path, record_id: str = "", revision: int = 1, chain: Chain | None = None
+    traced: Traced, path: Path, record_id: str = "", revision: int = 1, chain: Chain[Loop] | None = None
 ) -> None:
     """Write the HTML report, with the experiments that closed the loop where there were any. Raises `JobError`."""
-    from tumble.calibrations.report import render_report  # matplotlib takes half a second
+    from tumble.calibrations.methods.dividing_head.report import render_report  # matplotlib takes half a second
 
     page = render_report(
         traced.calibration,

@@ -12,18 +12,19 @@ from rich.text import Text
 
 from tumble.app.analysing import Analysed
 from tumble.app.terminal import LONGEST_LINE, lead_nowhere
-from tumble.calibrations.observations import Observations
-from tumble.calibrations.quantities import (
+from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.core.quantities import (
     format_concise,
     format_freedom,
     format_interval,
     format_number,
     format_probability,
 )
-from tumble.calibrations.result import Calibration, Parameter
-from tumble.calibrations.support import series, support
-from tumble.calibrations.usable import Model
-from tumble.calibrations.verdict import Outcome, Verdict
+from tumble.calibrations.core.sentences import series
+from tumble.calibrations.core.verdict import Model, Outcome, Verdict
+from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.calibrations.methods.dividing_head.result import Calibration
+from tumble.calibrations.methods.dividing_head.significance import support
 from tumble.drivers.clock import Clock
 from tumble.drivers.text import visible
 from tumble.procedures.announcer import Listener

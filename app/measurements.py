@@ -12,14 +12,15 @@ from tumble.app.files import is_recording
 from tumble.app.header_checks import check_header
 from tumble.app.identity import program_identity
 from tumble.app.stand import RecordedStand, Site
-from tumble.calibrations.budget import StandUncertainty
-from tumble.calibrations.judging import inside
-from tumble.calibrations.observations import Observations
-from tumble.calibrations.provenance import LimitCheck, Provenance
+from tumble.calibrations.core.cells import TableError
+from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.core.provenance import LimitCheck, Provenance
+from tumble.calibrations.methods.dividing_head.budget import StandUncertainty
+from tumble.calibrations.methods.dividing_head.judging import inside
+from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.calibrations.methods.dividing_head.table import read_table
 from tumble.calibrations.records.raw import file_sha256, stored_path
-from tumble.calibrations.result import Parameter
 from tumble.calibrations.stand_records.record import StandRecord
-from tumble.calibrations.table import TableError, read_table
 from tumble.procedures.errors import InputError
 from tumble.procedures.events import Identified
 from tumble.procedures.programme import Programme, programme_from_text

@@ -8,8 +8,8 @@ from typing import Any, Self, TypeAlias
 from pydantic import BaseModel, ConfigDict, Field, create_model, model_validator
 
 from tumble.app.instrument_tables import POSITIONERS, SAMPLERS, Tables, tables_of
-from tumble.calibrations.budget import StandUncertainty
-from tumble.calibrations.gravity import Gravity, normal_gravity
+from tumble.calibrations.core.gravity import Gravity, normal_gravity
+from tumble.calibrations.methods.dividing_head.budget import StandUncertainty
 from tumble.drivers.driver import SIMULATED
 from tumble.drivers.names import GivenName
 from tumble.drivers.simulated import Simulated

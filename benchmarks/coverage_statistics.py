@@ -16,9 +16,9 @@ import numpy as np
 
 from tumble.app.running import Job
 from tumble.app.stand import load_stand
-from tumble.calibrations.analysis import analyse
-from tumble.calibrations.model import PARAMETERS, basis, coefficients_jacobian
-from tumble.calibrations.observations import Observations
+from tumble.calibrations.methods.dividing_head.analysis import analyse
+from tumble.calibrations.methods.dividing_head.model import PARAMETERS, basis, coefficients_jacobian
+from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.drivers.simulated import Simulated, noise_free_voltage
 from tumble.procedures.programme import load_programme
 from tumble.procedures.steps import Dwell

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from tumble.calibrations.observations import OVERLOAD_V
+from tumble.calibrations.core.rows import OVERLOAD
 from tumble.drivers.protocols import FloatArray
 from tumble.procedures.steps import Reading
 
@@ -25,7 +25,7 @@ def reduce_samples(values: FloatArray) -> Reading:
 
 def count_unusable(values: FloatArray) -> int:
     """How many samples are not finite, or overloads."""
-    usable = int(np.count_nonzero(np.abs(values) <= OVERLOAD_V))  # false for NaN, too
+    usable = int(np.count_nonzero(np.abs(values) <= OVERLOAD))  # false for NaN, too
     return len(values) - usable
 
 

@@ -13,13 +13,12 @@ from tumble.app.exits import Exit
 from tumble.app.recall import open_store, unprotected
 from tumble.app.terminal import say
 from tumble.app.verifying import Finding, leftovers, verified_record
-from tumble.calibrations.quantities import format_concise
+from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.core.quantities import format_concise
+from tumble.calibrations.core.verdict import Model, Outcome
 from tumble.calibrations.records.compare import compare
 from tumble.calibrations.records.export import document
 from tumble.calibrations.records.record import OLD_WORDS, Record
-from tumble.calibrations.result import Parameter
-from tumble.calibrations.usable import Model
-from tumble.calibrations.verdict import Outcome
 
 
 @click.group("records")

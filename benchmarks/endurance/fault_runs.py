@@ -23,7 +23,7 @@ from tumble.app.exits import Exit, status_of
 from tumble.app.resuming import find, resume
 from tumble.app.running import failure, run
 from tumble.app.wiring import Connected
-from tumble.calibrations.tracing.questions import questioned
+from tumble.calibrations.methods.dividing_head.questions import questioned
 from tumble.drivers.errors import DeviceError
 from tumble.procedures.events import Event, PointCompleted, State, StateChanged, WarningRaised
 from tumble.procedures.methods.dividing_head.observations import observations

@@ -19,8 +19,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from benchmarks.endurance.killing import Job, kill_at, killed_after, undisturbed
-from tumble.calibrations.analysis import analyse
-from tumble.calibrations.result import Parameter
+from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.methods.dividing_head.analysis import analyse
 from tumble.procedures.methods.dividing_head.layout import LAYOUT
 from tumble.procedures.methods.dividing_head.observations import observations
 from tumble.procedures.recording.contents import Said, contents

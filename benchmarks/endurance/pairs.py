@@ -20,8 +20,8 @@ from pathlib import Path
 from benchmarks.endurance import processes as stands
 from benchmarks.endurance.processes import Instruments, emulated, run
 from benchmarks.endurance.rfc2217 import rfc2217_port
-from tumble.calibrations.analysis import analyse
-from tumble.calibrations.result import Calibration
+from tumble.calibrations.methods.dividing_head.analysis import analyse
+from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.drivers.simulated import Simulated
 from tumble.procedures.methods.dividing_head.observations import observations
 from tumble.procedures.recording.reader import read_recording

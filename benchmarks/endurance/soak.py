@@ -25,8 +25,8 @@ from benchmarks.endurance.fault_runs import reached
 from benchmarks.endurance.kills import points_said
 from tumble.app.resuming import find, resume
 from tumble.app.running import failure, run
-from tumble.calibrations.analysis import analyse
-from tumble.calibrations.result import Parameter
+from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.methods.dividing_head.analysis import analyse
 from tumble.drivers.simulated import Simulated
 from tumble.emulators.faults import At, Fault, Kind
 from tumble.procedures.events import Event, PointCompleted

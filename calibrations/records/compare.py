@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 from scipy.special import stdtr
 
+from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.records.record import Record
-from tumble.calibrations.result import Parameter
 
 SIGNIFICANT_P = 0.05
 

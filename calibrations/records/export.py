@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import fields
 from typing import Any
 
-from tumble.calibrations.provenance import LimitCheck, Provenance
+from tumble.calibrations.core.provenance import LimitCheck, Provenance
 from tumble.calibrations.records.canonical import canonical_sha256, canonical_text, plain
 from tumble.calibrations.records.record import JUDGED_SINCE, OLD_WORDS, Record
 from tumble.calibrations.records.times import utc_text

@@ -5,11 +5,11 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Any
 
-from tumble.calibrations.model import PARAMETERS
-from tumble.calibrations.provenance import LimitCheck, Provenance
-from tumble.calibrations.result import Parameter
-from tumble.calibrations.usable import Model, without_withheld
-from tumble.calibrations.verdict import Judgement, Outcome, Verdict, verdict_from_json
+from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.core.provenance import LimitCheck, Provenance
+from tumble.calibrations.core.verdict import Judgement, Model, Outcome, Verdict, verdict_from_json
+from tumble.calibrations.methods.dividing_head.model import PARAMETERS
+from tumble.calibrations.methods.dividing_head.usable import without_withheld
 
 FORMAT_VERSION = 3
 """Of the records that this program writes: what a record holds and how its hash is taken.

@@ -3,11 +3,11 @@
 from collections.abc import Mapping
 from typing import Any
 
-from tumble.calibrations.provenance import LimitCheck, Provenance
+from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.core.provenance import LimitCheck, Provenance
 from tumble.calibrations.records.export import content, spelling
 from tumble.calibrations.records.record import Record
 from tumble.calibrations.records.times import read_time, utc_text
-from tumble.calibrations.result import Parameter
 
 _FROM_PROVENANCE = (
     "serial_number",

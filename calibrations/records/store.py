@@ -9,8 +9,12 @@ from typing import Any
 
 from sqlalchemy import ColumnElement, Connection, Select, exists, func, insert, select
 
-from tumble.calibrations.judging import judge
-from tumble.calibrations.provenance import LimitCheck, Provenance
+from tumble.calibrations.core.provenance import LimitCheck, Provenance
+from tumble.calibrations.core.verdict import Outcome, Verdict
+from tumble.calibrations.methods.dividing_head.document import result_document
+from tumble.calibrations.methods.dividing_head.judging import judge
+from tumble.calibrations.methods.dividing_head.loop.loop import Loop
+from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.calibrations.records import DATABASE as DATABASE
 from tumble.calibrations.records.canonical import canonical_sha256, plain
 from tumble.calibrations.records.database import open_database, storage_errors, writing
@@ -22,10 +26,6 @@ from tumble.calibrations.records.record import FORMAT_VERSION, OLD_WORDS, Record
 from tumble.calibrations.records.rows import parameter_rows, record_from_row, record_row
 from tumble.calibrations.records.schema import PARAMETERS, RECORDS
 from tumble.calibrations.records.times import utc_now, utc_text
-from tumble.calibrations.result import Calibration
-from tumble.calibrations.tracing.document import result_document
-from tumble.calibrations.tracing.loop import Loop
-from tumble.calibrations.verdict import Outcome, Verdict
 
 _NEWER = RECORDS.alias("newer")
 _STANDS = ~exists().where(_NEWER.c.supersedes == RECORDS.c.id)

@@ -6,12 +6,12 @@ from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.records.canonical import plain
 from tumble.calibrations.records.export import document, is_intact
 from tumble.calibrations.records.raw import file_sha256
 from tumble.calibrations.records.record import Record, models_from_json
 from tumble.calibrations.records.rows import parameter_rows, record_row
-from tumble.calibrations.result import Parameter
 
 if TYPE_CHECKING:
     from tumble.calibrations.records.store import Store

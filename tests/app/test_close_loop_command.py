@@ -9,8 +9,8 @@ from tables import table
 
 from tumble.app.joining import read_together
 from tumble.app.measurements import provenance
-from tumble.calibrations.table import write_table
-from tumble.calibrations.tracing.loop import explain
+from tumble.calibrations.core.table import write_table
+from tumble.calibrations.methods.dividing_head.loop.loop import explain
 
 pytestmark = pytest.mark.usefixtures("traced_once")
 

@@ -7,7 +7,8 @@ from app_jobs import tumble
 from head_tables import rests, stream
 from public_heads import backwards, five_settings, joint
 
-from tumble.calibrations.table import read_table, write_table
+from tumble.calibrations.core.table import write_table
+from tumble.calibrations.methods.dividing_head.table import read_table
 
 SHARED = Path(__file__).parents[2].parent / "shared" / "data"
 measured = pytest.mark.skipif(not SHARED.exists(), reason="the measured tables are not here")

@@ -4,7 +4,7 @@ import shutil
 import pytest
 from app_jobs import STAND, tumble
 
-from tumble.calibrations.tracing.loop import explain
+from tumble.calibrations.methods.dividing_head.loop.loop import explain
 
 pytestmark = pytest.mark.usefixtures("traced_once")
 

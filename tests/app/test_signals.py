@@ -46,7 +46,7 @@ PHASES = {
     ),
     "reading a table": ("tumble.app.commands.fit.read_measurement", ["fit", "t.csv"]),
     "fitting": ("tumble.app.commands.fit.fit", ["fit", "t.csv"]),
-    "Monte Carlo": ("tumble.calibrations.analysis.monte_carlo", ["fit", "t.csv"]),
+    "Monte Carlo": ("tumble.calibrations.methods.dividing_head.analysis.monte_carlo", ["fit", "t.csv"]),
     "tracing": ("tumble.app.commands.close_loop.trace", ["close-loop", "t.csv"]),
     "fitting a calibration": (
         "tumble.app.calibrating.fit",

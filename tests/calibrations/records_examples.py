@@ -16,8 +16,8 @@ from tempfile import TemporaryDirectory
 from loop_examples import with_k_xx
 from tables import FLIPS, UNIT, sweep, table
 
-from tumble.calibrations.analysis import analyse
-from tumble.calibrations.provenance import LimitCheck, Provenance
+from tumble.calibrations.core.provenance import LimitCheck, Provenance
+from tumble.calibrations.methods.dividing_head.analysis import analyse
 from tumble.calibrations.records.store import DATABASE, Store
 
 RAW = b"angle_deg,voltage_V\n0,2.5\n"

@@ -4,13 +4,13 @@ import functools
 
 import numpy as np
 
-from tumble.calibrations.analysis import analyse
-from tumble.calibrations.budget import StandUncertainty
-from tumble.calibrations.geometry import projections
-from tumble.calibrations.gravity import Gravity
-from tumble.calibrations.observations import Observations
-from tumble.calibrations.provenance import Provenance
-from tumble.calibrations.result import Calibration
+from tumble.calibrations.core.gravity import Gravity
+from tumble.calibrations.core.provenance import Provenance
+from tumble.calibrations.methods.dividing_head.analysis import analyse
+from tumble.calibrations.methods.dividing_head.budget import StandUncertainty
+from tumble.calibrations.methods.dividing_head.geometry import projections
+from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.calibrations.methods.dividing_head.result import Calibration
 
 SWEEP_DEG = np.arange(0.0, 400.0, 10.0)
 STAND = StandUncertainty(

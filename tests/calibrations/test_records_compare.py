@@ -5,9 +5,9 @@ from dataclasses import replace
 import pytest
 from records_examples import calibration, provenance, sweep_only
 
+from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.records.compare import compare
 from tumble.calibrations.records.store import Store
-from tumble.calibrations.result import Parameter
 
 
 @pytest.fixture

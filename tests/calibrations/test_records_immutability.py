@@ -8,11 +8,11 @@ import pytest
 from records_examples import calibration, provenance
 from sqlalchemy import create_mock_engine
 
+from tumble.calibrations.core.verdict import Outcome
 from tumble.calibrations.records.database import open_database
 from tumble.calibrations.records.export import document, is_intact
 from tumble.calibrations.records.schema import METADATA
 from tumble.calibrations.records.store import DATABASE, Store
-from tumble.calibrations.verdict import Outcome
 
 FIXTURE = Path(__file__).parent / "fixtures" / "records_v1.sqlite"
 

@@ -10,12 +10,12 @@ import pytest
 from loop_examples import with_k_xx
 from records_examples import KX_INSIDE, calibration, minutes_pass, provenance, store_with_raw_file
 
+from tumble.calibrations.core.verdict import Outcome
+from tumble.calibrations.methods.dividing_head.document import document as loop_document
+from tumble.calibrations.methods.dividing_head.document import result_document
 from tumble.calibrations.records.export import document, is_intact
 from tumble.calibrations.records.store import DATABASE, Store
 from tumble.calibrations.records.verify import verify
-from tumble.calibrations.tracing.document import document as loop_document
-from tumble.calibrations.tracing.document import result_document
-from tumble.calibrations.verdict import Outcome
 
 FIXTURES = Path(__file__).parent / "fixtures"
 NAMES = ["u0", "kx", "ky", "kz", "kxy", "alpha0"]

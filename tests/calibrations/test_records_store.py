@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 from records_examples import KX_INSIDE, KY_OUTSIDE, calibration, minutes_pass, provenance, sweep_only
 
+from tumble.calibrations.core.verdict import Outcome
 from tumble.calibrations.records.errors import RecordError
 from tumble.calibrations.records.store import Store
-from tumble.calibrations.verdict import Outcome
 
 
 @pytest.fixture

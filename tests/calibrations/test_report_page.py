@@ -10,12 +10,12 @@ import pytest
 from markupsafe import Markup
 from report_examples import FACE_UP, FLIPS, calibrate, dwells, face_up, flips_only, provenance, reversed_
 
-from tumble.calibrations.observations import SetAside
-from tumble.calibrations.provenance import LimitCheck
-from tumble.calibrations.report import evidence, render_report
-from tumble.calibrations.report.page import SECTIONS
-from tumble.calibrations.report.results import header
-from tumble.calibrations.report.subject import Subject
+from tumble.calibrations.core.provenance import LimitCheck
+from tumble.calibrations.core.rows import SetAside
+from tumble.calibrations.methods.dividing_head.report import evidence, render_report
+from tumble.calibrations.methods.dividing_head.report.page import SECTIONS
+from tumble.calibrations.methods.dividing_head.report.results import header
+from tumble.calibrations.methods.dividing_head.report.subject import Subject
 
 VOID = {"meta", "br", "link", "img", "hr"}
 HOSTILE = "<script>alert('1')</script>\"&"

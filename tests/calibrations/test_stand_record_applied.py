@@ -5,14 +5,14 @@ import pytest
 from stand_examples import ANOTHER, PARTS, UP, rows, run_on
 from stand_record_examples import FOUND, learned, record_of
 
-from tumble.calibrations.analysis import analyse
-from tumble.calibrations.budget import StandUncertainty
-from tumble.calibrations.provenance import Provenance
-from tumble.calibrations.report import render_report
-from tumble.calibrations.stand_records.applying import contradictions, corrected
+from tumble.calibrations.core.provenance import Provenance
+from tumble.calibrations.methods.dividing_head.analysis import analyse
+from tumble.calibrations.methods.dividing_head.budget import StandUncertainty
+from tumble.calibrations.methods.dividing_head.loop.loop import close_loop
+from tumble.calibrations.methods.dividing_head.report import render_report
+from tumble.calibrations.methods.dividing_head.stand.applying import contradictions, corrected
 from tumble.calibrations.stand_records.corrections import Corrections
 from tumble.calibrations.stand_records.terms import Term
-from tumble.calibrations.tracing.loop import close_loop
 
 
 def test_a_corrected_table_has_the_parameters_of_the_unit():

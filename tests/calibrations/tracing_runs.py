@@ -3,7 +3,7 @@
 import numpy as np
 from tables import UNIT, output
 
-from tumble.calibrations.observations import Observations
+from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.procedures.plan import plan
 from tumble.procedures.programme import load_programme, programme_from_text
 from tumble.procedures.steps import Dwell

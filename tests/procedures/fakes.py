@@ -6,7 +6,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from tumble.calibrations.geometry import projections
+from tumble.calibrations.methods.dividing_head.geometry import projections
 from tumble.drivers.clock import VirtualClock
 from tumble.drivers.errors import DeviceError
 from tumble.drivers.protocols import Identity, PositionerStatus, SampleBlock, Stand

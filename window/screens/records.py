@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QTabWidget, QVBoxLayout, QWidget
 
-from tumble.calibrations.quantities import format_concise
+from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.core.quantities import format_concise
+from tumble.calibrations.core.verdict import Outcome
 from tumble.calibrations.records.record import Record
-from tumble.calibrations.result import Parameter
-from tumble.calibrations.verdict import Outcome
 from tumble.procedures.errors import InputError
 from tumble.window.look.numbers import local
 from tumble.window.look.plain import PlainLabel

@@ -8,7 +8,8 @@ import pyqtgraph as pg
 from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QWidget
 
-from tumble.calibrations.geometry import MOUNTS, FloatArray
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.methods.dividing_head.geometry import MOUNTS
 from tumble.drivers.protocols import Block
 from tumble.procedures.methods.dividing_head.rows import Row
 from tumble.window.look.plots import Plot

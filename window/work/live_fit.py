@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tumble.calibrations.geometry import FloatArray
-from tumble.calibrations.model import basis, coefficients
-from tumble.calibrations.observations import Observations
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.methods.dividing_head.model import basis, coefficients
+from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.procedures.methods.dividing_head.rows import Row
 
 FEWEST_POINTS = 10
@@ -31,7 +31,7 @@ class LiveFit:
 
 def fit_live(points: Sequence[Row]) -> LiveFit | None:
     """Fit the points of a run; None while there are too few of them."""
-    from tumble.calibrations.joint import fit_jointly  # takes the time in which a window is up
+    from tumble.calibrations.methods.dividing_head.joint import fit_jointly  # takes the time in which a window is up
 
     if len(points) < FEWEST_POINTS:
         return None

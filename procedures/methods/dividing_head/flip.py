@@ -11,7 +11,7 @@ from typing import Literal, TypeAlias
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, field_validator, model_validator
 
-from tumble.calibrations.flips import POLES, SEEKING_DEG
+from tumble.calibrations.methods.dividing_head.flips import POLES, SEEKING_DEG
 from tumble.procedures.composition import Dwells
 from tumble.procedures.methods.dividing_head.layout import dwell_at
 from tumble.procedures.methods.dividing_head.rows import row_of

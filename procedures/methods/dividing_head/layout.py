@@ -50,5 +50,5 @@ def dwell_at(*, angle_deg: float, procedure: str, realisation: int, mount: str) 
 
 
 def mounting(mount: str) -> Ask:
-    """Have the unit seated in a mount, a key of `tumble.calibrations.geometry.MOUNTS`."""
+    """Have the unit seated in a mount, a key of `tumble.calibrations.methods.dividing_head.geometry.MOUNTS`."""
     return LAYOUT.ask(MOUNT, mount)

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from importlib.resources import files
 from typing import TYPE_CHECKING, Final
 
-from tumble.calibrations.observations import Observations
+from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.procedures.method import ProcedurePart
 from tumble.procedures.methods.dividing_head.programme import DividingHeadProgramme
 

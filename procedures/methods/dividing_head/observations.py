@@ -5,9 +5,9 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from tumble.calibrations.geometry import FloatArray
-from tumble.calibrations.observations import Observations
-from tumble.calibrations.screening import set_aside_bad_rows
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.calibrations.methods.dividing_head.screening import set_aside_bad_rows
 from tumble.procedures.methods.dividing_head.rows import Row, row_of
 from tumble.procedures.recording.endings import warnings
 from tumble.procedures.recording.reader import Recording

@@ -7,7 +7,7 @@ from typing import Annotated, ClassVar, Literal, TypeAlias
 import numpy as np
 from pydantic import Field, model_validator
 
-from tumble.calibrations.geometry import projections
+from tumble.calibrations.methods.dividing_head.geometry import projections
 from tumble.drivers.protocols import VOLTAGE
 from tumble.procedures.layout import Layout
 from tumble.procedures.methods.dividing_head.flip import Flip

@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 import numpy as np
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field
 
-from tumble.calibrations.geometry import MOUNTS
+from tumble.calibrations.methods.dividing_head.geometry import MOUNTS
 from tumble.procedures.composition import Dwells
 from tumble.procedures.methods.dividing_head.layout import dwell_at
 
