@@ -26,6 +26,7 @@ from tumble.procedures.events import Identified
 from tumble.procedures.programme import Programme, programme_from_text
 from tumble.procedures.recording.errors import RecordingError
 from tumble.procedures.recording.header import Header
+from tumble.procedures.registry import find_method
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -118,8 +119,7 @@ def read_measurement(path: Path, stand: Mapping[str, Any] | None = None) -> Meas
 
 
 def _read_recording(path: Path, stand: Mapping[str, Any] | None) -> Measurement:
-    from tumble.procedures.recording.observations import observations  # MCAP only where there is a recording
-    from tumble.procedures.recording.reader import read_recording
+    from tumble.procedures.recording.reader import read_recording  # MCAP only where there is a recording
 
     try:
         recording = read_recording(path)
@@ -127,10 +127,13 @@ def _read_recording(path: Path, stand: Mapping[str, Any] | None) -> Measurement:
         raise InputError(str(error)) from error
     header = recording.header
     check_header(path, header, stand)
+    table = find_method(header.method).procedure_part.table(recording)
+    if not isinstance(table, Observations):
+        raise InputError(f"{path}: is of the method {header.method}, which this does not analyse; use its own command")
     return Measurement(
         path=path,
         sha256=file_sha256(path),
-        observations=observations(recording),
+        observations=table,
         stand=header.stand if stand is None else stand,
         header=header,
         serials={event.instrument: event.serial for event in recording.events if isinstance(event, Identified)},
