@@ -1,6 +1,6 @@
 """The main job and its parts: run, fit, trace, store, report."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -13,6 +13,8 @@ from tumble.app.measurements import read_measurement
 from tumble.app.running import Job, failure, recording_path, run
 from tumble.app.stand_records import with_stand_record
 from tumble.app.wiring import Connected
+from tumble.calibrations.methods.dividing_head.entry import METHOD
+from tumble.calibrations.methods.dividing_head.loop.loop import Loop
 from tumble.calibrations.records.errors import StoreError
 from tumble.calibrations.records.record import Record
 from tumble.calibrations.tracing.chain import Chain
@@ -28,16 +30,9 @@ def store(traced: Traced, folder: Path) -> Record:
 
     try:
         records = Store(folder)
-        origin = traced.provenance
-        before = standing_record(records, origin.serial_number, origin.raw_sha256)
-        return records.add(
-            traced.calibration,
-            traced.provenance,
-            traced.limits,
-            supersedes=before.id if before else None,
-            loop=traced.loop,
-            verdict=traced.verdict,
-        )
+        entry, origin = traced.entry, traced.provenance
+        before = standing_record(records, origin.serial_number, origin.source_hashes, entry.method)
+        return records.add(entry, origin, supersedes=before.id if before else None)
     except StoreError as error:
         raise JobError(f"{error}; the recording is kept in {traced.measurement.path}", Exit.STORAGE) from error
 
@@ -47,7 +42,7 @@ def make_ready(folder: Path) -> None:
     from tumble.calibrations.records.store import Store
 
     try:
-        Store(folder)
+        Store(folder).migrate()
         (folder / "reports").mkdir(exist_ok=True)
     except StoreError as error:
         raise JobError(f"{error}; nothing was measured", Exit.STORAGE) from error
@@ -56,11 +51,13 @@ def make_ready(folder: Path) -> None:
         raise JobError(sentence, Exit.STORAGE) from error
 
 
-def standing_record(records: "Store", serial_number: str, raw_sha256: str) -> Record | None:
-    """The record of a raw file that stands, which a new analysis of it supersedes; None where there is none."""
-    same_unit = records.find(serial_number=serial_number)
-    same_file = [record for record in same_unit if record.provenance.raw_sha256 == raw_sha256]
-    return same_file[-1] if same_file else None
+def standing_record(
+    records: "Store", serial_number: str, hashes: Collection[str], method: str = METHOD
+) -> Record | None:
+    """The record of raw files that stands, which a new analysis of them supersedes; None where there is none."""
+    same_unit = records.find(serial_number=serial_number, method=method)
+    same_files = [record for record in same_unit if set(record.provenance.source_hashes) == set(hashes)]
+    return same_files[-1] if same_files else None
 
 
 def report_path(folder: Path, record: Record) -> Path:
@@ -74,10 +71,10 @@ def has_report(path: Path) -> bool:
 
 
 def write_report(
-    traced: Traced, path: Path, record_id: str = "", revision: int = 1, chain: Chain | None = None
+    traced: Traced, path: Path, record_id: str = "", revision: int = 1, chain: Chain[Loop] | None = None
 ) -> None:
     """Write the HTML report, with the experiments that closed the loop where there were any. Raises `JobError`."""
-    from tumble.calibrations.report import render_report  # matplotlib takes half a second
+    from tumble.calibrations.methods.dividing_head.report import render_report  # matplotlib takes half a second
 
     page = render_report(
         traced.calibration,

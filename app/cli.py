@@ -83,7 +83,7 @@ def main() -> None:
 def limit_blas_threads() -> None:
     """Have this process and its workers run their BLAS in one thread, unless the user says otherwise.
 
-    Called before numpy is imported; why: `tumble.calibrations.blas_threads`.
+    Called before numpy is imported; why: `tumble.calibrations.core.blas_threads`.
     """
     for name in ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "OMP_NUM_THREADS"):
         os.environ.setdefault(name, "1")

@@ -16,10 +16,10 @@ from tumble.app.joining import read_together
 from tumble.app.measurements import Measurement, read_measurement
 from tumble.app.running import Job
 from tumble.app.stand_records import with_stand_record
-from tumble.calibrations.support import series
+from tumble.calibrations.core.sentences import series
+from tumble.calibrations.methods.dividing_head.loop.loop import Explained, Loop, explain
 from tumble.calibrations.tracing.chain import FUTILE, Chain, Ended, Link, cannot, cheapest, experiments_for, stage_of
 from tumble.calibrations.tracing.experiments import Experiment
-from tumble.calibrations.tracing.loop import Explained, explain
 from tumble.procedures.announcer import Listener
 from tumble.procedures.errors import InputError
 
@@ -33,7 +33,7 @@ class Closing:
     files: tuple[Path, ...]
     traced: Traced
     explained: Explained | None
-    chain: Chain
+    chain: Chain[Loop]
     available: Available
     planned: tuple[Experiment, ...]
     """What would tell apart the rivals that are left, of what is available."""

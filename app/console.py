@@ -12,25 +12,26 @@ from rich.text import Text
 
 from tumble.app.analysing import Analysed
 from tumble.app.terminal import LONGEST_LINE, lead_nowhere
-from tumble.calibrations.observations import Observations
-from tumble.calibrations.quantities import (
+from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.core.quantities import (
     format_concise,
     format_freedom,
     format_interval,
     format_number,
     format_probability,
 )
-from tumble.calibrations.result import Calibration, Parameter
-from tumble.calibrations.support import series, support
-from tumble.calibrations.usable import Model
-from tumble.calibrations.verdict import Outcome, Verdict
+from tumble.calibrations.core.sentences import series
+from tumble.calibrations.core.verdict import Model, Outcome, Verdict
+from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.calibrations.methods.dividing_head.result import Calibration
+from tumble.calibrations.methods.dividing_head.significance import support
 from tumble.drivers.clock import Clock
 from tumble.drivers.text import visible
 from tumble.procedures.announcer import Listener
 from tumble.procedures.events import (
+    ConditionAnswered,
+    ConditionRequested,
     Event,
-    MountAnswered,
-    MountRequested,
     PointCompleted,
     ReadingAnswered,
     ReadingRequested,
@@ -38,6 +39,7 @@ from tumble.procedures.events import (
 )
 from tumble.procedures.plan import Plan
 from tumble.procedures.progress import Progress as RunProgress
+from tumble.procedures.steps import Point
 
 _LISTED = 20
 """Rows set aside that are listed on the terminal."""
@@ -103,16 +105,21 @@ def run_display(plan: Plan, clock: Clock, console: Console, points_done: int = 0
                 text = (
                     f"{counted.done}/{counted.total}, {_minutes(left.time_s)} ± {_minutes(left.standard_error_s)} left"
                 )
-                description = f"{event.point.mount} {event.point.angle_deg:7.2f}°"
+                description = _place(event.point)
                 bar.update(task, completed=counted.done, description=description, left=text)
-            elif isinstance(event, MountRequested | ReadingRequested):
+            elif isinstance(event, ConditionRequested | ReadingRequested):
                 _take_away(bar)
-            elif isinstance(event, MountAnswered | ReadingAnswered):
+            elif isinstance(event, ConditionAnswered | ReadingAnswered):
                 bar.start()
             elif isinstance(event, WarningRaised):
                 bar.console.print(f"warning: {event.message}", markup=False, soft_wrap=True)
 
         yield listen
+
+
+def _place(point: Point) -> str:
+    """Conditions and positions of a point, each in a column of its own."""
+    return " ".join([*point.conditions.values(), *(f"{angle_deg:7.2f}°" for angle_deg in point.positions_deg.values())])
 
 
 def _text(template: str) -> TextColumn:

@@ -6,9 +6,9 @@ from pathlib import Path
 from typing import Any
 
 from tumble.app.measurements import Measurement, read_measurement
-from tumble.calibrations.joining import joined
-from tumble.calibrations.observations import Observations
-from tumble.calibrations.tracing.questions import questioned
+from tumble.calibrations.core.joining import joined
+from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.calibrations.methods.dividing_head.questions import questioned
 from tumble.procedures.errors import InputError
 
 

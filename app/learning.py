@@ -9,14 +9,15 @@ from tumble.app.analysing import Traced
 from tumble.app.identity import program_identity
 from tumble.app.rederiving import Source, run_of, source_again, source_of
 from tumble.app.stand_records import identity_of
-from tumble.calibrations.blas_threads import one_blas_thread
+from tumble.calibrations.core.blas_threads import one_blas_thread
+from tumble.calibrations.core.sentences import equals, series
+from tumble.calibrations.methods.dividing_head.stand.applying import contradictions
+from tumble.calibrations.methods.dividing_head.stand.evidence import doubts
+from tumble.calibrations.methods.dividing_head.stand.validity import validity_of
 from tumble.calibrations.stand_records.agreement import AGREE_P, Agreement, agreement, updated
-from tumble.calibrations.stand_records.applying import contradictions
 from tumble.calibrations.stand_records.corrections import Corrections, chi_square_p
-from tumble.calibrations.stand_records.evidence import doubts
-from tumble.calibrations.stand_records.record import Contribution, StandIdentity, StandRecord, Status, validity_of
+from tumble.calibrations.stand_records.record import Contribution, StandIdentity, StandRecord, Status
 from tumble.calibrations.stand_records.terms import Term
-from tumble.calibrations.support import equals, series
 
 if TYPE_CHECKING:
     from tumble.calibrations.stand_records.store import StandRecords

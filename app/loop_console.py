@@ -1,17 +1,22 @@
 """The closed loop on the terminal."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 
 from rich.console import Console
 from rich.table import Table
 
 from tumble.app.closing import Closing
 from tumble.app.console import messages, results
-from tumble.calibrations.support import series
-from tumble.calibrations.tracing.findings import EffectFound
-from tumble.calibrations.tracing.loop import Loop
-from tumble.calibrations.tracing.misreading import Misreading
-from tumble.calibrations.tracing.words import Comparison, comparisons, findings, headline, leaning, untold
+from tumble.calibrations.core.sentences import series
+from tumble.calibrations.methods.dividing_head.loop.loop import Loop
+from tumble.calibrations.methods.dividing_head.loop.sentences import (
+    Comparison,
+    comparisons,
+    findings_of,
+    headline,
+    leaning,
+    untold,
+)
 
 
 def show_loop(loop: Loop, console: Console | None = None) -> None:
@@ -19,7 +24,7 @@ def show_loop(loop: Loop, console: Console | None = None) -> None:
     console = console or results()
     console.print(headline(loop), markup=False)
     if loop.effects:
-        console.print(findings_table(loop.effects, loop.misread))
+        console.print(_findings_table(loop))
     if lines := comparisons(loop):
         console.print(_comparison_table(lines))
     for name, reason in untold(loop):
@@ -52,10 +57,10 @@ def tell_closing(closing: Closing) -> None:
         console.print(f"next: {closing.next.why}; {minutes:.0f} min at the stand", markup=False, soft_wrap=True)
 
 
-def findings_table(effects: Sequence[EffectFound], misread: Sequence[Misreading] = ()) -> Table:
+def _findings_table(loop: Loop) -> Table:
     """Effects found, with their rivals and coefficients."""
     table = _table("What was found", "effect", "or", "belongs to", "coefficients (standard uncertainty)", "p")
-    for found in findings(effects, misread):
+    for found in findings_of(loop):
         table.add_row(found.name, found.also_possible, found.belongs_to, found.coefficients, found.p_value)
     return table
 

@@ -17,16 +17,15 @@ from tumble.app.analysing import fit as analyse
 from tumble.app.calibrating import calibrate as carry_out
 from tumble.app.joining import read_together
 from tumble.app.measurements import read_measurement
-from tumble.app.other_tables import kind_of_files
+from tumble.app.methods import close_loop as close_tables
+from tumble.app.methods import method_of
 from tumble.app.running import Job, Outline, failure
 from tumble.app.running import run as measure
 from tumble.app.stand import load_stand, read_stand
 from tumble.app.stand_lock import holding
 from tumble.app.wiring import connect
-from tumble.calibrations.known_tables import Kind
-from tumble.calibrations.quantities import format_concise
-from tumble.calibrations.table import TableError
-from tumble.procedures.errors import InputError
+from tumble.calibrations.core.method import Method
+from tumble.calibrations.core.quantities import format_concise
 from tumble.procedures.plan import Plan
 from tumble.procedures.programme import Programme, load_programme
 
@@ -113,16 +112,11 @@ def close_loop(path: Place, *further: Place, stand: Place | None = None, serial_
     likewise.
     """
     files = [Path(place) for place in (path, *further)]
-    kind = kind_of_files(files)
-    if kind is Kind.ACCELEROMETER:
-        recorded = read_stand(Path(stand)).recorded if stand else None
-        return _of(trace(analyse(read_together(files, recorded), serial_number)))
-    if further:
-        raise InputError(f"{files[1]}: give one table of this kind at a time")
-    try:
-        return _of_runs(files[0]) if kind is Kind.RUNS else _of_head(files[0])
-    except (TableError, ValueError) as error:
-        raise InputError(str(error)) from error
+    method = method_of(files)
+    if not method.at_stand:
+        return _of_method(method, files)
+    recorded = read_stand(Path(stand)).recorded if stand else None
+    return _of(trace(analyse(read_together(files, recorded), serial_number)))
 
 
 def plan(programme: Place, *, stand: Place | None = None) -> Plan:
@@ -202,45 +196,27 @@ def _path(place: Place | None) -> Path | None:
 
 def _of(analysed: Analysed) -> Result:
     def draw() -> Picture:
-        from tumble.calibrations.report.residuals import angle_figure  # matplotlib takes half a second
+        from tumble.calibrations.methods.dividing_head.report.residuals import angle_figure
 
         return Picture(str(angle_figure(analysed.usable.calibration)))
 
     return Result(name=analysed.provenance.serial_number, document=analysed.as_json(), draw=draw)
 
 
-def _of_head(path: Path) -> Result:
-    from tumble.calibrations.reference.document import document
-    from tumble.calibrations.reference.loop import close_reference_loop
-    from tumble.calibrations.table import read_table
-
-    loop = close_reference_loop(read_table(path))
+def _of_method(method: Method, paths: Sequence[Path]) -> Result:
+    closed = close_tables(method, paths)
 
     def draw() -> Picture:
-        from tumble.calibrations.report.head_page import residual_figure
+        figures = [section for section in closed.sections() if section.figure]
+        first = next((section for section in figures if section.brief), figures[0])
+        assert first.figure is not None
+        return Picture(str(first.figure()))
 
-        return Picture(str(residual_figure(loop, loop.explanation.residual_deg, "after")))
-
-    return Result(name=path.stem, document=document(loop), draw=draw)
-
-
-def _of_runs(path: Path) -> Result:
-    from tumble.calibrations.temperature.document import document
-    from tumble.calibrations.temperature.loop import close_temperature_loop
-    from tumble.calibrations.temperature.table import read_runs
-
-    loop = close_temperature_loop(read_runs(path))
-
-    def draw() -> Picture:
-        from tumble.calibrations.report.temperature_page import left_figure
-
-        return Picture(str(left_figure(loop)))
-
-    return Result(name=path.stem, document=document(loop), draw=draw)
+    return Result(name=paths[-1].stem, document=closed.document(), draw=draw)
 
 
 def _values(document: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
-    if document.get("method") == "temperature":
+    if any("augmented" in part for part in document.get("parameters", {}).values()):  # each traced by itself
         for name, part in document["parameters"].items():
             yield from _named({f"{name}, {term}": value for term, value in part["augmented"]["parameters"].items()})
             yield from _found(part["effects"], f"{name}, ")

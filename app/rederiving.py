@@ -11,11 +11,11 @@ from tumble.app.analysing import Traced, fit, trace
 from tumble.app.joining import read_together
 from tumble.app.measurements import Measurement, read_measurement
 from tumble.app.referencing import REFERENCE, run_of_reference
-from tumble.calibrations.provenance import Provenance
+from tumble.calibrations.core.provenance import Provenance
+from tumble.calibrations.methods.dividing_head.stand.evidence import Run
 from tumble.calibrations.records.raw import file_sha256, resolved_path, stored_path
 from tumble.calibrations.stand_records.agreement import updated
 from tumble.calibrations.stand_records.corrections import Corrections
-from tumble.calibrations.stand_records.evidence import Run
 from tumble.calibrations.stand_records.record import Contribution, StandRecord
 from tumble.calibrations.stand_records.terms import Term
 

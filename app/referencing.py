@@ -7,9 +7,10 @@ from typing import Any
 from tumble.app.identity import program_identity
 from tumble.app.measurements import Measurement, read_measurement
 from tumble.app.stand_records import identity_of
+from tumble.calibrations.methods.head_reference.head_map import ReferenceRun, reference_run
+from tumble.calibrations.methods.head_reference.loop import close_reference_loop
+from tumble.calibrations.methods.head_reference.observations import read_head_table
 from tumble.calibrations.records.raw import stored_path
-from tumble.calibrations.reference.head_map import ReferenceRun, reference_run
-from tumble.calibrations.reference.loop import close_reference_loop
 from tumble.calibrations.stand_records.record import Contribution, StandRecord, Status, Validity
 from tumble.procedures.errors import InputError
 
@@ -24,7 +25,7 @@ def is_reference(measurement: Measurement) -> bool:
 
 def run_of_reference(measurement: Measurement) -> ReferenceRun | None:
     """What such a table says of the stand; None where it shows no error of the circle."""
-    return reference_run(close_reference_loop(measurement.observations))
+    return reference_run(close_reference_loop(read_head_table(measurement.path)))
 
 
 def learn_from_reference(path: Path, stand: Mapping[str, Any], folder: Path) -> StandRecord:

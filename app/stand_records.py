@@ -6,11 +6,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tumble.app.measurements import Measurement
+from tumble.calibrations.methods.dividing_head.questions import questioned
+from tumble.calibrations.methods.dividing_head.stand.applying import corrected
+from tumble.calibrations.methods.dividing_head.stand.validity import validity_of
 from tumble.calibrations.records import DATABASE
-from tumble.calibrations.stand_records.applying import corrected
 from tumble.calibrations.stand_records.head_map import Curve
 from tumble.calibrations.stand_records.record import StandIdentity, StandRecord, Status
-from tumble.calibrations.tracing.questions import questioned
 from tumble.procedures.errors import InputError
 
 if TYPE_CHECKING:
@@ -70,7 +71,7 @@ def corrected_by(record: StandRecord, measurement: Measurement) -> Measurement:
     """A measurement corrected by one stand record; what lies beyond its ranges is warned of."""
     observations = questioned(measurement.observations).observations
     done = replace(measurement, observations=corrected(observations, record), stand_record=record)
-    beyond = record.validity.exceeded_by(observations)
+    beyond = record.validity.exceeded_by(validity_of(observations))
     if not beyond:
         return done
     return _warned(done, f"{measurement.path}: beyond what stand record {record.version} knows: {', '.join(beyond)}")

@@ -30,8 +30,8 @@ def trace(tables: int, limited: bool) -> None:
     """Trace tables in this process, and print wall and processor time in seconds."""
     from benchmarks.bank import DEVELOPMENT, make_table
     from benchmarks.loop import timing
-    from tumble.calibrations import blas_threads
-    from tumble.calibrations.tracing.loop import close_loop
+    from tumble.calibrations.core import blas_threads
+    from tumble.calibrations.methods.dividing_head.loop.loop import close_loop
 
     cases = [make_table(job.spec, job.seed) for job in timing.wanted(DEVELOPMENT, tables)]
     if not limited:

@@ -21,11 +21,12 @@ from benchmarks.bank.dwells import Dwells
 from benchmarks.bank.geometry import AXES
 from benchmarks.bank.lists import designs_for
 from benchmarks.bank.scene import Run
-from tumble.calibrations.effects import CATALOGUE
-from tumble.calibrations.joint import fit_jointly
-from tumble.calibrations.observations import Observations
+from tumble.calibrations.methods.dividing_head.effects import CATALOGUE
+from tumble.calibrations.methods.dividing_head.joint import fit_jointly
+from tumble.calibrations.methods.dividing_head.loop.table import dividing_head_table
+from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.calibrations.methods.dividing_head.probes import PROBES
 from tumble.calibrations.tracing.experiments import next_experiments
-from tumble.calibrations.tracing.ground import ground
 from tumble.calibrations.tracing.noise import NoiseModel
 from tumble.calibrations.tracing.rivals import CLOSE, with_best_names
 from tumble.calibrations.tracing.separation import Question, Rows
@@ -78,13 +79,13 @@ def _outcomes(spec: Spec, seed: int, draws: int) -> Iterator[Outcome]:
     if case is None or stage is None:
         return
     ((true, _),) = spec.effects
-    base = ground(fit_jointly(case.observations), CATALOGUE)
+    base = dividing_head_table(fit_jointly(case.observations), CATALOGUE)
     tracer = Tracer(base)
     trace, near = with_best_names(tracer, tracer.trace())
     close = {name: [rival for rival in rivals if rival.behind < CLOSE] for name, rivals in near.items()}
     if len(trace.found) != 1 or not trace.noise.white:
         return
-    for experiment in next_experiments(base, trace, close)[:1]:
+    for experiment in next_experiments(base, trace, close, PROBES)[:1]:
         if experiment.outlook is None:
             return
         name, *told = experiment.separates
@@ -117,7 +118,7 @@ def _realised(
     for draw in range(draws):
         noise_v = np.random.default_rng((seed, 10_000 + draw)).normal(0.0, spec.noise_v, new)
         volts = np.concatenate([table.output_v, quiet_v[-new:] + noise_v])
-        tracer = Tracer(ground(fit_jointly(replace(rows, voltage_v=volts)), CATALOGUE))
+        tracer = Tracer(dividing_head_table(fit_jointly(replace(rows, voltage_v=volts)), CATALOGUE))
         true, other = (_deviance(tracer, name) for name in pair)
         differences.append(other - true)
     return float(np.mean(differences))
@@ -138,8 +139,8 @@ def _deviance(tracer: Tracer, name: str) -> float:
     problem = tracer.problem(NoiseModel())
     forms = problem.forms[name]
     best = forms.start + int(np.argmax(problem.gains(problem.explain(()))[forms]))
-    fine = refined_one(tracer.ground, found(problem, best), (), NoiseModel())
-    return tracer.ground.deviance([fine.form], NoiseModel()) + fine.coefficients
+    fine = refined_one(tracer.table, found(problem, best), (), NoiseModel())
+    return tracer.table.deviance([fine.form], NoiseModel()) + fine.coefficients
 
 
 def _longer(run: Run, rows: Observations) -> Run:

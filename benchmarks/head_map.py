@@ -25,7 +25,7 @@ from tumble.app.running import Job, failure, run
 from tumble.app.stand import LoadedStand, load_stand
 from tumble.app.stand_records import corrected_by
 from tumble.app.wiring import connect
-from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.stand_records.head_map import HeadMap
 from tumble.calibrations.stand_records.record import StandRecord, Status
 from tumble.drivers.simulated.external import load_function

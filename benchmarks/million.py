@@ -8,8 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
-from tumble.calibrations.observations import Observations
-from tumble.calibrations.table import write_table
+from tumble.calibrations.core.table import write_table
+from tumble.calibrations.methods.dividing_head.observations import Observations
 
 
 def table(rows: int, settings: int) -> Observations:

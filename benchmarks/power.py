@@ -33,15 +33,15 @@ from benchmarks.bank.scene import respond
 from benchmarks.bank.visibility import sight
 from benchmarks.loop.intervals import wilson
 from benchmarks.loop.results import read_results, streamed
-from tumble.calibrations.effects import CATALOGUE
-from tumble.calibrations.geometry import FloatArray
-from tumble.calibrations.joint import fit_jointly
-from tumble.calibrations.model import PARAMETERS
-from tumble.calibrations.observations import Observations
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.methods.dividing_head.effects import CATALOGUE
+from tumble.calibrations.methods.dividing_head.joint import fit_jointly
+from tumble.calibrations.methods.dividing_head.loop.loop import close_loop
+from tumble.calibrations.methods.dividing_head.loop.table import dividing_head_table
+from tumble.calibrations.methods.dividing_head.model import PARAMETERS
+from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.report.drawing import COLOURS, INK, sheet, styled
 from tumble.calibrations.tracing.candidates import FALSE_ALARM, candidates
-from tumble.calibrations.tracing.ground import ground
-from tumble.calibrations.tracing.loop import close_loop
 
 _SEEDS: Final = {"development": DEVELOPMENT, "reported": REPORTED}
 _PARTS: Final = (1.01, 0.99)
@@ -84,7 +84,7 @@ def _beside(span: FloatArray, column: FloatArray) -> FloatArray:
 
 def chance_of(name: str, observations: Observations) -> float:
     """Chance of a false alarm that the tracer allows each form of an effect in this table."""
-    base = ground(fit_jointly(observations), CATALOGUE)
+    base = dividing_head_table(fit_jointly(observations), CATALOGUE)
     offered = candidates(base)
     names = [candidate.effect.name for candidate in offered]
     return FALSE_ALARM / len(set(names)) / names.count(name)

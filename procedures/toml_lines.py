@@ -8,7 +8,7 @@ from typing import Any, TypeAlias, TypeVar
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
-from tumble.calibrations.bounded import check_bounded
+from tumble.calibrations.core.bounded import check_bounded
 from tumble.procedures.errors import InputError
 from tumble.procedures.toml_text import read_toml, without_mark
 

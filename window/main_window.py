@@ -8,7 +8,7 @@ from PySide6.QtGui import QCloseEvent, QKeyEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QStackedWidget, QVBoxLayout, QWidget
 
 from tumble.app.stand import LoadedStand
-from tumble.drivers.protocols import HeadStatus
+from tumble.drivers.protocols import PositionerStatus
 from tumble.window.menus import fill_menus
 from tumble.window.place import keep_on_screen, remember_place, restore_place
 from tumble.window.screens.records import RecordsScreen
@@ -170,7 +170,7 @@ class MainWindow(QMainWindow):
     def _show_failure(self, error: BaseException) -> None:
         self.tell(error)
 
-    def _show_head(self, status: HeadStatus) -> None:
+    def _show_head(self, status: PositionerStatus) -> None:
         self.stop_bar.show_head(status)
 
     def _show_working(self, _working: bool) -> None:

@@ -16,20 +16,23 @@ from tumble.app.commands import options
 from tumble.app.commands.measuring import Wanted, may_measure
 from tumble.app.commands.telling import leave_by
 from tumble.app.console import messages, parameter_table, results, row_lines, run_display, show_verdict, warn
-from tumble.app.files import is_recording
+from tumble.app.files import is_recording, write_text
 from tumble.app.joining import read_together
 from tumble.app.learning import contradictions_of, learn
 from tumble.app.loop_console import show_loop, tell_closing
 from tumble.app.measurements import read_measurement
-from tumble.app.other_tables import close_other_loop
+from tumble.app.methods import close_loop, method_of
 from tumble.app.running import Job
+from tumble.app.sections import show_sections
 from tumble.app.stand import read_stand
 from tumble.app.stand_records import with_stand_record
 from tumble.app.terminal import say
-from tumble.calibrations.montecarlo import TRIALS
-from tumble.calibrations.observations import Observations
+from tumble.calibrations.core.method import Method
+from tumble.calibrations.methods.dividing_head.loop.loop import Loop
+from tumble.calibrations.methods.dividing_head.loop.sentences import comparisons
+from tumble.calibrations.methods.dividing_head.montecarlo import TRIALS
+from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.tracing.chain import Chain
-from tumble.calibrations.tracing.words import comparisons
 from tumble.procedures.announcer import Listener
 from tumble.procedures.errors import InputError
 from tumble.procedures.programme import load_programme
@@ -65,10 +68,10 @@ def command(
     apart, the experiment that tells most for its time is run there, and everything is fitted together again. After
     files, --experiments N does the same: they are the first measurement, and a loop that was cut off goes on from them.
     """
-    if files and (other := close_other_loop(files, str(json_path) != "-", page)) is not None:
+    if files and not (method := method_of(files)).at_stand:
         if most:
             raise InputError(f"{files[0]}: no experiment can be run from a table of this kind; leave --experiments out")
-        options.write_json(other, json_path)
+        _tell_tables(method, files, json_path, page)
         return
     if files and not most:
         _tell(_traced(files, wanted, folder, page), None, json_path, page)
@@ -80,6 +83,19 @@ def command(
         calibration = fit(traced.measurement, wanted.serial_number, TRIALS).calibration
         traced = replace(traced, calibration=calibration)
     _tell(traced, closing.chain, json_path, page)
+
+
+def _tell_tables(method: Method, files: tuple[Path, ...], json_path: Path | None, page: Path | None) -> None:
+    """Trace tables that were measured elsewhere, and show what was found."""
+    result = close_loop(method, files)
+    warn(result.warnings)
+    if str(json_path) != "-":
+        show_sections(result.sections())
+    options.write_json(result.document(), json_path)
+    if page is not None:
+        from tumble.calibrations.report.sections import page as page_of  # jinja2 takes time
+
+        write_text(page, page_of(method.title, files[-1].name, result.sections(), result.warnings))
 
 
 def _traced(files: tuple[Path, ...], wanted: Wanted, folder: Path, page: Path | None) -> Traced:
@@ -145,7 +161,7 @@ def _tell_set_aside(observations: Observations) -> None:
             results().print(line, markup=False, soft_wrap=True)
 
 
-def _tell(traced: Traced, chain: Chain | None, json_path: Path | None, page: Path | None) -> None:
+def _tell(traced: Traced, chain: Chain[Loop] | None, json_path: Path | None, page: Path | None) -> None:
     """Show the result where it is wanted. Raises `SystemExit` where limits are not met or not decided."""
     warn(traced.loop.augmented.warnings)
     if str(json_path) != "-":

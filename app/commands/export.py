@@ -10,7 +10,7 @@ from tumble.app.files import RECORDING_SUFFIX, is_recording, replacing
 from tumble.app.kinds import Kind
 from tumble.app.measurements import read_measurement
 from tumble.app.terminal import say
-from tumble.calibrations.table import write_table
+from tumble.calibrations.core.table import write_table
 from tumble.procedures.errors import InputError
 
 

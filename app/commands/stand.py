@@ -17,12 +17,12 @@ from tumble.app.referencing import is_reference, learn_from_reference
 from tumble.app.stand import read_stand
 from tumble.app.stand_records import list_stand_records
 from tumble.app.terminal import say
-from tumble.calibrations.quantities import format_number
+from tumble.calibrations.core.quantities import format_number
+from tumble.calibrations.core.sentences import equals, series
 from tumble.calibrations.records.verify import TOLERANCE
 from tumble.calibrations.stand_records.corrections import Corrections
 from tumble.calibrations.stand_records.head_map import HeadMap
 from tumble.calibrations.stand_records.record import StandRecord, document
-from tumble.calibrations.support import equals, series
 from tumble.procedures.errors import InputError
 
 _ARCSEC = 3600.0

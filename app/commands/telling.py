@@ -9,8 +9,8 @@ from tumble.app.exits import Exit
 from tumble.app.loop_console import show_loop
 from tumble.app.recall import report_again
 from tumble.app.terminal import say
+from tumble.calibrations.core.verdict import Verdict
 from tumble.calibrations.records.record import Record
-from tumble.calibrations.verdict import Verdict
 
 
 def tell_run(recording: Path, points: int, json_path: Path | None) -> None:

@@ -11,7 +11,7 @@ from tumble.app.closing import MOST_EXPERIMENTS, act, begin
 from tumble.app.joining import read_together
 from tumble.app.stand import load_stand
 from tumble.app.wiring import connect
-from tumble.calibrations.tracing.loop import Loop, explain
+from tumble.calibrations.methods.dividing_head.loop.loop import Loop, explain
 from tumble.procedures.programme import load_programme
 
 Record = dict[str, object]

@@ -5,12 +5,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from tumble.calibrations.effects import CATALOGUE
-from tumble.calibrations.geometry import FloatArray
-from tumble.calibrations.joint import Joint
-from tumble.calibrations.model import ALPHA0, BASIS_SIZE, PARAMETERS, coefficients_jacobian
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.methods.dividing_head.effects import CATALOGUE
+from tumble.calibrations.methods.dividing_head.joint import Joint
+from tumble.calibrations.methods.dividing_head.loop.table import dividing_head_table
+from tumble.calibrations.methods.dividing_head.model import ALPHA0, BASIS_SIZE, PARAMETERS, coefficients_jacobian
 from tumble.calibrations.tracing.candidates import all_columns, candidates
-from tumble.calibrations.tracing.ground import ground
 
 _ABSORBED = 1e-5
 """A column of which less than this part is left beside the declared model says nothing."""
@@ -51,7 +51,7 @@ def regression(joint: Joint) -> Regression:
     The six declared parameters are in every model and never penalised: their tangent columns at the declared fit are
     taken out of target and candidates alike, which leaves every coefficient as it would be with them (Frisch, Waugh).
     """
-    base = ground(joint, CATALOGUE)
+    base = dividing_head_table(joint, CATALOGUE)
     offered = candidates(replace(base, structures=()))
     owner = np.repeat(np.arange(len(offered)), [one.form.columns.shape[1] for one in offered])
     root = np.sqrt(joint.weights)

@@ -11,8 +11,8 @@ from benchmarks.alternatives.grading import aliases_of, exact_by_name, exact_up_
 from benchmarks.bank import Case, clean, make_table, pairs, singles
 from benchmarks.bank.lists import Wanted
 from benchmarks.loop.intervals import percent
-from tumble.calibrations.joint import fit_jointly
-from tumble.calibrations.tracing.loop import Loop, close_loop
+from tumble.calibrations.methods.dividing_head.joint import fit_jointly
+from tumble.calibrations.methods.dividing_head.loop.loop import Loop, close_loop
 
 Method = Callable[[Regression], tuple[str, ...]]
 OURS = "close_loop"

@@ -3,7 +3,7 @@
 import numpy as np
 
 from benchmarks.alternatives.columns import Block, Regression
-from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.core.arrays import FloatArray
 
 
 def stepwise(regression: Regression) -> tuple[str, ...]:

@@ -13,7 +13,7 @@ import numpy as np
 from benchmarks.bank.geometry import FloatArray
 from benchmarks.bank.scene import drawn_unit
 from benchmarks.bank.table import Case, Spec, Truth
-from tumble.calibrations.observations import Observations
+from tumble.calibrations.methods.dividing_head.observations import Observations
 
 SETTINGS: Final = (5, 7, 9, 12, 17)
 REPEATS: Final = (2, 4, 20)

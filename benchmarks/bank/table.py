@@ -16,7 +16,7 @@ from benchmarks.bank.scene import SAMPLES, Effect, Run, Sized, Unit, drawn_unit,
 from benchmarks.bank.surroundings import THERMOMETER_DEGC, drawn_run
 from benchmarks.bank.together import told_apart
 from benchmarks.bank.visibility import Sight, sight
-from tumble.calibrations.observations import Observations
+from tumble.calibrations.methods.dividing_head.observations import Observations
 
 COLUMNS: Final = {
     "time_s": "time_s",

@@ -23,10 +23,10 @@ from tumble.app.exits import Exit, status_of
 from tumble.app.resuming import find, resume
 from tumble.app.running import failure, run
 from tumble.app.wiring import Connected
-from tumble.calibrations.tracing.questions import questioned
+from tumble.calibrations.methods.dividing_head.questions import questioned
 from tumble.drivers.errors import DeviceError
 from tumble.procedures.events import Event, PointCompleted, State, StateChanged, WarningRaised
-from tumble.procedures.recording.observations import observations
+from tumble.procedures.methods.dividing_head.observations import observations
 from tumble.procedures.recording.reader import read_recording
 
 SPEED: Final = 10.0

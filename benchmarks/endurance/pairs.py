@@ -20,10 +20,10 @@ from pathlib import Path
 from benchmarks.endurance import processes as stands
 from benchmarks.endurance.processes import Instruments, emulated, run
 from benchmarks.endurance.rfc2217 import rfc2217_port
-from tumble.calibrations.analysis import analyse
-from tumble.calibrations.result import Calibration
+from tumble.calibrations.methods.dividing_head.analysis import analyse
+from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.drivers.simulated import Simulated
-from tumble.procedures.recording.observations import observations
+from tumble.procedures.methods.dividing_head.observations import observations
 from tumble.procedures.recording.reader import read_recording
 
 PAIRS = {

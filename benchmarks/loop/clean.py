@@ -11,7 +11,7 @@ from benchmarks.bank import Case
 from benchmarks.loop.intervals import clopper_pearson_upper, percent
 from benchmarks.loop.jobs import Job, Record, described, jobs
 from benchmarks.loop.reported import said
-from tumble.calibrations.tracing.loop import Loop
+from tumble.calibrations.methods.dividing_head.loop.loop import Loop
 
 _KINDS = 6
 

@@ -22,8 +22,9 @@ from benchmarks.loop.intervals import percent, wilson
 from benchmarks.loop.jobs import Job, Record, described, jobs
 from benchmarks.loop.oracle import PARAMETERS, ask_oracle
 from benchmarks.loop.reported import said
-from tumble.calibrations.result import Calibration, Parameter
-from tumble.calibrations.tracing.loop import Loop
+from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.methods.dividing_head.loop.loop import Loop
+from tumble.calibrations.methods.dividing_head.result import Calibration
 
 _FAR, _MUCH = 5.0, 0.2
 

@@ -17,7 +17,7 @@ from benchmarks.loop.jobs import Job, Record, described, jobs, spread_out
 from benchmarks.loop.matching import is_exact
 from benchmarks.loop.reported import said
 from benchmarks.loop.rivals import CLOSE, MARGIN, judged_rivals
-from tumble.calibrations.tracing.loop import Loop
+from tumble.calibrations.methods.dividing_head.loop.loop import Loop
 
 _LISTS = (singles, pairs, triples, novel, missing_columns, heavy)
 

@@ -8,7 +8,7 @@ from typing import Final
 from benchmarks.bank import Case
 from benchmarks.loop import clean, coverage, exactness, sparse, timing
 from benchmarks.loop.jobs import Job, Record
-from tumble.calibrations.tracing.loop import Loop
+from tumble.calibrations.methods.dividing_head.loop.loop import Loop
 
 
 @dataclass(frozen=True, kw_only=True)

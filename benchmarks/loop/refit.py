@@ -8,8 +8,8 @@ import numpy as np
 from scipy.optimize import minimize_scalar
 
 from benchmarks.bank.geometry import AXES, FloatArray, projections
-from tumble.calibrations.effects.scene import Scene
-from tumble.calibrations.observations import Observations
+from tumble.calibrations.methods.dividing_head.effects.scene import Scene
+from tumble.calibrations.methods.dividing_head.observations import Observations
 
 _WIDE_DEG = np.arange(-45.0, 45.1, 5.0)
 """Where alpha0 is looked for; between two of these the sum of squares has no second minimum."""

@@ -1,6 +1,6 @@
 """What a result says, in a line."""
 
-from tumble.calibrations.tracing.loop import Loop
+from tumble.calibrations.methods.dividing_head.loop.loop import Loop
 
 
 def said(loop: Loop) -> str:

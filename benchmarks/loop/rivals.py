@@ -20,10 +20,10 @@ from scipy.special import chdtri
 
 from benchmarks.bank.geometry import FloatArray
 from benchmarks.loop.refit import Table
-from tumble.calibrations.effects import CATALOGUE
-from tumble.calibrations.effects.effect import Effect, Form
-from tumble.calibrations.effects.scene import Scene
-from tumble.calibrations.tracing.loop import Loop
+from tumble.calibrations.methods.dividing_head.effects import CATALOGUE
+from tumble.calibrations.methods.dividing_head.effects.scene import Scene
+from tumble.calibrations.methods.dividing_head.loop.loop import Loop
+from tumble.calibrations.tracing.effect import Effect, Form
 
 CLOSE, MARGIN = 3.84, 0.3
 """The contract's threshold, and how near to it neither answer is held against a list."""

@@ -12,7 +12,7 @@ from benchmarks.bank.sparse import SparseSpec, make_sparse
 from benchmarks.loop.jobs import Job, Record
 from benchmarks.loop.measures import MEASURES
 from benchmarks.loop.results import read_results, streamed
-from tumble.calibrations.tracing.loop import close_loop
+from tumble.calibrations.methods.dividing_head.loop.loop import close_loop
 
 
 def run(wanted: Sequence[Job], workers: int, out: Path | None) -> list[Record]:

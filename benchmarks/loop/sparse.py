@@ -11,7 +11,7 @@ from benchmarks.bank.sparse import KINDS, sparse
 from benchmarks.loop.intervals import percent
 from benchmarks.loop.jobs import Job, Record
 from benchmarks.loop.reported import said
-from tumble.calibrations.tracing.loop import Loop
+from tumble.calibrations.methods.dividing_head.loop.loop import Loop
 
 
 def wanted(seeds: range, count: int | None) -> list[Job]:

@@ -6,7 +6,7 @@ import numpy as np
 
 from benchmarks.bank import Case, Spec, pairs, singles, triples
 from benchmarks.loop.jobs import Job, Record, jobs, spread_out
-from tumble.calibrations.tracing.loop import Loop
+from tumble.calibrations.methods.dividing_head.loop.loop import Loop
 
 _DESIGN = "bfd"
 """With five realisations, 1,230 rows."""

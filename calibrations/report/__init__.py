@@ -1,5 +1,1 @@
-"""The report: a calibration as one self-contained HTML page that prints on A4."""
-
-from tumble.calibrations.report.page import render_report
-
-__all__ = ["render_report"]
+"""What the reports of all methods share: the page of sections, figures, templates."""

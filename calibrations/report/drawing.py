@@ -11,8 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
 
-from tumble.calibrations.geometry import FloatArray
-from tumble.calibrations.observations import Observations
+from tumble.calibrations.core.arrays import FloatArray
 
 COLOURS: Final = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 """Okabe and Ito 2008, strongest first; one for each mount."""
@@ -59,11 +58,6 @@ _STYLE: Final[dict[Any, Any]] = {
     "text.color": INK,
     "savefig.dpi": 160,
 }
-
-
-def mounts_of(observations: Observations) -> list[str]:
-    """The mounts of a table in the order in which they first come."""
-    return list(dict.fromkeys(observations.mounts.tolist()))
 
 
 styled: Final = mpl.rc_context(_STYLE)

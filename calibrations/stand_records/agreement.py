@@ -5,10 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tumble.calibrations.blas_threads import one_blas_thread
-from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.blas_threads import one_blas_thread
+from tumble.calibrations.methods.dividing_head.stand.evidence import Run
 from tumble.calibrations.stand_records.corrections import Corrections, chi_square_p
-from tumble.calibrations.stand_records.evidence import Run
 from tumble.calibrations.stand_records.terms import Term, harmonic_term, head_course, union
 
 AGREE_P = 0.01

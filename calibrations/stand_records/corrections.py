@@ -7,9 +7,8 @@ from typing import Any
 import numpy as np
 from scipy.special import chdtrc
 
-from tumble.calibrations.effects.scene import Scene
-from tumble.calibrations.geometry import FloatArray
-from tumble.calibrations.quantities import format_concise
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.quantities import format_concise
 from tumble.calibrations.stand_records.head_map import HeadMap
 from tumble.calibrations.stand_records.terms import BACKLASH, Term, harmonic_term
 
@@ -43,15 +42,6 @@ class Corrections:
         """Probability of coefficients so far from zero by chance (chi-square)."""
         here = self.place(term)
         return chi_square_p(self.values[here], self.covariance[here, here])
-
-    def columns_v(self, scene: Scene) -> FloatArray:
-        """Volts per unit of each coefficient, shape (rows, coefficients)."""
-        return np.column_stack([term.columns_v(scene) for term in self.terms])
-
-    def voltage_v(self, scene: Scene) -> FloatArray:
-        """What all terms but those of the angle add to the output, shape (rows,)."""
-        added = [term.columns_v(scene) @ self.values[self.place(term)] for term in self.terms if not term.of_angle]
-        return np.asarray(sum(added, start=np.zeros(len(scene.observations))))
 
     @property
     def head_map(self) -> HeadMap | None:

@@ -6,9 +6,6 @@ from datetime import datetime
 from enum import StrEnum
 from typing import Any
 
-import numpy as np
-
-from tumble.calibrations.observations import Observations
 from tumble.calibrations.records.canonical import canonical_sha256, plain
 from tumble.calibrations.records.times import read_time, utc_text
 from tumble.calibrations.stand_records.corrections import Corrections, corrections_from_json
@@ -75,9 +72,8 @@ class Validity:
             measured_to=dates[-1] if dates else "",
         )
 
-    def exceeded_by(self, observations: Observations) -> list[str]:
-        """What of a table lies beyond, as parts of a sentence."""
-        measured = validity_of(observations)
+    def exceeded_by(self, measured: "Validity") -> list[str]:
+        """What of a table lies beyond, as parts of a sentence; `measured` is over what it was measured."""
         whole_turn = self.angle_deg[1] - self.angle_deg[0] >= 345.0
         pairs = {
             "°": (None if whole_turn else self.angle_deg, measured.angle_deg),
@@ -93,19 +89,6 @@ class Validity:
     @property
     def _dates(self) -> list[str]:
         return [date for date in (self.measured_from, self.measured_to) if date]
-
-
-def validity_of(observations: Observations, measured_at: str = "") -> Validity:
-    """The ranges of one table."""
-    temperature = observations.temperature_degc
-    known = temperature is not None and bool(np.isfinite(temperature).any())
-    return Validity(
-        angle_deg=(float(observations.angle_deg.min()), float(observations.angle_deg.max())),
-        voltage_v=(float(observations.output_v.min()), float(observations.output_v.max())),
-        temperature_degc=(float(np.nanmin(temperature)), float(np.nanmax(temperature))) if known else None,  # type: ignore[arg-type]
-        measured_from=measured_at,
-        measured_to=measured_at,
-    )
 
 
 def _hull(*ranges: tuple[float, float]) -> tuple[float, float]:

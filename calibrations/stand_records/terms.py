@@ -4,22 +4,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Final
 
-import numpy as np
-
-from tumble.calibrations.effects.daq import DAQ_EFFECTS
-from tumble.calibrations.effects.effect import Effect
-from tumble.calibrations.effects.scene import Scene
-from tumble.calibrations.effects.stand import STAND_EFFECTS
-from tumble.calibrations.geometry import FloatArray
-from tumble.calibrations.stand_records.head_map import harmonics
-
 BACKLASH: Final = "backlash"
 HEAD_COURSE: Final = "head_course"
 """An error of the head that no effect of the catalogue describes, as all harmonics that the settings can tell."""
 _ORDERS: Final = {"head_eccentricity": 1, "head_second_harmonic": 2}
 _VOLTAGE: Final = {"axis_tilt": "deg", "daq_nonlinearity": "V", "range_step": "V"}
 """Effects that are taken off the voltage, with the unit of their coefficients."""
-_CATALOGUE: Final[Mapping[str, Effect[Scene]]] = {effect.name: effect for effect in (*STAND_EFFECTS, *DAQ_EFFECTS)}
 
 LASTING: Final = (*_ORDERS, "graduation", BACKLASH, *_VOLTAGE)
 """Effects of the catalogue that stay with a stand; a seat, a leaning base or a settling belongs to the run."""
@@ -59,27 +49,6 @@ class Term:
         scanned = ", ".join(f"{key.removesuffix('_V')} {value:.4g} V" for key, value in self.scanned.items())
         order = f"{self.orders[0]} per turn" if self.effect == "graduation" else scanned
         return f"{self.effect} ({order})" if order else self.effect
-
-    def columns_v(self, scene: Scene) -> FloatArray:
-        """Volts per unit of each coefficient, shape (rows, size)."""
-        if self.effect == BACKLASH:
-            return np.asarray((scene.slope_v_per_deg * (scene.direction < 0))[:, None])
-        if self.of_angle:
-            return np.asarray(scene.slope_v_per_deg[:, None] * harmonics(scene.angle_deg, self.orders))
-        effect = _CATALOGUE[self.effect]
-        if effect.at is None:
-            return effect.forms(scene)[0].columns
-        (value,) = self.scanned.values()
-        return effect.at(scene, value).columns
-
-    def tangent_v(self, scene: Scene, coefficients: FloatArray) -> FloatArray | None:
-        """Change with what is scanned, shape (rows, 1), in volts per volt; None where nothing is, or it jumps."""
-        if self.effect != "daq_nonlinearity":
-            return None
-        (value,) = self.scanned.values()
-        step_v = 1e-3 * value
-        above, below = (_CATALOGUE[self.effect].at(scene, value + side * step_v) for side in (1.0, -1.0))  # type: ignore[misc]
-        return np.asarray(((above.columns - below.columns) @ coefficients / (2 * step_v))[:, None])
 
 
 def harmonic_term(order: int) -> Term:

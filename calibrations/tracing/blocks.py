@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import fdtrc
 
-from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.tracing.seen import SEEN, Seen, beside
 
 WITHIN: Final = 0.1

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 from scipy.special import fdtri
 
-from tumble.calibrations.conditional import SINGULAR
-from tumble.calibrations.effects.effect import Effect, Form, Structure
-from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.solutions import SINGULAR
+from tumble.calibrations.tracing.effect import Effect, Form, Structure
 from tumble.calibrations.tracing.table import Table
 
 FALSE_ALARM = 0.001
@@ -18,7 +18,7 @@ FALSE_ALARM = 0.001
 ANOTHER_SHAPE = 0.02
 """Chance that an effect with one of the shapes of the catalogue is given a second one."""
 UNNAMED = 6.0
-"""What a shape without a name must earn beyond a named one: a known cause is the better guess."""
+"""Penalty of a shape without a name beyond that of a named one: a known cause is the better guess."""
 
 _NARROW = 2
 _REST = 0.02
@@ -32,9 +32,9 @@ class Candidate:
     effect: Effect[Any]
     form: Form
     columns: slice
-    entry: float
+    penalty: float
     """By how much -2 ln L must fall for the effect to be believed, all forms that were tried counted."""
-    again: float
+    repeat_penalty: float
     """The same for a second form of an effect that is there already: its shape need not be one of the catalogue's."""
     chance: float
     """At which this form would be found where it is not."""
@@ -69,9 +69,9 @@ def _numbered(tried: Sequence[tuple[Effect[Any], Sequence[Form]]], rows: int, sp
                 effect=effect,
                 form=form,
                 columns=slice(start, start + width),
-                entry=_entry(width, chance, rows, spare) + handicap + form.doubt,
-                again=_entry(width, second, rows, spare) + handicap + form.doubt,
-                chance=_doubted(len(tried) * len(forms), form.doubt),
+                penalty=_penalty(width, chance, rows, spare) + handicap + form.penalty,
+                repeat_penalty=_penalty(width, second, rows, spare) + handicap + form.penalty,
+                chance=_doubted(len(tried) * len(forms), form.penalty),
             )
             start += width
 
@@ -97,7 +97,7 @@ def _doubted(tried: int, doubt: float) -> float:
     return float(FALSE_ALARM / (tried if doubt >= 0.0 else 1) * np.exp(-doubt / 2.0))
 
 
-def _entry(width: int, chance: float, rows: int, spare: int) -> float:
+def _penalty(width: int, chance: float, rows: int, spare: int) -> float:
     """Fall of the deviance that an F test with so many columns and rows asks for at this chance."""
     freedom = max(spare - width, 1)
     return float(rows * np.log1p(width * fdtri(width, freedom, 1.0 - chance) / freedom))

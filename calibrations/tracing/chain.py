@@ -3,14 +3,16 @@
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import Any
+from typing import Any, Generic, Protocol, TypeVar
 
-from tumble.calibrations.blas_threads import one_blas_thread
-from tumble.calibrations.support import series
+from tumble.calibrations.core.blas_threads import one_blas_thread
+from tumble.calibrations.core.sentences import series
 from tumble.calibrations.tracing.experiments import APART, Experiment, next_experiments
-from tumble.calibrations.tracing.loop import Explained, Loop
-from tumble.calibrations.tracing.probes import Probe
+from tumble.calibrations.tracing.explained import Explained
+from tumble.calibrations.tracing.findings import EffectFound
+from tumble.calibrations.tracing.probe import Probe
 from tumble.calibrations.tracing.rivals import rivals
+from tumble.calibrations.tracing.table import Extensible
 
 FUTILE = 2
 """After so many experiments in a row that told nothing apart, none is run any more."""
@@ -22,17 +24,41 @@ class Ended(StrEnum):
     """Why no further experiment is run."""
 
     NOTHING_TO_TELL = "nothing to tell apart"
-    TOLD_APART = "told apart"
+    TOLD_APART = "distinguished"
     NOTHING_AVAILABLE = "no available experiment"
     NOT_AS_PROMISED = "not as promised"
     ENOUGH = "as many as were asked for"
 
 
+class ClosedLoop(Protocol):
+    """What a chain needs to know of a loop that was closed on a table."""
+
+    @property
+    def effects(self) -> tuple[EffectFound, ...]:
+        """What was found."""
+        ...
+
+    @property
+    def held_out_rms(self) -> float | None:
+        """Error of rows that are held out, in the unit of the output; None where none can be."""
+        ...
+
+    @property
+    def unit(self) -> str:
+        """Of the output."""
+        ...
+
+
+L = TypeVar("L", bound=ClosedLoop)
+"""The loop of a method."""
+_T = TypeVar("_T", bound=Extensible)
+
+
 @dataclass(frozen=True, kw_only=True)
-class Stage:
+class Stage(Generic[L]):
     """The loop closed on everything that was measured so far."""
 
-    loop: Loop
+    loop: L
     behind: Mapping[str, float]
     """How far each explanation lies behind the best in -2 ln L, 0 for what was found."""
 
@@ -43,15 +69,15 @@ class Stage:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Link:
+class Link(Generic[L]):
     """One experiment, and what it decided."""
 
     experiment: Experiment
     recording: str
     stand_time_s: float
     """By the clock of the stand, any wait included."""
-    before: Stage
-    after: Stage
+    before: Stage[L]
+    after: Stage[L]
 
     @property
     def did(self) -> str:
@@ -60,7 +86,7 @@ class Link:
 
     @property
     def separated(self) -> tuple[str, ...]:
-        """The names that it told apart, the ones that are left first; none where it failed to."""
+        """The names that it distinguished, the ones that are left first; none where it failed to."""
         left = {name for effect in self.after.loop.effects for name in (effect.name, *effect.also_possible)}
         remaining = tuple(name for name in self.rivals_before if name in left)
         gone = tuple(name for name in self.rivals_before if name not in left)
@@ -115,23 +141,23 @@ class Link:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Chain:
+class Chain(Generic[L]):
     """All of it: where it began, every experiment, why it ended."""
 
-    first: Stage
-    links: tuple[Link, ...] = ()
+    first: Stage[L]
+    links: tuple[Link[L], ...] = ()
     ended: Ended | None = None
     """None while it goes on."""
     why: str = ""
     """A sentence or several."""
 
     @property
-    def last(self) -> Stage:
+    def last(self) -> Stage[L]:
         """What is known now."""
         return self.links[-1].after if self.links else self.first
 
     @property
-    def stages(self) -> tuple[Stage, ...]:
+    def stages(self) -> tuple[Stage[L], ...]:
         """What was known after each measurement."""
         return (self.first, *(link.after for link in self.links))
 
@@ -153,7 +179,7 @@ class Chain:
         }
 
 
-def _link_json(link: Link) -> dict[str, Any]:
+def _link_json(link: Link[Any]) -> dict[str, Any]:
     return {
         "did": link.did,
         "separated": list(link.separated),
@@ -165,12 +191,12 @@ def _link_json(link: Link) -> dict[str, Any]:
         "realised_difference": link.realised,
         "rivals_before": list(link.rivals_before),
         "rivals_after": list(link.rivals_after),
-        "held_out_rms_V": [stage.loop.augmented.held_out_rms_v for stage in (link.before, link.after)],
+        f"held_out_rms_{link.after.loop.unit}": [stage.loop.held_out_rms for stage in (link.before, link.after)],
     }
 
 
 @one_blas_thread
-def stage_of(loop: Loop, explained: Explained | None, asked: Collection[str] = ()) -> Stage:
+def stage_of(loop: L, explained: Explained[Any, Any] | None, asked: Collection[str] = ()) -> Stage[L]:
     """What a table says, with every explanation that is near, and those that are `asked` for."""
     behind: dict[str, float] = {}
     if explained is not None:
@@ -183,16 +209,18 @@ def stage_of(loop: Loop, explained: Explained | None, asked: Collection[str] = (
 
 
 @one_blas_thread
-def experiments_for(explained: Explained | None, probes: Sequence[Probe]) -> tuple[Experiment, ...]:
+def experiments_for(
+    explained: Explained[_T, Any] | None, probes: Sequence[Probe], otherwise: str = ""
+) -> tuple[Experiment, ...]:
     """What would tell apart the rivals of a table, of what can be run.
 
-    Explanations a little too far behind to be rivals are told apart too: by mere chance the true one may be there.
+    Explanations a little too far behind to be rivals are distinguished too: by mere chance the true one may be there.
     """
     if explained is None:
         return ()
     close = {name: found for name, found in explained.close.items() if found}
     near = {name: explained.near[name][: max(len(found), _MOST_NEAR)] for name, found in close.items()}
-    return next_experiments(explained.base, explained.trace, near, probes)
+    return next_experiments(explained.table, explained.trace, near, probes, otherwise)
 
 
 def cheapest(experiments: Sequence[Experiment]) -> Experiment | None:
@@ -207,7 +235,7 @@ def cheapest(experiments: Sequence[Experiment]) -> Experiment | None:
 
 
 def cannot(experiments: Sequence[Experiment], elsewhere: Mapping[str, tuple[Experiment, str]]) -> str:
-    """Why nothing more is told apart.
+    """Why nothing more is distinguished.
 
     Parameters
     ----------

@@ -5,12 +5,9 @@ from typing import Protocol, Self
 
 import numpy as np
 
-from tumble.calibrations.best_alpha0 import best_parameters
-from tumble.calibrations.compression import Compressed
-from tumble.calibrations.conditional import triangular_solution
-from tumble.calibrations.fit import fit_given_alpha0
-from tumble.calibrations.geometry import FloatArray
-from tumble.calibrations.model import BASIS_SIZE, PARAMETERS, coefficients, coefficients_jacobian
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.compression import Compressed
+from tumble.calibrations.core.solutions import triangular_solution
 
 
 class Declared(Protocol):
@@ -45,42 +42,6 @@ class Declared(Protocol):
     def with_functions(self, functions: FloatArray) -> Self:
         """The same for other rows, or for rows that are weighted and turned."""
         ...
-
-
-@dataclass(frozen=True, kw_only=True)
-class Accelerometer:
-    """The model of `tumble.calibrations.model`: ten functions, six parameters, alpha0 the nonlinear one."""
-
-    functions: FloatArray
-    alpha0_told: bool
-    """Whether alpha0 is fitted; it is held at 0 otherwise."""
-    seen_from_deg: float = 0.0
-    """The alpha0 from which effects are seen: where it rests on a curvature alone, not its best value."""
-
-    @property
-    def parameters(self) -> int:
-        """u0, kx, ky, kz, kxy, alpha0."""
-        return len(PARAMETERS)
-
-    def fitted(self, compressed: Compressed) -> FloatArray:
-        """With the best alpha0, or with none where it cannot be told."""
-        return best_parameters(compressed) if self.alpha0_told else fit_given_alpha0(compressed, 0.0).theta
-
-    def near(self, compressed: Compressed) -> FloatArray:
-        """With the alpha0 from which effects are seen."""
-        return fit_given_alpha0(compressed, self.seen_from_deg).theta
-
-    def coefficients(self, theta: FloatArray) -> FloatArray:
-        """As in `tumble.calibrations.model`."""
-        return coefficients(theta)
-
-    def slopes(self, theta: FloatArray) -> FloatArray:
-        """As in `tumble.calibrations.model`."""
-        return coefficients_jacobian(theta)[:BASIS_SIZE, : len(PARAMETERS)]
-
-    def with_functions(self, functions: FloatArray) -> "Accelerometer":
-        """The same for other rows, or for rows that are weighted and turned."""
-        return replace(self, functions=functions)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -19,9 +19,9 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from tumble.calibrations.effects.effect import Structure, Variable
-from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.tracing.blocks import WITHIN, Lack, held_out_gain, lack_of_fit, within
+from tumble.calibrations.tracing.effect import Structure, Variable
 from tumble.calibrations.tracing.seen import Linearised, Seen
 from tumble.calibrations.tracing.table import Table
 from tumble.calibrations.tracing.trace import Found, Trace
@@ -93,7 +93,7 @@ def gathered(table: Table, trace: Trace) -> dict[str, Evidence]:
     depends, which needs no evidence beyond that for the structure itself; but where settings differ, the shape is one
     of many.
     """
-    names = dict.fromkeys(item.effect.name for item in trace.found if not item.effect.drawn)
+    names = dict.fromkeys(item.effect.name for item in trace.found if not item.effect.random)
     linearised = Linearised(table, trace)
     every = (_evidence(linearised, name) for name in names)
     return {each.name: each for each in every if each.variable == "angle" or not each.unnamed}

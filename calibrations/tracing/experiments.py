@@ -6,17 +6,17 @@ from itertools import combinations
 
 import numpy as np
 
-from tumble.calibrations.effects.effect import OWNER_WORDS
-from tumble.calibrations.geometry import FloatArray
-from tumble.calibrations.support import series
-from tumble.calibrations.tracing.ground import Ground
-from tumble.calibrations.tracing.probes import PROBES, Probe
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.sentences import series
+from tumble.calibrations.tracing.effect import OWNER_WORDS
+from tumble.calibrations.tracing.probe import Probe
 from tumble.calibrations.tracing.rivals import Rival
-from tumble.calibrations.tracing.separation import Difference, Outlook, Question, Rows
+from tumble.calibrations.tracing.separation import Difference, Outlook, PlannedRows, Question
+from tumble.calibrations.tracing.table import Extensible
 from tumble.calibrations.tracing.trace import Trace
 
 APART = 16.0
-"""Explanations that differ by this in -2 ln L are told apart: four standard deviations."""
+"""Explanations that differ by this in -2 ln L are distinguished: four standard deviations."""
 _RUNS = 3
 """How often a probe is run where once is not enough."""
 
@@ -44,15 +44,15 @@ class Experiment:
 
 
 def next_experiments(
-    base: Ground, trace: Trace, close: Mapping[str, Sequence[Rival]], probes: Sequence[Probe] = PROBES
+    base: Extensible, trace: Trace, close: Mapping[str, Sequence[Rival]], probes: Sequence[Probe], otherwise: str = ""
 ) -> tuple[Experiment, ...]:
     """For every effect that has rivals: the experiments that tell it from them, in the least time.
 
     `close` holds the rivals of each effect of the trace by name, `probes` what can be run. Where none of them helps,
-    the experiment says so and has no command.
+    the experiment says so, with what to do `otherwise`, and has no command.
     """
     questions = [Question(base, trace, name, rivals) for name, rivals in close.items() if rivals]
-    return tuple(experiment for question in questions for experiment in _answers(question, probes))
+    return tuple(experiment for question in questions for experiment in _answers(question, probes, otherwise))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -61,7 +61,7 @@ class _Offer:
 
     probes: tuple[Probe, ...]
     runs: int
-    rows: Rows
+    rows: PlannedRows
     each_way: FloatArray
     """Separation from each rival, if the effect is true and if the rival is, shape (2, rivals)."""
 
@@ -79,13 +79,13 @@ class _Offer:
         return [rival for rival in among if separations[rival] >= APART]
 
     def worth(self, among: list[int], sure: bool) -> tuple[float, float]:
-        """Rivals told apart per second; of equal ones the clearer, in whole multiples of what is needed."""
+        """Rivals distinguished per second; of equal ones the clearer, in whole multiples of what is needed."""
         clearness = float(np.minimum(self.separations(sure)[among] // APART, 4).sum())
         return len(self.apart(among, sure)) / max(self.stand_time_s, 1.0), clearness
 
 
-def _answers(question: Question, probes: Sequence[Probe]) -> Iterator[Experiment]:
-    """Experiments until every rival is told apart or nothing tells any of the rest."""
+def _answers(question: Question, probes: Sequence[Probe], otherwise: str) -> Iterator[Experiment]:
+    """Experiments until every rival is distinguished or nothing tells any of the rest."""
     rows, left = question.table, list(range(len(question.rivals)))
     while left:
         offers = _offers(question, rows, left, probes)
@@ -93,7 +93,7 @@ def _answers(question: Question, probes: Sequence[Probe]) -> Iterator[Experiment
         if not apart:
             chosen, apart = _best(offers, left, sure=False)
         if not apart:
-            yield _nothing(question, left, chosen)
+            yield _nothing(question, left, chosen, otherwise)
             return
         yield from (_experiment(question, chosen, probe, apart) for probe in chosen.probes)
         rows, left = chosen.rows, [rival for rival in left if rival not in apart]
@@ -105,21 +105,21 @@ def _best(offers: Sequence[_Offer], left: list[int], sure: bool) -> tuple[_Offer
     return best, best.apart(left, sure)
 
 
-def _offers(question: Question, rows: Rows, left: list[int], probes: Sequence[Probe]) -> list[_Offer]:
-    """Single probes, then more of them: several times, or two mounts, where no single one is sure to tell anything.
+def _offers(question: Question, rows: PlannedRows, left: list[int], probes: Sequence[Probe]) -> list[_Offer]:
+    """Single probes, then more of them: several times, or two together, where no single one is sure to tell anything.
 
     Without any probe there is one offer, of nothing.
     """
     offers = [_offer(question, rows, (probe,)) for probe in probes]
     if not any(offer.apart(left, sure=True) for offer in offers):
-        mounts = [probe for probe in probes if probe.mount != "face-up"]
+        others = [probe for probe in probes if probe.pairs]
         promising = [offer for offer in offers if offer.separations(sure=True)[left].max() * _RUNS >= APART]
         offers += [_offer(question, rows, offer.probes, _RUNS) for offer in promising]
-        offers += [_offer(question, rows, pair) for pair in combinations(mounts, 2)]
+        offers += [_offer(question, rows, pair) for pair in combinations(others, 2)]
     return offers or [_offer(question, rows, ())]
 
 
-def _offer(question: Question, rows: Rows, probes: tuple[Probe, ...], runs: int = 1) -> _Offer:
+def _offer(question: Question, rows: PlannedRows, probes: tuple[Probe, ...], runs: int = 1) -> _Offer:
     for probe in probes * runs:
         rows = rows.followed_by(probe)
     return _Offer(probes=probes, runs=runs, rows=rows, each_way=question.separations(rows))
@@ -143,7 +143,7 @@ def _experiment(question: Question, offer: _Offer, probe: Probe, apart: list[int
             f"{probe.programme} {probe.does}: {question.name} then differs from {series(rivals)} by "
             f"{'at least ' * (len(rivals) > 1)}{separation:.0f} in -2 ln L{''.join(remarks)}"
         ),
-        command=f"tumble run --programme {probe.programme} --serial SERIAL",
+        command=probe.command,
         separation=separation,
         stand_time_s=offer.runs * probe.stand_time_s,
         runs=offer.runs,
@@ -159,7 +159,7 @@ def _outlook(question: Question, offer: _Offer, probe: Probe, apart: list[int], 
     ways = each_way.argmin(axis=0) if sure else each_way.argmax(axis=0)
     pairs = [(question.name, question.rivals[rival]) for rival in apart]
     return Outlook(
-        rows=offer.rows.observations,
+        rows=offer.rows.rows,
         probed=offer.rows.programmes == probe.programme,
         dwell_v=question.dwell_v,
         differences=tuple(
@@ -170,11 +170,11 @@ def _outlook(question: Question, offer: _Offer, probe: Probe, apart: list[int], 
 
 
 def _needed(question: Question, offer: _Offer, apart: list[int]) -> list[str]:
-    """Explanations one of which must be true for them to be told apart."""
+    """Explanations one of which must be true for them to be distinguished."""
     return sorted({question.name if offer.each_way[0, rival] >= APART else question.rivals[rival] for rival in apart})
 
 
-def _nothing(question: Question, left: list[int], nearest: _Offer) -> Experiment:
+def _nothing(question: Question, left: list[int], nearest: _Offer, otherwise: str) -> Experiment:
     rivals = tuple(question.rivals[rival] for rival in left)
     separation = float(nearest.separations(sure=False)[left].max())
     owners = sorted({f"the {OWNER_WORDS[question.belongs_to(name)]}" for name in (question.name, *rivals)})
@@ -184,7 +184,7 @@ def _nothing(question: Question, left: list[int], nearest: _Offer) -> Experiment
         programme="",
         why=(
             f"no programme that comes along tells {question.name} from {series(rivals, 'or')}: they differ by "
-            f"{separation:.1f} in -2 ln L at most{exchange}"
+            f"{separation:.1f} in -2 ln L at most{exchange}{otherwise and f'; {otherwise}'}"
         ),
         command="",
         separation=separation,

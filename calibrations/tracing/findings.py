@@ -7,11 +7,9 @@ from typing import Any
 import numpy as np
 from scipy.special import chdtrc
 
-from tumble.calibrations.effects.effect import Quantity, Structure
-from tumble.calibrations.quantities import format_number
+from tumble.calibrations.tracing.effect import Quantity
 from tumble.calibrations.tracing.judged import Judged
 from tumble.calibrations.tracing.quantified import Quantified, level_quantities
-from tumble.calibrations.tracing.reach import Reach
 from tumble.calibrations.tracing.rivals import Rival
 from tumble.calibrations.tracing.table import Table
 from tumble.calibrations.tracing.trace import WALK, Trace
@@ -111,27 +109,3 @@ def _walk(table: Table, trace: Trace, best: Quantified) -> Mapping[str, Quantity
     span_h = float(np.ptp(hours)) if hours is not None else 1.0
     rate = float(best.dwell * np.pi * np.sqrt(trace.noise.walk / span_h))
     return {WALK: Quantity(value=rate, standard_uncertainty=None, unit=f"{table.unit}/√h")}
-
-
-def unexplained(found: Judged[Any], reach: Reach) -> Unexplained | None:
-    """Structure that no effect of the catalogue explains; None where there is none."""
-    structures = [item for item in found.trace.unnamed if isinstance(item.effect, Structure)]
-    if not structures:
-        told = found.trace.names and not found.withheld
-        return None if told or reach.alike > SHAPELESS_P else _shapeless(reach)
-    first = structures[0]
-    assert isinstance(first.effect, Structure)
-    return Unexplained(depends_on=first.effect.depends_on, description=first.effect.describe(first.form))
-
-
-def _shapeless(reach: Reach) -> Unexplained:
-    """Settings that differ from the model by more than their repeats, too few to show in what shape."""
-    differ_by, scatter = (format_number(each, reach.unit, 2) for each in (reach.differ_by, reach.scatter))
-    return Unexplained(
-        depends_on="acceleration" if reach.mounts > 1 else "angle",
-        shaped=False,
-        description=(
-            f"{reach.sentence} differ from the model by {differ_by} where repeats scatter by {scatter}, in no shape "
-            "that so many can tell"
-        ),
-    )

@@ -1,11 +1,11 @@
-"""Which noise that remembers suits a table, for given effects, and what it must earn."""
+"""Which autocorrelated noise suits a table, for given effects, and its penalty."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
 
-from tumble.calibrations.effects.effect import Form
+from tumble.calibrations.tracing.effect import Form
 from tumble.calibrations.tracing.noise import NoiseModel
 from tumble.calibrations.tracing.table import Table
 
@@ -14,49 +14,49 @@ FLICKER_FLOOR = 0.25
 MOST_FLICKER = FLICKER_FLOOR**2 / (2 * np.log(2))
 """The same as variance of the first mode (IEEE Std 952, annex C: floor² = 2 ln 2 h)."""
 FLICKER_PRICE = 4.0
-"""What flicker must earn: one variance, and the ordinary noise of a unit. With the next three, judged by
+"""Penalty of flicker: one variance, and the ordinary noise of a unit. With the next three, judged by
 `python -m benchmarks.loop clean` and `exactness`, which must be run again when one is changed."""
 WALK_PRICE = 11.0
-"""What a random walk must earn. It parts one from flicker with a floor of a fifth of a dwell's deviation: in one of a
+"""Penalty of a random walk. It parts one from flicker with a floor of a fifth of a dwell's deviation: in one of a
 hundred tables flicker still earns it, and of walks of 12 noise units some three in ten do not."""
 CORNER_PRICE = 4.0
-"""What a corner of the walk must earn: one number more."""
+"""Penalty of a corner of the walk: one number more."""
 LEVEL_PRICE = 13.0
-"""What levels drawn at random must earn: one variance, among some thirty effects."""
+"""Penalty of random effects: one variance, among some thirty effects."""
 
 
-def noise_price(noise: NoiseModel) -> float:
-    """What everything in a noise beyond white must earn in -2 ln L."""
+def noise_penalty(noise: NoiseModel) -> float:
+    """What everything in a noise beyond white is penalised by in -2 ln L."""
     flicker = FLICKER_PRICE if noise.flicker else 0.0
     walk = (WALK_PRICE + CORNER_PRICE * bool(noise.corner)) if noise.walk else 0.0
     return flicker + walk + LEVEL_PRICE * len(noise.levels)
 
 
-def fitting(ground: Table, forms: Sequence[Form], noise: NoiseModel) -> tuple[tuple[NoiseModel, float], ...]:
+def fitting(table: Table, forms: Sequence[Form], noise: NoiseModel) -> tuple[tuple[NoiseModel, float], ...]:
     """The flicker and the walk that fit best with these forms beside a noise, each with its deviance."""
     flickers = [replace(noise, flicker=tried.flicker) for tried in _FLICKERS]
-    return _best(ground.deviance_by_noise(forms), flickers), best_walk(ground, forms, noise)
+    return _best(table.deviance_by_noise(forms), flickers), best_walk(table, forms, noise)
 
 
-def with_likely_flicker(ground: Table, forms: Sequence[Form], noise: NoiseModel) -> NoiseModel:
+def with_likely_flicker(table: Table, forms: Sequence[Form], noise: NoiseModel) -> NoiseModel:
     """The noise with the flicker that is to be expected beside it: each level weighed by its likelihood.
 
-    Flicker need not earn its price to be there: it is the ordinary noise of a unit, and what it does to the mean of a
+    Flicker may be there below its penalty: it is the ordinary noise of a unit, and what it does to the mean of a
     run no residual shows.
     """
-    if noise.flicker or noise.walk or not ground.memory.modes.shape[1]:
+    if noise.flicker or noise.walk or not table.memory.modes.shape[1]:
         return noise
-    deviance = ground.deviance_by_noise(forms)
+    deviance = table.deviance_by_noise(forms)
     levels = np.array([0.0, *(tried.flicker for tried in _FLICKERS)])
     deviances = np.array([deviance(replace(noise, flicker=float(level))) for level in levels])
     weights = np.exp(-0.5 * (deviances - deviances.min()))
     return replace(noise, flicker=float(weights @ levels / weights.sum()))
 
 
-def is_slow(ground: Table, form: Form) -> bool:
+def is_slow(table: Table, form: Form) -> bool:
     """Whether a shape is nearly all made of waves of which the run holds few."""
-    white = ground.memory.whitening(NoiseModel(walk=100.0))
-    columns = form.columns * np.sqrt(ground.weights)[:, None]
+    white = table.memory.whitening(NoiseModel(walk=100.0))
+    columns = form.columns * np.sqrt(table.weights)[:, None]
     columns = columns - columns.mean(axis=0)
     return bool(np.sum(white(columns) ** 2) < _MOSTLY_SLOW * np.sum(columns**2))
 
@@ -73,12 +73,12 @@ def _best(deviance: Callable[[NoiseModel], float], tried: Sequence[NoiseModel]) 
     return tried[first], deviances[first]
 
 
-def best_walk(ground: Table, forms: Sequence[Form], noise: NoiseModel) -> tuple[NoiseModel, float]:
+def best_walk(table: Table, forms: Sequence[Form], noise: NoiseModel) -> tuple[NoiseModel, float]:
     """The noise with the random walk that fits best in place of flicker, and its deviance.
 
     Its rate is found first, then whether it has a corner.
     """
-    deviance = ground.deviance_by_noise(forms)
+    deviance = table.deviance_by_noise(forms)
     walks = [replace(noise, flicker=0.0, walk=walk, corner=0.0) for walk in _WALKS]
     coarse, _ = _best(deviance, walks)
     finer = [replace(coarse, walk=coarse.walk * ratio) for ratio in (1 / 3, 1.0, 3.0)]
@@ -87,9 +87,9 @@ def best_walk(ground: Table, forms: Sequence[Form], noise: NoiseModel) -> tuple[
     return _best(deviance, (best, *bent))
 
 
-def best_level(ground: Table, forms: Sequence[Form], noise: NoiseModel, name: str) -> NoiseModel:
+def best_level(table: Table, forms: Sequence[Form], noise: NoiseModel, name: str) -> NoiseModel:
     """The noise with the levels of an effect drawn with the variance that fits best."""
-    deviance = ground.deviance_by_noise(forms)
+    deviance = table.deviance_by_noise(forms)
 
     def at(logarithm: float) -> NoiseModel:
         return noise.with_level(name, float(np.exp(logarithm)))

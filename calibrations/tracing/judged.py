@@ -40,7 +40,7 @@ class Judged(Generic[_T]):
     @cached_property
     def lack(self) -> Lack:
         """What settings differ by beyond everything that was found."""
-        return settings_differ(self.tracer.ground, self.trace)
+        return settings_differ(self.tracer.table, self.trace)
 
 
 def judged(table: _T) -> Judged[_T]:
@@ -88,7 +88,7 @@ def _standing(table: Table, trace: Trace) -> tuple[Trace, dict[str, Evidence], l
 
 def _again(whole: Tracer[Any], kept: Trace, barred: frozenset[str]) -> tuple[Trace, dict[str, list[Rival]]]:
     """Trace once more without some effects, in the noise by which settings differ if they do."""
-    table = whole.ground
+    table = whole.table
     if not settings_differ(table, kept).alike < _DIFFER_P:
         tracer = whole.without(barred)
         return with_best_names(tracer, tracer.trace())
@@ -102,7 +102,7 @@ def _again(whole: Tracer[Any], kept: Trace, barred: frozenset[str]) -> tuple[Tra
 
 def _near_in_levels(whole: Tracer[Any], trace: Trace) -> dict[str, list[Rival]]:
     """Rivals of what was found, in the noise by which settings differ: repeats of a setting part no two shapes."""
-    table = whole.ground
+    table = whole.table
     rough = _with_levels(table)
     noise = best_level(rough, trace.forms, trace.noise, SETTINGS)
     trace = replace(trace, noise=noise, deviance=rough.deviance(trace.forms, noise))

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tumble.calibrations.conditional import smallest_solution
-from tumble.calibrations.effects.effect import Quantity
-from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.solutions import smallest_solution
+from tumble.calibrations.tracing.effect import Quantity
 from tumble.calibrations.tracing.quantified import Quantified, slices, tangent
 from tumble.calibrations.tracing.table import Table
 from tumble.calibrations.tracing.trace import Trace

@@ -1,4 +1,4 @@
-"""Noise that remembers, beside white noise: flicker, random walk, and levels drawn anew at every seat or turn-on.
+"""Autocorrelated noise, beside white noise: flicker, random walk, and levels drawn anew at every seat or turn-on.
 
 A mean-free random walk is a sum of cosines with variances falling as 1/k² (Karhunen-Loève expansion of the centred
 Wiener process), flicker one with variances falling as 1/k (power spectral density h/f). A walk with a corner is pulled
@@ -13,7 +13,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.core.arrays import FloatArray
 
 MODES = 100
 SETTINGS = "?setting"
@@ -76,7 +76,7 @@ class Whitening:
 
 @dataclass(frozen=True, kw_only=True)
 class Memory:
-    """Everything in a table along which noise can remember."""
+    """Everything in a table along which noise can be correlated over."""
 
     modes: FloatArray
     """A constant and cosines over the run, weighted, shape (rows, 1 + modes); no columns where there is no time."""
@@ -98,7 +98,7 @@ class Memory:
         return Memory(modes=self.modes[kept], levels={name: level[kept] for name, level in self.levels.items()})
 
     def turned(self, columns: FloatArray) -> FloatArray:
-        """Weighted columns, shape (rows, n), with what noise can remember apart from the rest, shape (more rows, n).
+        """Weighted columns, shape (rows, n), what noise is correlated over apart from the rest: (more rows, n).
 
         First what lies along the directions of the memory, one row for each, then what lies beside them. Lengths and
         angles stay as they are, and whatever the noise, only the first rows change when it is made white.

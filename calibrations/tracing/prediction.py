@@ -6,9 +6,9 @@ from functools import reduce
 
 import numpy as np
 
-from tumble.calibrations.compression import compress
-from tumble.calibrations.effects.effect import Structure
-from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.compression import compress
+from tumble.calibrations.tracing.effect import Structure
 from tumble.calibrations.tracing.noise import Memory, Whitening, scaled_levels, slow_modes
 from tumble.calibrations.tracing.quantified import form_in, tangent
 from tumble.calibrations.tracing.table import Extensible, View

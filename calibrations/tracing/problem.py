@@ -7,14 +7,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tumble.calibrations.conditional import SINGULAR
-from tumble.calibrations.effects.effect import Structure
-from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.solutions import SINGULAR
 from tumble.calibrations.tracing.candidates import Candidate
-from tumble.calibrations.tracing.footing import Fitted, Footing
+from tumble.calibrations.tracing.effect import Structure
+from tumble.calibrations.tracing.whitened import Fitted, WhitenedFit
 
 _ABSORBED = 1e-5
-"""A column of which less than this part is left beside the model is taken as absorbed by it."""
+"""A column of which less than this part is left orthogonal to the model is taken as absorbed by it."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -33,7 +33,7 @@ class Problem:
 
     Parameters
     ----------
-    footing
+    whitened_fit
         The declared model in the noise.
     columns
         Columns of all candidates side by side, weighted and turned, shape (turned rows, n).
@@ -43,22 +43,22 @@ class Problem:
         How many of them are looked for at most.
     """
 
-    def __init__(self, footing: Footing, columns: FloatArray, offered: Sequence[Candidate], most: int) -> None:
+    def __init__(self, whitened_fit: WhitenedFit, columns: FloatArray, offered: Sequence[Candidate], most: int) -> None:
         self.most = most
         length = np.linalg.norm(columns, axis=0)
         self._scale = np.where(length > 0, length, 1.0)
-        self._footing = footing
-        self._split = footing.split(columns / self._scale).by_columns()
-        along, beside = self._split.along, self._split.beside
-        output = footing.output
-        self._squares = np.sum(along**2, axis=0) + np.einsum("ij,ij->j", beside, beside)
-        self._with_output = along.T @ output.along[:, 0] + beside.T @ output.beside[:, 0]
-        self._rows = footing.rows
+        self._footing = whitened_fit
+        self._split = whitened_fit.split(columns / self._scale).by_columns()
+        projected, orthogonal = self._split.projected, self._split.orthogonal
+        output = whitened_fit.output
+        self._squares = np.sum(projected**2, axis=0) + np.einsum("ij,ij->j", orthogonal, orthogonal)
+        self._with_output = projected.T @ output.projected[:, 0] + orthogonal.T @ output.orthogonal[:, 0]
+        self._rows = whitened_fit.rows
         self._explained: dict[tuple[int, ...], Explanation] = {}
         self._promised: dict[tuple[int, ...], FloatArray] = {}
         self.offered = tuple(offered)
-        self.entries = np.array([candidate.entry for candidate in offered])
-        self.entries_again = np.array([candidate.again for candidate in offered])
+        self.penalties = np.array([candidate.penalty for candidate in offered])
+        self.repeat_penalties = np.array([candidate.repeat_penalty for candidate in offered])
         self.forms = _places(offered)
         """Where the forms of each effect stand among the candidates."""
         self._by_effect, self._is_form = _side_by_side(tuple(self.forms.values()))
@@ -69,22 +69,22 @@ class Problem:
         )
         self._alone, self._first = starts[self._single], starts[self._double]
         second = self._first + 1
-        self._between = np.sum(along[:, self._first] * along[:, second], axis=0) + np.einsum(
-            "ij,ij->j", beside[:, self._first], beside[:, second]
+        self._between = np.sum(projected[:, self._first] * projected[:, second], axis=0) + np.einsum(
+            "ij,ij->j", orthogonal[:, self._first], orthogonal[:, second]
         )
 
     def named(self) -> "Problem":
         """The same with nothing on offer but effects of the catalogue."""
         other = copy(self)
         unnamed = [isinstance(candidate.effect, Structure) for candidate in self.offered]
-        other.entries = np.where(unnamed, np.inf, self.entries)
+        other.penalties = np.where(unnamed, np.inf, self.penalties)
         return other
 
     def without(self, names: Collection[str]) -> "Problem":
         """The same with some effects not on offer."""
         other = copy(self)
         barred = [candidate.effect.name in names for candidate in self.offered]
-        other.entries = np.where(barred, np.inf, self.entries)
+        other.penalties = np.where(barred, np.inf, self.penalties)
         return other
 
     def explain(self, chosen: tuple[int, ...]) -> Explanation:
@@ -130,30 +130,30 @@ class Problem:
         return np.asarray(-self._rows * np.log1p(-part))
 
     def _linearised(self, explanation: Explanation) -> tuple[FloatArray, tuple[FloatArray, float]]:
-        """All columns along the directions that the explanation can follow, shape (directions, n).
+        """All columns projected on the directions that the explanation can follow, shape (directions, n).
 
-        With it the output along these directions, and the sum of squares that is left of the output.
+        With it the output projected these directions, and the sum of squares that is left of the output.
         """
         picked = self._split.pick(self.columns_of(explanation.chosen))
-        q, _ = np.linalg.qr(picked.beside)
+        q, _ = np.linalg.qr(picked.orthogonal)
         slopes = self._footing.declared.slopes(explanation.fit.theta)
         size, parameters = slopes.shape
-        jacobian = np.zeros((size + q.shape[1], parameters + picked.along.shape[1]))
+        jacobian = np.zeros((size + q.shape[1], parameters + picked.projected.shape[1]))
         jacobian[:size, :parameters] = self._footing.r @ slopes
-        jacobian[:size, parameters:] = picked.along
-        jacobian[size:, parameters:] = q.T @ picked.beside
+        jacobian[:size, parameters:] = picked.projected
+        jacobian[size:, parameters:] = q.T @ picked.orthogonal
         directions = _directions(jacobian)
         output = self._footing.output
-        seen = np.concatenate([output.along[:, 0], q.T @ output.beside[:, 0]])
-        rest = output.beside[:, 0] - q @ seen[size:]
+        seen = np.concatenate([output.projected[:, 0], q.T @ output.orthogonal[:, 0]])
+        rest = output.orthogonal[:, 0] - q @ seen[size:]
         left = seen - directions @ (directions.T @ seen)
-        columns = directions[:size].T @ self._split.along + (q @ directions[size:]).T @ self._split.beside
+        columns = directions[:size].T @ self._split.projected + (q @ directions[size:]).T @ self._split.orthogonal
         return columns, (directions.T @ seen, float(rest @ rest + left @ left))
 
     def _falls(self, span: FloatArray, residual: FloatArray) -> FloatArray:
         """Fall of the sum of squares with each candidate.
 
-        `span` are the columns along what is followed already, `residual` the columns along what is left of the output.
+        `span` are the columns projected on what is followed already, `residual` those on what is left of the output.
         """
         falls = np.zeros(len(self.offered))
         lengths = self._squares - np.sum(span**2, axis=0)
@@ -163,8 +163,8 @@ class Problem:
         falls[self._double] = self._falls_of_pairs(span, residual, lengths, alone)
         for number in self._wide:
             columns = self.offered[number].columns
-            along, beside = self._split.along[:, columns], self._split.beside[:, columns]
-            gram = along.T @ along + beside.T @ beside - span[:, columns].T @ span[:, columns]
+            projected, orthogonal = self._split.projected[:, columns], self._split.orthogonal[:, columns]
+            gram = projected.T @ projected + orthogonal.T @ orthogonal - span[:, columns].T @ span[:, columns]
             values, vectors = np.linalg.eigh(gram)
             kept = values > _ABSORBED**2 * self._squares[columns].max()
             falls[number] = np.sum((vectors[:, kept].T @ residual[columns]) ** 2 / values[kept])
@@ -177,10 +177,10 @@ class Problem:
         first, second = self._first, self._first + 1
         between = self._between - np.sum(span[:, first] * span[:, second], axis=0)
         part = between / np.maximum(lengths[first], _ABSORBED**2 * self._squares[first] + 1e-300)
-        beside = lengths[second] - part * between
-        seen = beside > _ABSORBED**2 * self._squares[second]
+        orthogonal = lengths[second] - part * between
+        seen = orthogonal > _ABSORBED**2 * self._squares[second]
         added = (residual[second] - part * residual[first]) ** 2
-        return np.asarray(alone[first] + np.where(seen, added / np.where(seen, beside, 1.0), 0.0))
+        return np.asarray(alone[first] + np.where(seen, added / np.where(seen, orthogonal, 1.0), 0.0))
 
 
 def _places(offered: Sequence[Candidate]) -> dict[str, slice]:

@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from tumble.calibrations.effects.effect import Effect, Form, Quantity
-from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.tracing.effect import Effect, Form, Quantity
 from tumble.calibrations.tracing.table import Table, View
 from tumble.calibrations.tracing.trace import Found, Trace
 
@@ -28,7 +28,7 @@ class Quantified:
     covariance: FloatArray
     """Of the coefficients of all further columns."""
     residual: FloatArray
-    """Output minus fitted, and minus what is known of noise that remembers, shape (rows,)."""
+    """Output minus fitted, and minus what is known of autocorrelated noise, shape (rows,)."""
     dwell: float
     """Standard deviation of a row of weight 1, in the unit of the output."""
 

@@ -4,28 +4,20 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from tumble.calibrations.effects.effect import Structure
+from tumble.calibrations.tracing.effect import Structure
 from tumble.calibrations.tracing.fitting_noise import best_level, best_walk
 from tumble.calibrations.tracing.problem import Problem
-from tumble.calibrations.tracing.trace import (
-    WALK,
-    Found,
-    Trace,
-    Tracer,
-    found,
-    refined_one,
-    trace_price,
-)
+from tumble.calibrations.tracing.trace import WALK, Found, Trace, Tracer, found, penalised_deviance, refined_one
 
 CLOSE = 3.84
-"""Two explanations whose deviances differ by less cannot be told apart (chi-square, one degree of freedom, 95%)."""
+"""Two explanations whose deviances differ by less are not distinguishable (chi-square, one degree of freedom, 95%)."""
 NEAR = 9.0
 """Nor must what is said of a parameter hang on which of two explanations that differ by less is true: by mere chance
 the wrong one of two that explain a table much alike is ahead by more than `CLOSE` in one of forty."""
 _SIMPLER = 6.0
-"""What a coefficient more must earn for its effect to give the name: the simpler one may be a special case of it."""
+"""Penalty of each coefficient in the choice of the name: of two effects the simpler may be a special case."""
 _WALK_NAMED = 9.0
-"""What a random walk must earn beyond its price to give the name: of a walk and one effect, the better fit decides."""
+"""Penalty of a random walk in the choice of the name, beyond its own: the better fit decides."""
 _EQUAL = 1e-3
 """Deviances closer than this are equal: the effects are the same in this table."""
 _WORTH_A_LOOK = 60.0
@@ -40,11 +32,11 @@ class Rival:
     trace: Trace
     """The whole explanation with the rival in it."""
     found: Found | None
-    """The rival as columns; None where it is noise that remembers."""
+    """The rival as columns; None where it is autocorrelated noise."""
     behind: float
     """Deviance beyond that of the trace, 2 added for each coefficient more; negative for a better one."""
-    dearer: float
-    """Naming price beyond that of the trace: what decides which of the two gives its name."""
+    naming_difference: float
+    """Naming penalty beyond that of the trace: it decides which of the two gives its name."""
 
 
 def with_best_names(tracer: Tracer[Any], trace: Trace) -> tuple[Trace, dict[str, list[Rival]]]:
@@ -57,7 +49,7 @@ def with_best_names(tracer: Tracer[Any], trace: Trace) -> tuple[Trace, dict[str,
         better = [rival for name, others in listed.items() for rival in others if _goes_before(tracer, rival, name)]
         if not better:
             return trace, _near(listed)
-        trace = min(better, key=lambda rival: rival.dearer).trace
+        trace = min(better, key=lambda rival: rival.naming_difference).trace
 
 
 def near_rivals(tracer: Tracer[Any], trace: Trace) -> dict[str, list[Rival]]:
@@ -73,19 +65,19 @@ def _goes_before(tracer: Tracer[Any], rival: Rival, name: str) -> bool:
     """Whether a rival is cheaper, or costs the same and stands first in the catalogue; one that is barred never."""
     if rival.name in tracer.barred:
         return False
-    if abs(rival.dearer) > _EQUAL:
-        return rival.dearer < 0
+    if abs(rival.naming_difference) > _EQUAL:
+        return rival.naming_difference < 0
     order = [*(effect.name for effect in tracer.effects), WALK]
     return order.index(rival.name) < order.index(name)
 
 
-def _naming_price(trace: Trace) -> float:
-    """Price of a trace, and what each coefficient must earn for its effect to give the name.
+def _naming_penalty(trace: Trace) -> float:
+    """Penalised deviance of a trace, with a penalty for each coefficient.
 
     It only ever falls, or stays while names move up in the catalogue, so that exchanging names comes to an end.
     """
-    price = trace_price(trace) + _SIMPLER * sum(item.coefficients for item in trace.found)
-    return price + (_SIMPLER + _WALK_NAMED) * bool(trace.noise.walk)
+    penalised = penalised_deviance(trace) + _SIMPLER * sum(item.coefficients for item in trace.found)
+    return penalised + (_SIMPLER + _WALK_NAMED) * bool(trace.noise.walk)
 
 
 def rivals(tracer: Tracer[Any], trace: Trace, name: str, asked: Collection[str] = ()) -> list[Rival]:
@@ -102,7 +94,7 @@ def rivals(tracer: Tracer[Any], trace: Trace, name: str, asked: Collection[str] 
             trace=trial,
             found=item,
             behind=trial.deviance - trace.deviance + 2.0 * ((item.coefficients if item else 1) - coefficients),
-            dearer=_naming_price(trial) - _naming_price(trace),
+            naming_difference=_naming_penalty(trial) - _naming_penalty(trace),
         )
         for item, trial in _in_place(tracer, rest, trace.names, asked)
     ]
@@ -114,20 +106,20 @@ def _in_place(
     tracer: Tracer[Any], rest: Trace, taken: tuple[str, ...], asked: Collection[str]
 ) -> Iterator[tuple[Found | None, Trace]]:
     """The rest of an explanation with each effect that promises anything, refined."""
-    ground = tracer.ground
+    table = tracer.table
     for rough in _best_forms(tracer.problem(rest.noise), tuple(item.number for item in rest.found), asked):
         effect = rough.effect
         if effect.name in taken:
             continue
-        if effect.drawn:
-            noise = best_level(ground, rest.forms, rest.noise, effect.name)
-            yield None, replace(rest, noise=noise, deviance=ground.deviance(rest.forms, noise))
+        if effect.random:
+            noise = best_level(table, rest.forms, rest.noise, effect.name)
+            yield None, replace(rest, noise=noise, deviance=table.deviance(rest.forms, noise))
             continue
-        fine = refined_one(ground, rough, rest.forms, rest.noise)
-        deviance = ground.deviance([*rest.forms, fine.form], rest.noise)
+        fine = refined_one(table, rough, rest.forms, rest.noise)
+        deviance = table.deviance([*rest.forms, fine.form], rest.noise)
         yield fine, replace(rest, found=(*rest.found, fine), deviance=deviance)
-    if WALK not in taken and ground.memory.modes.shape[1]:
-        noise, deviance = best_walk(ground, rest.forms, rest.noise)
+    if WALK not in taken and table.memory.modes.shape[1]:
+        noise, deviance = best_walk(table, rest.forms, rest.noise)
         yield None, replace(rest, noise=noise, deviance=deviance)
 
 

@@ -1,14 +1,14 @@
-"""Rows ready for comparison: weighted, and turned so that noise that remembers is confined to the first of them."""
+"""Rows ready for comparison: weighted, and turned so that autocorrelated noise is confined to the first of them."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.tracing.declared import Declared
-from tumble.calibrations.tracing.footing import Footing
 from tumble.calibrations.tracing.noise import Memory, NoiseModel
+from tumble.calibrations.tracing.whitened import WhitenedFit
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -22,17 +22,17 @@ class Sample:
     memory: Memory
     root_weights: FloatArray
     """Shape (rows,)."""
-    _footings: dict[NoiseModel, Footing] = field(default_factory=dict, repr=False, compare=False)
+    _footings: dict[NoiseModel, WhitenedFit] = field(default_factory=dict, repr=False, compare=False)
 
     def turned(self, columns: FloatArray) -> FloatArray:
         """Weigh and turn columns, shape (rows, n)."""
         return self.memory.turned(columns * self.root_weights[:, None])
 
-    def footing(self, noise: NoiseModel) -> Footing:
+    def whitened_fit(self, noise: NoiseModel) -> WhitenedFit:
         """The declared model in a kind of noise."""
         if noise not in self._footings:
             white, rows = self.memory.whitening(noise), len(self.root_weights)
-            self._footings[noise] = Footing(self.declared, self.output, white, rows)
+            self._footings[noise] = WhitenedFit(self.declared, self.output, white, rows)
         return self._footings[noise]
 
     def deviance_by_noise(self, columns: FloatArray) -> Callable[[NoiseModel], float]:
@@ -48,8 +48,8 @@ class Sample:
         )
 
         def deviance(noise: NoiseModel) -> float:
-            footing = sample.footing(noise)
-            return footing.deviance(footing.fit(footing.split(short[:, functions:-1])))
+            whitened_fit = sample.whitened_fit(noise)
+            return whitened_fit.deviance(whitened_fit.fit(whitened_fit.split(short[:, functions:-1])))
 
         return deviance
 

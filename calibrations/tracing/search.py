@@ -17,7 +17,7 @@ _HOPELESS = 8.0
 
 
 def search(problem: Problem, beam: int = BEAM) -> Explanation:
-    """The set of candidates with the lowest price: deviance plus what each effect must earn to be believed.
+    """The set of candidates with the lowest penalised deviance: deviance plus penalties.
 
     `beam` is how many sets are followed; with one, effects are added one by one.
     """
@@ -27,37 +27,37 @@ def search(problem: Problem, beam: int = BEAM) -> Explanation:
         followed = _continued(problem, followed, beam)
         if not followed:
             break
-        if price(problem, followed[0]) < price(problem, best):
+        if penalised(problem, followed[0]) < penalised(problem, best):
             best = followed[0]
-        elif price(problem, followed[0]) > price(problem, best) + _HOPELESS:
+        elif penalised(problem, followed[0]) > penalised(problem, best) + _HOPELESS:
             break
     return settled(problem, best)
 
 
-def price(problem: Problem, explanation: Explanation) -> float:
+def penalised(problem: Problem, explanation: Explanation) -> float:
     """Deviance plus the entry of every effect."""
-    return explanation.deviance + entries([problem.offered[number] for number in explanation.chosen])
+    return explanation.deviance + penalties([problem.offered[number] for number in explanation.chosen])
 
 
-def entries(chosen: Sequence[Candidate]) -> float:
-    """What effects must earn together; the second form of an effect earns less than another effect."""
+def penalties(chosen: Sequence[Candidate]) -> float:
+    """Penalty of effects together; that of the second form of an effect is smaller than that of another effect."""
     total, seen = 0.0, set()
     for candidate in chosen:
-        total += candidate.again if candidate.effect.name in seen else candidate.entry
+        total += candidate.repeat_penalty if candidate.effect.name in seen else candidate.penalty
         seen.add(candidate.effect.name)
     return total
 
 
 def settled(problem: Problem, explanation: Explanation) -> Explanation:
-    """Add, drop and exchange effects as long as that lowers the price."""
+    """Add, drop and exchange effects as long as that lowers the penalised deviance."""
     while True:
         trials = [
             *_added(problem, explanation),
             *_dropped(problem, explanation),
             *_exchanged(problem, explanation),
         ]
-        better = min(trials, key=lambda trial: price(problem, trial), default=explanation)
-        if price(problem, better) >= price(problem, explanation) - 1e-6:
+        better = min(trials, key=lambda trial: penalised(problem, trial), default=explanation)
+        if penalised(problem, better) >= penalised(problem, explanation) - 1e-6:
             return explanation
         explanation = better
 
@@ -69,26 +69,26 @@ def _continued(problem: Problem, followed: Iterable[Explanation], beam: int) -> 
     """
     expected: dict[frozenset[int], tuple[float, Explanation, int]] = {}
     for explanation in followed:
-        before = price(problem, explanation)
+        before = penalised(problem, explanation)
         for worth, number in _promising(problem, explanation, BRANCHES if explanation.chosen else 3 * BRANCHES):
             key = frozenset((*explanation.chosen, number))
             if key not in expected or before - worth < expected[key][0]:
                 expected[key] = (before - worth, explanation, number)
     likely = sorted(expected.values(), key=lambda trial: trial[0])[: 2 * beam]
     found = [problem.explain((*from_.chosen, number)) for _, from_, number in likely]
-    return sorted(found, key=lambda explanation: price(problem, explanation))[:beam]
+    return sorted(found, key=lambda explanation: penalised(problem, explanation))[:beam]
 
 
 def _promising(problem: Problem, explanation: Explanation, count: int) -> list[tuple[float, int]]:
-    """The best form of each of the effects that promise most: by how much it would lower the price, and its number.
+    """The best form of each of the effects that promise most: what it would gain, and its number.
 
     An effect of several forms may be taken twice: its real shape need not be one of those in the catalogue.
     """
-    worth = problem.gains(explanation) - problem.entries
+    worth = problem.gains(explanation) - problem.penalties
     present = Counter(problem.offered[number].effect.name for number in explanation.chosen)
     for name, times in present.items():
         forms = problem.forms[name]
-        worth[forms] += problem.entries[forms] - problem.entries_again[forms] if times < 2 else -np.inf
+        worth[forms] += problem.penalties[forms] - problem.repeat_penalties[forms] if times < 2 else -np.inf
     worth[list(explanation.chosen)] = -np.inf
     ranked = sorted(((float(worth[number]), number) for number in problem.best_forms(worth)), reverse=True)
     return [(value, number) for value, number in ranked[:count] if value > -15.0]

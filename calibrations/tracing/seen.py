@@ -6,7 +6,7 @@ from typing import Final
 
 import numpy as np
 
-from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.tracing.quantified import tangent
 from tumble.calibrations.tracing.table import Table
 from tumble.calibrations.tracing.trace import Found, Trace

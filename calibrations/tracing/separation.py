@@ -1,4 +1,4 @@
-"""How far an experiment would part explanations of a table that cannot be told apart in it.
+"""How far an experiment would part explanations of a table that are not distinguishable in it.
 
 The measure is that of T-optimality (Atkinson and Fedorov 1975): if one explanation is true, the squared length T
 of what the other cannot follow, in standard deviations of a dwell. As the noise is estimated with everything else,
@@ -11,30 +11,30 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tumble.calibrations.geometry import FloatArray
-from tumble.calibrations.observations import Observations
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.rows import Rows
 from tumble.calibrations.tracing.prediction import Prediction
-from tumble.calibrations.tracing.probes import Probe, followed_by
+from tumble.calibrations.tracing.probe import Probe
 from tumble.calibrations.tracing.rivals import Rival
 from tumble.calibrations.tracing.table import Extensible
 from tumble.calibrations.tracing.trace import Trace
 
 
 @dataclass(frozen=True, kw_only=True)
-class Rows:
+class PlannedRows:
     """Rows that are there or would be."""
 
-    observations: Observations
+    rows: Rows
     weights: FloatArray
     programmes: NDArray[np.str_]
     """The probe to which each row belongs; empty for the rows of the table."""
 
-    def followed_by(self, probe: Probe) -> "Rows":
+    def followed_by(self, probe: Probe) -> "PlannedRows":
         """Add those of a probe."""
-        joined = followed_by(self.observations, probe)
+        joined = probe.after(self.rows)
         added = np.ones(len(joined) - len(self.weights))
-        return Rows(
-            observations=joined,
+        return PlannedRows(
+            rows=joined,
             weights=np.concatenate([self.weights, added]),
             programmes=np.concatenate([self.programmes, np.full(len(added), probe.programme)]),
         )
@@ -54,14 +54,14 @@ class Difference:
 class Outlook:
     """What the rows of a probe would show."""
 
-    rows: Observations
+    rows: Rows
     """The table and everything that is to be measured."""
     probed: NDArray[np.bool_]
     """Which of the rows are those of the probe."""
     dwell_v: float
     """Noise of a dwell, in volts."""
     differences: tuple[Difference, ...]
-    """One for each rival that is told apart."""
+    """One for each rival that is distinguished."""
 
 
 class Question:
@@ -79,7 +79,7 @@ class Question:
 
     def __init__(self, base: Extensible, trace: Trace, name: str, close: Sequence[Rival]) -> None:
         self.name, self.rivals = name, tuple(rival.name for rival in close)
-        self.table = Rows(observations=base.observations, weights=base.weights, programmes=np.full(base.rows, ""))
+        self.table = PlannedRows(rows=base.observations, weights=base.weights, programmes=np.full(base.rows, ""))
         self._base = base
         self._found = Prediction(base, trace, name)
         self._rivals = [Prediction(base, rival.trace, rival.name) for rival in close]
@@ -93,19 +93,19 @@ class Question:
         """Noise of a dwell, in volts."""
         return self._found.dwell_v
 
-    def left(self, rows: Rows) -> FloatArray:
+    def left(self, rows: PlannedRows) -> FloatArray:
         """What one explanation cannot follow of the other, in standard deviations of a dwell, shape (2, rows, rivals).
 
         First what each rival cannot follow if the effect is true, then what the effect cannot if the rival is; in rows
         that are weighted and whitened.
         """
-        scene = self._base.view(rows.observations, self._found.theta)
+        scene = self._base.view(rows.rows, self._found.theta)
         output = self._found.output_v(scene)[:, None] / self.dwell_v
         others = np.column_stack([rival.output_v(scene) for rival in self._rivals]) / self.dwell_v
         if_found = np.column_stack([rival.left(scene, rows.weights, output) for rival in self._rivals])
         return np.array([if_found, self._found.left(scene, rows.weights, others)])
 
-    def separations(self, rows: Rows) -> FloatArray:
+    def separations(self, rows: PlannedRows) -> FloatArray:
         """Expected difference in -2 ln L between the effect and each rival, shape (2, rivals).
 
         First if the effect is true, then if the rival is.

@@ -9,13 +9,12 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from tumble.calibrations.effects.effect import Effect, Form, Structure, Variable
-from tumble.calibrations.geometry import FloatArray
-from tumble.calibrations.observations import Observations
+from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.tracing.declared import Declared
-from tumble.calibrations.tracing.footing import Fitted
+from tumble.calibrations.tracing.effect import Effect, Form, Structure, Variable
 from tumble.calibrations.tracing.noise import Memory, NoiseModel, scaled_levels, slow_modes
 from tumble.calibrations.tracing.sample import Sample, sample
+from tumble.calibrations.tracing.whitened import Fitted
 
 
 class View(Protocol):
@@ -96,16 +95,16 @@ class Table:
 
     def deviance(self, forms: Sequence[Form], noise: NoiseModel) -> float:
         """-2 ln L of the declared model with these forms in this noise, up to a constant of the table."""
-        return self.whole.footing(noise).deviance(self.fit(forms, noise))
+        return self.whole.whitened_fit(noise).deviance(self.fit(forms, noise))
 
     def deviance_beside(self, forms: Sequence[Form], noise: NoiseModel) -> Callable[[Form], float]:
         """The same as a function of one form more, where many are to be tried."""
-        footing = self.whole.footing(noise)
-        known = footing.split(self.whole.turned(self._columns(forms)))
+        whitened_fit = self.whole.whitened_fit(noise)
+        known = whitened_fit.split(self.whole.turned(self._columns(forms)))
 
         def deviance(form: Form) -> float:
-            further = known.with_further(footing.split(self.whole.turned(form.columns)))
-            return footing.deviance(footing.fit(further))
+            further = known.with_further(whitened_fit.split(self.whole.turned(form.columns)))
+            return whitened_fit.deviance(whitened_fit.fit(further))
 
         return deviance
 
@@ -115,8 +114,8 @@ class Table:
 
     def fit(self, forms: Sequence[Form], noise: NoiseModel) -> Fitted:
         """The declared model with these forms in this noise."""
-        footing = self.whole.footing(noise)
-        return footing.fit(footing.split(self.whole.turned(self._columns(forms))))
+        whitened_fit = self.whole.whitened_fit(noise)
+        return whitened_fit.fit(whitened_fit.split(self.whole.turned(self._columns(forms))))
 
     def _columns(self, forms: Sequence[Form]) -> FloatArray:
         return np.column_stack([np.empty((self.rows, 0)), *(form.columns for form in forms)])
@@ -128,11 +127,11 @@ class Extensible(Table, ABC):
 
     @property
     @abstractmethod
-    def observations(self) -> Observations:
-        """The rows in use."""
+    def observations(self) -> Any:  # noqa: ANN401  # the kind of rows of its method
+        """The rows in use, of a kind of `core.rows.Rows`."""
 
     @abstractmethod
-    def view(self, rows: Observations, theta: FloatArray) -> View:
+    def view(self, rows: Any, theta: FloatArray) -> View:  # noqa: ANN401
         """Rows as effects see them with these declared parameters."""
 
     @abstractmethod
@@ -141,7 +140,7 @@ class Extensible(Table, ABC):
 
 
 def memory_of(effects: Sequence[Effect[Any]], scene: View, weights: FloatArray) -> Memory:
-    """Along what noise can remember in a table: its time, and the levels of the effects that draw some."""
-    drawn = {effect.name: forms[0].columns for effect in effects if effect.drawn and (forms := effect.forms(scene))}
+    """Along what noise can be correlated over in a table: its time, and the levels of the effects that draw some."""
+    drawn = {effect.name: forms[0].columns for effect in effects if effect.random and (forms := effect.forms(scene))}
     levels = {name: scaled_levels(columns, weights) for name, columns in drawn.items()}
     return Memory(modes=slow_modes(scene.hours, weights), levels=levels)

@@ -1,23 +1,23 @@
-"""Traces what the declared model leaves to named effects, to noise that remembers, or to structure without a name."""
+"""Traces what the declared model leaves to named effects, to autocorrelated noise, or to structure without a name."""
 
 from collections.abc import Sequence
 from copy import copy
 from dataclasses import dataclass, replace
 from typing import Any, Generic, Self, TypeVar
 
-from tumble.calibrations.effects.effect import Effect, Form, Structure
 from tumble.calibrations.tracing.candidates import Candidate, all_columns, candidates
+from tumble.calibrations.tracing.effect import Effect, Form, Structure
 from tumble.calibrations.tracing.fitting_noise import (
     best_level,
     best_walk,
     fitting,
     golden_section,
     is_slow,
-    noise_price,
+    noise_penalty,
 )
 from tumble.calibrations.tracing.noise import SETTINGS, WHITE, NoiseModel
 from tumble.calibrations.tracing.problem import Explanation, Problem
-from tumble.calibrations.tracing.search import entries, search, settled
+from tumble.calibrations.tracing.search import penalties, search, settled
 from tumble.calibrations.tracing.table import Table
 
 _NOTICED = 3.84
@@ -59,7 +59,7 @@ class Trace:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Names of all effects of the catalogue that were found, those that are noise that remembers included."""
+        """Names of all effects of the catalogue that were found, those that are autocorrelated noise included."""
         drawn = [name for name, _ in self.noise.levels if name != SETTINGS]
         walk = [WALK] if self.noise.walk else []
         return tuple(dict.fromkeys([*(found.effect.name for found in self.named), *drawn, *walk]))
@@ -88,7 +88,7 @@ class Tracer(Generic[_T]):
 
     Parameters
     ----------
-    ground
+    table
         The table, ready to be fitted with the declared model.
     barred
         Effects that are not looked for.
@@ -96,14 +96,14 @@ class Tracer(Generic[_T]):
         In which the search is made first.
     """
 
-    def __init__(self, ground: _T, barred: frozenset[str] = frozenset(), noise: NoiseModel = WHITE) -> None:
-        self.ground = ground
+    def __init__(self, table: _T, barred: frozenset[str] = frozenset(), noise: NoiseModel = WHITE) -> None:
+        self.table = table
         self.barred = barred
         self._noise = noise
-        self.effects = ground.effects
-        self.offered = candidates(ground)
-        self.columns = all_columns(self.offered, ground.rows)
-        self._turned = ground.whole.turned(self.columns)
+        self.effects = table.effects
+        self.offered = candidates(table)
+        self.columns = all_columns(self.offered, table.rows)
+        self._turned = table.whole.turned(self.columns)
         self._problems: dict[NoiseModel, Problem] = {}
 
     def without(self, barred: frozenset[str]) -> Self:
@@ -112,88 +112,88 @@ class Tracer(Generic[_T]):
         other.barred = barred
         return other
 
-    def among(self, ground: _T, noise: NoiseModel) -> Self:
+    def among(self, table: _T, noise: NoiseModel) -> Self:
         """The same rows and effects where more can be noise, searched in a noise first."""
         other = copy(self)
-        other.ground, other._noise = ground, noise
-        other._turned, other._problems = ground.whole.turned(self.columns), {}
+        other.table, other._noise = table, noise
+        other._turned, other._problems = table.whole.turned(self.columns), {}
         return other
 
     def problem(self, noise: NoiseModel) -> Problem:
         """The table in a kind of noise."""
         if noise not in self._problems:
-            footing, most = self.ground.whole.footing(noise), self.ground.most_effects
-            self._problems[noise] = Problem(footing, self._turned, self.offered, most)
+            whitened_fit, most = self.table.whole.whitened_fit(noise), self.table.most_effects
+            self._problems[noise] = Problem(whitened_fit, self._turned, self.offered, most)
         return self._problems[noise].without(self.barred)
 
     def trace(self) -> Trace:
         """Find the effects of the table.
 
-        The search is made in white noise first. Where what it finds, or what it leaves, could as well be noise that
-        remembers, it is made again in such noise, and the cheaper explanation is taken.
+        The search is made in white noise first. Where what it finds, or what it leaves, could as well be autocorrelated
+        noise, it is made again in such noise, and the cheaper explanation is taken.
         """
-        if self.ground.rows < self.ground.fewest_rows:
-            return Trace(found=(), noise=NoiseModel(), deviance=self.ground.deviance((), NoiseModel()))
+        if self.table.rows < self.table.fewest_rows:
+            return Trace(found=(), noise=NoiseModel(), deviance=self.table.deviance((), NoiseModel()))
         white = self._searched(self._noise)
         others = [self._adapted(self._settled(noise, white)) for noise in self._other_noises(white)]
-        best = min((self._drawn(trace) for trace in (white, *others)), key=trace_price)
+        best = min((self._with_random_effects(trace) for trace in (white, *others)), key=penalised_deviance)
         if best.noise.walk:
-            best = min(best, self._without(best, WALK), key=trace_price)
-        return self._with_single_forms(refined(self.ground, best))
+            best = min(best, self._without(best, WALK), key=penalised_deviance)
+        return self._with_single_forms(refined(self.table, best))
 
     def _with_single_forms(self, trace: Trace) -> Trace:
         """Leave out the second form of an effect that stood only for a scanned value between two of the grid."""
         names = [item.effect.name for item in trace.found]
         double = [item for item in trace.found if names.count(item.effect.name) > 1]
         rests = [replace(trace, found=tuple(kept for kept in trace.found if kept is not item)) for item in double]
-        return min((trace, *(refined(self.ground, rest) for rest in rests)), key=trace_price)
+        return min((trace, *(refined(self.table, rest) for rest in rests)), key=penalised_deviance)
 
     def _other_noises(self, white: Trace) -> list[NoiseModel]:
         """Noises worth a search of their own: with what was found, or with the fast part of it.
 
         What changes slowly may be the wandering itself, taken for effects: without it both are always tried.
         """
-        if not self.ground.memory.modes.shape[1]:
+        if not self.table.memory.modes.shape[1]:
             return []
-        beside = fitting(self.ground, white.forms, self._noise)
+        beside = fitting(self.table, white.forms, self._noise)
         noises = [noise for noise, deviance in beside if white.deviance - deviance > _NOTICED]
-        slow = [item.effect.drawn or is_slow(self.ground, item.form) for item in white.found]
+        slow = [item.effect.random or is_slow(self.table, item.form) for item in white.found]
         if any(slow):
             fast = [item.form for item, away in zip(white.found, slow, strict=True) if not away]
-            noises += [noise for noise, _ in fitting(self.ground, fast, self._noise)]
+            noises += [noise for noise, _ in fitting(self.table, fast, self._noise)]
         return list(dict.fromkeys(noises))
 
-    def _drawn(self, trace: Trace) -> Trace:
+    def _with_random_effects(self, trace: Trace) -> Trace:
         """A trace with the levels of its effects drawn; settled again where there are any."""
-        drawn = self._with_drawn_levels(trace)
+        drawn = self._with_random_levels(trace)
         if drawn.noise.levels == trace.noise.levels:
             return trace
-        again = self._with_drawn_levels(self._settled(drawn.noise, drawn))
-        best = min(drawn, again, key=trace_price)
+        again = self._with_random_levels(self._settled(drawn.noise, drawn))
+        best = min(drawn, again, key=penalised_deviance)
         names = [name for name, _ in best.noise.levels if name != SETTINGS]
-        return min((best, *(self._without(best, name) for name in names)), key=trace_price)
+        return min((best, *(self._without(best, name) for name in names)), key=penalised_deviance)
 
     def _without(self, trace: Trace, name: str) -> Trace:
         """A trace without an effect that is noise."""
         rest = trace.without(name)
-        return replace(rest, deviance=self.ground.deviance(rest.forms, rest.noise))
+        return replace(rest, deviance=self.table.deviance(rest.forms, rest.noise))
 
-    def _with_drawn_levels(self, trace: Trace) -> Trace:
+    def _with_random_levels(self, trace: Trace) -> Trace:
         """Take effects that draw levels out of the columns: of levels, only the variance is a parameter."""
-        names = list(dict.fromkeys(item.effect.name for item in trace.found if item.effect.drawn))
-        kept = tuple(item for item in trace.found if not item.effect.drawn)
+        names = list(dict.fromkeys(item.effect.name for item in trace.found if item.effect.random))
+        kept = tuple(item for item in trace.found if not item.effect.random)
         noise = trace.noise
         for name in names:
-            noise = best_level(self.ground, [item.form for item in kept], noise, name)
-        deviance = self.ground.deviance([item.form for item in kept], noise)
+            noise = best_level(self.table, [item.form for item in kept], noise, name)
+        deviance = self.table.deviance([item.form for item in kept], noise)
         return Trace(found=kept, noise=noise, deviance=deviance)
 
     def _adapted(self, trace: Trace) -> Trace:
         """A trace with the walk that suits what was found; searched again where that is another one."""
         if not trace.noise.walk:
             return trace
-        noise, _ = best_walk(self.ground, trace.forms, trace.noise)
-        return trace if noise == trace.noise else min(trace, self._settled(noise, trace), key=trace_price)
+        noise, _ = best_walk(self.table, trace.forms, trace.noise)
+        return trace if noise == trace.noise else min(trace, self._settled(noise, trace), key=penalised_deviance)
 
     def _searched(self, noise: NoiseModel) -> Trace:
         """Search; where structure without a name came out of it, again without: it may stand in for several effects."""
@@ -201,12 +201,12 @@ class Tracer(Generic[_T]):
         trace = self._traced(noise, search(problem))
         if not trace.unnamed:
             return trace
-        return min(trace, self._traced(noise, search(problem.named())), key=trace_price)
+        return min(trace, self._traced(noise, search(problem.named())), key=penalised_deviance)
 
     def _settled(self, noise: NoiseModel, start: Trace) -> Trace:
         """What another trace turns into in another noise."""
         problem = self.problem(noise)
-        chosen = tuple(item.number for item in start.found if not (noise.levels and item.effect.drawn))
+        chosen = tuple(item.number for item in start.found if not (noise.levels and item.effect.random))
         return self._traced(noise, settled(problem, problem.explain(chosen)))
 
     def _traced(self, noise: NoiseModel, explanation: Explanation) -> Trace:
@@ -221,19 +221,19 @@ def found(problem: Problem, number: int) -> Found:
     return Found(candidate=candidate, form=candidate.form, number=number)
 
 
-def trace_price(trace: Trace) -> float:
-    """Deviance plus what everything in the trace must earn."""
-    return trace.deviance + noise_price(trace.noise) + entries([found.candidate for found in trace.found])
+def penalised_deviance(trace: Trace) -> float:
+    """Deviance plus the penalties of everything in the trace."""
+    return trace.deviance + noise_penalty(trace.noise) + penalties([found.candidate for found in trace.found])
 
 
-def refined(ground: Table, trace: Trace, rounds: int = 2) -> Trace:
+def refined(table: Table, trace: Trace, rounds: int = 2) -> Trace:
     """Move what was scanned on a grid to where it fits best."""
     found = list(trace.found)
     for _ in range(rounds if any(item.effect.at for item in found) else 0):
         for place, item in enumerate(found):
             others = [other.form for other in (*found[:place], *found[place + 1 :])]
-            found[place] = refined_one(ground, item, others, trace.noise)
-    deviance = ground.deviance([item.form for item in found], trace.noise)
+            found[place] = refined_one(table, item, others, trace.noise)
+    deviance = table.deviance([item.form for item in found], trace.noise)
     return Trace(found=tuple(found), noise=trace.noise, deviance=deviance)
 
 
@@ -241,20 +241,20 @@ _RATIO = 1.35
 """Grids of scanned values are finer than this ratio between neighbours."""
 
 
-def refined_one(ground: Table, item: Found, others: Sequence[Form], noise: NoiseModel) -> Found:
+def refined_one(table: Table, item: Found, others: Sequence[Form], noise: NoiseModel) -> Found:
     """The form of one effect with its scanned value by golden-section search about its grid value."""
     at = item.effect.at
     if at is None:
         return item
     (value,) = item.form.scanned.values()
 
-    beside = ground.deviance_beside(others, noise)
+    beside = table.deviance_beside(others, noise)
 
     def deviance(trial: float) -> float:
-        return beside(at(ground.scene, trial))
+        return beside(at(table.scene, trial))
 
     low, high = sorted((value / _RATIO, value * _RATIO))
     better = golden_section(deviance, low, high, steps=14)
     if deviance(better) >= deviance(value):
         return item
-    return replace(item, form=at(ground.scene, better))
+    return replace(item, form=at(table.scene, better))

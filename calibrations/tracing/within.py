@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tumble.calibrations.effects.effect import Effect, Structure
-from tumble.calibrations.geometry import FloatArray
+from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.tracing.blocks import within
 from tumble.calibrations.tracing.declared import Linear
+from tumble.calibrations.tracing.effect import Effect, Structure
 from tumble.calibrations.tracing.findings import EffectFound, Unexplained
-from tumble.calibrations.tracing.linear_loop import Explained, explain_linear
+from tumble.calibrations.tracing.linear_loop import LinearExplained, explain_linear
 from tumble.calibrations.tracing.noise import Memory
 from tumble.calibrations.tracing.table import Table, View
 
@@ -37,7 +37,7 @@ class WithinTable(Table):
 class Within:
     """What was found within the settings."""
 
-    explained: Explained[WithinTable]
+    explained: LinearExplained[WithinTable]
 
     @cached_property
     def shift(self) -> FloatArray:

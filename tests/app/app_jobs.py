@@ -10,8 +10,8 @@ from unittest.mock import patch
 from matplotlib.figure import Figure
 
 from tumble.app.cli import main
-from tumble.calibrations import analysis
-from tumble.calibrations.tracing.loop import explain
+from tumble.calibrations.methods.dividing_head import analysis
+from tumble.calibrations.methods.dividing_head.loop.loop import explain
 
 STAND = """\
 name = "bench-1"
@@ -86,7 +86,11 @@ def cheaply(blank="report"):
     with ExitStack() as stack:
         stack.enter_context(patch.object(analysis, "monte_carlo", few_trials_of(analysis.monte_carlo)))
         if blank == "report":
-            stack.enter_context(patch("tumble.calibrations.report.render_report", lambda *_, **__: "<html></html>"))
+            stack.enter_context(
+                patch(
+                    "tumble.calibrations.methods.dividing_head.report.render_report", lambda *_, **__: "<html></html>"
+                )
+            )
         else:
             stack.enter_context(patch("tumble.calibrations.report.drawing._lay_out", lambda _: None))
             stack.enter_context(patch.object(Figure, "savefig", lambda _, file, **__: file.write("<svg ></svg>")))

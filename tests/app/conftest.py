@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from app_jobs import STAND, TINY, Ran, cheaply, few_trials_of, tracing_once, tumble
 
-from tumble.calibrations import analysis
+from tumble.calibrations.methods.dividing_head import analysis
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -102,4 +102,6 @@ def no_figures():
 @pytest.fixture
 def no_report(monkeypatch):
     """Drawing takes two seconds; a test of something else does without."""
-    monkeypatch.setattr("tumble.calibrations.report.render_report", lambda *_, **__: "<html></html>")
+    monkeypatch.setattr(
+        "tumble.calibrations.methods.dividing_head.report.render_report", lambda *_, **__: "<html></html>"
+    )

@@ -9,8 +9,8 @@ from tumble.app.available import NO_THERMOMETER, NOBODY_WARMS, available, progra
 from tumble.app.exits import JobError
 from tumble.app.stand import load_stand
 from tumble.app.wiring import connect
-from tumble.calibrations.observations import Observations
-from tumble.calibrations.tracing.probes import PROBES, Probe
+from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.calibrations.methods.dividing_head.probes import PROBES, Probe
 from tumble.procedures.operator import Answer
 
 TABLE = Observations(row=np.array([1]), angle_deg=np.zeros(1), voltage_v=np.ones(1), temperature_degc=np.full(1, 23.0))
@@ -86,8 +86,8 @@ class Person:
         self.asked = []
         self.answer = Answer(text="yes" if confirmed else "no", confirmed=confirmed)
 
-    def ask_mount(self, mount, prompt):
-        self.asked.append(prompt)
+    def ask(self, ask):
+        self.asked.append(ask.prompt)
 
     def ask_reading(self, prompt):
         self.asked.append(prompt)

@@ -46,7 +46,7 @@ PHASES = {
     ),
     "reading a table": ("tumble.app.commands.fit.read_measurement", ["fit", "t.csv"]),
     "fitting": ("tumble.app.commands.fit.fit", ["fit", "t.csv"]),
-    "Monte Carlo": ("tumble.calibrations.analysis.monte_carlo", ["fit", "t.csv"]),
+    "Monte Carlo": ("tumble.calibrations.methods.dividing_head.analysis.monte_carlo", ["fit", "t.csv"]),
     "tracing": ("tumble.app.commands.close_loop.trace", ["close-loop", "t.csv"]),
     "fitting a calibration": (
         "tumble.app.calibrating.fit",
@@ -81,7 +81,7 @@ def test_every_phase_of_every_command_is_ended(
 
 
 def test_a_signal_at_a_prompt_ends_the_run_at_a_standstill(write, tiny, tmp_path, monkeypatch):
-    monkeypatch.setattr("tumble.procedures.operator.ScriptedOperator.ask_mount", raising())
+    monkeypatch.setattr("tumble.procedures.operator.ScriptedOperator.ask", raising())
     answers = write("answers.toml", '[mounts]\ndefault = "yes"\n')
     stand = write("bench.toml", STAND)
     recording = tmp_path / "x.mcap"

@@ -7,7 +7,7 @@ import pytest
 from app_jobs import cheaply, tumble
 
 from tumble.app.stand_records import head_map_curve, list_stand_records
-from tumble.calibrations.tracing.loop import explain
+from tumble.calibrations.methods.dividing_head.loop.loop import explain
 
 STAND = """\
 name = "bench-1"

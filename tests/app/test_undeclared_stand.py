@@ -7,9 +7,9 @@ from app_jobs import STAND, tumble
 
 from tumble.app.analysing import fit, trace
 from tumble.app.measurements import read_measurement
-from tumble.calibrations.budget import StandUncertainty
-from tumble.calibrations.report.results import notices
-from tumble.calibrations.report.subject import Subject
+from tumble.calibrations.methods.dividing_head.budget import StandUncertainty
+from tumble.calibrations.methods.dividing_head.report.results import notices
+from tumble.calibrations.methods.dividing_head.report.subject import Subject
 
 NOTHING = "the stand's contribution is not included in the stated uncertainty"
 PART = "part of the stand's contribution is not included in the stated uncertainty"

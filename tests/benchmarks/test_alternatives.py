@@ -6,7 +6,7 @@ from benchmarks.alternatives.comparison import NO_COLUMN, OURS, Outcome, report,
 from benchmarks.alternatives.grading import aliases_of, exact_by_name, exact_up_to_aliases
 from benchmarks.alternatives.stepwise import stepwise
 from benchmarks.bank import DEVELOPMENT, Spec, make_table
-from tumble.calibrations.joint import fit_jointly
+from tumble.calibrations.methods.dividing_head.joint import fit_jointly
 from tumble.calibrations.tracing.findings import EffectFound, Unexplained
 
 

@@ -3,7 +3,7 @@ import pytest
 
 from benchmarks.bank import Spec, make_stage, make_table, read_on
 from benchmarks.experiments import Outcome, _longer, _outcomes, report
-from tumble.calibrations.tracing.probes import PROBES, followed_by
+from tumble.calibrations.methods.dividing_head.probes import PROBES
 
 SPEC = Spec(design="bfd", realisations=3, effects=(("k_xxx", 15.0),))
 
@@ -11,7 +11,7 @@ SPEC = Spec(design="bfd", realisations=3, effects=(("k_xxx", 15.0),))
 def test_a_longer_run_begins_as_the_table_does_and_goes_on_with_the_probe():
     case, stage = make_table(SPEC, 5), make_stage(SPEC, 5)
     (probe,) = [probe for probe in PROBES if probe.programme == "probe-end"]
-    quiet_v = read_on(SPEC, 5, stage, _longer(stage.run, followed_by(case.observations, probe)))
+    quiet_v = read_on(SPEC, 5, stage, _longer(stage.run, probe.after(case.observations)))
     assert quiet_v[: len(case.observations)] == pytest.approx(case.truth.noise_free_v, abs=1e-12)
     assert np.ptp(quiet_v[-240:]) < 0.1  # ax is level
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tumble.calibrations.observations import Observations
+from tumble.calibrations.methods.dividing_head.observations import Observations
 
 
 def rests(error_deg, *, step_deg=5.0, turns=1.0, noise_deg=1e-3, seed=1, wrap=False, **columns):

@@ -6,9 +6,9 @@ from functools import cache
 import numpy as np
 from tables import FLIPS, gravity_on, output, table
 
-from tumble.calibrations.effects.effect import Quantity
+from tumble.calibrations.methods.dividing_head.loop.loop import Loop, close_loop
+from tumble.calibrations.tracing.effect import Quantity
 from tumble.calibrations.tracing.findings import EffectFound
-from tumble.calibrations.tracing.loop import Loop, close_loop
 
 K_XX = 2e-3
 MISREAD_ROW = 21

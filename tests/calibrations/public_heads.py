@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tumble.calibrations.observations import Observations
+from tumble.calibrations.methods.dividing_head.observations import Observations
 
 _CYCLES = (
     ("15.00330 25.19933 35.38477 45.59182 55.83882", "55.79315 45.57387 35.39639"),

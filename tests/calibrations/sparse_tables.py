@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 from tables import UNIT, output
 
-from tumble.calibrations.observations import Observations
+from tumble.calibrations.methods.dividing_head.observations import Observations
 
 # GAINS-ASEN23/Flight-Software, a public repository: one accelerometer set by hand at nine positions 22.5 deg apart,
 # 20 s each, cut into pieces of 5 s; output in g written as volts.

@@ -6,9 +6,9 @@ from functools import cache
 import numpy as np
 from tables import UNIT, output, table
 
-from tumble.calibrations.budget import StandUncertainty
-from tumble.calibrations.stand_records.evidence import Run
-from tumble.calibrations.tracing.loop import explain
+from tumble.calibrations.methods.dividing_head.budget import StandUncertainty
+from tumble.calibrations.methods.dividing_head.loop.loop import explain
+from tumble.calibrations.methods.dividing_head.stand.evidence import Run
 
 UP = np.arange(0.0, 360.0, 15.0)
 PARTS = tuple(("sweep", mount, angles) for mount in ("face-up", "face-down", "face-up-90") for angles in (UP, UP[::-1]))

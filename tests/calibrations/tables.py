@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tumble.calibrations.observations import Observations
+from tumble.calibrations.methods.dividing_head.observations import Observations
 
 UNIT = {"u0": 2.5, "kx": 1.0, "ky": 0.0098, "kz": 0.002, "kxy": 0.001, "alpha0": 0.1121}
 

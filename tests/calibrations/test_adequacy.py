@@ -2,10 +2,11 @@ import numpy as np
 import pytest
 from tables import FLIPS, sweep, table
 
-from tumble.calibrations.adequacy import held_out_parts, lack_of_fit, told_without
-from tumble.calibrations.flips import flip_closure
-from tumble.calibrations.observations import Observations
-from tumble.calibrations.repeats import PureError
+from tumble.calibrations.core.adequacy import lack_of_fit, told_without
+from tumble.calibrations.core.repeats import PureError
+from tumble.calibrations.methods.dividing_head.flips import flip_closure
+from tumble.calibrations.methods.dividing_head.held_out import held_out_parts
+from tumble.calibrations.methods.dividing_head.observations import Observations
 
 NO_KXY = {"u0": 2.5, "kx": 1.0, "ky": 0.01, "kz": 0.002, "kxy": 0.0, "alpha0": 0.0}
 

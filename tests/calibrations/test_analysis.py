@@ -3,10 +3,10 @@ import pytest
 from scipy import stats
 from tables import FLIPS, UNIT, output, sweep, table
 
-from tumble.calibrations.analysis import analyse
-from tumble.calibrations.budget import StandUncertainty
-from tumble.calibrations.gravity import Gravity
-from tumble.calibrations.observations import Observations
+from tumble.calibrations.core.gravity import Gravity
+from tumble.calibrations.methods.dividing_head.analysis import analyse
+from tumble.calibrations.methods.dividing_head.budget import StandUncertainty
+from tumble.calibrations.methods.dividing_head.observations import Observations
 
 REVERSAL = (*FLIPS, sweep("face-up", 10.0), sweep("face-down", 10.0), sweep("edge", 10.0))
 

@@ -9,11 +9,11 @@ from loop_examples import PARTS
 from tables import table
 from threadpoolctl import threadpool_info, threadpool_limits
 
-from tumble.calibrations import analysis
-from tumble.calibrations.analysis import analyse
-from tumble.calibrations.blas_threads import one_blas_thread
-from tumble.calibrations.effects.effect import Effect
-from tumble.calibrations.tracing.loop import close_loop
+from tumble.calibrations.core.blas_threads import one_blas_thread
+from tumble.calibrations.methods.dividing_head import analysis
+from tumble.calibrations.methods.dividing_head.analysis import analyse
+from tumble.calibrations.methods.dividing_head.loop.loop import close_loop
+from tumble.calibrations.tracing.effect import Effect
 
 
 def threads():

@@ -7,14 +7,15 @@ import numpy as np
 import pytest
 from tables import sweep, table
 
-from tumble.calibrations.analysis import analyse
-from tumble.calibrations.bounded import check_bounded
-from tumble.calibrations.budget import StandUncertainty, sources
-from tumble.calibrations.compression import compress
-from tumble.calibrations.joint import fit_jointly
-from tumble.calibrations.model import basis
-from tumble.calibrations.table import TableError, read_table
-from tumble.calibrations.tracing.loop import explain
+from tumble.calibrations.core.bounded import check_bounded
+from tumble.calibrations.core.cells import TableError
+from tumble.calibrations.core.compression import compress
+from tumble.calibrations.methods.dividing_head.analysis import analyse
+from tumble.calibrations.methods.dividing_head.budget import StandUncertainty, sources
+from tumble.calibrations.methods.dividing_head.joint import fit_jointly
+from tumble.calibrations.methods.dividing_head.loop.loop import explain
+from tumble.calibrations.methods.dividing_head.model import basis
+from tumble.calibrations.methods.dividing_head.table import read_table
 
 STAND = StandUncertainty(head_accuracy_arcsec=5.0, seating_arcsec=10.0, daq_gain=1e-5, daq_offset_v=5e-6)
 
@@ -52,7 +53,7 @@ def test_many_errors_are_drawn_with_the_covariance_of_all(wide):
 
 
 def test_a_table_too_long_to_be_traced_says_so(monkeypatch):
-    monkeypatch.setattr("tumble.calibrations.tracing.loop.MOST_TRACED", 100)
+    monkeypatch.setattr("tumble.calibrations.methods.dividing_head.loop.loop.MOST_TRACED", 100)
 
     loop, explained = explain(table(sweep("face-up"), realisations=2))
 
@@ -64,7 +65,7 @@ def test_a_table_too_long_to_be_traced_says_so(monkeypatch):
 
 
 def test_a_table_of_too_many_lines_is_refused(tmp_path, monkeypatch):
-    monkeypatch.setattr("tumble.calibrations.table.MOST_ROWS", 2)
+    monkeypatch.setattr("tumble.calibrations.core.files.MOST_ROWS", 2)
     (tmp_path / "t.csv").write_text("angle_deg,voltage_V\n0,1\n1,1\n2,1\n")
 
     with pytest.raises(TableError, match=r"t\.csv: holds 4 lines, and at most 2 are read; cut it into several tables"):

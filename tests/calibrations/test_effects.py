@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from tumble.calibrations.effects import CATALOGUE
-from tumble.calibrations.effects.effect import contrasts, harmonic, spread
-from tumble.calibrations.effects.scene import Scene
-from tumble.calibrations.observations import Observations
+from tumble.calibrations.methods.dividing_head.effects import CATALOGUE
+from tumble.calibrations.methods.dividing_head.effects.scene import Scene
+from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.calibrations.tracing.effect import contrasts, harmonic, spread
 
 BY_NAME = {effect.name: effect for effect in CATALOGUE}
 CONTRACT = {

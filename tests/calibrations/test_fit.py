@@ -5,11 +5,12 @@ from hypothesis import strategies as st
 from scipy.optimize import least_squares
 from tables import FLIPS, UNIT, sweep, table
 
-from tumble.calibrations.compression import compress
-from tumble.calibrations.conditional import conditional
-from tumble.calibrations.fit import alpha0_profile, covariance, coverage_factor, fit_given_alpha0, joint_fit
-from tumble.calibrations.geometry import projections
-from tumble.calibrations.model import ALPHA0, PARAMETERS, basis, coefficients
+from tumble.calibrations.core.compression import compress
+from tumble.calibrations.core.coverage import coverage_factor
+from tumble.calibrations.methods.dividing_head.conditional import conditional
+from tumble.calibrations.methods.dividing_head.fit import alpha0_profile, covariance, fit_given_alpha0, joint_fit
+from tumble.calibrations.methods.dividing_head.geometry import projections
+from tumble.calibrations.methods.dividing_head.model import ALPHA0, PARAMETERS, basis, coefficients
 
 
 def compressed(rows):

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from tables import FLIPS, sweep, table
 
-from tumble.calibrations.analysis import analyse
-from tumble.calibrations.screening import set_aside_bad_rows
+from tumble.calibrations.methods.dividing_head.analysis import analyse
+from tumble.calibrations.methods.dividing_head.screening import set_aside_bad_rows
 
 ROWS = {"x flip": 0, "y flip": 3, "z flip": 5, "sweep": 40}
 

@@ -4,7 +4,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from tables import gravity_on
 
-from tumble.calibrations.geometry import MOUNTS, projections
+from tumble.calibrations.methods.dividing_head.geometry import MOUNTS, projections
 
 angles = st.floats(-1000, 1000)
 mounts = st.sampled_from(sorted(MOUNTS))

@@ -1,6 +1,6 @@
 import pytest
 
-from tumble.calibrations.gravity import normal_gravity
+from tumble.calibrations.core.gravity import normal_gravity
 
 
 @pytest.mark.parametrize(

@@ -3,9 +3,9 @@ from dataclasses import replace
 import numpy as np
 from tables import FLIPS, sweep, table
 
-from tumble.calibrations.gross import gross_errors
-from tumble.calibrations.model import basis
-from tumble.calibrations.repeats import pose_groups
+from tumble.calibrations.methods.dividing_head.gross import gross_errors
+from tumble.calibrations.methods.dividing_head.model import basis
+from tumble.calibrations.methods.dividing_head.poses import pose_groups
 
 
 def found(rows):

@@ -5,10 +5,10 @@ import pytest
 from head_tables import rests
 from public_heads import backwards, five_settings, joint
 
-from tumble.calibrations.reference.document import document
-from tumble.calibrations.reference.loop import close_reference_loop
-from tumble.calibrations.reference.questions import question
-from tumble.calibrations.reference.sentences import headline
+from tumble.calibrations.methods.head_reference.document import document
+from tumble.calibrations.methods.head_reference.loop import close_reference_loop
+from tumble.calibrations.methods.head_reference.questions import question
+from tumble.calibrations.methods.head_reference.sentences import headline
 
 
 def test_a_reference_that_counts_backwards_is_asked_about_and_nothing_else_is_stated():

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from public_heads import five_settings
 
-from tumble.calibrations.observations import Observations
-from tumble.calibrations.reference.document import document
-from tumble.calibrations.reference.loop import close_reference_loop
-from tumble.calibrations.reference.sentences import headline
+from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.calibrations.methods.head_reference.document import document
+from tumble.calibrations.methods.head_reference.loop import close_reference_loop
+from tumble.calibrations.methods.head_reference.sentences import headline
 
 
 def cycles(error_deg, *, count=4, step_deg=15.0, noise_deg=1e-3, seed=2, slips=(), **columns):

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from tables import FLIPS, UNIT, sweep, table
 
-from tumble.calibrations.analysis import analyse
+from tumble.calibrations.methods.dividing_head.analysis import analyse
 
 
 def parameters(*parts, **options):

@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 
-from tumble.calibrations.joining import PAUSE_S, appended, joined
-from tumble.calibrations.observations import Observations, SetAside
-from tumble.calibrations.repeats import mountings
+from tumble.calibrations.core.joining import PAUSE_S, appended, joined
+from tumble.calibrations.core.rows import SetAside
+from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.calibrations.methods.dividing_head.poses import mountings
 
 
 def rows(source="a.csv", angle_deg=(0.0, 90.0), **columns):

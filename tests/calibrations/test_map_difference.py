@@ -5,10 +5,10 @@ import pytest
 from head_tables import rests
 from public_heads import backwards, five_settings, joint
 
-from tumble.calibrations.reference.changes import compare
-from tumble.calibrations.reference.comparison_document import comparison_json
-from tumble.calibrations.reference.loop import close_reference_loop
-from tumble.calibrations.reference.sentences import sentences
+from tumble.calibrations.methods.head_reference.changes import compare
+from tumble.calibrations.methods.head_reference.comparison_document import comparison_json
+from tumble.calibrations.methods.head_reference.loop import close_reference_loop
+from tumble.calibrations.methods.head_reference.sentences import sentences
 
 
 def compared(first, second):

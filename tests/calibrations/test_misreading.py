@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 from tables import FLIPS, output, sweep, table
 
-from tumble.calibrations.tracing.loop import close_loop
+from tumble.calibrations.methods.dividing_head.loop.loop import close_loop
 
 MOUNTS = (*FLIPS, sweep("face-up"), sweep("face-down"))
 

@@ -4,7 +4,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from tables import FLIPS, UNIT, output, sweep, table
 
-from tumble.calibrations.model import PARAMETERS, basis, coefficients, coefficients_jacobian
+from tumble.calibrations.methods.dividing_head.model import PARAMETERS, basis, coefficients, coefficients_jacobian
 
 EVERYWHERE = (*FLIPS, *(sweep(m, 20.0) for m in ("face-up", "face-down", "face-up-90", "edge", "edge-back", "end")))
 small = st.floats(-0.1, 0.1)

@@ -1,7 +1,7 @@
 import pytest
 from tables import FLIPS, UNIT, sweep, table
 
-from tumble.calibrations.published import published_method
+from tumble.calibrations.methods.dividing_head.published import published_method
 
 
 def test_the_published_equations_give_an_exact_sweep_back():

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tumble.calibrations import quantities as q
+from tumble.calibrations.core import quantities as q
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from head_tables import rests, stream
 
-from tumble.calibrations.reference.loop import close_reference_loop
+from tumble.calibrations.methods.head_reference.loop import close_reference_loop
 
 
 def sine(angle_deg, order, amplitude_deg, phase_deg):

@@ -2,8 +2,10 @@ import numpy as np
 import pytest
 from tables import FLIPS, sweep, table
 
-from tumble.calibrations.observations import Observations
-from tumble.calibrations.repeats import dwell_weights, labels, mountings, pose_groups, pure_error, settings
+from tumble.calibrations.core.repeats import labels, pure_error, settings
+from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.calibrations.methods.dividing_head.poses import mountings, pose_groups
+from tumble.calibrations.methods.dividing_head.weights import dwell_weights
 
 
 def test_angles_within_a_few_thousandths_are_one_setting():

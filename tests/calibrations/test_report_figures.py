@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 from report_examples import FACE_UP, calibrate, dwells, face_up, flips_only, provenance, reversed_
 
-from tumble.calibrations.flips import FlipClosure, FlipMean
-from tumble.calibrations.geometry import projections
-from tumble.calibrations.report import evidence
-from tumble.calibrations.report.figures import closure_figure, fit_figure, model_curve
-from tumble.calibrations.report.residuals import covariate_figures, normal_figure
-from tumble.calibrations.report.subject import Subject
+from tumble.calibrations.methods.dividing_head.flips import FlipClosure, FlipMean
+from tumble.calibrations.methods.dividing_head.geometry import projections
+from tumble.calibrations.methods.dividing_head.report import evidence
+from tumble.calibrations.methods.dividing_head.report.figures import closure_figure, fit_figure, model_curve
+from tumble.calibrations.methods.dividing_head.report.residuals import covariate_figures, normal_figure
+from tumble.calibrations.methods.dividing_head.report.subject import Subject
 
 XLINK = "{http://www.w3.org/1999/xlink}href"
 

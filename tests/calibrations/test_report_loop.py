@@ -10,17 +10,17 @@ from loop_examples import clean, found, misread, timed, with_k_xx
 from report_examples import provenance
 from test_report_page import parsed, text_of
 
-from tumble.calibrations.effects import CATALOGUE
-from tumble.calibrations.report import outlooks, traces
-from tumble.calibrations.report.abscissa import BY_EFFECT, BY_VARIABLE
-from tumble.calibrations.report.page import SECTIONS
-from tumble.calibrations.report.results import notices
-from tumble.calibrations.report.subject import Subject
-from tumble.calibrations.report.traces import MOST_FIGURES, abscissae, trace_figure
+from tumble.calibrations.methods.dividing_head.effects import CATALOGUE
+from tumble.calibrations.methods.dividing_head.loop.table import scene_of
+from tumble.calibrations.methods.dividing_head.report import outlooks, traces
+from tumble.calibrations.methods.dividing_head.report.abscissa import BY_EFFECT, BY_VARIABLE
+from tumble.calibrations.methods.dividing_head.report.page import SECTIONS
+from tumble.calibrations.methods.dividing_head.report.results import notices
+from tumble.calibrations.methods.dividing_head.report.subject import Subject
+from tumble.calibrations.methods.dividing_head.report.traces import MOST_FIGURES, abscissae, trace_figure
 from tumble.calibrations.tracing.chain import Chain, Link, Stage
 from tumble.calibrations.tracing.experiments import Experiment
 from tumble.calibrations.tracing.findings import Unexplained
-from tumble.calibrations.tracing.ground import scene_of
 from tumble.calibrations.tracing.separation import Difference, Outlook
 
 UNEXPLAINED = Unexplained(depends_on="angle", description="a bump of 18 arcsec near 141 deg on the head")

@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 from report_examples import FLIPS, calibrate, dwells, face_up, flips_only, reversed_
 
-from tumble.calibrations.flips import FlipClosure, FlipMean
-from tumble.calibrations.support import Kind, closure_sentence, series, significant_digits, support
+from tumble.calibrations.core.sentences import series, significant_digits
+from tumble.calibrations.methods.dividing_head.flips import FlipClosure, FlipMean
+from tumble.calibrations.methods.dividing_head.significance import Kind, closure_sentence, support
 
 
 def texts(calibration, kind):

@@ -3,8 +3,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tumble.calibrations.observations import Observations, SetAside
-from tumble.calibrations.screening import set_aside_bad_rows
+from tumble.calibrations.core.rows import SetAside
+from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.calibrations.methods.dividing_head.screening import set_aside_bad_rows
 
 
 def table(**columns):

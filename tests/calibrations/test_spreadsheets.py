@@ -7,7 +7,8 @@ in the first column, nameless columns, rows of commas, U+2212 for minus, one emp
 import numpy as np
 import pytest
 
-from tumble.calibrations.table import TableError, read_table
+from tumble.calibrations.core.cells import TableError
+from tumble.calibrations.methods.dividing_head.table import read_table
 
 VOLTS = (
     1.604000, 1.709765, 1.802322, 1.870485, 1.905998, 1.904583, 1.866451, 1.796207, 1.702287,

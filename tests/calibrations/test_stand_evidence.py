@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from stand_examples import ANOTHER, STAND, eccentric_deg, eccentric_run, rows, run_on
 
-from tumble.calibrations.budget import StandUncertainty
+from tumble.calibrations.methods.dividing_head.budget import StandUncertainty
+from tumble.calibrations.methods.dividing_head.stand.evidence import Run, doubts
 from tumble.calibrations.stand_records.agreement import agreement, updated
 from tumble.calibrations.stand_records.corrections import Corrections, corrections_from_json
-from tumble.calibrations.stand_records.evidence import Run, doubts
 from tumble.calibrations.stand_records.terms import Term, harmonic_term, head_course, union
 
 ECCENTRICITY = harmonic_term(1)

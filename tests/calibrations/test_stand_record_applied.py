@@ -5,14 +5,14 @@ import pytest
 from stand_examples import ANOTHER, PARTS, UP, rows, run_on
 from stand_record_examples import FOUND, learned, record_of
 
-from tumble.calibrations.analysis import analyse
-from tumble.calibrations.budget import StandUncertainty
-from tumble.calibrations.provenance import Provenance
-from tumble.calibrations.report import render_report
-from tumble.calibrations.stand_records.applying import contradictions, corrected
+from tumble.calibrations.core.provenance import Provenance
+from tumble.calibrations.methods.dividing_head.analysis import analyse
+from tumble.calibrations.methods.dividing_head.budget import StandUncertainty
+from tumble.calibrations.methods.dividing_head.loop.loop import close_loop
+from tumble.calibrations.methods.dividing_head.report import render_report
+from tumble.calibrations.methods.dividing_head.stand.applying import contradictions, corrected
 from tumble.calibrations.stand_records.corrections import Corrections
 from tumble.calibrations.stand_records.terms import Term
-from tumble.calibrations.tracing.loop import close_loop
 
 
 def test_a_corrected_table_has_the_parameters_of_the_unit():
@@ -130,7 +130,7 @@ def test_a_report_shows_the_map_and_what_contradicts_it():
     table, record = rows(), learned()
     corrected_table = corrected(table, record)
     calibration = analyse(corrected_table, StandUncertainty(record=record), trials=0)
-    origin = Provenance(serial_number="SN 3", stand={}, raw_path="", raw_sha256="", program_version="", packages={})
+    origin = Provenance(serial_number="SN 3", stand={}, sources=(), program_version="", packages={})
 
     page = render_report(calibration, origin, loop=close_loop(corrected_table), contradictions=["It moved"])
 
@@ -142,6 +142,6 @@ def test_a_report_shows_the_map_and_what_contradicts_it():
 
 
 def test_a_report_without_a_record_says_so():
-    origin = Provenance(serial_number="SN 3", stand={}, raw_path="", raw_sha256="", program_version="", packages={})
+    origin = Provenance(serial_number="SN 3", stand={}, sources=(), program_version="", packages={})
 
     assert "No stand record was applied." in render_report(analyse(rows(), trials=0), origin)

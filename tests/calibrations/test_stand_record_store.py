@@ -9,9 +9,10 @@ from records_examples import minutes_pass
 from stand_examples import rows
 from stand_record_examples import FOUND, IDENTITY, UNIT, VALID
 
+from tumble.calibrations.methods.dividing_head.stand.validity import validity_of
 from tumble.calibrations.records.errors import RecordError
 from tumble.calibrations.records.store import Store
-from tumble.calibrations.stand_records.record import Status, Validity, document, validity_of
+from tumble.calibrations.stand_records.record import Status, Validity, document
 from tumble.calibrations.stand_records.store import StandRecords
 
 
@@ -102,5 +103,5 @@ def test_ranges_grow_with_what_was_measured():
 def test_a_table_beyond_the_ranges_is_told_of():
     table = replace(rows(), temperature_degc=np.full(288, 30.0))
 
-    assert VALID.exceeded_by(table) == ["32 to 28 °C, known for 22 to 24 °C"]
-    assert validity_of(table).together(VALID).exceeded_by(table) == []
+    assert VALID.exceeded_by(validity_of(table)) == ["32 to 28 °C, known for 22 to 24 °C"]
+    assert validity_of(table).together(VALID).exceeded_by(validity_of(table)) == []

@@ -4,7 +4,9 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from tables import FLIPS, sweep, table
 
-from tumble.calibrations.table import TableError, read_table, write_table
+from tumble.calibrations.core.cells import TableError
+from tumble.calibrations.core.table import write_table
+from tumble.calibrations.methods.dividing_head.table import read_table
 
 HEADER = "realisation,procedure,mount,angle_deg,voltage_V\n"
 

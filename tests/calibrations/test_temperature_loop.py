@@ -3,10 +3,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tumble.calibrations.known_tables import Kind, kind_of
-from tumble.calibrations.table import TableError
-from tumble.calibrations.temperature.loop import close_temperature_loop
-from tumble.calibrations.temperature.table import Runs, read_runs
+from tumble.app.methods import methods
+from tumble.calibrations.core.cells import TableError
+from tumble.calibrations.core.known_tables import recognised
+from tumble.calibrations.methods.temperature.loop import close_temperature_loop
+from tumble.calibrations.methods.temperature.table import Runs, read_runs
 
 PRINTED = {
     "bias_x_arcsec": 4.3,
@@ -145,8 +146,11 @@ def written(tmp_path, text):
 
 
 def test_a_table_of_runs_is_known_by_its_temperature_and_by_having_no_angle(tmp_path):
-    assert kind_of(written(tmp_path, "run,sensor_degC,bias_V\n1,20,0.1\n")) is Kind.RUNS
-    assert kind_of(written(tmp_path, "angle_deg,voltage_V,temperature_degC\n0,1,20\n")) is Kind.ACCELEROMETER
+    assert recognised(written(tmp_path, "run,sensor_degC,bias_V\n1,20,0.1\n"), methods()).name == "temperature"
+    assert (
+        recognised(written(tmp_path, "angle_deg,voltage_V,temperature_degC\n0,1,20\n"), methods()).name
+        == "dividing_head"
+    )
 
 
 @pytest.mark.parametrize(

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from tumble.calibrations.temperature.document import document
-from tumble.calibrations.temperature.loop import close_temperature_loop
-from tumble.calibrations.temperature.table import Runs
+from tumble.calibrations.methods.temperature.document import document
+from tumble.calibrations.methods.temperature.loop import close_temperature_loop
+from tumble.calibrations.methods.temperature.table import Runs
 
 
 def runs(at_degc, bias_mv, *, noise=0.02, seed=6):

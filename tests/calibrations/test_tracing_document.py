@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 from loop_examples import K_XX, clean, found, misread, with_k_xx
 
-from tumble.calibrations.tracing.document import document, result_document
+from tumble.calibrations.methods.dividing_head.document import document, result_document
 from tumble.calibrations.tracing.findings import Unexplained
 
 MODEL_KEYS = {"parameters", "residual_rms_V", "held_out_rms_V", "lack_of_fit_p"}

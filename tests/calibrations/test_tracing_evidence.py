@@ -8,16 +8,16 @@ import pytest
 from sparse_tables import nine_settings, pieces, with_labels
 from tables import FLIPS, gravity_on, sweep, table
 
-from tumble.calibrations.effects import CATALOGUE
-from tumble.calibrations.joint import fit_jointly
-from tumble.calibrations.repeats import distinct_settings
-from tumble.calibrations.tracing.document import document
+from tumble.calibrations.methods.dividing_head.document import document
+from tumble.calibrations.methods.dividing_head.effects import CATALOGUE
+from tumble.calibrations.methods.dividing_head.joint import fit_jointly
+from tumble.calibrations.methods.dividing_head.loop.loop import close_loop
+from tumble.calibrations.methods.dividing_head.loop.sentences import headline
+from tumble.calibrations.methods.dividing_head.loop.table import dividing_head_table
+from tumble.calibrations.methods.dividing_head.poses import distinct_settings
 from tumble.calibrations.tracing.evidence import evidence
-from tumble.calibrations.tracing.ground import ground
-from tumble.calibrations.tracing.loop import close_loop
 from tumble.calibrations.tracing.noise import NoiseModel
 from tumble.calibrations.tracing.trace import Trace, Tracer, found
-from tumble.calibrations.tracing.words import headline
 
 
 @cache
@@ -168,7 +168,7 @@ def two_temperatures(visits):
 
 def evidence_for(rows, name):
     """What speaks for the first form of an effect, alone in a table."""
-    base = ground(fit_jointly(rows), CATALOGUE)
+    base = dividing_head_table(fit_jointly(rows), CATALOGUE)
     problem = Tracer(base).problem(NoiseModel())
     alone = found(problem, problem.forms[name].start)
     return evidence(base, Trace(found=(alone,), noise=NoiseModel(), deviance=0.0), name)

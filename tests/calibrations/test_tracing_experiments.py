@@ -5,15 +5,15 @@ import pytest
 from tables import gravity_on
 from tracing_runs import FLIPS, SWEEP, dwells, programme, runs
 
-from tumble.calibrations.effects import CATALOGUE
-from tumble.calibrations.joint import fit_jointly
-from tumble.calibrations.observations import Observations
+from tumble.calibrations.methods.dividing_head.effects import CATALOGUE
+from tumble.calibrations.methods.dividing_head.joint import fit_jointly
+from tumble.calibrations.methods.dividing_head.loop.table import dividing_head_table
+from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.calibrations.methods.dividing_head.probes import PROBES, Probe
 from tumble.calibrations.tracing import experiments
 from tumble.calibrations.tracing.experiments import APART, next_experiments
-from tumble.calibrations.tracing.ground import ground
-from tumble.calibrations.tracing.probes import PROBES, Probe, followed_by
 from tumble.calibrations.tracing.rivals import CLOSE, rivals, with_best_names
-from tumble.calibrations.tracing.separation import Question, Rows
+from tumble.calibrations.tracing.separation import PlannedRows, Question
 from tumble.calibrations.tracing.trace import Tracer
 from tumble.procedures.programme import shipped_programmes
 
@@ -37,7 +37,7 @@ def k_xx(columns):
 
 def traced(observations):
     """The table, what it was traced to, and every rival by how far it is behind."""
-    base = ground(fit_jointly(observations), CATALOGUE)
+    base = dividing_head_table(fit_jointly(observations), CATALOGUE)
     tracer = Tracer(base)
     trace, _ = with_best_names(tracer, tracer.trace())
     return base, trace, {name: rivals(tracer, trace, name) for name in trace.names}
@@ -62,7 +62,7 @@ def shown(experiment):
 
 
 def proposed(base, trace, found):
-    return next_experiments(base, trace, close(found))
+    return next_experiments(base, trace, close(found), PROBES)
 
 
 def test_every_probe_is_a_programme_that_comes_along():
@@ -72,8 +72,8 @@ def test_every_probe_is_a_programme_that_comes_along():
 @pytest.mark.parametrize("probe", PROBES, ids=lambda probe: probe.programme)
 def test_a_probe_takes_the_dwells_of_its_programme(probe):
     steps = [dwell for dwell, _ in dwells(probe.programme)]
-    assert {step.mount for step in steps} == {probe.mount}
-    assert [step.angle_deg for step in steps] == probe.angles_deg.ravel().tolist()
+    assert {step.conditions["mount"] for step in steps} == {probe.mount}
+    assert [step.targets_deg["head"] for step in steps] == probe.angles_deg.ravel().tolist()
     assert [step.realisation for step in steps] == np.repeat(
         np.arange(1, probe.realisations + 1), len(steps) // probe.realisations
     ).tolist()
@@ -100,9 +100,7 @@ def test_a_probe_goes_on_where_the_table_ends():
         velocity_deg_s=np.array([0.0, 10.0]),
         extra={"lamp": np.array(["on", "off"])},
     )
-    joined = followed_by(
-        table, Probe(programme="warm", does="", mount="edge", realisations=2, warmer_k=3.0, wait_s=5.0)
-    )
+    joined = Probe(programme="warm", does="", mount="edge", realisations=2, warmer_k=3.0, wait_s=5.0).after(table)
     assert len(joined) == 2 + 160
     assert joined.row.tolist() == list(range(1, 163))
     assert joined.time_s[2:4] == pytest.approx([9.0 + 65.0 + 0.5 + 1.5, 9.0 + 65.0 + 0.5 + 1.5 + 0.25 + 1.5])
@@ -116,14 +114,14 @@ def test_a_probe_goes_on_where_the_table_ends():
 
 
 def test_a_column_that_the_table_lacks_is_not_made_up():
-    joined = followed_by(short_table(), BY_NAME["probe-repeat"])
+    joined = BY_NAME["probe-repeat"].after(short_table())
     assert (joined.time_s, joined.direction, joined.temperature_degc, joined.samples) == (None, None, None, None)
     assert joined.realisation.tolist() == [1, 1] + [2] * 80 + [3] * 80 + [4] * 80
 
 
 def test_a_direction_holds_where_the_head_does_not_move():
     table = short_table(direction=np.array([1, 1]))
-    joined = followed_by(table, BY_NAME["probe-back"])
+    joined = BY_NAME["probe-back"].after(table)
     assert joined.direction[2 + 158 : 2 + 160].tolist() == [-1, -1]
 
 
@@ -137,7 +135,7 @@ def test_once_per_turn_and_a_square_are_told_apart_by_a_turn_of_90_degrees():
     base, trace, found = traced(runs(own, extra_v=k_xx, seed=2))
     assert behind(found, "k_xx", "head_eccentricity") < 4.0
     with_it = {"k_xx": [rival for rival in found["k_xx"] if rival.name == "head_eccentricity"]}
-    (experiment,) = next_experiments(base, trace, with_it)
+    (experiment,) = next_experiments(base, trace, with_it, PROBES)
     assert experiment.separates == ("k_xx", "head_eccentricity")
     assert experiment.command == "tumble run --programme probe-face-up-90 --serial SERIAL"
     assert experiment.separation > APART
@@ -158,7 +156,7 @@ def test_squares_of_the_three_projections_are_told_apart_by_another_mount():
     name = next(iter(found))
     squares = [rival for rival in found[name] if rival.name in {"k_xx", "k_yy", "k_zz"}]
     assert all(rival.behind < CLOSE for rival in squares)
-    (experiment,) = next_experiments(base, trace, {name: squares})
+    (experiment,) = next_experiments(base, trace, {name: squares}, PROBES)
     assert BY_NAME[experiment.programme].mount != "face-up"
     _, _, after = traced(runs(own, experiment.programme, extra_v=square))
     assert {"k_yy", "k_zz"} & {rival.name for rival in after.get("k_xx", []) if rival.behind < CLOSE} == set()
@@ -172,7 +170,7 @@ def test_what_only_the_voltmeter_can_tell_is_said_and_has_no_command():
     base, trace, found = traced(runs(programme(FLIPS, BACK, DOWN, realisations=2), extra_v=cube))
     (name,) = found
     nonlinear = {name: [rival for rival in found[name] if rival.name == "daq_nonlinearity"]}
-    (experiment,) = next_experiments(base, trace, nonlinear)
+    (experiment,) = next_experiments(base, trace, nonlinear, PROBES)
     assert (experiment.programme, experiment.command) == ("", "")
     assert "exchange one of these" in experiment.why
     assert experiment.outlook is None
@@ -185,16 +183,16 @@ class Stub(Question):
 
     def __init__(self, names, separations):
         self.name, self.rivals, self._separations = "a", names, separations
-        self.table = Rows(observations=short_table(), weights=np.ones(2), programmes=np.full(2, ""))
+        self.table = PlannedRows(rows=short_table(), weights=np.ones(2), programmes=np.full(2, ""))
 
     def belongs_to(self, name):
         return "unit"
 
     def left(self, rows):
-        realisations = rows.observations.realisations[:, None]
-        visited = np.unique(np.column_stack([rows.observations.mounts[:, None], realisations.astype(str)]), axis=0)
+        realisations = rows.rows.realisations[:, None]
+        visited = np.unique(np.column_stack([rows.rows.mounts[:, None], realisations.astype(str)]), axis=0)
         separations = np.array(self._separations([mount for mount, _ in visited]), dtype=float)
-        count = len(rows.observations)
+        count = len(rows.rows)
         return np.repeat(np.sqrt(np.expm1(separations / count))[:, None, :], count, axis=1)
 
 
@@ -202,7 +200,7 @@ def answers(monkeypatch, names, separations):
     monkeypatch.setattr(experiments, "Question", lambda *_: Stub(names, separations))
     return [
         (experiment.programme, experiment.separates, experiment.why.partition(" in -2 ln L")[2])
-        for experiment in next_experiments(None, None, {"a": ["some"]})
+        for experiment in next_experiments(None, None, {"a": ["some"]}, PROBES)
     ]
 
 
@@ -239,7 +237,7 @@ def test_the_smallest_difference_that_is_shown_is_the_separation_that_is_stated(
         return [[40.0 * ("edge" in mounts), 30.0 * ("edge" in mounts)], [20.0, 50.0]]
 
     monkeypatch.setattr(experiments, "Question", lambda *_: Stub(("b", "c"), separations))
-    (experiment,) = next_experiments(None, None, {"a": ["some"]})
+    (experiment,) = next_experiments(None, None, {"a": ["some"]}, PROBES)
     assert shown(experiment) == [("b", "a", pytest.approx(20.0)), ("a", "c", pytest.approx(30.0))]
     assert experiment.separation == pytest.approx(20.0)
 
@@ -249,7 +247,7 @@ def test_of_two_mounts_each_shows_its_own_rows(monkeypatch):
         return [[20.0 * ({"face-down", "edge"} <= set(mounts))]] * 2
 
     monkeypatch.setattr(experiments, "Question", lambda *_: Stub(("b",), separations))
-    proposed = next_experiments(None, None, {"a": ["some"]})
+    proposed = next_experiments(None, None, {"a": ["some"]}, PROBES)
     seen = [set(each.outlook.rows.mounts[each.outlook.probed].tolist()) for each in proposed]
     assert seen == [{"face-down"}, {"edge"}]
 
@@ -259,7 +257,7 @@ def test_an_experiment_that_tells_only_if_the_rival_is_true_says_so(monkeypatch)
         return [[0.0], [30.0 * ("edge" in mounts)]]
 
     assert answers(monkeypatch, ("b",), separations) == [("probe-edge", ("a", "b"), ", if b is the true one")]
-    (experiment,) = next_experiments(None, None, {"a": ["some"]})
+    (experiment,) = next_experiments(None, None, {"a": ["some"]}, PROBES)
     assert shown(experiment) == [("b", "a", pytest.approx(30.0))]
 
 
@@ -286,7 +284,7 @@ def test_why_an_experiment_is_proposed_reads_as_a_sentence(monkeypatch, separate
         return [[0.0, told[0]], told] if "edge" in mounts else [[0.0, 0.0], [0.0, 0.0]]
 
     monkeypatch.setattr(experiments, "Question", lambda *_: Stub(("k_yy", "graduation"), separations))
-    for experiment in next_experiments(None, None, {"a": ["some"]}):
+    for experiment in next_experiments(None, None, {"a": ["some"]}, PROBES):
         words = experiment.why
         for name in (experiment.programme, "k_yy", "graduation"):
             words = words.replace(name, "NAME") if name else words

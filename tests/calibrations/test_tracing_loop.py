@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from tables import FLIPS, UNIT, gravity_on, output, sweep, table
 
-from tumble.calibrations.tracing.loop import close_loop
-from tumble.calibrations.tracing.questions import questioned
+from tumble.calibrations.methods.dividing_head.loop.loop import close_loop
+from tumble.calibrations.methods.dividing_head.questions import questioned
 
 TWO_MOUNTS = (*FLIPS, sweep("face-up"), sweep("face-down"))
 THREE_MOUNTS = (*TWO_MOUNTS, sweep("face-up-90"))

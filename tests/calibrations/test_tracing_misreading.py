@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from tables import FLIPS, output, sweep, table
 
-from tumble.calibrations.tracing.loop import close_loop
+from tumble.calibrations.methods.dividing_head.loop.loop import close_loop
 
 MOUNTS = (*FLIPS, sweep("face-up"), sweep("face-down"))
 

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from tables import FLIPS, sweep, table
 
-from tumble.calibrations.effects import CATALOGUE
-from tumble.calibrations.joint import fit_jointly
+from tumble.calibrations.methods.dividing_head.effects import CATALOGUE
+from tumble.calibrations.methods.dividing_head.joint import fit_jointly
+from tumble.calibrations.methods.dividing_head.loop.loop import close_loop
+from tumble.calibrations.methods.dividing_head.loop.table import dividing_head_table
 from tumble.calibrations.tracing.fitting_noise import golden_section
-from tumble.calibrations.tracing.ground import ground
-from tumble.calibrations.tracing.loop import close_loop
 from tumble.calibrations.tracing.noise import NoiseModel
 
 MOUNTS = (*FLIPS, sweep("face-up"), sweep("face-down"))
@@ -45,7 +45,7 @@ def test_what_is_known_of_the_wandering_is_taken_off_the_residual(quiet):
 
 
 def test_whitening_makes_the_noise_it_is_made_for_white(quiet):
-    memory = ground(fit_jointly(quiet), CATALOGUE).memory
+    memory = dividing_head_table(fit_jointly(quiet), CATALOGUE).memory
     noise = NoiseModel(walk=2.0, corner=4.0)
     order = np.arange(1, memory.modes.shape[1])
     variances = np.concatenate([[0.0], 2.0 / (order**2 + 16.0)])
@@ -57,7 +57,7 @@ def test_whitening_makes_the_noise_it_is_made_for_white(quiet):
 
 
 def test_flicker_leaves_a_mean_that_no_run_can_see(quiet):
-    memory = ground(fit_jointly(quiet), CATALOGUE).memory
+    memory = dividing_head_table(fit_jointly(quiet), CATALOGUE).memory
     ones = np.ones(len(quiet))
 
     assert ones @ memory.whitening(NoiseModel(flicker=0.05))(ones) < 0.5 * len(quiet)

@@ -7,7 +7,7 @@ import pytest
 from sparse_tables import nine_settings, with_labels
 from tables import FLIPS, sweep, table
 
-from tumble.calibrations.tracing.realisations import with_passes
+from tumble.calibrations.methods.dividing_head.realisations import with_passes
 
 PASSES = table(*FLIPS, sweep("face-up", 30.0), realisations=3)
 

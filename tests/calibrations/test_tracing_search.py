@@ -1,4 +1,4 @@
-"""Footing, problem and search: the same answers as a plain least-squares fit, only faster."""
+"""WhitenedFit, problem and search: the same answers as a plain least-squares fit, only faster."""
 
 from dataclasses import replace
 
@@ -6,15 +6,15 @@ import numpy as np
 import pytest
 from tables import FLIPS, UNIT, gravity_on, sweep, table
 
-from tumble.calibrations.compression import compress
-from tumble.calibrations.effects import CATALOGUE
-from tumble.calibrations.effects.effect import Structure
-from tumble.calibrations.effects.unnamed import STRUCTURES
-from tumble.calibrations.fit import joint_fit
-from tumble.calibrations.joint import fit_jointly
-from tumble.calibrations.tracing.ground import ground
+from tumble.calibrations.core.compression import compress
+from tumble.calibrations.methods.dividing_head.effects import CATALOGUE
+from tumble.calibrations.methods.dividing_head.effects.unnamed import STRUCTURES
+from tumble.calibrations.methods.dividing_head.fit import joint_fit
+from tumble.calibrations.methods.dividing_head.joint import fit_jointly
+from tumble.calibrations.methods.dividing_head.loop.table import dividing_head_table
+from tumble.calibrations.tracing.effect import Structure
 from tumble.calibrations.tracing.noise import NoiseModel
-from tumble.calibrations.tracing.search import entries, price, search
+from tumble.calibrations.tracing.search import penalised, penalties, search
 from tumble.calibrations.tracing.trace import Tracer
 
 WHITE = NoiseModel()
@@ -27,7 +27,7 @@ def bent(mount, angle_deg):
 @pytest.fixture(scope="module")
 def tracer():
     rows = table(*FLIPS, sweep("face-up"), sweep("face-down"), sweep("face-up-90"), extra_v=bent)
-    return Tracer(ground(fit_jointly(rows), CATALOGUE))
+    return Tracer(dividing_head_table(fit_jointly(rows), CATALOGUE))
 
 
 def numbers(tracer, name):
@@ -35,10 +35,10 @@ def numbers(tracer, name):
 
 
 def test_a_set_of_effects_is_fitted_as_by_the_joint_fit(tracer):
-    problem, joint = tracer.problem(WHITE), tracer.ground.joint
+    problem, joint = tracer.problem(WHITE), tracer.table.joint
     chosen = (numbers(tracer, "k_xx")[0], numbers(tracer, "graduation")[4])
     explained = problem.explain(chosen)
-    columns = np.column_stack([tracer.ground.declared, tracer.columns[:, problem.columns_of(chosen)]])
+    columns = np.column_stack([tracer.table.declared, tracer.columns[:, problem.columns_of(chosen)]])
     plain = joint_fit(compress(columns, joint.observations.output_v, joint.weights))
 
     assert problem.parameters(explained) == pytest.approx(plain.theta, rel=1e-6, abs=1e-9)
@@ -67,7 +67,7 @@ def test_the_search_ends_with_the_cheapest_set(tracer):
     found = search(problem)
 
     assert [problem.offered[number].effect.name for number in found.chosen] == ["k_xx"]
-    assert price(problem, found) == found.deviance + entries([problem.offered[number] for number in found.chosen])
+    assert penalised(problem, found) == found.deviance + penalties([problem.offered[number] for number in found.chosen])
 
 
 def test_a_search_for_names_alone_finds_no_shape_without_one(tracer):
@@ -81,7 +81,7 @@ def test_what_only_two_rows_could_show_is_not_on_offer():
     rows = table(*FLIPS, sweep("face-up"), sweep("face-down"), unit=dict(UNIT, alpha0=0.0))
     angle_deg = rows.angle_deg.copy()
     angle_deg[4:6] += 0.02, 0.05
-    offered = Tracer(ground(fit_jointly(replace(rows, angle_deg=angle_deg)), CATALOGUE)).offered
+    offered = Tracer(dividing_head_table(fit_jointly(replace(rows, angle_deg=angle_deg)), CATALOGUE)).offered
     names = {candidate.effect.name for candidate in offered}
 
     assert "k_xx" in names
@@ -90,7 +90,7 @@ def test_what_only_two_rows_could_show_is_not_on_offer():
 
 def test_every_shape_without_a_name_says_in_words_what_and_where_it_is(tracer):
     for structure in STRUCTURES:
-        for form in structure.forms(tracer.ground.scene):
+        for form in structure.forms(tracer.table.scene):
             words = structure.describe(form)
             assert len(words) > 15
             assert not {"_", "{", "="} & set(words.replace("ax = ", ""))

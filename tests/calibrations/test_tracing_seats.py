@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from tables import FLIPS, UNIT, sweep, table
 
-from tumble.calibrations.repeats import mountings
-from tumble.calibrations.tracing.loop import close_loop
-from tumble.calibrations.tracing.questions import questioned
-from tumble.calibrations.tracing.seats import wrong_seat
+from tumble.calibrations.methods.dividing_head.loop.loop import close_loop
+from tumble.calibrations.methods.dividing_head.loop.seats import wrong_seat
+from tumble.calibrations.methods.dividing_head.poses import mountings
+from tumble.calibrations.methods.dividing_head.questions import questioned
 
 NOISE_V = 1e-4
 PARTS = (sweep("face-up", 20.0), sweep("face-down", 20.0), sweep("face-up-90", 20.0), sweep("end", 20.0))

@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tumble.calibrations.observations import Observations
-from tumble.calibrations.tracing.document import document
-from tumble.calibrations.tracing.loop import close_loop
-from tumble.calibrations.tracing.words import headline
+from tumble.calibrations.methods.dividing_head.document import document
+from tumble.calibrations.methods.dividing_head.loop.loop import close_loop
+from tumble.calibrations.methods.dividing_head.loop.sentences import headline
+from tumble.calibrations.methods.dividing_head.observations import Observations
 
 # GAINS-ASEN23/Flight-Software, a public repository: an accelerometer in one pose for 20 min after switch-on; four
 # of its means of 10 s from each of four logs. Time in s, output in g written as volts, temperature in counts / 100.

@@ -5,17 +5,18 @@ from dataclasses import replace
 import pytest
 from loop_examples import clean, found, misread, with_k_xx
 
-from tumble.calibrations.tracing.findings import Unexplained
-from tumble.calibrations.tracing.misreading import Misreading
-from tumble.calibrations.tracing.words import (
+from tumble.calibrations.methods.dividing_head.loop.misreading import Misreading
+from tumble.calibrations.methods.dividing_head.loop.sentences import (
     comparisons,
     findings,
+    findings_of,
     found_sentences,
     headline,
     leaning,
     misread_text,
     untold,
 )
+from tumble.calibrations.tracing.findings import Unexplained
 
 
 def finding(*arguments, **named):
@@ -76,7 +77,7 @@ def test_structure_without_a_name_is_located():
 
 def test_a_misread_row_is_named_with_its_error_and_changes_no_model():
     assert found_sentences(misread()) == ["Read or set wrong by a round amount: row 21 by 10°."]
-    (line,) = findings(misread().effects, misread().misread)
+    (line,) = findings_of(misread())
     assert (line.name, line.coefficients, line.belongs_to) == ("misreading", "row 21 by 10°", "stand")
     assert comparisons(misread()) == []
 

@@ -7,7 +7,7 @@ import pytest
 from loop_examples import PARTS
 from tables import table
 
-from tumble.calibrations.tracing.questions import questioned
+from tumble.calibrations.methods.dividing_head.questions import questioned
 
 
 def at(first, last):

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from test_effects import scene
 
-from tumble.calibrations.effects.effect import Form
-from tumble.calibrations.effects.unnamed import STRUCTURES, taken_by
+from tumble.calibrations.methods.dividing_head.effects.unnamed import STRUCTURES, withheld_by
+from tumble.calibrations.tracing.effect import Form
 
 BY_NAME = {structure.name: structure for structure in STRUCTURES}
 
@@ -75,4 +75,4 @@ def test_a_shape_is_described_with_where_it_is(name, scanned, text):
     ],
 )
 def test_a_shape_takes_the_parameters_of_which_it_has_a_part_of_its_own(name, at, taken):
-    assert taken_by(name, at) == taken
+    assert withheld_by(name, at) == taken

@@ -8,11 +8,11 @@ import pytest
 from loop_examples import clean, found, misread, with_k_xx
 from tables import FLIPS, UNIT, gravity_on, sweep, table
 
-from tumble.calibrations.judging import judge
-from tumble.calibrations.provenance import LimitCheck
+from tumble.calibrations.core.provenance import LimitCheck
+from tumble.calibrations.core.verdict import verdict_from_json
+from tumble.calibrations.methods.dividing_head.judging import judge
+from tumble.calibrations.methods.dividing_head.loop.loop import Loop, close_loop
 from tumble.calibrations.tracing.findings import Unexplained
-from tumble.calibrations.tracing.loop import Loop, close_loop
-from tumble.calibrations.verdict import verdict_from_json
 
 SEED = (*FLIPS, sweep("face-up", 10.0))
 REVERSAL = (*SEED, sweep("face-down", 10.0))

@@ -2,9 +2,9 @@ import numpy as np
 import pytest
 from recording_examples import FINISHED, completed, record, run_of
 
-from tumble.calibrations.observations import SetAside
+from tumble.calibrations.core.rows import SetAside
 from tumble.procedures.events import FinishReason, RunFinished, WarningRaised
-from tumble.procedures.recording.observations import observations
+from tumble.procedures.methods.dividing_head.observations import observations
 from tumble.procedures.recording.reader import read_recording
 
 

@@ -11,7 +11,7 @@ import pytest
 from PySide6.QtCore import QEvent, QSettings
 from window_driver import LONG, TINY, Driver
 
-from tumble.calibrations import analysis
+from tumble.calibrations.methods.dividing_head import analysis
 from tumble.window.look.language import Language
 from tumble.window.start import Application, application
 
@@ -43,7 +43,9 @@ def few_trials():
 def no_report():
     """Drawing takes two seconds; a test of something else does without, whatever else it undoes."""
     with pytest.MonkeyPatch.context() as patched:
-        patched.setattr("tumble.calibrations.report.render_report", lambda *_, **__: "<html></html>")
+        patched.setattr(
+            "tumble.calibrations.methods.dividing_head.report.render_report", lambda *_, **__: "<html></html>"
+        )
         yield
 
 

@@ -2,7 +2,7 @@ import numpy as np
 from head_tables import rests
 
 from tumble.app.referencing import learn_from_reference
-from tumble.calibrations.table import write_table
+from tumble.calibrations.core.table import write_table
 
 STAND = {"name": "bench-9", "head": {"driver": "simulated", "serial": "H-1"}, "daq": {"driver": "simulated"}}
 

@@ -12,10 +12,10 @@ from PySide6.QtCore import QCoreApplication
 
 from tumble.drivers.manual import format_dms
 from tumble.procedures.events import (
+    ConditionAnswered,
+    ConditionRequested,
     Event,
     Identified,
-    MountAnswered,
-    MountRequested,
     PointVerified,
     ReadingAnswered,
     RunFinished,
@@ -45,10 +45,10 @@ def sentence_of(event: Event) -> str:
                 serial=event.serial or "—",
                 firmware=event.firmware or "—",
             )
-        case MountRequested():
-            said = translate("Sentences", "The unit is to be seated in the mount {mount}.").format(mount=event.mount)
-        case MountAnswered(confirmed=True):
-            said = translate("Sentences", "The unit sits in the mount {mount}.").format(mount=event.mount)
+        case ConditionRequested():
+            said = translate("Sentences", "The unit is to be seated in the mount {mount}.").format(mount=event.value)
+        case ConditionAnswered(confirmed=True):
+            said = translate("Sentences", "The unit sits in the mount {mount}.").format(mount=event.value)
         case ReadingAnswered():
             text = translate("Sentences", "Set to {setting}; read: {answer}.")
             said = text.format(
@@ -60,7 +60,7 @@ def sentence_of(event: Event) -> str:
             )
         case PointVerified():
             text = translate("Sentences", "Point {point} was taken again: {now:.6f} V now, {before:.6f} V before.")
-            said = text.format(point=event.point, now=event.voltage_v, before=event.recorded_v)
+            said = text.format(point=event.point, now=event.now, before=event.recorded)
         case StateChanged(state=State.PAUSED | State.STANDSTILL):
             said = state_name(event.state) + "."
         case WarningRaised():

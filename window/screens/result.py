@@ -10,8 +10,7 @@ from PySide6.QtWidgets import QHBoxLayout, QPushButton, QTabWidget, QVBoxLayout,
 
 from tumble.app.running import Job
 from tumble.app.stand import LoadedStand, same_instruments
-from tumble.calibrations.usable import Model
-from tumble.calibrations.verdict import Outcome, Verdict
+from tumble.calibrations.core.verdict import Model, Outcome, Verdict
 from tumble.procedures.errors import InputError
 from tumble.procedures.programme import load_programme
 from tumble.window.look.plain import PlainLabel

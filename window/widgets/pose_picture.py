@@ -8,7 +8,8 @@ from PySide6.QtCore import QEvent, QPointF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QWidget
 
-from tumble.calibrations.geometry import MOUNTS, FloatArray
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.methods.dividing_head.geometry import MOUNTS
 from tumble.window.look.theme import Colours, colours
 
 _HALF_SIZES: Final = (0.62, 0.42, 0.16)

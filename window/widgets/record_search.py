@@ -5,7 +5,7 @@ from datetime import UTC, datetime, time
 from PySide6.QtCore import QDate, Signal
 from PySide6.QtWidgets import QComboBox, QDateEdit, QGridLayout, QLabel, QLineEdit, QWidget
 
-from tumble.calibrations.verdict import Outcome
+from tumble.calibrations.core.verdict import Outcome
 from tumble.window.work.records import Search
 
 

@@ -114,5 +114,5 @@ class RunForm(QWidget):
             return
         text = self.tr("{points} points, {mountings} mountings, about {time}")
         self.summary.setText(
-            local(text.format(points=planned.dwells, mountings=planned.mount_changes, time=minutes(planned.duration_s)))
+            local(text.format(points=planned.dwells, mountings=planned.requests, time=minutes(planned.duration_s)))
         )

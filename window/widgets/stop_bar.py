@@ -4,7 +4,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
 
 from tumble.drivers.manual import format_dms
-from tumble.drivers.protocols import HeadStatus
+from tumble.drivers.protocols import PositionerStatus
 from tumble.window.look.numbers import local
 from tumble.window.stop_guard import STOP_KEYS
 
@@ -41,7 +41,7 @@ class StopBar(QWidget):
         self.state.style().polish(self.state)
         self.state.setText(text)
 
-    def show_head(self, status: HeadStatus | None) -> None:
+    def show_head(self, status: PositionerStatus | None) -> None:
         """Show where the head is; None where nobody knows."""
         if status is None:
             self._angle.setText(self.tr("not connected"))

@@ -7,7 +7,7 @@ import numpy as np
 import pyqtgraph as pg
 from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
 
-from tumble.calibrations.model import UNITS
+from tumble.calibrations.methods.dividing_head.model import UNITS
 from tumble.calibrations.records.record import Record
 from tumble.window.look.numbers import local
 from tumble.window.look.plots import LocalAxis, Plot

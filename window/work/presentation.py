@@ -6,15 +6,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tumble.calibrations.geometry import FloatArray
-from tumble.calibrations.quantities import format_correlation
-from tumble.calibrations.result import Calibration
-from tumble.calibrations.usable import Model
-from tumble.calibrations.verdict import Verdict
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.quantities import format_correlation
+from tumble.calibrations.core.verdict import Model, Verdict
+from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.window.work.activity import Concluded
 
 if TYPE_CHECKING:
-    from tumble.calibrations.tracing.words import Comparison, Finding
+    from tumble.calibrations.methods.dividing_head.loop.sentences import Comparison
+    from tumble.calibrations.tracing.sentences import Finding
 
 _MICRO = 1e6
 
@@ -43,7 +43,7 @@ class Presentation:
     """Whose values the table holds."""
     notices: tuple[str, ...]
     table: tuple[Any, ...]
-    """`tumble.calibrations.report.results.ResultRow`, one for each parameter."""
+    """`tumble.calibrations.methods.dividing_head.report.results.ResultRow`, one for each parameter."""
     names: tuple[str, ...]
     correlation: FloatArray
     correlation_texts: tuple[tuple[str, ...], ...]
@@ -58,9 +58,15 @@ class Presentation:
 
 def present(concluded: Concluded) -> Presentation:
     """Work out what there is to show."""
-    from tumble.calibrations.report.results import notices, results  # matplotlib takes half a second
-    from tumble.calibrations.report.subject import Subject
-    from tumble.calibrations.tracing.words import comparisons, findings, headline, leaning, untold
+    from tumble.calibrations.methods.dividing_head.loop.sentences import (
+        comparisons,
+        findings_of,
+        headline,
+        leaning,
+        untold,
+    )
+    from tumble.calibrations.methods.dividing_head.report.results import notices, results
+    from tumble.calibrations.methods.dividing_head.report.subject import Subject
 
     traced = concluded.traced
     use, loop = traced.usable, traced.loop
@@ -85,7 +91,7 @@ def present(concluded: Concluded) -> Presentation:
         correlation_texts=tuple(tuple(map(_coefficient, row)) for row in use.calibration.correlation),
         models=models,
         headline=headline(loop),
-        findings=tuple(findings(loop.effects, loop.misread)),
+        findings=tuple(findings_of(loop)),
         comparisons=tuple(comparisons(loop)),
         untold=tuple(untold(loop)),
         leaning=leaning(loop),
@@ -94,7 +100,7 @@ def present(concluded: Concluded) -> Presentation:
 
 def rows_of(calibration: Calibration) -> Rows:
     """What plots need of a calibration."""
-    from tumble.calibrations.report.figures import model_curve
+    from tumble.calibrations.methods.dividing_head.report.figures import model_curve
 
     observations, noise = calibration.observations, calibration.noise
     mounts = observations.mounts.tolist()

@@ -14,8 +14,8 @@ from tumble.app.exits import Exit, JobError
 from tumble.app.files import check_result, replacing, write_text
 from tumble.app.kinds import Kind
 from tumble.app.running import Job
+from tumble.calibrations.core.verdict import Outcome
 from tumble.calibrations.records.record import Record
-from tumble.calibrations.verdict import Outcome
 from tumble.window.work.activity import Concluded, Resumption
 
 if TYPE_CHECKING:
@@ -154,7 +154,7 @@ def export(folder: Path, record_id: str, path: Path) -> Path:
 
 def _write_rows(folder: Path, record_id: str, path: Path) -> None:
     from tumble.app.recall import recall
-    from tumble.calibrations.table import write_table
+    from tumble.calibrations.core.table import write_table
 
     check_result(path, Kind.TABLE)
     _, measurement = recall(folder, record_id)

@@ -1,0 +1,1 @@
+"""What every method shares: arrays, rows, quantities, parameters, least squares, evidence. It knows no method."""

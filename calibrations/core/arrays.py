@@ -1,0 +1,6 @@
+"""The one kind of array that everything here is made of."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+FloatArray = NDArray[np.float64]

@@ -1,0 +1,91 @@
+"""Which method reads a table; one that none reads is refused by name, with what is there."""
+
+import difflib
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Final
+
+from tumble.calibrations.core.cells import TableError, holds_numbers
+from tumble.calibrations.core.files import read_header, read_lines
+from tumble.calibrations.core.method import Method
+from tumble.calibrations.core.sentences import series
+
+_FOREIGN: Final[tuple[tuple[str, tuple[str, ...]], ...]] = (
+    ("a triad on a two-axis stand", ("outer_deg", "inner_deg")),
+    ("a triad of accelerometers", ("u_x_V", "u_y_V", "u_z_V")),
+    ("a triad of accelerometers", ("u_x_counts", "u_y_counts", "u_z_counts")),
+    ("gyrocompassing in several azimuths", ("rate_deg_h", "azimuth_deg")),
+    ("a gyro", ("rate_deg_h",)),
+    ("a gyro", ("rate_deg_s",)),
+    ("vibration rectification", ("output_ug", "ai_g")),
+    ("vibrated dwells", ("drive_Hz", "output_g")),
+    ("vibration", ("output_ug",)),
+    ("Allan deviations", ("tau_s",)),
+)
+"""Tables that have a name and are not analysed, by columns that show them."""
+_SIGNALS: Final[tuple[tuple[str, tuple[str, ...]], ...]] = (
+    ("Allan deviations", ("adev", "oadev", "mdev", "hdev", "allan", "avar")),
+    ("a triad", ("acc_x", "accel_x", "acceleration_x")),
+    ("a gyro", ("gyr_x", "omega_x", "gyro_x", "rate_x")),
+    ("the climate of a room", ("humidity", "rh_", "pressure", "dew")),
+)
+"""The same by parts of names."""
+_NEAR: Final = 0.7
+"""A name so like a known one is a slip of the pen."""
+
+
+def recognised(path: Path, methods: Sequence[Method]) -> Method:
+    """The method that reads a table, by its header.
+
+    Raises
+    ------
+    TableError
+        Unreadable, or a table of none of `methods`: what it looks like or what its columns are, and what is read.
+    """
+    if method := _reader(methods, read_header(path), None):
+        return method
+    header, lines = read_lines(path)  # a malformed table is told of as such
+    numbers = [name for place, name in enumerate(header) if holds_numbers(place, lines)]
+    if method := _reader(methods, header, None):
+        return method
+    read = series([method.columns for method in methods], "or")
+    if foreign := _foreign(header):
+        raise TableError(
+            f"{path}, line 1: this looks like a table of {foreign}, which this version does not analyse; "
+            f"tumble reads {read}"
+        )
+    if method := _reader(methods, header, numbers):
+        return method
+    hints = (method.hint(header, numbers) for method in methods)
+    hint = next(filter(None, hints), "not a table that tumble knows")
+    raise TableError(f"{path}, line 1: {hint}; the columns are {', '.join(header)}; tumble reads {read}")
+
+
+def _reader(methods: Sequence[Method], header: Sequence[str], numbers: Sequence[str] | None) -> Method | None:
+    return next((method for method in methods if method.reads(header, numbers)), None)
+
+
+def misspelt(header: Sequence[str], known: Sequence[str], wanted: Sequence[str]) -> str:
+    """What to ask where columns that are wanted are missing and others look like them; empty where none does.
+
+    `known` are columns that are spelt right.
+    """
+    missing = [name for name in wanted if name not in header]
+    lowered = {name.lower(): name for name in header if name not in known}
+    close = {name: difflib.get_close_matches(name.lower(), lowered, n=1, cutoff=_NEAR) for name in missing}
+    near = {lowered[names[0]]: name for name, names in close.items() if names}
+    if not near:
+        return ""
+    asked = series([f"{given} {name}" for given, name in near.items()])
+    return f"column {missing[0]} is missing; is {asked}? Rename and check the unit"
+
+
+def _foreign(header: Sequence[str]) -> str:
+    """What a table of another kind is of; empty where nothing shows it."""
+    for what, columns in _FOREIGN:
+        if all(column in header for column in columns):
+            return f"{what} ({series(columns)})"
+    for what, parts in _SIGNALS:
+        if shown := [name for name in header if any(name.lower().startswith(part) for part in parts)]:
+            return f"{what} ({series(shown)})"
+    return ""

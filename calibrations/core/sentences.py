@@ -1,0 +1,29 @@
+"""Words for lists and probabilities."""
+
+import math
+from collections.abc import Sequence
+
+from tumble.calibrations.core.quantities import format_probability
+
+
+def equals(p_value: float) -> str:
+    """`= 0.41` or `< 0.0001`, to follow a p."""
+    text = format_probability(p_value)
+    return text if text.startswith("<") else f"= {text}"
+
+
+def series(names: Sequence[str], last: str = "and") -> str:
+    """`x, y and z`."""
+    return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} {last} {names[-1]}"
+
+
+def significant_digits(value: float, expanded: float) -> int:
+    """Digits of a value whose last unit is no less than the expanded uncertainty; 0 where that is over half of it."""
+    if value == 0 or not expanded > 0:
+        return 0
+    ratio = expanded / abs(value)
+    return 0 if ratio > _SIGN_ONLY else math.ceil(-math.log10(ratio))
+
+
+_SIGN_ONLY = 0.5
+"""An expanded uncertainty beyond this part of the value leaves nothing but its sign."""

@@ -1,9 +1,0 @@
-"""Effects of a laboratory's own. One is a few lines: name, owner, columns, what its coefficient is called.
-
-`docs/examples/own.py` is this file with an example in it: paste it here and change what is yours.
-"""
-
-from tumble.calibrations.effects.effect import Effect
-from tumble.calibrations.effects.scene import Scene
-
-OWN_EFFECTS: tuple[Effect[Scene], ...] = ()

@@ -1,0 +1,220 @@
+"""The joint analysis of one observation table: from rows to parameters with their uncertainty."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.blas_threads import one_blas_thread
+from tumble.calibrations.core.coverage import coverage_factor
+from tumble.calibrations.core.gravity import Gravity
+from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.core.quantities import format_number
+from tumble.calibrations.methods.dividing_head.budget import Source, StandUncertainty, effective_freedom, sources
+from tumble.calibrations.methods.dividing_head.fit import Alpha0Profile, covariance
+from tumble.calibrations.methods.dividing_head.flips import flip_closure
+from tumble.calibrations.methods.dividing_head.held_out import held_out_rms
+from tumble.calibrations.methods.dividing_head.identifiability import Identification, identify
+from tumble.calibrations.methods.dividing_head.joint import LACK_OF_FIT_P, Joint, fit_jointly
+from tumble.calibrations.methods.dividing_head.model import ALPHA0, PARAMETERS, UNITS
+from tumble.calibrations.methods.dividing_head.montecarlo import TRIALS, MonteCarlo, monte_carlo
+from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.calibrations.methods.dividing_head.published import published_method
+from tumble.calibrations.methods.dividing_head.result import BudgetLine, Calibration, PerAcceleration
+
+
+@one_blas_thread
+def analyse(observations: Observations, stand: StandUncertainty | None = None, trials: int = TRIALS) -> Calibration:
+    """Fit all rows jointly and say what each parameter is, how well it is known and on what that rests.
+
+    Parameters
+    ----------
+    observations
+        Rows with a voltage.
+    stand
+        What the stand adds (type B); None where nothing is known of it.
+    trials
+        Trials of the Monte Carlo check; with 0 there is none.
+
+    Raises
+    ------
+    ValueError
+        No voltage, or no usable row: one sentence.
+    """
+    if not len(observations):
+        raise ValueError(f"{observations.source}: no usable row; every one was set aside")
+    return assess(fit_jointly(observations), stand or StandUncertainty(), trials)
+
+
+@one_blas_thread
+def assess(fitted: Joint, stand: StandUncertainty, trials: int = TRIALS) -> Calibration:
+    """What a joint fit says of the parameters; further columns in it are taken into account."""
+    verdicts = identify(fitted)
+    listed = sources(fitted.scene, stand)
+    type_a = covariance(fitted.compressed, fitted.fit, fitted.profile, fitted.noise.used_v**2)
+    type_b = {source.name: _spread(fitted, source) for source in listed}
+    combined = type_a + sum(type_b.values(), start=np.zeros_like(type_a))
+    parameters = {
+        name: _parameter(index, name, verdicts[name], fitted, type_a, combined) for index, name in enumerate(PARAMETERS)
+    }
+    told = [name for name in PARAMETERS if parameters[name].value is not None]
+    return Calibration(
+        observations=fitted.observations,
+        parameters=parameters,
+        correlation=_correlation(combined, parameters),
+        noise=fitted.noise,
+        residual_v=fitted.residual_v,
+        weights=fitted.weights,
+        residual_rms_v=float(np.sqrt(np.mean(fitted.residual_v**2))),
+        held_out_rms_v=held_out_rms(fitted.observations, fitted.basis, fitted.weights, fitted.fit.alpha0_fitted),
+        lack_of_fit_p=fitted.lack.p_value,
+        closure=flip_closure(fitted.observations, fitted.observations.output_v - fitted.residual_v, fitted.error),
+        published=published_method(fitted.observations),
+        budget=_budget(fitted, type_a, listed, type_b, told),
+        monte_carlo=_by_name(_simulate(fitted, listed, trials), told) if trials else {},
+        per_acceleration=_per_acceleration(parameters, stand.gravity) if stand.gravity else {},
+        warnings=(*fitted.observations.warnings, *_doubts(fitted), *filter(None, [stand.left_out])),
+        stand_record=stand.record,
+    )
+
+
+def _doubts(fitted: Joint) -> tuple[str, ...]:
+    """What the test of lack of fit says beyond its p: that the model fails, or that repeats differ as a whole."""
+    p_value, source = fitted.lack.p_value, fitted.observations.source
+    if p_value is not None and p_value < LACK_OF_FIT_P:
+        return (
+            f"{source}: the declared model does not describe the poses (lack of fit, p = {p_value:.2g}); uncertainties "
+            "rest on that disagreement",
+        )
+    if p_value is not None and p_value > 1 - LACK_OF_FIT_P / 10:
+        return (
+            f"{source}: repeats scatter far more than the poses about the model (p = {p_value:.4f}): something changes "
+            "between the realisations, and uncertainties that take rows as independent are too small",
+        )
+    return ()
+
+
+def _spread(fitted: Joint, source: Source) -> FloatArray:
+    """Covariance of the parameters from one source of type B (GUM 5.1.2, with the errors of the rows as inputs)."""
+    shift = fitted.fit.inverse @ source.turned(fitted.compressed.rotation)
+    return np.asarray(shift @ shift.T)
+
+
+def _parameter(
+    index: int, name: str, verdict: Identification, fitted: Joint, type_a: FloatArray, combined: FloatArray
+) -> Parameter:
+    if not verdict.told:
+        return Parameter(
+            name=name,
+            unit=UNITS[name],
+            value=None,
+            standard_uncertainty=None,
+            type_a=None,
+            degrees_of_freedom=None,
+            interval_95=None,
+            reason=verdict.reason,
+            settled_by=verdict.settled_by,
+        )
+    value, u_a, u = (
+        float(fitted.fit.theta[index]),
+        float(np.sqrt(type_a[index, index])),
+        float(np.sqrt(combined[index, index])),
+    )
+    u_b = np.sqrt(max(u**2 - u_a**2, 0.0))
+    freedom = effective_freedom([(u_a, fitted.noise.used_degrees_of_freedom), (u_b, np.inf)])
+    return Parameter(
+        name=name,
+        unit=UNITS[name],
+        value=value,
+        standard_uncertainty=u,
+        type_a=u_a,
+        degrees_of_freedom=freedom,
+        interval_95=_interval(index, value, u, u_a, freedom, fitted.profile),
+        given_alpha0_deg=verdict.given_alpha0_deg,
+        rests_on=verdict.rests_on,
+        remark=verdict.remark,
+        settled_by=verdict.settled_by,
+    )
+
+
+def _interval(
+    index: int, value: float, u: float, u_a: float, freedom: float, profile: Alpha0Profile
+) -> tuple[float, float]:
+    """Value and expanded uncertainty; for alpha0 the profile's own interval, widened by what the stand adds."""
+    k = coverage_factor(freedom)
+    if index != ALPHA0:
+        return value - k * u, value + k * u
+    widening = u / u_a if u_a > 0 else 1.0
+    low, high = profile.interval_deg
+    return value - (value - low) * widening, value + (high - value) * widening
+
+
+def _correlation(matrix: FloatArray, parameters: Mapping[str, Parameter]) -> FloatArray:
+    known = np.array([parameter.value is not None for parameter in parameters.values()])
+    matrix = matrix[: len(known), : len(known)]
+    deviation = np.sqrt(np.where(known & (np.diag(matrix) > 0), np.diag(matrix), np.nan))
+    return np.asarray(matrix / np.outer(deviation, deviation))
+
+
+def _budget(
+    fitted: Joint, type_a: FloatArray, listed: tuple[Source, ...], type_b: Mapping[str, FloatArray], told: list[str]
+) -> tuple[BudgetLine, ...]:
+    def contributions(matrix: FloatArray) -> dict[str, float]:
+        return {name: float(np.sqrt(matrix[i, i])) for i, name in enumerate(PARAMETERS) if name in told}
+
+    noise = fitted.noise
+    return (
+        BudgetLine(
+            name="scatter of the data",
+            kind="A",
+            symbol=f"{format_number(noise.used_v, 'V')} a dwell",
+            contributions=contributions(type_a),
+            degrees_of_freedom=noise.used_degrees_of_freedom,
+        ),
+        *(
+            BudgetLine(
+                name=source.name,
+                kind="B",
+                symbol=source.symbol,
+                contributions=contributions(type_b[source.name]),
+                degrees_of_freedom=float("inf"),
+            )
+            for source in listed
+        ),
+    )
+
+
+def _simulate(fitted: Joint, listed: tuple[Source, ...], trials: int) -> MonteCarlo:
+    rotation = fitted.compressed.rotation
+    errors = np.column_stack([np.zeros((rotation.shape[1], 1)), *(source.turned(rotation) for source in listed)])
+    nodes = fitted.profile.nodes_deg(float(fitted.fit.theta[ALPHA0]))
+    return monte_carlo(fitted.compressed, fitted.fit, nodes, fitted.noise, errors, trials)
+
+
+def _by_name(simulated: MonteCarlo, told: list[str]) -> dict[str, tuple[float, tuple[float, float]]]:
+    return {
+        name: (
+            float(simulated.standard_uncertainty[i]),
+            (float(simulated.interval_95[i, 0]), float(simulated.interval_95[i, 1])),
+        )
+        for i, name in enumerate(PARAMETERS)
+        if name in told
+    }
+
+
+def _per_acceleration(parameters: Mapping[str, Parameter], gravity: Gravity) -> dict[str, PerAcceleration]:
+    """Coefficients per m/s²: divided by local g, once for V/g and twice for V/g²; its uncertainty enters here alone."""
+    relative = gravity.standard_uncertainty_m_s2 / gravity.value_m_s2
+    result = {}
+    for name, parameter in parameters.items():
+        power = {"V/g": 1, "V/g^2": 2}.get(parameter.unit, 0)
+        if power and parameter.value is not None and parameter.standard_uncertainty is not None:
+            scale = gravity.value_m_s2**power
+            result[name] = PerAcceleration(
+                value=parameter.value / scale,
+                standard_uncertainty=float(
+                    np.hypot(parameter.standard_uncertainty, power * relative * parameter.value) / scale
+                ),
+                unit=parameter.unit.replace("g^2", "(m/s^2)^2").replace("/g", "/(m/s^2)"),
+            )
+    return result

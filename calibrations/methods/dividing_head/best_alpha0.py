@@ -1,0 +1,135 @@
+"""The best alpha0 of the declared model: a scan of its range, then the zero of the slope of what is left.
+
+For given alpha0 everything else is linear (variable projection, Golub and Pereyra 1973), so that the sum of squares is
+a function of alpha0 alone, and a minimum is found for certain where Gauss-Newton would creep or stop halfway: an effect
+that is missing from the model may move alpha0 by tens of degrees.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.compression import Compressed
+from tumble.calibrations.core.solutions import SINGULAR, smallest_solution
+from tumble.calibrations.methods.dividing_head.model import (
+    BASIS_SIZE,
+    PARAMETERS,
+    coefficients,
+    design,
+    design_slope,
+    further_terms,
+    parameter_vector,
+)
+
+ALPHA0_REACH_DEG = 45.0
+"""Beyond this the declared model repeats itself with the axes renamed."""
+GRID_DEG = np.linspace(-ALPHA0_REACH_DEG, ALPHA0_REACH_DEG, 37)
+_RIDGE = 1e-13
+"""Part of the trace that keeps the normal equations of the scan solvable where rows do not tell a parameter."""
+_FUNCTIONS_OF_EACH = (0, 1, 3, 5, 7)
+"""Where those of the ten functions begin that belong to each linear parameter."""
+_SHAPES = design(GRID_DEG)
+_STEPS = 60
+_CONVERGED = 1e-12
+"""A step that changes the sum of squares by less than this part is the last."""
+
+
+def best_parameters(compressed: Compressed) -> FloatArray:
+    """Parameters of the declared model that leave least, then the coefficients of further columns."""
+    norm = np.linalg.norm(compressed.r, axis=0)
+    seen = BASIS_SIZE + np.flatnonzero(norm[BASIS_SIZE:] > SINGULAR * norm.max())
+    further = compressed.r[:, seen]
+    rows = _declared_alone(compressed, further)
+    best = _zero_of_slope(rows, *_bracket(rows))
+    theta = np.zeros(len(PARAMETERS) + further_terms(compressed))
+    theta[: len(PARAMETERS)] = parameter_vector(best.linear, best.alpha0_deg)
+    if further.size:
+        left = compressed.z - compressed.r @ coefficients(theta)
+        theta[seen + len(PARAMETERS) - BASIS_SIZE] = smallest_solution(further, left)
+    return theta
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Rows:
+    """Rotated rows that see the declared model only."""
+
+    r: FloatArray
+    """Shape (n, 10)."""
+    z: FloatArray
+    """Shape (n,), in volts."""
+    rest_v2: float
+    length: FloatArray
+    """Shape (5,): what the rows show of each linear parameter at most, further columns or not."""
+
+    def at(self, alpha0_deg: float) -> "_Least":
+        """The best linear parameters at an alpha0; of those that fit equally well the smallest."""
+        shapes = design(alpha0_deg)
+        linear = np.linalg.lstsq(self.r @ shapes / self.length, self.z, rcond=SINGULAR)[0] / self.length
+        left = self.z - self.r @ (shapes @ linear)
+        turning = self.r @ (design_slope(alpha0_deg) @ linear)
+        return _Least(
+            alpha0_deg=alpha0_deg,
+            linear=linear,
+            slope=-float(left @ turning),
+            squares_v2=float(left @ left) + self.rest_v2,
+        )
+
+    def scanned(self) -> FloatArray:
+        """What of the sum of squares the model takes at every alpha0 of the grid, shape (37,)."""
+        turned = np.swapaxes(_SHAPES, -1, -2)
+        normal = turned @ (self.r.T @ self.r) @ _SHAPES
+        trace = np.trace(normal, axis1=-2, axis2=-1)[:, None, None]
+        ridge = _RIDGE * np.where(trace > 0.0, trace, 1.0) * np.eye(normal.shape[-1])  # further columns may take all
+        right = turned @ (self.r.T @ self.z)
+        return np.asarray(np.sum(right * np.linalg.solve(normal + ridge, right[..., None])[..., 0], axis=-1))
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Least:
+    """The least that the declared model leaves at an alpha0."""
+
+    alpha0_deg: float
+    linear: FloatArray
+    """Shape (5,)."""
+    slope: float
+    """Half the derivative of the sum of squares, per degree."""
+    squares_v2: float
+
+
+def _declared_alone(compressed: Compressed, further: FloatArray) -> _Rows:
+    """Take out whatever further columns, shape (10 + terms, n), can follow."""
+    r, z = compressed.r[:, :BASIS_SIZE], compressed.z
+    squares = np.add.reduceat(np.sum(r**2, axis=0), _FUNCTIONS_OF_EACH)
+    length = np.sqrt(np.where(squares > SINGULAR**2 * squares.max(), squares, np.inf))
+    if further.size:
+        left, values, _ = np.linalg.svd(further / np.linalg.norm(further, axis=0))
+        beside = left[:, np.count_nonzero(values > SINGULAR * values[0]) :].T
+        r, z = beside @ r, beside @ z
+    return _Rows(r=r, z=z, rest_v2=compressed.rest_v2, length=length)
+
+
+def _bracket(rows: _Rows) -> tuple[float, float]:
+    """The neighbours of the best alpha0 of the grid."""
+    best = int(np.argmax(rows.scanned()))
+    return float(GRID_DEG[max(best - 1, 0)]), float(GRID_DEG[min(best + 1, len(GRID_DEG) - 1)])
+
+
+def _zero_of_slope(rows: _Rows, low: float, high: float) -> _Least:
+    """Where the slope changes from falling to rising: by secants that keep to the bracket (Illinois), else by halving.
+
+    The end of the reach where it only falls, or only rises.
+    """
+    least = rows.at(low)
+    at_low, at_high, fell = least.slope, rows.at(high).slope, 0
+    for _ in range(_STEPS):
+        crossing = low - at_low * (high - low) / (at_high - at_low) if at_low < 0.0 < at_high else low
+        least = rows.at(crossing if low < crossing < high else (low + high) / 2)
+        if abs(least.slope) * (high - low) < _CONVERGED * least.squares_v2:
+            break
+        if least.slope > 0.0:
+            high, at_high, at_low = least.alpha0_deg, least.slope, at_low / (2 if fell > 0 else 1)
+        else:
+            low, at_low, at_high = least.alpha0_deg, least.slope, at_high / (2 if fell < 0 else 1)
+        fell = 1 if least.slope > 0.0 else -1
+    return least

@@ -1,0 +1,132 @@
+"""Uncertainty by the GUM: what the stand adds to the scatter of the data."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.gravity import Gravity
+from tumble.calibrations.core.repeats import settings
+from tumble.calibrations.methods.dividing_head.effects.scene import Scene
+from tumble.calibrations.methods.dividing_head.poses import mountings
+from tumble.calibrations.methods.dividing_head.stand.columns import corrections_columns_v
+from tumble.calibrations.stand_records.record import StandRecord
+
+_ARCSEC_DEG = 1.0 / 3600.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class StandUncertainty:
+    """Standard uncertainties (type B) that a stand file states; None where it does not."""
+
+    head_accuracy_arcsec: float | None = None
+    """Reading of the head: one error for every setting, the same whenever it is set."""
+    seating_arcsec: float | None = None
+    """Repeatability of the unit in its seat: one error for every mounting."""
+    daq_gain: float | None = None
+    """Relative, common to all readings."""
+    daq_offset_v: float | None = None
+    """Common to all readings, in volts."""
+    gravity: Gravity | None = None
+    """Local gravity; it enters the coefficients per m/s² only."""
+    record: StandRecord | None = None
+    """What the rows were corrected by."""
+
+    @property
+    def left_out(self) -> str:
+        """That what the stand adds, or which part of it, is not in the stated uncertainty; empty where all of it is."""
+        stated = {
+            "accuracy_arcsec": self.head_accuracy_arcsec,
+            "seating_arcsec": self.seating_arcsec,
+            "gain_uncertainty": self.daq_gain,
+            "offset_uncertainty_v": self.daq_offset_v,
+        }
+        missing = [key for key, value in stated.items() if value is None]
+        if not missing:
+            return ""
+        if len(missing) == len(stated):
+            return (
+                "the stand's contribution is not included in the stated uncertainty: no stand file says what head, "
+                f"seat and DAQ add; state {', '.join(missing)} in one"
+            )
+        return (
+            "part of the stand's contribution is not included in the stated uncertainty: the stand file does not state "
+            f"{', '.join(missing)}; state it there, as 0 where it is negligible"
+        )
+
+
+@dataclass(frozen=True, kw_only=True)
+class Source:
+    """One independent source of uncertainty, as errors of the rows."""
+
+    name: str
+    symbol: str
+    """What is uncertain, as a short text with its unit and size."""
+    errors_v: FloatArray
+    """What one standard uncertainty does to each row: of one independent error per column, shape (rows, errors)."""
+    shared_by: NDArray[np.int64] | None = None
+    """Where each group of rows has an error of its own: the number of the group of each row. `errors_v` then has one
+    column, in which they all stand: as a table of a column per group, a million rows would take tens of gigabytes."""
+
+    def turned(self, rotation: FloatArray) -> FloatArray:
+        """What each independent error does to the rotated voltages, shape (rotated, errors).
+
+        `rotation` has the shape (rows, rotated), see `compression.Compressed`.
+        """
+        if self.shared_by is None:
+            return np.asarray(rotation.T @ self.errors_v)
+        return np.stack([np.bincount(self.shared_by, column * self.errors_v[:, 0]) for column in rotation.T])
+
+
+def sources(scene: Scene, stand: StandUncertainty) -> tuple[Source, ...]:
+    """Sources of type B with a size above zero, for the rows of a scene."""
+    observations, slope_v_per_deg = scene.observations, scene.slope_v_per_deg
+    head_arcsec, seat_arcsec = stand.head_accuracy_arcsec or 0.0, stand.seating_arcsec or 0.0
+    gain, offset_v = stand.daq_gain or 0.0, stand.daq_offset_v or 0.0
+    settled = settings(np.mod(observations.angle_deg, 360.0))
+    listed = (
+        Source(
+            name="head reading",
+            symbol=f"{head_arcsec:g}″ at every setting",
+            errors_v=(slope_v_per_deg * head_arcsec * _ARCSEC_DEG)[:, None],
+            shared_by=settled,
+        ),
+        Source(
+            name="seating",
+            symbol=f"{seat_arcsec:g}″ at every mounting",
+            errors_v=(slope_v_per_deg * seat_arcsec * _ARCSEC_DEG)[:, None],
+            shared_by=mountings(observations),
+        ),
+        Source(
+            name="DAQ gain",
+            symbol=f"{gain:g} relative",
+            errors_v=(observations.output_v * gain)[:, None],
+        ),
+        Source(
+            name="DAQ offset",
+            symbol=f"{offset_v * 1e6:g} µV",
+            errors_v=np.full((len(observations), 1), offset_v),
+        ),
+        *((_recorded(scene, stand.record),) if stand.record else ()),
+    )
+    return tuple(source for source in listed if np.any(source.errors_v))
+
+
+def _recorded(scene: Scene, record: StandRecord) -> Source:
+    """What is not known of the corrections: as many independent errors as they have coefficients."""
+    corrections = record.corrections
+    values, vectors = np.linalg.eigh(corrections.covariance)
+    independent = vectors * np.sqrt(np.maximum(values, 0.0))
+    return Source(
+        name=f"stand record {record.version}",
+        symbol=f"{len(corrections.values)} coefficients of {len(corrections.terms)} terms, correlated",
+        errors_v=corrections_columns_v(corrections, scene) @ independent,
+    )
+
+
+def effective_freedom(contributions: list[tuple[float, float]]) -> float:
+    """Welch-Satterthwaite degrees of freedom (GUM, G.4.1) of (standard uncertainty, degrees of freedom) pairs."""
+    total = sum(u**2 for u, _ in contributions)
+    denominator = sum(u**4 / freedom for u, freedom in contributions if freedom > 0 and np.isfinite(freedom))
+    return float(total**2 / denominator) if denominator > 0 else float("inf")

@@ -1,0 +1,1 @@
+"""The loop closed on one table of an accelerometer."""

@@ -1,0 +1,62 @@
+"""The declared model with what was found: parameters, coefficients and their uncertainty."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.methods.dividing_head.effects.scene import Scene
+from tumble.calibrations.methods.dividing_head.fit import covariance
+from tumble.calibrations.methods.dividing_head.joint import Joint, fit_rows
+from tumble.calibrations.methods.dividing_head.loop.table import DividingHeadTable
+from tumble.calibrations.methods.dividing_head.model import BASIS_SIZE, PARAMETERS, basis, coefficients
+from tumble.calibrations.tracing.quantified import Quantified, form_in, slices, tangent
+from tumble.calibrations.tracing.trace import Trace
+
+
+@dataclass(frozen=True, kw_only=True)
+class Augmented(Quantified):
+    """A joint fit with further columns."""
+
+    joint: Joint
+
+    def residual_v(self, scene: Scene) -> FloatArray:
+        """Measured minus fitted for any rows of the same table, shape (rows,), in volts."""
+        forms = [form_in(scene, item).columns for item in self.found]
+        columns = np.column_stack([basis(scene.observations), *forms])
+        used = columns.shape[1] + len(PARAMETERS) - BASIS_SIZE
+        return np.asarray(scene.observations.output_v - columns @ coefficients(self.joint.fit.theta[:used]))
+
+
+def augment(table: DividingHeadTable, trace: Trace) -> Augmented:
+    """Fit the declared model with what was found.
+
+    What was scanned for counts as fitted: the change of each form with its scanned value is a column of its own.
+    """
+    chosen = trace.found
+    first = _fit(table, trace, [item.form.columns for item in chosen])
+    places = slices([item.form.columns.shape[1] for item in chosen])
+    start = len(PARAMETERS)
+    tangents = [
+        tangent(table.scene, item, first.fit.theta[start + where.start : start + where.stop])
+        for item, where in zip(chosen, places, strict=True)
+    ]
+    joint = _fit(table, trace, [*(item.form.columns for item in chosen), *(t for t in tangents if t is not None)])
+    everything = covariance(joint.compressed, joint.fit, joint.profile, joint.noise.used_v**2)
+    numbers = iter(range(places[-1].stop if places else 0, len(joint.fit.theta)))
+    return Augmented(
+        joint=joint,
+        found=chosen,
+        columns=tuple(places),
+        scanned=tuple(None if t is None else next(numbers) for t in tangents),
+        coefficients=joint.fit.theta[start:],
+        covariance=everything[start:, start:],
+        residual=joint.residual_v,
+        dwell=joint.noise.used_v,
+    )
+
+
+def _fit(table: DividingHeadTable, trace: Trace, columns: Sequence[FloatArray]) -> Joint:
+    functions = np.column_stack([table.declared, *columns])
+    return fit_rows(table.joint.observations, functions, table.joint.weights, table.memory.whitening(trace.noise))

@@ -1,0 +1,249 @@
+"""Closing the loop: what is left, to what it is traced, and what that does to parameters and error."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import TypeAlias
+
+import numpy as np
+from scipy.special import chdtrc
+
+from tumble.calibrations.core.blas_threads import one_blas_thread
+from tumble.calibrations.core.gross import GROSS_SIGMA
+from tumble.calibrations.core.rows import SetAside
+from tumble.calibrations.methods.dividing_head.analysis import assess
+from tumble.calibrations.methods.dividing_head.budget import StandUncertainty
+from tumble.calibrations.methods.dividing_head.effects import CATALOGUE
+from tumble.calibrations.methods.dividing_head.effects.scene import Scene
+from tumble.calibrations.methods.dividing_head.gross import unlike_repeats
+from tumble.calibrations.methods.dividing_head.held_out import held_out_parts
+from tumble.calibrations.methods.dividing_head.joint import Joint, fit_jointly, fit_without
+from tumble.calibrations.methods.dividing_head.loop.augmented import Augmented, augment
+from tumble.calibrations.methods.dividing_head.loop.misreading import Misreading, misreadings
+from tumble.calibrations.methods.dividing_head.loop.more_settings import more_settings
+from tumble.calibrations.methods.dividing_head.loop.reach import Reach, reach
+from tumble.calibrations.methods.dividing_head.loop.still import ONE_POSE, Still, in_one_pose, stillness
+from tumble.calibrations.methods.dividing_head.loop.table import (
+    DividingHeadTable,
+    dividing_head_table,
+    relinearised,
+    scene_of,
+)
+from tumble.calibrations.methods.dividing_head.loop.unexplained import unexplained
+from tumble.calibrations.methods.dividing_head.loop.withholding import without_courses, without_rivals
+from tumble.calibrations.methods.dividing_head.model import ALPHA0
+from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.calibrations.methods.dividing_head.poses import pose_groups
+from tumble.calibrations.methods.dividing_head.probes import PROBES
+from tumble.calibrations.methods.dividing_head.questions import Questioned, questioned
+from tumble.calibrations.methods.dividing_head.result import Calibration
+from tumble.calibrations.tracing import explained as tracing
+from tumble.calibrations.tracing.effect import Effect
+from tumble.calibrations.tracing.experiments import Experiment, next_experiments
+from tumble.calibrations.tracing.findings import EffectFound, Unexplained, Withheld, effects_found, withheld
+from tumble.calibrations.tracing.fitting_noise import with_likely_flicker
+from tumble.calibrations.tracing.held_out import held_out_rms
+from tumble.calibrations.tracing.judged import judged
+from tumble.calibrations.tracing.rivals import Rival
+from tumble.calibrations.tracing.trace import penalised_deviance
+
+Explained: TypeAlias = tracing.Explained[DividingHeadTable, Augmented]
+"""A table without gross errors, what it was traced to, and what could stand in its place."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Loop:
+    """The loop closed on one table."""
+
+    declared: Calibration
+    augmented: Calibration
+    effects: tuple[EffectFound, ...]
+    """In the order of the evidence."""
+    unexplained: Unexplained | None
+    misread: tuple[Misreading, ...]
+    next_experiment: tuple[Experiment, ...] = ()
+    """What would part the rivals that are left."""
+    not_traced: str = ""
+    """Why nothing was looked for; empty where the table was traced."""
+    withheld: tuple[Withheld, ...] = ()
+    """What would fit the rows, but is not stated."""
+    reach: Reach | None = None
+    """What the settings can show at all; None where nothing was traced."""
+    still: Still | None = None
+    """What the output follows in a table of one pose; None for any other."""
+    unit: str = "V"
+    """Of the output."""
+
+    @property
+    def held_out_rms(self) -> float | None:
+        """Error of rows that are held out with what was found, in volts."""
+        return self.augmented.held_out_rms_v
+
+
+def close_loop(
+    observations: Observations,
+    stand: StandUncertainty | None = None,
+    reference_temperature_degc: float = 23.0,
+    effects: Sequence[Effect[Scene]] = CATALOGUE,
+) -> Loop:
+    """Fit the declared model, trace what it leaves, add what was found, say what that changes and what to measure next.
+
+    A table that contradicts its own description is asked about instead: the questions are among its warnings.
+
+    Raises
+    ------
+    ValueError
+        No voltage, or no usable row.
+    """
+    return asked_next(*explain(observations, stand, reference_temperature_degc, effects))
+
+
+@one_blas_thread
+def asked_next(loop: Loop, explained: Explained | None) -> Loop:
+    """What `explain` gives, with what to measure next."""
+    if explained is None:
+        return loop
+    parting = next_experiments(explained.table, explained.trace, explained.close, PROBES)
+    return replace(loop, next_experiment=(*parting, *more_settings(loop.withheld, loop.unexplained, _reach(explained))))
+
+
+@one_blas_thread
+def explain(
+    observations: Observations,
+    stand: StandUncertainty | None = None,
+    reference_temperature_degc: float = 23.0,
+    effects: Sequence[Effect[Scene]] = CATALOGUE,
+) -> tuple[Loop, Explained | None]:
+    """`close_loop` before it is asked what to measure next; with it what that rests on, None where nothing was traced.
+
+    Raises
+    ------
+    ValueError
+        No voltage, or no usable row.
+    """
+    uncertainty = stand or StandUncertainty()
+    asked = questioned(observations, reference_temperature_degc)
+    observations = asked.observations
+    declared = fit_jointly(observations)
+    if why := _obstacle(asked):
+        return _untraced(asked, assess(declared, uncertainty, trials=0), why), None
+    explained = _explained(declared, effects, reference_temperature_degc)
+    for _ in range(_ROUNDS):
+        rejected = _gross_errors(observations, explained)
+        if {entry.row for entry in rejected} == _rejected_rows(explained.table.joint):
+            break
+        explained = _explained(fit_without(observations, rejected), effects, reference_temperature_degc)
+    trace, close, best = explained.trace, explained.close, explained.best
+    misread = misreadings(observations, best.joint)
+    stated = without_courses(assess(best.joint, uncertainty, trials=0), best)
+    if trace.found or trace.names:
+        stated = replace(
+            stated,
+            held_out_rms_v=held_out_rms(explained.tracer, trace, held_out_parts(explained.table.joint.observations)),
+        )
+    augmented = without_rivals(stated, explained.table, explained.near)
+    loop = Loop(
+        declared=assess(declared, uncertainty, trials=0),
+        augmented=augmented,
+        effects=_effects(explained, close, misread),
+        unexplained=unexplained(explained.judged, _reach(explained)),
+        misread=misread,
+        not_traced=explained.table.not_traced,
+        withheld=withheld(explained.table, explained.judged),
+        reach=_reach(explained),
+    )
+    return loop, explained
+
+
+def _obstacle(asked: Questioned) -> str:
+    """Why a table is not traced; empty where it is."""
+    if not asked.answerable:
+        return "the table contradicts its own description; answer the question first"
+    if (rows := len(asked.observations)) > MOST_TRACED:
+        return (
+            f"its {rows:,} rows are more than the {MOST_TRACED:,} that are traced at once; give means or a part of them"
+        )
+    return ONE_POSE if in_one_pose(asked.observations) else ""
+
+
+def _untraced(asked: Questioned, calibration: Calibration, why: str) -> Loop:
+    """The declared model alone, with a warning that says why; a question is a warning already."""
+    said = (f"{calibration.observations.source}: nothing was traced: {why}",) if asked.answerable else ()
+    told = replace(calibration, warnings=(*calibration.warnings, *said))
+    return Loop(
+        declared=told,
+        augmented=told,
+        effects=(),
+        unexplained=None,
+        misread=(),
+        not_traced=why,
+        still=stillness(calibration.observations),
+    )
+
+
+MOST_TRACED = 30_000
+"""Rows. Tracing holds thousands of numbers of each: so many take 2 to 3 GB, and a minute or two."""
+_ROUNDS = 3
+"""How often a table is looked at anew once effects are known."""
+_MOVED_DEG = 0.02
+"""A change of alpha0 that changes what effects look like."""
+_FAR_DEG = 10.0
+"""An alpha0 beyond this is not believed."""
+
+
+def _reach(explained: Explained) -> Reach:
+    """What the settings can show."""
+    return reach(explained.table.observations, explained.judged.lack, explained.table.unit)
+
+
+def _explained(joint: Joint, effects: Sequence[Effect[Scene]], reference_temperature_degc: float) -> Explained:
+    """Trace a table; again, where what was found shows that it was looked at from a wrong alpha0."""
+    base = dividing_head_table(joint, effects, reference_temperature_degc)
+    looks: list[Explained] = []
+    for _ in range(_ROUNDS):
+        found = judged(base)
+        trace = found.trace
+        best = augment(base, replace(trace, noise=with_likely_flicker(base, trace.forms, trace.noise)))
+        looks.append(Explained(judged=found, best=best))
+        alpha0_deg = float(best.joint.fit.theta[ALPHA0])
+        moved_deg = abs(alpha0_deg - base.scene.alpha0_deg)
+        if not trace.found or moved_deg < _MOVED_DEG or abs(alpha0_deg) > _FAR_DEG:
+            break
+        base = relinearised(base, best.joint.fit.theta)
+    return min(looks, key=lambda look: penalised_deviance(look.trace))
+
+
+def _rejected_rows(joint: Joint) -> set[int]:
+    return {entry.row for entry in joint.observations.set_aside if entry.gross}
+
+
+def _gross_errors(observations: Observations, explained: Explained) -> tuple[SetAside, ...]:
+    """Gross errors of the whole table as the augmented model sees them: an effect may have looked like one.
+
+    So may a level or a walk: what is known of it is taken off the rows that were fitted.
+    """
+    joint = explained.best.joint
+    scene = scene_of(observations, joint.fit.theta)
+    residual = explained.best.residual_v(scene)
+    residual[np.isin(observations.row, joint.observations.row)] = joint.residual_v
+    spare = len(joint.observations) - joint.fit.fitted
+    return unlike_repeats(observations, residual, pose_groups(observations), joint.noise.used_v, spare)
+
+
+def _effects(
+    explained: Explained, close: Mapping[str, Sequence[Rival]], misread: Sequence[Misreading]
+) -> tuple[EffectFound, ...]:
+    found = effects_found(explained.table, explained.judged, explained.best, close)
+    if misread:
+        found.append(_misreading())
+    return tuple(sorted(found, key=lambda effect: effect.p_value))
+
+
+def _misreading() -> EffectFound:
+    """Misread rows; the chance is that of one good row so far off, which bounds theirs from above."""
+    return EffectFound(
+        name="misreading",
+        also_possible=(),
+        belongs_to="stand",
+        coefficients={},
+        p_value=float(chdtrc(1, GROSS_SIGMA**2)),
+    )

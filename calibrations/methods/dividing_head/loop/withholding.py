@@ -1,0 +1,78 @@
+"""Parameters that cannot be told after all, once it is known what else is in the table."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.methods.dividing_head.effects.unnamed import withheld_by
+from tumble.calibrations.methods.dividing_head.loop.augmented import Augmented, augment
+from tumble.calibrations.methods.dividing_head.loop.table import DividingHeadTable
+from tumble.calibrations.methods.dividing_head.model import PARAMETERS
+from tumble.calibrations.methods.dividing_head.result import Calibration
+from tumble.calibrations.tracing.effect import Structure
+from tumble.calibrations.tracing.explained import RIVALS_APART
+from tumble.calibrations.tracing.rivals import Rival
+
+_COURSES = ("time", "temperature", "order", "realisation", "direction")
+
+
+def without_courses(calibration: Calibration, best: Augmented) -> Calibration:
+    """Take back parameters of which structure without a name has a part of its own: nobody knows where it is absent."""
+    for item in best.found:
+        taken = withheld_by(item.effect.name, item.form.scanned)
+        calibration = _without(calibration, taken, "it depends on where an unexplained course is zero")
+    u0 = calibration.parameters["u0"]
+    if u0.value is None or u0.standard_uncertainty is None:
+        return calibration
+    for item, columns in zip(best.found, best.columns, strict=True):
+        if isinstance(item.effect, Structure) and item.effect.depends_on in _COURSES:
+            mean_v = float(np.mean(item.form.columns @ best.coefficients[columns]))
+            if abs(mean_v) > RIVALS_APART * u0.standard_uncertainty:
+                reason = f"it depends on where the unexplained course with {item.effect.depends_on} is taken as absent"
+                return _without(calibration, ("u0",), reason)
+    return calibration
+
+
+def _without(calibration: Calibration, names: Sequence[str], reason: str) -> Calibration:
+    """Take parameters back, for a reason."""
+    told = {name: parameter for name in names if (parameter := calibration.parameters[name]).value is not None}
+    taken = {name: _taken_back(parameter, reason) for name, parameter in told.items()}
+    return replace(calibration, parameters={**calibration.parameters, **taken})
+
+
+def without_rivals(
+    calibration: Calibration, base: DividingHeadTable, near: Mapping[str, Sequence[Rival]]
+) -> Calibration:
+    """Take back the parameters that depend on which of two rivals is true."""
+    parameters = dict(calibration.parameters)
+    for name, listed in near.items():
+        for rival in listed:
+            theta = augment(base, rival.trace).joint.fit.theta
+            for index, parameter in enumerate(PARAMETERS):
+                parameters[parameter] = _judged(parameters[parameter], float(theta[index]), name, rival.name)
+    return replace(calibration, parameters=parameters)
+
+
+def _judged(parameter: Parameter, other: float, name: str, rival: str) -> Parameter:
+    if parameter.value is None or parameter.standard_uncertainty is None:
+        return parameter
+    if abs(other - parameter.value) <= RIVALS_APART * parameter.standard_uncertainty:
+        return parameter
+    reason = f"it differs between {name} and {rival}, which this experiment does not clearly tell apart"
+    return _taken_back(parameter, reason)
+
+
+def _taken_back(parameter: Parameter, reason: str) -> Parameter:
+    """A parameter that cannot be told after all."""
+    return Parameter(
+        name=parameter.name,
+        unit=parameter.unit,
+        value=None,
+        standard_uncertainty=None,
+        type_a=None,
+        degrees_of_freedom=None,
+        interval_95=None,
+        reason=reason,
+    )

@@ -1,0 +1,39 @@
+"""The last section: from which file, by which program, on which stand."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from tumble.calibrations.methods.dividing_head.report.subject import Subject
+
+
+def origin(subject: Subject) -> dict[str, Any]:
+    """Hashes, versions, packages and the stand file as tables of names and texts."""
+    provenance = subject.provenance
+    commit = provenance.git_commit + (" with uncommitted changes" if provenance.git_dirty else "")
+    facts = {
+        "Raw file": ", ".join(source.path for source in provenance.sources),
+        "SHA-256 of the raw file": ", ".join(provenance.source_hashes),
+        "Start of the run": provenance.measured_at,
+        "Programme": provenance.programme_name,
+        "SHA-256 of the programme": provenance.programme_sha256,
+        "Stand": provenance.stand_name,
+        "Version of tumble": provenance.program_version,
+        "Commit": commit,
+    }
+    return {
+        "facts": [(name, text) for name, text in facts.items() if text],
+        "packages": sorted(provenance.packages.items()),
+        "stand": list(flattened(provenance.stand)),
+    }
+
+
+def flattened(data: Mapping[str, Any], path: str = "") -> Iterator[tuple[str, str]]:
+    """Nested tables as dotted names with their values as text."""
+    for key, content in data.items():
+        name = f"{path}{key}"
+        if isinstance(content, Mapping):
+            yield from flattened(content, f"{name}.")
+        elif isinstance(content, Sequence) and not isinstance(content, str):
+            yield name, ", ".join(str(item) for item in content)
+        else:
+            yield name, str(content)

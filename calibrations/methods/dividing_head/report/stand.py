@@ -1,0 +1,33 @@
+"""The section on the stand record that was applied: what was corrected, how well it is known, what contradicts it."""
+
+from typing import Any
+
+from tumble.calibrations.core.sentences import equals, series
+from tumble.calibrations.methods.dividing_head.report.subject import Subject
+from tumble.calibrations.report.maps import head_map_figure
+from tumble.calibrations.stand_records.record import StandRecord
+
+
+def corrections_of_the_stand(subject: Subject) -> dict[str, Any]:
+    """The record with its terms, each as the units say it, and the head map."""
+    record = subject.calibration.stand_record
+    if record is None:
+        return {"record": None}
+    head_map = record.corrections.head_map
+    return {
+        "record": record,
+        "units": series(record.units),
+        "agreement": "" if record.agreement_p is None else equals(record.agreement_p),
+        "terms": [record.corrections.text(term) for term in record.corrections.terms],
+        "contradictions": subject.contradictions,
+        "validity": _validity(record),
+        "figure": head_map_figure(head_map) if head_map else None,
+    }
+
+
+def _validity(record: StandRecord) -> str:
+    known = record.validity
+    ranges = [(known.angle_deg, "°"), (known.voltage_v, " V"), (known.temperature_degc, " °C")]
+    texts = [f"{pair[0]:.4g} to {pair[1]:.4g}{unit}" for pair, unit in ranges if pair]
+    dates = {known.measured_from, known.measured_to} - {""}
+    return ", ".join([*texts, *([f"measured {' to '.join(sorted(dates))}"] if dates else [])])

@@ -1,0 +1,85 @@
+"""The method `temperature`: parameters of a sensor against temperature."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.core.sentences import series
+from tumble.calibrations.core.view import Section
+from tumble.calibrations.methods.temperature.columns import Column, named, says_runs
+from tumble.calibrations.methods.temperature.document import document
+from tumble.calibrations.methods.temperature.entry import VERSION, entry
+from tumble.calibrations.methods.temperature.loop import TemperatureLoop, close_temperature_loop
+from tumble.calibrations.methods.temperature.sections import sections
+from tumble.calibrations.methods.temperature.table import read_runs
+from tumble.calibrations.records.entry import Entry
+from tumble.calibrations.tracing.sentences import set_aside_section
+
+
+@dataclass(frozen=True, kw_only=True)
+class TemperatureResult:
+    """One table of runs."""
+
+    name: str
+    loop: TemperatureLoop
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """None: what these runs cannot tell stands among the results."""
+        return ()
+
+    @property
+    def parameters(self) -> Mapping[str, Parameter]:
+        """The constant of every parameter, with what was found."""
+        return {each.name: each.augmented.parameters["constant"] for each in self.loop.parameters}
+
+    def document(self) -> dict[str, Any]:
+        """The result as `tumble.loop/1`."""
+        return document(self.loop)
+
+    def entry(self) -> Entry:
+        """The result as the store takes it."""
+        return entry(self.loop)
+
+    def sections(self) -> Sequence[Section]:
+        """What is shown."""
+        return [set_aside_section(self.name, self.loop.runs.set_aside), *sections(self.loop)]
+
+
+@dataclass(frozen=True)
+class Temperature:
+    """Parameters of a sensor against temperature."""
+
+    name: str = "temperature"
+    version: int = VERSION
+    title: str = "Parameters against temperature"
+    columns: str = "parameters against temperature (…_degC, and each parameter with its unit, as bias_mV)"
+    at_stand: bool = False
+
+    def reads(self, header: Sequence[str], numbers: Sequence[str] | None) -> bool:
+        """Whether a table holds parameters and a temperature, and no angle of a head."""
+        return numbers is not None and "angle_deg" not in header and says_runs(numbers)
+
+    def hint(self, header: Sequence[str], numbers: Sequence[str]) -> str:  # noqa: ARG002  # numbers alone matter
+        """Which columns say no parameter with its unit, or that a temperature is missing."""
+        unsaid, temperatures = named(numbers, Column.UNKNOWN), named(numbers, Column.TEMPERATURE)
+        if temperatures and unsaid:
+            many = len(unsaid) > 1
+            return (
+                f"not a table that tumble knows: column{'s' * many} {series(unsaid)} {'say' if many else 'says'} no "
+                "parameter of a sensor with its unit"
+            )
+        if named(numbers, Column.PARAMETER) and not temperatures:
+            return "column angle_deg, or a temperature in °C (…_degC) is missing"
+        return ""
+
+    def close_loop(self, paths: Sequence[Path]) -> TemperatureResult:
+        """Trace one table of runs. Raises `TableError`, `ValueError`."""
+        if len(paths) > 1:
+            raise ValueError(f"{paths[1]}: give one table of parameters against temperature at a time")
+        return TemperatureResult(name=paths[0].name, loop=close_temperature_loop(read_runs(paths[0])))
+
+
+METHOD = Temperature()

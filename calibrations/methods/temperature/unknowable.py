@@ -1,0 +1,99 @@
+"""What a table of runs cannot tell, in sentences, each with the experiment that would."""
+
+from collections.abc import Iterator, Mapping, Sequence
+
+import numpy as np
+
+from tumble.calibrations.core.sentences import series
+from tumble.calibrations.methods.temperature.effects import BREAK, DRIFT
+from tumble.calibrations.methods.temperature.settled import RunTable
+from tumble.calibrations.methods.temperature.shared import SharedCause
+from tumble.calibrations.methods.temperature.table import Runs
+from tumble.calibrations.tracing.linear_loop import LinearExplained
+
+_FEW = 2
+"""A break with so few runs on one side could as well be a bend or a step."""
+
+
+def cannot_be_known(
+    runs: Runs, explained: Mapping[str, LinearExplained[RunTable]], shared: Sequence[SharedCause]
+) -> tuple[str, ...]:
+    """All of it, the most general first."""
+    return (
+        *_order(runs),
+        *_repeats(runs),
+        *_withheld(explained),
+        *_thin_breaks(runs, explained),
+        *_rivals(explained),
+        *_near_causes(shared),
+    )
+
+
+def _order(runs: Runs) -> Iterator[str]:
+    """Temperature and order of the runs rise or fall together."""
+    steps = np.diff(runs.temperature_degc[np.argsort(runs.order)])
+    if (steps > 0).all() or (steps < 0).all():
+        way = "warmer" if steps[0] > 0 else "colder"
+        first = runs.temperature_degc[np.argmin(runs.order)]
+        yield (
+            f"Every run was {way} than the one before it, so that ageing or drift from run to run looks much like "
+            f"temperature; one more run at {first:.0f} °C at the end would tell them apart."
+        )
+
+
+def _repeats(runs: Runs) -> Iterator[str]:
+    if len(np.unique(np.round(runs.temperature_degc, 1))) == len(runs):
+        middle = float(np.median(runs.temperature_degc))
+        yield (
+            "No temperature was visited twice, so that nothing but what a fit leaves says how well a run repeats; "
+            f"two more runs, say at {runs.temperature_degc.max():.0f} and {middle:.0f} °C, would."
+        )
+
+
+def _withheld(explained: Mapping[str, LinearExplained[RunTable]]) -> Iterator[str]:
+    """Effects that would fit the runs and do not stand on the temperatures."""
+    for name, one in explained.items():
+        yield from (f"In {name}, {sentence}".replace(" settings", " temperatures") for sentence in one.withheld)
+
+
+def _thin_breaks(runs: Runs, explained: Mapping[str, LinearExplained[RunTable]]) -> Iterator[str]:
+    """Breaks beyond which there are hardly any runs."""
+    thin: dict[tuple[float, ...], list[str]] = {}
+    for name, one in explained.items():
+        for item in one.trace.found:
+            if item.effect.name == BREAK:
+                beyond = runs.temperature_degc[runs.temperature_degc > item.form.scanned["at_degC"]]
+                if len(beyond) <= _FEW:
+                    thin.setdefault(tuple(beyond.tolist()), []).append(name)
+    for above, names in thin.items():
+        below = float(runs.temperature_degc[runs.temperature_degc < min(above)].max())
+        yield (
+            f"The break of {series(names)} rests on {len(above)} run{'s' * (len(above) > 1)} "
+            f"({series([f'{at:.0f}' for at in above])} °C): whether it is a break, a step or a bend they cannot tell; "
+            f"runs at {(below + min(above)) / 2:.0f} °C and two above it would."
+        )
+
+
+def _rivals(explained: Mapping[str, LinearExplained[RunTable]]) -> Iterator[str]:
+    """Effects that explain a parameter as well as those that were found."""
+    for name, one in explained.items():
+        for effect, rivals in one.close.items():
+            if rivals:
+                others = [rival.name for rival in rivals]
+                yield f"In {name}, {effect} cannot be told from {series(others, 'or')}; {_remedy({effect, *others})}."
+
+
+def _remedy(names: set[str]) -> str:
+    if DRIFT in names:
+        return "a run at a temperature that was visited before would"
+    return "runs between those that there are would"
+
+
+def _near_causes(shared: Sequence[SharedCause]) -> Iterator[str]:
+    for cause in shared:
+        if not cause.one:
+            low, high = cause.between_degc
+            yield (
+                f"Whether {series(cause.parameters)} break at one temperature cannot be told: all break between "
+                f"{low:.0f} and {high:.0f} °C, where there is no run; one in the middle would tell."
+            )

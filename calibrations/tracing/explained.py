@@ -1,0 +1,49 @@
+"""A table, what it was traced to, and what could stand in its place."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Generic, TypeVar
+
+from tumble.calibrations.tracing.judged import Judged
+from tumble.calibrations.tracing.rivals import CLOSE, Rival
+from tumble.calibrations.tracing.table import Table
+from tumble.calibrations.tracing.trace import Trace, Tracer
+
+RIVALS_APART = 2.0
+"""A parameter that differs between rivals by more than so many standard uncertainties is not identifiable."""
+_T = TypeVar("_T", bound=Table)
+_F = TypeVar("_F")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Explained(Generic[_T, _F]):
+    """A table, what it was traced to, and what could stand in its place."""
+
+    judged: Judged[_T]
+    best: _F
+    """The fit with what was found."""
+
+    @property
+    def tracer(self) -> Tracer[_T]:
+        """The table with everything that it may be traced to."""
+        return self.judged.tracer
+
+    @property
+    def trace(self) -> Trace:
+        """What it was traced to."""
+        return self.judged.trace
+
+    @property
+    def near(self) -> Mapping[str, Sequence[Rival]]:
+        """Near rivals of each effect of the trace."""
+        return self.judged.near
+
+    @property
+    def table(self) -> _T:
+        """The table."""
+        return self.tracer.table
+
+    @property
+    def close(self) -> dict[str, list[Rival]]:
+        """Rivals of each effect that are not distinguishable from it."""
+        return {name: [rival for rival in near if rival.behind < CLOSE] for name, near in self.near.items()}

@@ -1,0 +1,155 @@
+"""The person who turns the head by hand: asked for a setting, and asked again where something does not fit.
+
+Enter alone says that the head stands as asked. Whatever else is typed is the reading: one that is not an angle is
+asked for again, and so is one that differs from the setting, or that the voltage contradicts afterwards.
+"""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import Final
+
+from tumble.drivers.clock import Clock
+from tumble.drivers.manual.reading import format_dms, parse_reading
+from tumble.procedures.errors import UnansweredError
+from tumble.procedures.events import Event, ReadingAnswered, ReadingRequested
+from tumble.procedures.journeys import POLL_S
+from tumble.procedures.methods.dividing_head.doubt import Doubt, doubt
+from tumble.procedures.methods.dividing_head.rows import row_of
+from tumble.procedures.operator import Answer, Operator
+from tumble.procedures.steps import Point
+
+_MOST_REFUSED: Final = 10
+"""Answers in a row that are no angles; more is nobody who reads the head."""
+
+
+class OperatorEyepiece:
+    """Has an operator set and read the head. Fits `tumble.drivers.manual.Eyepiece` and asks on behalf of the engine.
+
+    Parameters
+    ----------
+    operator
+        Who is asked.
+    clock
+        By which an answer is awaited.
+    tolerance_deg
+        A reading that differs from the setting by more is asked for again.
+    """
+
+    def __init__(self, operator: Operator, clock: Clock, tolerance_deg: float) -> None:
+        self._operator = operator
+        self._clock = clock
+        self._tolerance_deg = tolerance_deg
+        self._announce: Callable[[Event], None] = _unheard
+        self._setting_deg = 0.0
+        self._doubted_deg = math.nan
+        self._refused = 0
+
+    def attach(self, announce: Callable[[Event], None]) -> None:
+        """Have everything that is asked and answered passed to `announce`."""
+        self._announce = announce
+
+    def show(self, setting_deg: float) -> None:
+        """Ask for a setting and its reading."""
+        self._setting_deg, self._doubted_deg = setting_deg, math.nan
+        self._ask(f"Set the head to {on_the_circle(setting_deg)}; Enter when it reads so, or type the reading.")
+
+    def reading_deg(self) -> float | None:
+        """The reading, in the revolution of the setting; None as long as there is none that stands.
+
+        Raises
+        ------
+        UnansweredError
+            Where nobody will answer, or somebody declines.
+        """
+        answer = self._operator.poll()
+        return None if answer is None else self._understood(answer)
+
+    def withdraw(self) -> None:
+        """Nothing is taken back from a person; an answer that comes late is passed over with the next request."""
+
+    def reconsidered(self, point: Point, points: Sequence[Point], check: Callable[[], object]) -> Point:
+        """The point, with the angle that the person reads when told that the voltage contradicts the first.
+
+        Raises
+        ------
+        UnansweredError
+            Where nobody answers.
+        """
+        row = row_of(point)
+        against = doubt(row, [row_of(other) for other in points])
+        if against is None:
+            return point
+        self._setting_deg = self._doubted_deg = row.angle_deg
+        self._ask(_contradiction(row.angle_deg, against))
+        while (answer := self._operator.poll()) is None or (angle_deg := self._read(answer)) is None:
+            check()
+            self._clock.sleep(POLL_S)
+        return replace(row, angle_deg=angle_deg).point
+
+    def _understood(self, answer: Answer) -> float | None:
+        reading_deg = self._read(answer)
+        if reading_deg is None:
+            return None
+        off_deg = abs(reading_deg - self._setting_deg)
+        if off_deg <= self._tolerance_deg or math.isclose(reading_deg, self._doubted_deg, abs_tol=1e-6):
+            return reading_deg
+        self._doubted_deg = reading_deg
+        self._ask(
+            f"You read {on_the_circle(reading_deg)}, the setting was {on_the_circle(self._setting_deg)}: type it again "
+            "to keep it, or set the head right and press Enter."
+        )
+        return None
+
+    def _read(self, answer: Answer) -> float | None:
+        """The angle that was typed, the setting for Enter alone; None, and asked again, for what is no angle."""
+        if not answer.confirmed:
+            self._note(answer, math.nan)
+            raise self._unanswered(f"was answered {answer.text!r}" if answer.text else "was not answered")
+        try:
+            reading_deg = self._unwrapped(parse_reading(answer.text)) if answer.text else self._setting_deg
+        except ValueError as error:
+            self._note(answer, math.nan)
+            self._refused += 1
+            if self._refused >= _MOST_REFUSED:
+                raise self._unanswered(f"was answered {self._refused} times in a row with no angle: {error}") from error
+            self._ask(f"{error}.")
+            return None
+        self._refused = 0
+        self._note(answer, reading_deg)
+        return reading_deg
+
+    def _unanswered(self, said: str) -> UnansweredError:
+        return UnansweredError(
+            f"the request to set the head to {on_the_circle(self._setting_deg)} {said}; set it and resume the run"
+        )
+
+    def _unwrapped(self, reading_deg: float) -> float:
+        """The circle begins anew with every turn; the setting says which turn is meant."""
+        return reading_deg + 360.0 * round((self._setting_deg - reading_deg) / 360.0)
+
+    def _ask(self, prompt: str) -> None:
+        self._announce(ReadingRequested(setting_deg=self._setting_deg, prompt=prompt))
+        self._operator.ask_reading(prompt)
+
+    def _note(self, answer: Answer, reading_deg: float) -> None:
+        self._announce(ReadingAnswered(setting_deg=self._setting_deg, answer=answer.text, reading_deg=reading_deg))
+
+
+def _unheard(_event: Event) -> None:
+    """Nobody is attached."""
+
+
+def on_the_circle(angle_deg: float) -> str:
+    """An angle as the circle of a head shows it, from 0° to 360°: `35° 00′ 00″` for 395 degrees."""
+    tenths = round(angle_deg * 36000.0) % (360 * 36000)
+    return format_dms(tenths / 36000.0)
+
+
+def _contradiction(angle_deg: float, against: Doubt) -> str:
+    said = f"The voltage is {against.off_v:+.6f} V off at {on_the_circle(angle_deg)}"
+    if against.likely_deg is not None:
+        said += f" and would fit {on_the_circle(against.likely_deg)}: a wrong {against.slip}?"
+    else:
+        said += ", which no single wrong digit explains."
+    return f"{said} Read again and type what you read; Enter keeps it."
