@@ -1,9 +1,9 @@
-"""Effects of a laboratory's own, in the place of `calibrations/effects/own.py`: the heat of a reading lamp."""
+"""Effects of a laboratory's own, in the place of `calibrations/methods/dividing_head/effects/own.py`: the heat of a reading lamp."""
 
 from collections.abc import Sequence
 
-from tumble.calibrations.effects.effect import Effect, Form, plain, single
-from tumble.calibrations.effects.scene import Scene
+from tumble.calibrations.methods.dividing_head.effects.scene import Scene
+from tumble.calibrations.tracing.effect import Effect, Form, plain, single
 
 
 def _lit(scene: Scene) -> Sequence[Form]:

@@ -6,7 +6,7 @@ from app_jobs import tumble
 from head_tables import rests, stream
 from public_heads import backwards, five_settings, joint
 
-from tumble.calibrations.table import write_table
+from tumble.calibrations.methods.dividing_head.table import write_table
 
 
 def closed(tmp_path, *paths):
