@@ -1,4 +1,4 @@
-"""Effects of a laboratory's own, in the place of `calibrations/methods/dividing_head/effects/own.py`: the heat of a reading lamp."""
+"""Effects of a laboratory's own, in the place of `effects/own.py`: the heat of a reading lamp."""
 
 from collections.abc import Sequence
 
