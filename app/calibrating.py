@@ -1,6 +1,6 @@
 """The main job and its parts: run, fit, trace, store, report."""
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -12,8 +12,8 @@ from tumble.app.learning import Learned, contradictions_of, learn
 from tumble.app.measurements import read_measurement
 from tumble.app.running import Job, failure, recording_path, run
 from tumble.app.stand_records import with_stand_record
+from tumble.app.storing import standing_record
 from tumble.app.wiring import Connected
-from tumble.calibrations.methods.dividing_head.entry import METHOD
 from tumble.calibrations.methods.dividing_head.loop.loop import Loop
 from tumble.calibrations.records.errors import StoreError
 from tumble.calibrations.records.record import Record
@@ -21,7 +21,7 @@ from tumble.calibrations.tracing.chain import Chain
 from tumble.procedures.announcer import Listener
 
 if TYPE_CHECKING:
-    from tumble.calibrations.records.store import Store
+    pass
 
 
 def store(traced: Traced, folder: Path) -> Record:
@@ -49,15 +49,6 @@ def make_ready(folder: Path) -> None:
     except OSError as error:
         sentence = f"{folder / 'reports'}: cannot be made ({error.strerror}); nothing was measured"
         raise JobError(sentence, Exit.STORAGE) from error
-
-
-def standing_record(
-    records: "Store", serial_number: str, hashes: Collection[str], method: str = METHOD
-) -> Record | None:
-    """The record of raw files that stands, which a new analysis of them supersedes; None where there is none."""
-    same_unit = records.find(serial_number=serial_number, method=method)
-    same_files = [record for record in same_unit if set(record.provenance.source_hashes) == set(hashes)]
-    return same_files[-1] if same_files else None
 
 
 def report_path(folder: Path, record: Record) -> Path:

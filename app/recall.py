@@ -6,13 +6,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tumble.app.analysing import fit, trace
-from tumble.app.calibrating import report_path, standing_record, write_report
+from tumble.app.calibrating import report_path, write_report
 from tumble.app.files import is_recording
 from tumble.app.identity import program_identity
 from tumble.app.joining import read_together
 from tumble.app.measurements import Measurement
 from tumble.app.methods import methods
 from tumble.app.stand_records import corrected_by
+from tumble.app.storing import standing_record
 from tumble.calibrations.core.method import Method
 from tumble.calibrations.methods.dividing_head.entry import METHOD
 from tumble.calibrations.records import DATABASE
@@ -55,7 +56,7 @@ def record_of(recording: Path, serial_number: str, folder: Path) -> Record | Non
     from tumble.calibrations.records.store import Store
 
     try:
-        return standing_record(Store.existing(folder), serial_number, [file_sha256(recording)])
+        return standing_record(Store.existing(folder), serial_number, [file_sha256(recording)], METHOD)
     except StoreError:
         return None
 

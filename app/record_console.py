@@ -49,7 +49,7 @@ def show_parameters(parameters: Mapping[str, RecordedParameter]) -> None:
     for name, parameter in parameters.items():
         beside = f"  {name:{max(width, _NAMES)}s}"
         if parameter.value is None:
-            say(f"{beside}cannot be told: {parameter.reason}")
+            say(f"{beside}not identifiable: {parameter.reason}")
         else:
             say(f"{beside}{_value(parameter)}{parameter.condition and f'  {parameter.condition}'}")
 
