@@ -7,13 +7,14 @@ RELATIVE ?= 1e-9
 CATALOGUES := $(wildcard tumble/locales/*/LC_MESSAGES/tumble.po)
 
 .DEFAULT_GOAL := help
-.PHONY: help setup gui texts demo test test-screen frozen check endurance lock clean
+.PHONY: help setup gui texts demo test test-screen docs frozen check endurance lock clean
 
 help:
 	@echo "make demo   run the main job on the simulated stand: recording, record and report in tumble-store/"
 	@echo "make gui    open the operator's window"
 	@echo "make test   style, types, import contracts and all tests"
 	@echo "make test-screen   tests of the window on a real X11 screen that nobody sees (needs xvfb)"
+	@echo "make docs   the documentation as a site in docs/_site/html, notebooks run; nothing is fetched"
 	@echo "make frozen RELATIVE=1e-6   results of all tables and recordings against the frozen ones"
 	@echo "make endurance   kills, cuts, flips, runs through the wire, faults at every step, a soak, mutated frames (two hours)"
 	@echo "make texts  collect the messages for the translators of tumble/locales, and compile what they wrote"
@@ -44,6 +45,11 @@ test-screen: setup
 	xvfb-run --auto-servernum --server-args="-screen 0 1280x800x24" env QT_QPA_PLATFORM=xcb \
 	    $(BIN)/python -m benchmarks.window_streaming --minutes 0.25
 
+docs: setup
+	$(BIN)/sphinx-build --fail-on-warning --keep-going --quiet --jobs auto docs docs/_site/html
+	@! grep -rlE "<(script|link|img)[^>]*(src|href)=.https?:" docs/_site/html --include="*.html"  # nothing is fetched from elsewhere
+	@echo "docs/_site/html/index.html"
+
 frozen: setup
 	$(BIN)/python -m benchmarks.frozen --relative $(RELATIVE) --workers $(WORKERS)
 
@@ -52,6 +58,7 @@ check: setup
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/mypy docs/examples/mercury.py
+	$(BIN)/mypy docs/examples/own.py
 	$(BIN)/lint-imports
 
 endurance: setup
@@ -69,7 +76,7 @@ endurance: setup
 
 lock:
 	uv pip compile --universal --python-version 3.11 --generate-hashes --no-emit-index-url --no-header \
-	    --extra test --extra check pyproject.toml -o requirements.lock
+	    --extra test --extra check --extra docs pyproject.toml -o requirements.lock
 
 texts: $(VENV)/.ready
 	$(BIN)/python setup.py --quiet extract_messages update_catalog compile_catalogues

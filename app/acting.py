@@ -11,8 +11,9 @@ from tumble.app.stand import LoadedStand
 from tumble.app.wiring import Connected
 from tumble.calibrations.methods.dividing_head.probes import Probe
 from tumble.procedures.announcer import Listener
-from tumble.procedures.events import Event, MountAnswered
+from tumble.procedures.events import ConditionAnswered, Event
 from tumble.procedures.programme import Programme
+from tumble.procedures.steps import Ask
 
 _POLL_S = 0.5
 _NO_TIME_S = 1e-6
@@ -91,8 +92,8 @@ def run_experiment(at: AtStand, probe: Probe, listeners: Sequence[Listener] = ()
     refusals: list[str] = []
 
     def listen(event: Event) -> None:
-        if isinstance(event, MountAnswered) and event.answer and not event.confirmed:
-            refusals.append(event.mount)
+        if isinstance(event, ConditionAnswered) and event.answer and not event.confirmed:
+            refusals.append(event.value)
 
     try:
         return measure(at, programme_of(probe), (*listeners, listen))
@@ -105,7 +106,16 @@ def run_experiment(at: AtStand, probe: Probe, listeners: Sequence[Listener] = ()
 def _have_warmed(at: AtStand, warmer_k: float, stopped: Callable[[], bool]) -> None:
     """Ask the operator to warm the unit. Raises `DeclinedError`."""
     operator = at.connected.operator
-    operator.ask_mount("warm", _WARM_PROMPT.format(warmer_k))
+    operator.ask(
+        Ask(
+            condition="temperature",
+            value="warm",
+            task="warm the unit",
+            remedy="warm it",
+            prompt=_WARM_PROMPT.format(warmer_k),
+            hint="Type yes when the unit has settled, or no if it cannot be warmed.",
+        )
+    )
     while (answer := operator.poll()) is None:
         _wait(at, _POLL_S, stopped)
     if not answer.confirmed:

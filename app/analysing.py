@@ -10,12 +10,14 @@ from tumble.calibrations.core.provenance import LimitCheck, Provenance
 from tumble.calibrations.core.verdict import Verdict
 from tumble.calibrations.methods.dividing_head.analysis import analyse
 from tumble.calibrations.methods.dividing_head.document import document, result_document
+from tumble.calibrations.methods.dividing_head.entry import entry
 from tumble.calibrations.methods.dividing_head.judging import judge
 from tumble.calibrations.methods.dividing_head.loop.loop import Explained, Loop, asked_next, explain
 from tumble.calibrations.methods.dividing_head.montecarlo import TRIALS
 from tumble.calibrations.methods.dividing_head.questions import questioned
 from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.calibrations.methods.dividing_head.usable import Usable, usable
+from tumble.calibrations.records.entry import Entry
 from tumble.procedures.errors import InputError
 
 
@@ -39,6 +41,11 @@ class Analysed:
         """How the unit stands against the limits of its programme."""
         return judge(self.calibration, self.limits)
 
+    @property
+    def entry(self) -> Entry:
+        """The result as the store takes it."""
+        return entry(self.calibration, self.limits, verdict=self.verdict)
+
     def as_json(self) -> dict[str, Any]:
         """The result as `tumble.fit/1`, with the verdict."""
         return result_document(self.calibration, None, self.verdict)
@@ -61,6 +68,11 @@ class Traced(Analysed):
     def verdict(self) -> Verdict:
         """How the unit stands against the limits of its programme, by what the loop found."""
         return judge(self.calibration, self.limits, self.loop)
+
+    @property
+    def entry(self) -> Entry:
+        """The result as the store takes it."""
+        return entry(self.calibration, self.limits, self.loop, self.verdict)
 
     def as_json(self) -> dict[str, Any]:
         """The result as `tumble.fit/1`, with verdict and closed loop (`tumble.loop/1`) under `verdict` and `loop`."""

@@ -9,8 +9,8 @@ from tumble.app.stand import LoadedStand
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.probes import PROBES, STEP_DEG, Probe
 from tumble.procedures.errors import ProgrammeError
+from tumble.procedures.methods.dividing_head.sweep import Sweep
 from tumble.procedures.programme import Programme, load_programme, programme_from_text
-from tumble.procedures.sweep import Sweep
 
 NO_THERMOMETER = "the stand has no thermometer"
 NOBODY_WARMS = "nobody is at the stand who could warm the unit"
@@ -63,7 +63,7 @@ def warms(probe: Probe) -> bool:
 def programme_of(probe: Probe) -> Programme:
     """The programme of an experiment: the one that comes along, shortened where the experiment is."""
     shipped = load_programme(probe.programme)
-    (sweep,) = shipped.procedures
+    (sweep,) = shipped.parts
     assert isinstance(sweep, Sweep), "every probe is one"
     if (sweep.start_deg, sweep.points) == (probe.start_deg, probe.points):
         return shipped

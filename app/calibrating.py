@@ -12,6 +12,7 @@ from tumble.app.learning import Learned, contradictions_of, learn
 from tumble.app.measurements import read_measurement
 from tumble.app.running import Job, failure, recording_path, run
 from tumble.app.stand_records import with_stand_record
+from tumble.app.storing import standing_record
 from tumble.app.wiring import Connected
 from tumble.calibrations.methods.dividing_head.loop.loop import Loop
 from tumble.calibrations.records.errors import StoreError
@@ -20,7 +21,7 @@ from tumble.calibrations.tracing.chain import Chain
 from tumble.procedures.announcer import Listener
 
 if TYPE_CHECKING:
-    from tumble.calibrations.records.store import Store
+    pass
 
 
 def store(traced: Traced, folder: Path) -> Record:
@@ -29,16 +30,9 @@ def store(traced: Traced, folder: Path) -> Record:
 
     try:
         records = Store(folder)
-        origin = traced.provenance
-        before = standing_record(records, origin.serial_number, origin.raw_sha256)
-        return records.add(
-            traced.calibration,
-            traced.provenance,
-            traced.limits,
-            supersedes=before.id if before else None,
-            loop=traced.loop,
-            verdict=traced.verdict,
-        )
+        entry, origin = traced.entry, traced.provenance
+        before = standing_record(records, origin.serial_number, origin.source_hashes, entry.method)
+        return records.add(entry, origin, supersedes=before.id if before else None)
     except StoreError as error:
         raise JobError(f"{error}; the recording is kept in {traced.measurement.path}", Exit.STORAGE) from error
 
@@ -48,20 +42,13 @@ def make_ready(folder: Path) -> None:
     from tumble.calibrations.records.store import Store
 
     try:
-        Store(folder)
+        Store(folder).migrate()
         (folder / "reports").mkdir(exist_ok=True)
     except StoreError as error:
         raise JobError(f"{error}; nothing was measured", Exit.STORAGE) from error
     except OSError as error:
         sentence = f"{folder / 'reports'}: cannot be made ({error.strerror}); nothing was measured"
         raise JobError(sentence, Exit.STORAGE) from error
-
-
-def standing_record(records: "Store", serial_number: str, raw_sha256: str) -> Record | None:
-    """The record of a raw file that stands, which a new analysis of it supersedes; None where there is none."""
-    same_unit = records.find(serial_number=serial_number)
-    same_file = [record for record in same_unit if record.provenance.raw_sha256 == raw_sha256]
-    return same_file[-1] if same_file else None
 
 
 def report_path(folder: Path, record: Record) -> Path:

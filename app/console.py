@@ -10,7 +10,7 @@ from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn
 from rich.table import Table
 from rich.text import Text
 
-from tumble.app.analysing import Analysed
+from tumble.app.analysing import Analysed, Traced
 from tumble.app.terminal import LONGEST_LINE, lead_nowhere
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.quantities import (
@@ -24,14 +24,14 @@ from tumble.calibrations.core.sentences import series
 from tumble.calibrations.core.verdict import Model, Outcome, Verdict
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.result import Calibration
-from tumble.calibrations.methods.dividing_head.significance import support
+from tumble.calibrations.methods.dividing_head.significance import Kind, support
 from tumble.drivers.clock import Clock
 from tumble.drivers.text import visible
 from tumble.procedures.announcer import Listener
 from tumble.procedures.events import (
+    ConditionAnswered,
+    ConditionRequested,
     Event,
-    MountAnswered,
-    MountRequested,
     PointCompleted,
     ReadingAnswered,
     ReadingRequested,
@@ -39,6 +39,7 @@ from tumble.procedures.events import (
 )
 from tumble.procedures.plan import Plan
 from tumble.procedures.progress import Progress as RunProgress
+from tumble.procedures.steps import Point
 
 _LISTED = 20
 """Rows set aside that are listed on the terminal."""
@@ -104,16 +105,21 @@ def run_display(plan: Plan, clock: Clock, console: Console, points_done: int = 0
                 text = (
                     f"{counted.done}/{counted.total}, {_minutes(left.time_s)} ± {_minutes(left.standard_error_s)} left"
                 )
-                description = f"{event.point.mount} {event.point.angle_deg:7.2f}°"
+                description = _place(event.point)
                 bar.update(task, completed=counted.done, description=description, left=text)
-            elif isinstance(event, MountRequested | ReadingRequested):
+            elif isinstance(event, ConditionRequested | ReadingRequested):
                 _take_away(bar)
-            elif isinstance(event, MountAnswered | ReadingAnswered):
+            elif isinstance(event, ConditionAnswered | ReadingAnswered):
                 bar.start()
             elif isinstance(event, WarningRaised):
                 bar.console.print(f"warning: {event.message}", markup=False, soft_wrap=True)
 
         yield listen
+
+
+def _place(point: Point) -> str:
+    """Conditions and positions of a point, each in a column of its own."""
+    return " ".join([*point.conditions.values(), *(f"{angle_deg:7.2f}°" for angle_deg in point.positions_deg.values())])
 
 
 def _text(template: str) -> TextColumn:
@@ -136,8 +142,11 @@ def _minutes(duration_s: float) -> str:
     return f"{hours}:{text}" if hours else text
 
 
-def show_result(analysed: Analysed, console: Console | None = None) -> None:
-    """Print verdict, the values to use, adequacy and what the experiment supports."""
+def show_result(analysed: Analysed, console: Console | None = None, *, verbose: bool = False) -> None:
+    """Print verdict, the values to use, and how well they describe the rows.
+
+    With `verbose` the rows, the noise and what the experiment supports are told one by one.
+    """
     console = console or results()
     use = analysed.usable
     calibration = use.calibration
@@ -148,10 +157,9 @@ def show_result(analysed: Analysed, console: Console | None = None) -> None:
     if record := calibration.stand_record:
         on = f"{record.identity.stand}, learned from {series(record.units)}"
         console.print(f"corrected by stand record {record.version} of {on}", markup=False)
-    for line in _adequacy_lines(calibration):
+    lines = _details(analysed, calibration) if verbose else _in_short(calibration)
+    for line in lines:
         console.print(line, markup=False)
-    for statement in support(calibration):
-        console.print(f"- {statement.text}", markup=False)
 
 
 def show_verdict(verdict: Verdict, console: Console | None = None) -> None:
@@ -180,7 +188,7 @@ def parameter_table(analysed: Analysed) -> Table:
 
 def _cells(parameter: Parameter) -> tuple[str, str, str]:
     if parameter.value is None or parameter.interval_95 is None:
-        return "cannot be told", "", ""
+        return "not identifiable", "", ""
     return (
         format_concise(parameter.value, parameter.standard_uncertainty, parameter.unit),
         format_interval(*parameter.interval_95, parameter.unit),
@@ -201,6 +209,30 @@ def row_lines(observations: Observations) -> Iterator[str]:
         yield f"  and {len(observations.set_aside) - _LISTED} more; --json lists all"
 
 
+def _in_short(calibration: Calibration) -> Iterator[str]:
+    """One line, and the rows that were set aside where there are any."""
+    observations = calibration.observations
+    parts = [f"{len(observations)} of {observations.rows_read} rows used", *_lack_of_fit(calibration)]
+    if calibration.held_out_rms_v is not None:
+        parts.append(f"held-out error {format_number(calibration.held_out_rms_v, 'V')} rms")
+    yield "; ".join(parts)
+    if observations.set_aside:
+        yield from list(row_lines(observations))[1:]
+
+
+def _details(analysed: Analysed, calibration: Calibration) -> Iterator[str]:
+    """Rows, noise and adequacy, then what the experiment supports; on what values rest, the loop says where closed."""
+    yield from _adequacy_lines(calibration)
+    said_by_loop = {Kind.DEPENDENCE} if isinstance(analysed, Traced) else set()
+    yield from (f"- {each.text}" for each in support(calibration) if each.kind not in said_by_loop)
+
+
+def _lack_of_fit(calibration: Calibration) -> Iterator[str]:
+    if calibration.lack_of_fit_p is not None:
+        probability = format_probability(calibration.lack_of_fit_p)
+        yield f"lack of fit: p {probability if probability.startswith('<') else f'= {probability}'}"
+
+
 def _adequacy_lines(calibration: Calibration) -> Iterator[str]:
     noise = calibration.noise
     yield from row_lines(calibration.observations)
@@ -211,9 +243,7 @@ def _adequacy_lines(calibration: Calibration) -> Iterator[str]:
     yield f"residual: {format_number(calibration.residual_rms_v, 'V')} rms"
     if calibration.held_out_rms_v is not None:
         yield f"held-out error: {format_number(calibration.held_out_rms_v, 'V')} rms"
-    if calibration.lack_of_fit_p is not None:
-        probability = format_probability(calibration.lack_of_fit_p)
-        yield f"lack of fit: p {probability if probability.startswith('<') else f'= {probability}'}"
+    yield from _lack_of_fit(calibration)
     if calibration.closure and calibration.closure.worst:
         first, second, difference, sigmas = calibration.closure.worst
         size = f"{format_number(abs(difference), 'V', 2)}, {sigmas:.1f} standard uncertainties"

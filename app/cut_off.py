@@ -57,6 +57,6 @@ def _recorded(folder: Path) -> set[Path]:
     """The raw files of every record that stands."""
     try:
         store = open_store(folder)
-        return {store.raw_file(record).resolve() for record in store.find()}
+        return {path.resolve() for record in store.find() for path in store.raw_files(record)}
     except (InputError, StoreError):
         return set()

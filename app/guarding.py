@@ -23,9 +23,9 @@ _MEANT: Final = (
 )
 """What a driver may raise, or lets through from a person whom it asks."""
 HEAD_NEEDS: Final = frozenset({"home", "identify", "limits_deg", "speed_deg_s", "start_move", "status", "stop"})
-"""Members of `DividingHead`."""
+"""Members of `Positioner`."""
 DAQ_NEEDS: Final = frozenset({"acquire", "identify"})
-"""Members of `Daq`."""
+"""Members of `Sampler`."""
 _ABSENT: Final = object()
 
 

@@ -28,7 +28,7 @@ def show_loop(loop: Loop, console: Console | None = None) -> None:
     if lines := comparisons(loop):
         console.print(_comparison_table(lines))
     for name, reason in untold(loop):
-        console.print(f"- {name} cannot be told: {reason}", markup=False)
+        console.print(f"- {name} is not identifiable: {reason}", markup=False)
     if leans := leaning(loop):
         console.print(f"- {leans}", markup=False)
     for experiment in loop.next_experiment:

@@ -14,7 +14,7 @@ from tumble.app.identity import program_identity
 from tumble.app.stand import RecordedStand, Site
 from tumble.calibrations.core.cells import TableError
 from tumble.calibrations.core.parameter import Parameter
-from tumble.calibrations.core.provenance import LimitCheck, Provenance
+from tumble.calibrations.core.provenance import LimitCheck, Provenance, Source
 from tumble.calibrations.methods.dividing_head.budget import StandUncertainty
 from tumble.calibrations.methods.dividing_head.judging import inside
 from tumble.calibrations.methods.dividing_head.observations import Observations
@@ -26,6 +26,7 @@ from tumble.procedures.events import Identified
 from tumble.procedures.programme import Programme, programme_from_text
 from tumble.procedures.recording.errors import RecordingError
 from tumble.procedures.recording.header import Header
+from tumble.procedures.registry import find_method
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -45,6 +46,11 @@ class Measurement:
     """What head and DAQ said of themselves when they were identified."""
     stand_record: StandRecord | None = None
     """What the rows were corrected by."""
+
+    def source(self, folder: Path) -> Source:
+        """The file as records name it, its path relative to a folder if it lies in it."""
+        kind = "recording" if self.header else "table"
+        return Source(kind=kind, path=stored_path(folder, self.path), sha256=self.sha256)
 
     @property
     def uncertainty(self) -> StandUncertainty:
@@ -113,8 +119,7 @@ def read_measurement(path: Path, stand: Mapping[str, Any] | None = None) -> Meas
 
 
 def _read_recording(path: Path, stand: Mapping[str, Any] | None) -> Measurement:
-    from tumble.procedures.recording.observations import observations  # MCAP only where there is a recording
-    from tumble.procedures.recording.reader import read_recording
+    from tumble.procedures.recording.reader import read_recording  # MCAP only where there is a recording
 
     try:
         recording = read_recording(path)
@@ -122,10 +127,13 @@ def _read_recording(path: Path, stand: Mapping[str, Any] | None) -> Measurement:
         raise InputError(str(error)) from error
     header = recording.header
     check_header(path, header, stand)
+    table = find_method(header.method).procedure_part.table(recording)
+    if not isinstance(table, Observations):
+        raise InputError(f"{path}: is of the method {header.method}, which this does not analyse; use its own command")
     return Measurement(
         path=path,
         sha256=file_sha256(path),
-        observations=observations(recording),
+        observations=table,
         stand=header.stand if stand is None else stand,
         header=header,
         serials={event.instrument: event.serial for event in recording.events if isinstance(event, Identified)},
@@ -133,7 +141,7 @@ def _read_recording(path: Path, stand: Mapping[str, Any] | None) -> Measurement:
 
 
 def provenance(measurement: Measurement, serial_number: str = "", folder: Path | None = None) -> Provenance:
-    """Where a calibration of `measurement` comes from; the raw file's path is relative to `folder` if it lies in it."""
+    """Where a calibration of `measurement` comes from; paths are relative to `folder` inside it."""
     header, program = measurement.header, program_identity()
     files = (measurement, *measurement.others)
     programme = measurement.programme
@@ -144,8 +152,7 @@ def provenance(measurement: Measurement, serial_number: str = "", folder: Path |
         programme_sha256=header.programme_sha256 if header else "",
         stand_name=str(measurement.stand.get("name", "")),
         stand=measurement.stand,
-        raw_path=", ".join(stored_path(folder or Path(), file.path) for file in files),
-        raw_sha256=", ".join(file.sha256 for file in files),
+        sources=tuple(file.source(folder or Path()) for file in files),
         measured_at=_iso(header.started_wall_ns) if header else "",
         program_version=program.version,
         git_commit=program.git_commit,

@@ -128,12 +128,21 @@ def plan(programme: Place, *, stand: Place | None = None) -> Plan:
 
 
 def run(
-    programme: Place, serial_number: str, recording: Place, *, stand: Place | None = None, operator: str = ""
+    programme: Place,
+    serial_number: str,
+    recording: Place,
+    *,
+    stand: Place | None = None,
+    operator: str = "",
+    answers: Place | None = None,
 ) -> Path:
-    """Carry out a programme at a stand, the built-in simulated one without `stand`, and leave a recording."""
+    """Carry out a programme at a stand, the built-in simulated one without `stand`, and leave a recording.
+
+    At a stand that is not simulated a person seats the unit; `answers` is a file that answers for whoever is not there.
+    """
     job, path = _job(programme, serial_number, stand, operator), Path(recording)
     with holding(job.stand, serial_number):
-        connected = connect(job.stand)
+        connected = connect(job.stand, _path(answers))
         try:
             outcome = measure(job, connected, path)
         finally:
@@ -144,12 +153,21 @@ def run(
 
 
 def calibrate(
-    programme: Place, serial_number: str, store: Place, *, stand: Place | None = None, operator: str = ""
+    programme: Place,
+    serial_number: str,
+    store: Place,
+    *,
+    stand: Place | None = None,
+    operator: str = "",
+    answers: Place | None = None,
 ) -> Result:
-    """Run, fit, close the loop, store and report: the whole job. Record and report lie in the folder `store`."""
+    """Run, fit, close the loop, store and report: the whole job. Record and report lie in the folder `store`.
+
+    `answers` as in `run`.
+    """
     job = _job(programme, serial_number, stand, operator)
     with holding(job.stand, serial_number):
-        connected = connect(job.stand)
+        connected = connect(job.stand, _path(answers))
         try:
             return _of(carry_out(job, connected, Path(store)).analysed)
         finally:
@@ -178,9 +196,7 @@ def _path(place: Place | None) -> Path | None:
 
 def _of(analysed: Analysed) -> Result:
     def draw() -> Picture:
-        from tumble.calibrations.methods.dividing_head.report.residuals import (
-            angle_figure,  # matplotlib takes half a second
-        )
+        from tumble.calibrations.methods.dividing_head.report.residuals import angle_figure
 
         return Picture(str(angle_figure(analysed.usable.calibration)))
 

@@ -1,16 +1,23 @@
 """Stored records, and the raw files that they come from."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tumble.app.analysing import fit, trace
-from tumble.app.calibrating import report_path, standing_record, write_report
+from tumble.app.calibrating import report_path, write_report
 from tumble.app.files import is_recording
 from tumble.app.identity import program_identity
-from tumble.app.measurements import Measurement, read_measurement
+from tumble.app.joining import read_together
+from tumble.app.measurements import Measurement
+from tumble.app.methods import methods
 from tumble.app.stand_records import corrected_by
+from tumble.app.storing import standing_record
+from tumble.calibrations.core.method import Method
+from tumble.calibrations.methods.dividing_head.entry import METHOD
 from tumble.calibrations.records import DATABASE
+from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.records.errors import RecordError, StoreError
 from tumble.calibrations.records.raw import file_sha256
 from tumble.calibrations.records.record import Record
@@ -38,7 +45,9 @@ def recall(folder: Path, record_id: str) -> tuple[Record, Measurement]:
     """A record, by the beginning of its id, with its raw file. Raises `InputError`, `RecordError`, `StoreError`."""
     store = open_store(folder)
     record = store.get(record_id)
-    measurement = read_measurement(store.raw_file(record), record.provenance.stand)
+    if record.method != METHOD:
+        raise RecordError(f"record {record.id} is of method {record.method}, which only records show and export know")
+    measurement = read_together(store.raw_files(record), record.provenance.stand)
     return record, _as_corrected(measurement, record, folder)
 
 
@@ -47,7 +56,7 @@ def record_of(recording: Path, serial_number: str, folder: Path) -> Record | Non
     from tumble.calibrations.records.store import Store
 
     try:
-        return standing_record(Store.existing(folder), serial_number, file_sha256(recording))
+        return standing_record(Store.existing(folder), serial_number, [file_sha256(recording)], METHOD)
     except StoreError:
         return None
 
@@ -62,17 +71,26 @@ def report_again(folder: Path, record_id: str, path: Path | None = None) -> Path
 
 
 def verify_record(store: "Store", record: Record) -> Verification:
-    """Hash again, fit again from the raw file, compare."""
-
-    def refit(path: Path, stand: Mapping[str, Any]) -> dict[str, Any]:
-        measurement = _as_corrected(read_measurement(path, stand), record, store.folder)
-        return trace(fit(measurement, trials=0)).as_json()
-
+    """Hash again, fit again from the raw files, compare."""
+    method = next((each for each in methods() if each.name == record.method), None)
+    refit = None if method is None else partial(_refit, method, record, store.folder)
     return verify(record, store, refit, program_identity().version)
 
 
-def unprotected(raw_file: Path) -> str:
-    """A sentence where the raw file of a record is a recording of an older format; nothing else is to be said."""
+def _refit(method: Method, record: Record, folder: Path, paths: Sequence[Path], stand: Mapping[str, Any]) -> Entry:
+    """How the numbers of a record come back from its raw files."""
+    if not method.at_stand:
+        return method.close_loop(paths).entry()
+    measurement = _as_corrected(read_together(paths, stand), record, folder)
+    return trace(fit(measurement, trials=0)).entry
+
+
+def unprotected(raw_files: Sequence[Path]) -> str:
+    """A sentence where a raw file of a record is a recording of an older format; nothing else is to be said."""
+    return next(filter(None, map(_unprotected, raw_files)), "")
+
+
+def _unprotected(raw_file: Path) -> str:
     if not (is_recording(raw_file) and raw_file.is_file()):
         return ""
     from tumble.procedures.recording.reader import read_header  # MCAP only where there is a recording

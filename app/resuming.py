@@ -23,7 +23,7 @@ from tumble.procedures.outcome import Outcome
 from tumble.procedures.programme import Programme, programme_from_text
 from tumble.procedures.recording.contents import Said
 from tumble.procedures.recording.errors import RecordingError
-from tumble.procedures.recording.header import FORMAT_VERSION
+from tumble.procedures.recording.header import written_version
 from tumble.procedures.recording.reader import Recording, complete_messages, leading, monotonic_s, read_recording
 
 _CUT = re.compile(r"(?P<run>.+)\.cut-(?P<number>\d+)")
@@ -163,7 +163,7 @@ def resume(
     source = _make_room(unfinished)
     recorder = begin_recording(
         unfinished.path,
-        replace(recording.header, format_version=FORMAT_VERSION),
+        replace(recording.header, format_version=written_version(recording.header.method)),
         clock,
         before=complete_messages(replace(recording, path=source)),
         elsewhen_s=recording.header.started_monotonic_s + elapsed_s() - clock.monotonic_s(),

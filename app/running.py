@@ -29,10 +29,12 @@ from tumble.procedures.announcer import Announcer, Listener
 from tumble.procedures.engine import Engine
 from tumble.procedures.events import State, WarningRaised
 from tumble.procedures.outcome import Outcome
-from tumble.procedures.plan import Plan, check_cable, check_limits, check_mounts, plan
+from tumble.procedures.plan import REQUEST_S, Plan, plan
+from tumble.procedures.plan_checks import check_cable, check_condition, check_limits
 from tumble.procedures.programme import Programme
 from tumble.procedures.recording.errors import RecordingError
-from tumble.procedures.recording.header import Header
+from tumble.procedures.recording.header import Header, written_version
+from tumble.procedures.registry import find_method
 from tumble.procedures.replay import replay
 from tumble.procedures.steps import Point
 
@@ -55,16 +57,20 @@ class Outline:
     @property
     def acquisition(self) -> Acquisition:
         """How each dwell is taken."""
-        daq = self.stand.file.daq
-        return self.programme.acquisition(samples=daq.samples, rate_hz=daq.rate_hz)
+        sampler = self.stand.file.sampling
+        return self.programme.acquisition(samples=sampler.samples, rate_hz=sampler.rate_hz)
 
     def plan(self) -> Plan:
         """Every step with its time; refuses what head, cable or seat forbid. Raises `ProgrammeError`."""
-        head = self.stand.file.head
-        planned = plan(self.programme, self.acquisition, speed_deg_s=head.speed_deg_s, mounting_s=head.mounting_s)
-        check_mounts(planned, head.mounts)
-        check_limits(planned, head.limits_deg)
-        check_cable(planned, head.turns)
+        positioners = self.stand.file.positioners
+        speeds_deg_s = {name: table.speed_deg_s for name, table in positioners.items()}
+        request_s = max((table.mounting_s for table in positioners.values()), default=REQUEST_S)
+        planned = plan(self.programme, self.acquisition, speeds_deg_s=speeds_deg_s, request_s=request_s)
+        for name, table in positioners.items():
+            for condition, allowed in table.allowed.items():
+                check_condition(planned, condition, allowed)
+            check_limits(planned, name, table.limits_deg)
+            check_cable(planned, name, table.turns)
         return planned
 
 
@@ -78,7 +84,7 @@ class Job(Outline):
 
     def check(self, points: Iterable[Point]) -> None:
         """Make sure that recorded points are the beginning of the programme. Raises `JournalError`."""
-        tolerance_deg = math.inf if self.stand.file.head.by_hand else self.acquisition.position_tolerance_deg
+        tolerance_deg = math.inf if self.stand.file.by_hand else self.acquisition.position_tolerance_deg
         replay(self.programme.procedure(), points, tolerance_deg)
 
 
@@ -204,6 +210,9 @@ def _header(job: Job, clock: Clock, purpose: str) -> Header:
         operator=job.operator,
         programme_text=job.programme.text,
         programme_sha256=job.programme.sha256,
+        method=job.programme.method,
+        method_version=find_method(job.programme.method).version,
+        format_version=written_version(job.programme.method),
         stand=job.stand.recorded,
         stand_path=str(job.stand.path.resolve()) if job.stand.path else "",
         stand_sha256=job.stand.sha256,

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from pathlib import Path
 
+from tumble.app.instrument_tables import places
 from tumble.app.stand import LoadedStand, WrittenStand, load_stand, read_stand
 from tumble.drivers.own_file import is_remote
 from tumble.procedures.errors import InputError
@@ -80,11 +81,11 @@ def _check_code(stand: WrittenStand, recording: Recording) -> None:
 
 def _check_paths(stand: WrittenStand) -> None:
     """Make sure that no file of an instrument is on another computer: the recording alone led to this stand file."""
-    for name in ("head", "daq"):
-        for key, value in stand.recorded[name].items():
+    for place in places(stand.recorded):
+        for key, value in place.table(stand.recorded).items():
             if key != "url" and isinstance(value, str) and is_remote(value):
                 raise InputError(
-                    f"{stand.path}: {name}: {key}: {value} leads to another computer and is not followed from a "
+                    f"{stand.path}: {place.where}: {key}: {value} leads to another computer and is not followed from a "
                     f"recording; give the stand file with --stand {stand.path}"
                 )
 

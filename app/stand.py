@@ -1,7 +1,6 @@
 """Reading stand files, without and with the code that they name."""
 
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import date
 from hashlib import sha256
@@ -9,16 +8,20 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any, Final, Self
 
+from pydantic import BaseModel
+
+from tumble.app.instrument_tables import POSITIONERS, SAMPLERS, Place, places
 from tumble.app.stand_file import RecordedDaq, RecordedHead, RecordedStand, Site, StandFile, stand_file_with
-from tumble.drivers.driver import SIMULATED, DaqDriver, HeadDriver, find_daq, find_head
+from tumble.drivers.driver import SIMULATED, DaqDriver, Driver, HeadDriver, find_daq, find_head
 from tumble.drivers.own_file import hash_of_file, is_own_file
-from tumble.drivers.tables import DaqTable, HeadTable
+from tumble.drivers.tables import HEAD, DaqTable, HeadTable
 from tumble.procedures.errors import InputError
 from tumble.procedures.toml_lines import parse_toml, place_of, read_text
 from tumble.procedures.toml_text import read_toml
 
 __all__ = ["LoadedStand", "RecordedStand", "Site", "StandFile", "WrittenStand", "load_stand", "read_stand"]
 
+_RECORDED: Final[Mapping[type[BaseModel], type[BaseModel]]] = {HeadTable: RecordedHead, DaqTable: RecordedDaq}
 _APART: Final = "a simulated head and a simulated daq belong together: a real one does not see the other"
 
 
@@ -46,10 +49,15 @@ class WrittenStand:
 class LoadedStand(WrittenStand):
     """A stand file with the drivers that it names."""
 
-    head_driver: HeadDriver | None
-    """None for the simulated head."""
-    daq_driver: DaqDriver | None
-    """None for the simulated DAQ."""
+    positioner_drivers: Mapping[str, HeadDriver | None]
+    """By name; None for the simulated head."""
+    sampler_drivers: Mapping[str, DaqDriver | None]
+    """By name; None for the simulated DAQ."""
+
+    @property
+    def head_driver(self) -> HeadDriver | None:
+        """Of the dividing head; None for the simulated one, and where there is none."""
+        return self.positioner_drivers.get(HEAD)
 
 
 def read_stand(path: Path | None = None) -> WrittenStand:
@@ -75,10 +83,13 @@ def load_stand(path: Path | None = None) -> LoadedStand:
     """
     text = _Text.at(path)
     written = text.written()
-    head = text.head_driver(written.file.head.driver)
-    daq = text.daq_driver(written.file.daq.driver)
-    file = text.checked(head.table if head else HeadTable, daq.table if daq else DaqTable)
-    return LoadedStand(**vars(written) | {"file": file}, head_driver=head, daq_driver=daq)
+    drivers = {place: text.driver(place) for place in places(text.data)}
+    file = text.checked({place: driver.table if driver else place.kind for place, driver in drivers.items()})
+    positioners, samplers = (
+        {place.name: driver for place, driver in drivers.items() if place.kind is kind}
+        for kind in (HeadTable, DaqTable)
+    )
+    return LoadedStand(**vars(written) | {"file": file}, positioner_drivers=positioners, sampler_drivers=samplers)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -100,58 +111,56 @@ class _Text:
     def folder(self) -> Path:
         return self.path.parent if self.path else Path()
 
+    @property
+    def data(self) -> dict[str, Any]:
+        return read_toml(self.text, self.source)
+
     def written(self) -> WrittenStand:
-        named = parse_toml(self.text, RecordedStand, self.source)
+        self._read_as({place: _RECORDED[place.kind] for place in places(self.data)})
+        file = self.checked({place: self._table(place) for place in places(self.data)})
         return WrittenStand(
-            file=self.checked(self._head_table(named.head.driver), self._daq_table(named.daq.driver)),
+            file=file,
             path=self.path,
             sha256=sha256(self.text.encode()).hexdigest(),
-            recorded=without_simulated(read_toml(self.text, self.source)),
-            code_sha256={name: hash_of_file(name, self.folder) for name in sorted(_code_of(named))},
+            recorded=without_simulated(self.data),
+            code_sha256={name: hash_of_file(name, self.folder) for name in sorted(_code_of(file))},
         )
 
-    def checked(self, head: type[HeadTable], daq: type[DaqTable]) -> StandFile:
-        file = parse_toml(self.text, stand_file_with(head, daq), self.source)
-        if SIMULATED in (file.head.driver, file.daq.driver) and not (file.simulates and _seen(file.head)):
+    def checked(self, tables: Mapping[Place, type[BaseModel]]) -> StandFile:
+        file = self._read_as(tables)
+        simulated = {name for name, table in file.instruments.items() if table.driver == SIMULATED}
+        if simulated and not (file.simulates and file.head_table and _seen(file.head_table)):
             raise InputError(f"{self.source}: {_APART}; correct it")
         return file
 
-    def head_driver(self, name: str) -> HeadDriver | None:
-        with self._blaming("head"):
-            return find_head(name, self.folder)
+    def _read_as(self, tables: Mapping[Place, type[BaseModel]]) -> StandFile:
+        single, positioners, samplers = (
+            tuple((place.name, kind) for place, kind in tables.items() if place.location[:-1] == outer)
+            for outer in ((), (POSITIONERS,), (SAMPLERS,))
+        )
+        return parse_toml(self.text, stand_file_with(single, positioners, samplers), self.source)
 
-    def daq_driver(self, name: str) -> DaqDriver | None:
-        with self._blaming("daq"):
-            return find_daq(name, self.folder)
-
-    def _head_table(self, driver: str) -> type[HeadTable]:
-        """Keys of the head's table, as far as they are known without running a file."""
-        if is_own_file(driver):
-            return RecordedHead
-        found = self.head_driver(driver)
-        return found.table if found else HeadTable
-
-    def _daq_table(self, driver: str) -> type[DaqTable]:
-        if is_own_file(driver):
-            return RecordedDaq
-        found = self.daq_driver(driver)
-        return found.table if found else DaqTable
-
-    @contextmanager
-    def _blaming(self, table: str) -> Iterator[None]:
-        """Tell of a driver that cannot be used with the line that names it."""
+    def driver(self, place: Place) -> Driver[Any, Any] | None:
+        name = str(place.table(self.data).get("driver", ""))
         try:
-            yield
+            return find_head(name, self.folder) if place.kind is HeadTable else find_daq(name, self.folder)
         except ValueError as error:
-            where = place_of(self.source, self.text, (table, "driver"))
-            raise InputError(f"{where}: {table}: driver: {error}; correct it") from error
+            where = place_of(self.source, self.text, (*place.location, "driver"))
+            raise InputError(f"{where}: {place.where}: driver: {error}; correct it") from error
+
+    def _table(self, place: Place) -> type[BaseModel]:
+        """Keys of an instrument's table, as far as they are known without running a file."""
+        if is_own_file(str(place.table(self.data)["driver"])):
+            return _RECORDED[place.kind]
+        found = self.driver(place)
+        return found.table if found else place.kind
 
 
 def _code_of(file: StandFile) -> set[str]:
     """The Python files that a stand file names, as `FILE.py:NAME`."""
     simulated = file.simulated
     physics = (simulated.response, simulated.head_error) if simulated else ()
-    drivers = (name for name in (file.head.driver, file.daq.driver) if is_own_file(name))
+    drivers = (table.driver for table in file.instruments.values() if is_own_file(table.driver))
     return {*drivers, *filter(None, physics)}
 
 
@@ -164,10 +173,10 @@ def same_instruments(recorded: Mapping[str, Any], loaded: LoadedStand) -> bool:
 
 
 def _instruments(data: Mapping[str, Any]) -> dict[str, Any]:
-    places = ("driver", "url", "interface", "channel", "serial")
-    tables = {name: data.get(name, {}) for name in ("head", "daq")}
+    keys = ("driver", "url", "interface", "channel", "serial")
+    tables = {place.location: place.table(data) for place in places(data)}
     return {"name": data.get("name")} | {
-        name: {place: table[place] for place in places if place in table} for name, table in tables.items()
+        ".".join(location): {key: table[key] for key in keys if key in table} for location, table in tables.items()
     }
 
 

@@ -1,17 +1,21 @@
 """Stand files as they are written: what stands where, how well it is known, and how to reach it."""
 
+from collections.abc import Mapping
 from datetime import date
 from functools import lru_cache
-from typing import Self
+from typing import Any, Self, TypeAlias
 
 from pydantic import BaseModel, ConfigDict, Field, create_model, model_validator
 
+from tumble.app.instrument_tables import POSITIONERS, SAMPLERS, Tables, tables_of
 from tumble.calibrations.core.gravity import Gravity, normal_gravity
 from tumble.calibrations.methods.dividing_head.budget import StandUncertainty
 from tumble.drivers.driver import SIMULATED
 from tumble.drivers.names import GivenName
 from tumble.drivers.simulated import Simulated
-from tumble.drivers.tables import DaqTable, HeadTable
+from tumble.drivers.tables import DAQ, HEAD, DaqTable, HeadTable
+from tumble.drivers.text import check_name
+from tumble.procedures.errors import InputError
 
 _STRICT = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
@@ -57,15 +61,67 @@ class StandFile(BaseModel):
 
     name: GivenName
     site: Site = Site()
-    head: HeadTable
-    daq: DaqTable
+    head_table: HeadTable | None = Field(default=None, alias=HEAD)
+    daq_table: DaqTable | None = Field(default=None, alias=DAQ)
+    named_positioners: Tables = Field(default=Tables(), alias=POSITIONERS)
+    named_samplers: Tables = Field(default=Tables(), alias=SAMPLERS)
     simulated: Simulated | None = None
     stand_record: StandRecordTable = StandRecordTable()
+
+    @model_validator(mode="after")
+    def _each_name_once(self) -> Self:
+        names = [*self.positioners, *self.samplers]
+        for name in names:
+            check_name(name)
+        if twice := next((name for name in names if names.count(name) > 1), None):
+            raise ValueError(f"two instruments are called {twice}: give one of them another name")
+        if not self.samplers:
+            raise ValueError(f"there is nothing that measures: add [{DAQ}] or [{SAMPLERS}.NAME]")
+        return self
+
+    @property
+    def positioners(self) -> Mapping[str, HeadTable]:
+        """The tables of the positioners, by name."""
+        return ({HEAD: self.head_table} if self.head_table else {}) | self.named_positioners.by_name
+
+    @property
+    def samplers(self) -> Mapping[str, DaqTable]:
+        """The tables of the samplers, by name."""
+        return ({DAQ: self.daq_table} if self.daq_table else {}) | self.named_samplers.by_name
+
+    @property
+    def instruments(self) -> Mapping[str, HeadTable | DaqTable]:
+        """The tables of all instruments, by name."""
+        return {**self.positioners, **self.samplers}
+
+    @property
+    def head(self) -> HeadTable:
+        """The table of the dividing head. Raises `InputError` where the stand has none."""
+        if self.head_table is None:
+            raise InputError(f"stand {self.name}: has no [{HEAD}], and this needs a dividing head; name another stand")
+        return self.head_table
+
+    @property
+    def daq(self) -> DaqTable:
+        """The table of the voltmeter. Raises `InputError` where the stand has none."""
+        if self.daq_table is None:
+            raise InputError(f"stand {self.name}: has no [{DAQ}], and this needs a voltmeter; name another stand")
+        return self.daq_table
+
+    @property
+    def sampling(self) -> DaqTable:
+        """Samples and rate of a dwell, which are those of the first sampler."""
+        return next(iter(self.samplers.values()))
+
+    @property
+    def by_hand(self) -> bool:
+        """Whether a person turns a positioner and reads it."""
+        return any(table.by_hand for table in self.positioners.values())
 
     @property
     def simulates(self) -> bool:
         """Whether the unit exists in this process only."""
-        return self.daq.driver == SIMULATED
+        return self.daq_table is not None and self.daq_table.driver == SIMULATED
 
     @property
     def uncertainty(self) -> StandUncertainty:
@@ -80,10 +136,9 @@ class StandFile(BaseModel):
 
     def expired(self, on: date) -> list[str]:
         """A sentence for every instrument whose calibration is overdue on a day, see `Instrument.overdue`."""
-        instruments = {"head": self.head, "daq": self.daq}
         return [
             f"stand {self.name}: the calibration of the {name} was due on {table.calibration_due}; have it done"
-            for name, table in instruments.items()
+            for name, table in self.instruments.items()
             if table.overdue(on)
         ]
 
@@ -105,11 +160,20 @@ class RecordedStand(StandFile):
 
     model_config = ConfigDict(extra="ignore")
 
-    head: RecordedHead
-    daq: RecordedDaq
+    head_table: RecordedHead = Field(alias=HEAD)
+    daq_table: RecordedDaq = Field(alias=DAQ)
+
+
+TablesOf: TypeAlias = tuple[tuple[str, type[BaseModel]], ...]
+"""Names and schemas of tables."""
 
 
 @lru_cache(maxsize=32)
-def stand_file_with(head: type[HeadTable], daq: type[DaqTable]) -> type[StandFile]:
-    """A stand file with the keys of these tables."""
-    return create_model("StandFile", __base__=StandFile, head=(head, ...), daq=(daq, ...))
+def stand_file_with(single: TablesOf, positioners: TablesOf, samplers: TablesOf) -> type[StandFile]:
+    """A stand file with the keys of these tables: `single` are `head` and `daq`, as far as they must be there."""
+    fields: dict[str, Any] = {f"{name}_table": (kind, Field(alias=name)) for name, kind in single}
+    if positioners:
+        fields["named_positioners"] = (tables_of(dict(positioners)), Field(alias=POSITIONERS))
+    if samplers:
+        fields["named_samplers"] = (tables_of(dict(samplers)), Field(alias=SAMPLERS))
+    return create_model("StandFile", __base__=StandFile, **fields)

@@ -52,7 +52,8 @@ def holding_recording(path: Path, serial_number: str) -> Iterator[None]:
 def _addresses(loaded: LoadedStand) -> dict[str, str]:
     """What is held, as it is written, by the one name that it has."""
     file = str(loaded.path.resolve()) if loaded.path else ""
-    instruments = {one_name(address): address for address in (loaded.file.head.address, loaded.file.daq.address)}
+    addresses = [table.address for table in loaded.file.instruments.values()]
+    instruments = {one_name(address): address for address in addresses}
     return {name: address for name, address in ({file: file} | instruments).items() if address}
 
 

@@ -11,9 +11,11 @@ from tumble.app.exits import JobError
 from tumble.app.files import RECORDING_SUFFIX
 from tumble.app.recall import unprotected, verify_record
 from tumble.app.resuming import is_set_aside
+from tumble.calibrations.records.chain import Chain
 from tumble.calibrations.records.errors import RecordError, StoreError
 from tumble.calibrations.records.inventory import Inventory
 from tumble.calibrations.records.raw import resolved_path
+from tumble.calibrations.records.verify import altered
 from tumble.procedures.errors import InputError
 from tumble.procedures.recording.errors import RecordingError
 
@@ -27,12 +29,16 @@ class Judgement(StrEnum):
     """What is said of a thing in a word or two; in capitals where something is wrong."""
 
     VERIFIED = "verified"
+    WHOLE = "whole"
+    """A chain of records."""
     UNRECORDED = "no record"
     """A recording that needs none."""
     NOT_VERIFIED = "NOT VERIFIED"
     RECORD_LOST = "NO RECORD"
     """A recording or a report of which there must have been one."""
     REMOVED = "REMOVED"
+    BROKEN = "BROKEN"
+    """A chain from which a record was taken, or in which one was altered."""
     RECORDS_REMOVED = "RECORDS REMOVED"
     DAMAGED = "DAMAGED"
 
@@ -48,7 +54,7 @@ class Finding:
     @property
     def good(self) -> bool:
         """Whether nothing is wrong."""
-        return self.judgement in (Judgement.VERIFIED, Judgement.UNRECORDED)
+        return self.judgement in (Judgement.VERIFIED, Judgement.WHOLE, Judgement.UNRECORDED)
 
 
 def verified_record(store: "Store", record_id: str) -> Finding:
@@ -61,7 +67,7 @@ def verified_record(store: "Store", record_id: str) -> Finding:
     except (AttributeError, KeyError, TypeError, ValueError) as error:  # whatever was put into its JSON
         damaged = f"The record is damaged ({type(error).__name__}: {error}); restore {store.path} from a backup."
         return Finding(name=record_id, judgement=Judgement.NOT_VERIFIED, sentences=(damaged,))
-    old = unprotected(store.raw_file(record))
+    old = unprotected(store.raw_files(record))
     judgement = Judgement.VERIFIED if found.verified else Judgement.NOT_VERIFIED
     return Finding(name=record.id, judgement=judgement, sentences=(*found.sentences, *([old] if old else [])))
 
@@ -76,6 +82,8 @@ def leftovers(store: "Store") -> tuple[Finding, ...]:
     return (
         *(_fault(store.path, fault) for fault in inventory.faults),
         *(_removed(record_id) for record_id in inventory.removed),
+        *_superseded(store, inventory),
+        *(_chain(chain) for chain in inventory.chains),
         *_gaps(store.path, inventory),
         *_reports(store.folder, inventory),
         *_recordings(store.folder, inventory),
@@ -90,6 +98,31 @@ def _fault(path: Path, fault: str) -> Finding:
 def _removed(record_id: str) -> Finding:
     lost = "It is not in the store, although other rows name it: it was removed; restore the store from a backup."
     return Finding(name=record_id, judgement=Judgement.REMOVED, sentences=(lost,))
+
+
+def _superseded(store: "Store", inventory: Inventory) -> Iterator[Finding]:
+    """Superseded records that were altered; they are not fitted again."""
+    for record_id in sorted(inventory.ids - set(store.standing())):
+        try:
+            found = altered(store.get(record_id), store)
+        except StoreError as error:
+            yield Finding(name=record_id, judgement=Judgement.NOT_VERIFIED, sentences=(f"{error}.",))
+        else:
+            if found:
+                words = f"Altered in the store: {', '.join(found)}; restore the store from a backup."
+                yield Finding(name=record_id, judgement=Judgement.NOT_VERIFIED, sentences=(words,))
+
+
+def _chain(chain: Chain) -> Finding:
+    """The last hash is said so that it can be noted elsewhere: against it a store made anew is held."""
+    name = f"chain {chain.writer}" + (f" of {chain.place}" if chain.place else "")
+    if not chain.faults:
+        last = (
+            f"Every record follows from the one before; the last, number {chain.length}, is {chain.last_sha256[:16]}."
+        )
+        return Finding(name=name, judgement=Judgement.WHOLE, sentences=(last,))
+    broken = tuple(f"{fault}; restore the store from a backup." for fault in chain.faults)
+    return Finding(name=name, judgement=Judgement.BROKEN, sentences=broken)
 
 
 def _gaps(path: Path, inventory: Inventory) -> Iterator[Finding]:
@@ -107,11 +140,7 @@ def _reports(folder: Path, inventory: Inventory) -> Iterator[Finding]:
 
 
 def _recordings(folder: Path, inventory: Inventory) -> Iterator[Finding]:
-    recorded = {
-        resolved_path(folder, part).resolve()
-        for text in inventory.raw_paths
-        for part in (text, *text.split(", "))  # a record of several files has their paths in one text
-    }
+    recorded = {resolved_path(folder, path).resolve() for path in inventory.raw_paths}
     for path in sorted((folder / "recordings").rglob(f"*{RECORDING_SUFFIX}")):
         if path.resolve() not in recorded and not is_set_aside(path):
             yield _without_record(path)

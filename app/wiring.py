@@ -15,12 +15,14 @@ from tumble.drivers.clock import Clock, ReleasedClock, SystemClock
 from tumble.drivers.driver import Bench, DaqDriver, HeadDriver
 from tumble.drivers.links.opened import Links
 from tumble.drivers.manual import Eyepiece
-from tumble.drivers.protocols import Daq, DividingHead, HeadStatus, Stand
+from tumble.drivers.protocols import Positioner, PositionerStatus, Sampler, Stand
+from tumble.drivers.tables import HEAD, TITLES
 from tumble.emulators.backstage import Backstage, find_backstage
 from tumble.procedures.announcer import Listener
 from tumble.procedures.control import Control
 from tumble.procedures.errors import InputError
-from tumble.procedures.eyepiece import OperatorEyepiece
+from tumble.procedures.methods.dividing_head.eyepiece import OperatorEyepiece
+from tumble.procedures.methods.dividing_head.layout import MOUNT
 from tumble.procedures.operator import Answers, ConsoleOperator, Operator, ScriptedOperator, SeatingOperator
 
 _UNASKED: Final = (
@@ -60,7 +62,7 @@ class Connected:
     """Recordings of the runs so far, in their order: what a simulated stand lives through before it goes on."""
     control: Control = field(default_factory=Control)
     """Pauses, resumes and stops what goes on there; from any thread."""
-    look: Callable[[HeadStatus], None] = lambda _: None
+    look: Callable[[PositionerStatus], None] = lambda _: None
     """Is shown where the head is on its way."""
 
 
@@ -96,16 +98,18 @@ def connect(
     person = _Person(operator, clock, backstage)
     bench = Bench(clock=clock, links=links, folder=loaded.folder, eyepiece=person.at_the_head)
     try:
-        head, daq = _instruments(loaded, bench)
+        positioners, samplers = _instruments(loaded, bench)
     except BaseException:
         links.close()
         raise
     stand = Stand(
         name=loaded.file.name,
-        head=head,
-        daq=daq,
+        positioners=positioners,
+        samplers=samplers,
         clock=clock,
-        serials={"head": loaded.file.head.serial, "daq": loaded.file.daq.serial},
+        serials={name: table.serial for name, table in loaded.file.instruments.items()},
+        channels={name: table.channels for name, table in loaded.file.samplers.items() if table.channels},
+        titles=TITLES,
     )
     warnings = (_UNASKED.format(loaded.file.name),) if backstage and attendant.imagined else ()
     made = Connected(
@@ -123,12 +127,12 @@ def _backstage(loaded: LoadedStand) -> Backstage | None:
     """Where the stand is emulated, its backstage; never of a stand whose file has no table `simulated`."""
     if loaded.file.simulated is None:
         return None
-    return find_backstage((loaded.file.head.address, loaded.file.daq.address))
+    return find_backstage([table.address for table in loaded.file.instruments.values()])
 
 
 def _behind_the_scenes(made: Connected, backstage: Backstage) -> Connected:
     """An emulated stand, where nobody seats the unit but who emulates it."""
-    operator = SeatingOperator(made.operator, backstage.seat)
+    operator = SeatingOperator(made.operator, {MOUNT: backstage.seat})
     return replace(made, operator=operator, listeners=(switching_on(backstage.switch_on),))
 
 
@@ -137,12 +141,12 @@ def _simulated(loaded: LoadedStand, attendant: Attendant, past: Sequence[Past]) 
     simulated = simulation(loaded, clock).after(past)
     if attendant.speed is not None:
         clock.release(attendant.speed)
-    operator = SeatingOperator(attendant.operator(), simulated.world.seat)
+    operator = SeatingOperator(attendant.operator(), {MOUNT: simulated.world.seat})
     person = _Person(lambda: operator, clock, simulated)
     stand = simulated.stand
     if loaded.head_driver is not None:
         bench = Bench(clock=clock, links=Links(), folder=loaded.folder, eyepiece=person.at_the_head)
-        stand = replace(stand, head=_connected_head(loaded, loaded.head_driver, bench))
+        stand = replace(stand, positioners={HEAD: _positioner(loaded, HEAD, loaded.head_driver, bench)})
     return Connected(
         stand=stand,
         operator=operator,
@@ -183,21 +187,23 @@ class _Person:
         return TurningEyepiece(self.eyepiece, self._hand) if self._hand else self.eyepiece
 
 
-def _instruments(loaded: LoadedStand, bench: Bench) -> tuple[DividingHead, Daq]:
-    """Head and DAQ of a stand that is not simulated. Raises `InputError`, `DeviceError`."""
-    assert loaded.head_driver is not None and loaded.daq_driver is not None, "load_stand sees to that"
+def _instruments(loaded: LoadedStand, bench: Bench) -> tuple[dict[str, Positioner], dict[str, Sampler]]:
+    """Positioners and samplers of a stand that is not simulated, by name. Raises `InputError`, `DeviceError`."""
+    positioners, samplers = loaded.positioner_drivers, loaded.sampler_drivers
     try:
-        daq = _connected_daq(loaded, loaded.daq_driver, bench)  # first: it never needs a person
-        return _connected_head(loaded, loaded.head_driver, bench), daq
+        # the samplers first: they never need a person
+        sampling = {name: _sampler(loaded, name, driver, bench) for name, driver in samplers.items() if driver}
+        moving = {name: _positioner(loaded, name, driver, bench) for name, driver in positioners.items() if driver}
     except ValueError as error:
         raise InputError(f"{loaded.path}: {error}") from error
+    return moving, sampling
 
 
-def _connected_head(loaded: LoadedStand, driver: HeadDriver, bench: Bench) -> DividingHead:
-    table = loaded.file.head
-    return connected(lambda: driver.connect(table, bench), table.driver, "dividing head", HEAD_NEEDS)
+def _positioner(loaded: LoadedStand, name: str, driver: HeadDriver, bench: Bench) -> Positioner:
+    table = loaded.file.positioners[name]
+    return connected(lambda: driver.connect(table, bench), table.driver, TITLES.get(name, name), HEAD_NEEDS)
 
 
-def _connected_daq(loaded: LoadedStand, driver: DaqDriver, bench: Bench) -> Daq:
-    table = loaded.file.daq
-    return connected(lambda: driver.connect(table, bench), table.driver, "DAQ", DAQ_NEEDS)
+def _sampler(loaded: LoadedStand, name: str, driver: DaqDriver, bench: Bench) -> Sampler:
+    table = loaded.file.samplers[name]
+    return connected(lambda: driver.connect(table, bench), table.driver, TITLES.get(name, name), DAQ_NEEDS)

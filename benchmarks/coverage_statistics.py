@@ -32,13 +32,13 @@ def rows_of(programme):
     """The programme's table without noise."""
     plan = Job(stand=load_stand(), programme=load_programme(programme), serial_number="").plan()
     dwells = [step.step for step in plan.steps if isinstance(step.step, Dwell)]
-    angle_deg = np.array([dwell.angle_deg for dwell in dwells])
+    angle_deg = np.array([dwell.targets_deg["head"] for dwell in dwells])
     settings = Simulated.model_validate({"preset": "ideal", "parameters": UNIT, "resolution_v": 0.0})
     return Observations(
         row=np.arange(1, len(dwells) + 1),
         angle_deg=angle_deg,
-        voltage_v=noise_free_voltage(settings, [dwell.mount for dwell in dwells], angle_deg),
-        mount=np.array([dwell.mount for dwell in dwells]),
+        voltage_v=noise_free_voltage(settings, [dwell.conditions["mount"] for dwell in dwells], angle_deg),
+        mount=np.array([dwell.conditions["mount"] for dwell in dwells]),
         realisation=np.array([dwell.realisation for dwell in dwells]),
         procedure=np.array([dwell.procedure for dwell in dwells]),
         direction=np.sign(np.diff(angle_deg, prepend=0.0)).astype(np.int64),

@@ -20,7 +20,7 @@ from bluesky import preprocessors as bpp
 from ophyd_async.core import StandardReadable, StandardReadableFormat, init_devices, soft_signal_rw
 
 from tumble.drivers.clock import SystemClock
-from tumble.drivers.protocols import HeadStatus, Identity, SampleBlock, Stand
+from tumble.drivers.protocols import Identity, PositionerStatus, SampleBlock, Stand
 from tumble.procedures import Acquisition, Answers, Engine, ScriptedOperator, programme_from_text
 from tumble.procedures.events import Event, FinishReason
 
@@ -46,9 +46,9 @@ class SoftHead:
         """Be there."""
         self._angle_deg = angle_deg
 
-    def status(self) -> HeadStatus:
+    def status(self) -> PositionerStatus:
         """Where it is."""
-        return HeadStatus(angle_deg=self._angle_deg, moving=False, device_time_s=0.0)
+        return PositionerStatus(angle_deg=self._angle_deg, moving=False, device_time_s=0.0)
 
     def stop(self) -> None:
         """Nothing moves."""
@@ -86,7 +86,7 @@ def ours(points: int) -> float:
     """Milliseconds a point of a sweep of so many, the 50 ms for the standstill at the end of the run included."""
     text = f'name = "bench"\n[[procedure]]\nkind = "sweep"\nstep_deg = 0.5\npoints = {points}\n'
     acquisition = Acquisition(samples=100, rate_hz=100.0, settle_samples=10)
-    stand = Stand(name="soft", head=SoftHead(), daq=SoftDaq(), clock=SystemClock())
+    stand = Stand(name="soft", positioners={"head": SoftHead()}, samplers={"daq": SoftDaq()}, clock=SystemClock())
     engine = Engine(stand, ScriptedOperator(Answers(mounts={"default": "yes"})), ListSink(), acquisition)
     procedure = programme_from_text(text, "bench.toml").procedure()
     began_s = time.perf_counter()

@@ -16,12 +16,12 @@ from unittest.mock import patch
 import numpy as np
 
 from tumble.drivers.clock import SystemClock
-from tumble.drivers.protocols import SampleBlock
+from tumble.drivers.protocols import ChannelBlock
 from tumble.procedures.events import FinishReason, PointCompleted, RunFinished, SamplesAcquired
+from tumble.procedures.methods.dividing_head.rows import Row
 from tumble.procedures.recording.header import Header
 from tumble.procedures.recording.reader import iter_samples, read_recording
 from tumble.procedures.recording.writer import Recorder
-from tumble.procedures.steps import Point
 
 CHANNELS, SAMPLES_PER_BLOCK = 4, 10_000
 CLOCK = SystemClock()
@@ -48,12 +48,13 @@ def header() -> Header:
 def blocks(count: int) -> Iterator[SamplesAcquired]:
     for index in range(count):
         noise_v = np.random.default_rng(index).normal(2.5, 1e-3, (CHANNELS, SAMPLES_PER_BLOCK))
-        block = SampleBlock(voltage_v=noise_v, rate_hz=1e5, device_time_s=0.1 * index, temperature_degc=23.0)
+        channels = {f"channel_{number}_v": row_v for number, row_v in enumerate(noise_v)}
+        block = ChannelBlock(channels=channels, rate_hz=1e5, device_time_s=0.1 * index, temperature_degc=23.0)
         yield SamplesAcquired(point=index, time_s=0.1 * index, block=block)
 
 
 def completed(index: int) -> PointCompleted:
-    point = Point(
+    row = Row(
         index=index,
         angle_deg=5.0 * index,
         voltage_v=2.5,
@@ -67,7 +68,7 @@ def completed(index: int) -> PointCompleted:
         mount="face-up",
         settled=True,
     )
-    return PointCompleted(point=point)
+    return PointCompleted(point=row.point)
 
 
 def seconds_to_record(path: Path, samples: int) -> float:

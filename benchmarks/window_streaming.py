@@ -26,7 +26,7 @@ from PySide6.QtCore import QSettings, Qt, QTimer
 from tumble.app.running import Job, begin_recording
 from tumble.app.stand import load_stand
 from tumble.drivers.clock import SystemClock
-from tumble.drivers.protocols import HeadStatus, SampleBlock
+from tumble.drivers.protocols import ChannelBlock, PositionerStatus
 from tumble.procedures.announcer import Announcer
 from tumble.procedures.events import (
     FinishReason,
@@ -37,6 +37,8 @@ from tumble.procedures.events import (
     StateChanged,
     StepStarted,
 )
+from tumble.procedures.methods.dividing_head.layout import dwell_at
+from tumble.procedures.methods.dividing_head.rows import Row
 from tumble.procedures.programme import programme_from_text
 from tumble.procedures.recording.header import Header
 from tumble.procedures.recording.reader import iter_samples
@@ -141,29 +143,30 @@ def record(running: Application, stream: BinaryIO, path: Path, job: Job) -> int:
         if count % _POINT_BLOCKS == 1:
             announce(StepStarted(step=dwell(index)))
         announce(SamplesAcquired(point=index, time_s=now_s - began_s, block=as_block(voltage_v, now_s)))
-        bridge.look(HeadStatus(angle_deg=0.025 * count, moving=True, device_time_s=now_s))
+        bridge.look(PositionerStatus(angle_deg=0.025 * count, moving=True, device_time_s=now_s))
         if count % _POINT_BLOCKS == 0:
             announce(PointCompleted(point=point(index - 1, voltage_v, now_s - began_s)))
     announce(RunFinished(reason=FinishReason.COMPLETED, message="the stream ended", at_standstill=True))
     return count
 
 
-def as_block(voltage_v: NDArray[np.float64], now_s: float) -> SampleBlock:
-    return SampleBlock(voltage_v=voltage_v, rate_hz=RATE_HZ, device_time_s=now_s, temperature_degc=23.0)
+def as_block(voltage_v: NDArray[np.float64], now_s: float) -> ChannelBlock:
+    channels = {f"channel_{number}_v": row_v for number, row_v in enumerate(voltage_v)}
+    return ChannelBlock(channels=channels, rate_hz=RATE_HZ, device_time_s=now_s, temperature_degc=23.0)
 
 
 def dwell(index: int) -> Dwell:
-    return Dwell(angle_deg=0.5 * index, procedure="sweep", realisation=1, mount="face-up")
+    return dwell_at(angle_deg=0.5 * index, procedure="sweep", realisation=1, mount="face-up")
 
 
 def point(index: int, voltage_v: NDArray[np.float64], time_s: float) -> Point:
     rng = np.random.default_rng(index)
     output_v = 2.5 - np.sin(np.deg2rad(0.5 * index)) + 1e-4 * rng.standard_normal()
-    return Point(
+    return Row(
         index=index, angle_deg=0.5 * index, voltage_v=float(output_v), voltage_sd_v=1e-3, samples=voltage_v.shape[1],
         time_s=time_s, direction=1, temperature_degc=23.0 + 0.01 * rng.standard_normal(), realisation=1,
         procedure="sweep", mount="face-up", settled=True,
-    )  # fmt: skip
+    ).point  # fmt: skip
 
 
 def header(job: Job, clock: SystemClock) -> Header:
@@ -179,7 +182,7 @@ def lost(path: Path, blocks: int) -> int:
     """Samples that are not in the recording where they belong."""
     bad = number = 0
     for number, taken in enumerate(iter_samples(path), 1):
-        bad += int(np.count_nonzero(taken.block.voltage_v != block(number - 1)))
+        bad += int(np.count_nonzero(np.stack([*taken.block.channels.values()]) != block(number - 1)))
     return bad + (blocks - number) * BLOCK * CHANNELS
 
 

@@ -24,14 +24,14 @@ from tumble.drivers.clock import Clock
 from tumble.drivers.links.opened import Links
 from tumble.drivers.manual.head import Eyepiece
 from tumble.drivers.own_file import is_own_file, load_from_file
-from tumble.drivers.protocols import Daq, DividingHead
+from tumble.drivers.protocols import Positioner, Sampler
 from tumble.drivers.tables import DaqTable, HeadTable, Instrument
 
 SIMULATED: Final = "simulated"
 """Names no driver, but the world that exists in this process only, with head and DAQ in one."""
 
 Table = TypeVar("Table", bound=Instrument)
-Made = TypeVar("Made", bound=DividingHead | Daq, covariant=True)
+Made = TypeVar("Made", bound=Positioner | Sampler, covariant=True)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -61,8 +61,8 @@ class Driver(Generic[Table, Made]):
     """
 
 
-HeadDriver = Driver[Any, DividingHead]
-DaqDriver = Driver[Any, Daq]
+HeadDriver = Driver[Any, Positioner]
+DaqDriver = Driver[Any, Sampler]
 
 
 def find_head(name: str, folder: Path) -> HeadDriver | None:

@@ -6,12 +6,17 @@ inherits from anything.
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Protocol, runtime_checkable
+from typing import Final, Protocol, TypeAlias, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tumble.drivers.clock import Clock
+
+FloatArray: TypeAlias = NDArray[np.float64]
+
+VOLTAGE: Final = "voltage_v"
+"""Name of the channel of a sampler that has only one."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -26,8 +31,8 @@ class Identity:
 
 
 @dataclass(frozen=True, kw_only=True)
-class HeadStatus:
-    """What the head reports at one moment."""
+class PositionerStatus:
+    """What a positioner reports at one moment."""
 
     angle_deg: float
     """Angle as the head reads it, in degrees; any revolution (395 stays 395)."""
@@ -42,9 +47,9 @@ class HeadStatus:
 
 @dataclass(frozen=True, kw_only=True)
 class SampleBlock:
-    """Voltage samples taken at an even rate while the head stood still."""
+    """Voltage samples of a sampler with one channel, taken at an even rate while everything stood still."""
 
-    voltage_v: NDArray[np.float64]
+    voltage_v: FloatArray
     """Shape (samples,), in volts. Overload is what the instrument says (9.9e37 on SCPI meters), never clipped."""
     rate_hz: float
     device_time_s: float
@@ -52,9 +57,31 @@ class SampleBlock:
     temperature_degc: float | None
     """Mean of the temperature channel over the block; None where the DAQ has no such channel."""
 
+    @property
+    def channels(self) -> Mapping[str, FloatArray]:
+        """The one channel, by its name."""
+        return {VOLTAGE: self.voltage_v}
 
-class DividingHead(Protocol):
-    """A head that turns the unit about a horizontal axis. Angles in degrees, positive as the head counts."""
+
+@dataclass(frozen=True, kw_only=True)
+class ChannelBlock:
+    """Samples of several channels, or of one that is no voltage, taken together."""
+
+    channels: Mapping[str, FloatArray]
+    """By name, the unit in it (`rate_deg_h`); each of the shape (samples,)."""
+    rate_hz: float
+    device_time_s: float
+    """The sampler's own time of the first sample."""
+    temperature_degc: float | None
+    """As in `SampleBlock`."""
+
+
+Block: TypeAlias = SampleBlock | ChannelBlock
+"""What a sampler gives."""
+
+
+class Positioner(Protocol):
+    """What turns the unit about one axis, as a dividing head does. Angles in degrees, positive as it counts."""
 
     @property
     def limits_deg(self) -> tuple[float, float]:
@@ -78,7 +105,7 @@ class DividingHead(Protocol):
         """Begin to move to `angle_deg`; returns at once. Raises `LimitError`, `DeviceError`."""
         ...
 
-    def status(self) -> HeadStatus:
+    def status(self) -> PositionerStatus:
         """Read position and motion back from the instrument. Raises `DeviceError`."""
         ...
 
@@ -87,14 +114,14 @@ class DividingHead(Protocol):
         ...
 
 
-class Daq(Protocol):
-    """A voltmeter with an optional temperature channel."""
+class Sampler(Protocol):
+    """What takes samples of one channel or several, as a voltmeter does, with an optional temperature."""
 
     def identify(self) -> Identity:
         """Ask the instrument who it is. Raises `DeviceError`."""
         ...
 
-    def acquire(self, samples: int, rate_hz: float) -> SampleBlock:
+    def acquire(self, samples: int, rate_hz: float) -> Block:
         """Take `samples` readings at `rate_hz`, beginning now; returns when the last is there. Raises `DeviceError`."""
         ...
 
@@ -134,13 +161,30 @@ class Remarking(Protocol):
         ...
 
 
+DividingHead: TypeAlias = Positioner
+Daq: TypeAlias = Sampler
+HeadStatus: TypeAlias = PositionerStatus
+"""The names of version 0.1, which drivers of others import."""
+
+
 @dataclass(frozen=True, kw_only=True)
 class Stand:
-    """A head, a DAQ and the clock by which they live: all that the engine needs to know of a stand."""
+    """Instruments by name and the clock by which they live: all that the engine needs to know of a stand.
+
+    No positioner has the name of a sampler.
+    """
 
     name: str
-    head: DividingHead
-    daq: Daq
+    positioners: Mapping[str, Positioner]
+    samplers: Mapping[str, Sampler]
     clock: Clock
     serials: Mapping[str, str] = field(default_factory=dict)
-    """Serial numbers that the instruments must have, by `head` and `daq`; any where nothing is said."""
+    """Serial numbers that the instruments must have, by name; any where nothing is said."""
+    titles: Mapping[str, str] = field(default_factory=dict)
+    """What sentences call the instruments, by name; the name itself where nothing is said."""
+    channels: Mapping[str, Sequence[str]] = field(default_factory=dict)
+    """Names of the channels of a sampler, in their order, by its name; those that it gives where nothing is said."""
+
+    def title(self, name: str) -> str:
+        """What sentences call an instrument."""
+        return self.titles.get(name) or name

@@ -4,6 +4,7 @@ A driver that has keys of its own derives its table from one of these; see `tumb
 """
 
 import re
+from collections.abc import Mapping
 from datetime import date, datetime
 from typing import ClassVar, Final, Literal, Self, TypeAlias
 
@@ -12,8 +13,13 @@ from pydantic_core import PydanticCustomError
 
 from tumble.drivers.links.can_address import CanAddress, Option
 from tumble.drivers.links.places import check_network, check_scheme, check_server
-from tumble.drivers.names import Name
+from tumble.drivers.names import GivenName, Name
 
+HEAD: Final = "head"
+DAQ: Final = "daq"
+"""Tables of a stand file, and the names of these instruments at the stand."""
+TITLES: Final = {HEAD: "dividing head", DAQ: "DAQ"}
+"""What sentences call them."""
 MOST_SAMPLES: Final = 10_000_000
 """More in one dwell is a slip of the pen."""
 
@@ -136,6 +142,11 @@ class HeadTable(Instrument):
         return self
 
     @property
+    def allowed(self) -> Mapping[str, tuple[str, ...] | None]:
+        """What the seat on it allows, by condition; None allows everything."""
+        return {"mount": self.mounts}
+
+    @property
     def turns(self) -> float:
         """Turns to either side of zero that the cable is trusted with."""
         return max(map(abs, self.limits_deg)) / 360.0 if self.cable_turns is None else self.cable_turns
@@ -151,3 +162,5 @@ class DaqTable(Instrument):
     """Relative standard uncertainty; None where nobody states it."""
     offset_uncertainty_v: float | None = Field(default=None, ge=0.0, le=100.0)
     """Standard uncertainty; None where nobody states it."""
+    channels: tuple[GivenName, ...] = ()
+    """Names of its channels in their order, the unit in each (`u_x_v`); without it those of the driver."""

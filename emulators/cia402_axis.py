@@ -3,7 +3,7 @@
 from typing import Final
 
 from tumble.drivers.errors import LimitError
-from tumble.drivers.protocols import HeadStatus
+from tumble.drivers.protocols import PositionerStatus
 from tumble.emulators.faults import Faults
 from tumble.emulators.world import SharedWorld
 
@@ -106,6 +106,6 @@ class Axis:
         except LimitError:  # not a number: the axis stays
             self._world.head.stop()
 
-    def _status(self) -> HeadStatus:
+    def _status(self) -> PositionerStatus:
         with self._world.lock:
             return self._world.head.status()

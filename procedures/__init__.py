@@ -11,7 +11,7 @@ from tumble.procedures.engine import Engine
 from tumble.procedures.errors import InputError, JournalError, ProgrammeError
 from tumble.procedures.operator import Answer, Answers, ConsoleOperator, Operator, ScriptedOperator, SeatingOperator
 from tumble.procedures.outcome import Outcome
-from tumble.procedures.plan import Plan, PlannedStep, check_limits, plan
+from tumble.procedures.plan import Plan, PlannedStep, plan
 from tumble.procedures.programme import Limit, Programme, load_programme, programme_from_text, shipped_programmes
 from tumble.procedures.progress import Progress, TimeLeft
 from tumble.procedures.toml_lines import line_of, load_toml, parse_toml
@@ -38,7 +38,6 @@ __all__ = [
     "SeatingOperator",
     "Sink",
     "TimeLeft",
-    "check_limits",
     "line_of",
     "load_programme",
     "load_toml",

@@ -1,13 +1,13 @@
 """How the parts of a programme become one procedure."""
 
-from collections.abc import Generator, Iterable
+from collections.abc import Callable, Generator, Iterable
 from typing import Protocol, TypeAlias, TypeVar
 
 from tumble.procedures.errors import ProcedureError
-from tumble.procedures.steps import Dwell, Mounting, Point, Procedure, Reply, Step
+from tumble.procedures.steps import Ask, Dwell, Point, Procedure, Reply, Step
 
 Dwells: TypeAlias = Generator[Dwell, Point, None]
-"""Yields dwells, is sent the point of each, and leaves it to others to have the unit seated."""
+"""Yields dwells, is sent the point of each, and leaves it to others to ask the operator."""
 
 Yielded = TypeVar("Yielded")
 Sent = TypeVar("Sent")
@@ -21,27 +21,29 @@ class Part(Protocol):
         ...
 
 
-def compose(parts: Iterable[Part], realisations: int) -> Procedure:
+def compose(parts: Iterable[Part], realisations: int, ask: Callable[[str, str], Ask]) -> Procedure:
     """Carry out all `parts` in order, `realisations` times.
 
-    A mounting is asked for where a dwell needs another mount than the one before it, and before the first dwell.
+    What a dwell needs and the one before it did not is asked for, by the step that `ask` makes of condition and value.
     """
     repeated = tuple(parts)
-    seated: str | None = None
+    standing: dict[str, str] = {}
     for realisation in range(1, realisations + 1):
         for part in repeated:
-            seated = yield from _with_mountings(part.dwells(realisation), seated)
+            yield from _with_requests(part.dwells(realisation), standing, ask)
 
 
-def _with_mountings(dwells: Dwells, seated: str | None) -> Generator[Step, Reply, str | None]:
-    """Pass on `dwells`, each after the mounting that it may need; return the mount of the last."""
+def _with_requests(
+    dwells: Dwells, standing: dict[str, str], ask: Callable[[str, str], Ask]
+) -> Generator[Step, Reply, None]:
+    """Pass on `dwells`, each after the requests that it may need; `standing` is kept up to date."""
     dwell = next(dwells, None)
     while dwell is not None:
-        if dwell.mount != seated:
-            yield Mounting(mount=dwell.mount)
-            seated = dwell.mount
+        for condition, value in dwell.conditions.items():
+            if standing.get(condition) != value:
+                yield ask(condition, value)
+                standing[condition] = value
         dwell = advance(dwells, _require_point((yield dwell)))
-    return seated
 
 
 def advance(steps: Generator[Yielded, Sent, None], reply: Sent) -> Yielded | None:

@@ -1,7 +1,7 @@
 """Carrying out a procedure at a stand.
 
-The engine takes steps from a procedure, has head, DAQ and operator do what they ask for, and sends back what came of
-it. It knows no procedure, no instrument and no recording; in whatever way a run ends, the head is brought to rest.
+The engine takes steps from a procedure, has instruments and operator do what they ask for, and sends back what came of
+it. It knows no procedure, no instrument and no recording; in whatever way a run ends, everything is brought to rest.
 """
 
 import math
@@ -9,16 +9,16 @@ from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from functools import partial
 
-from tumble.drivers.protocols import HeadStatus, Identity, Stand
+from tumble.drivers.protocols import Identity, PositionerStatus, Stand
 from tumble.procedures.acquisition import Acquisition
 from tumble.procedures.announcer import Announcer, Listener, Sink
-from tumble.procedures.approach import Place
+from tumble.procedures.axes import Axes
 from tumble.procedures.composition import advance
 from tumble.procedures.control import Control
 from tumble.procedures.errors import ProcedureError, StorageError, UnansweredError
 from tumble.procedures.events import (
-    MountAnswered,
-    MountRequested,
+    ConditionAnswered,
+    ConditionRequested,
     PointCompleted,
     RunResumed,
     SamplesAcquired,
@@ -27,30 +27,32 @@ from tumble.procedures.events import (
     StepStarted,
     WarningRaised,
 )
-from tumble.procedures.eyepiece import OperatorEyepiece
+from tumble.procedures.journeys import POLL_S
+from tumble.procedures.losses import Losses
 from tumble.procedures.measuring import Measuring, Taken
-from tumble.procedures.motion import POLL_S, Motion
 from tumble.procedures.operator import Answer, Operator
 from tumble.procedures.outcome import Outcome, message_of, outcome_of
 from tumble.procedures.recovery import Recovery
 from tumble.procedures.replay import replay
-from tumble.procedures.steps import Dwell, Mounted, Mounting, Point, Procedure, Reply, Step
+from tumble.procedures.sampling import Sampling
+from tumble.procedures.second_look import SecondLook
+from tumble.procedures.steps import Ask, Confirmed, Dwell, Point, Procedure, Reply, Step, pose
 from tumble.procedures.verification import check_agreement, verified
 
 
 class Engine:
     """Carries out one run.
 
-    A pause or a stop that its `control` is asked for, from any thread, is heeded between steps, while the head moves
-    and while the output settles; a stop also while the operator or a lost link is awaited. Samples being taken are
-    taken first. A step in which a link is lost begins anew once it is back, see `Recovery`.
+    A pause or a stop that its `control` is asked for, from any thread, is heeded between steps, while a positioner
+    moves and while the outputs settle; a stop also while the operator or a lost link is awaited. Samples being taken
+    are taken first. A step in which a link is lost begins anew once it is back, see `Recovery`.
 
     Parameters
     ----------
     stand
-        Head, DAQ and clock.
+        Instruments and clock.
     operator
-        Who seats the unit.
+        Who sets what no positioner can.
     sink
         Takes every event; the engine goes on only when a point is safe there.
     acquisition
@@ -58,11 +60,12 @@ class Engine:
     listeners
         Called with every event that the sink has taken; one that raises is dropped.
     eyepiece
-        The person who reads a head by hand, where the stand has one; looks again where a voltage contradicts a reading.
+        The person who reads a positioner by eye, where the stand has one; looks again where a measurement contradicts
+        a reading.
     control
         Pauses, resumes and stops the run; one of its own without it.
     look
-        Called with what the head reports on its way; must not raise.
+        Called with what a positioner reports on its way; must not raise.
     """
 
     def __init__(
@@ -72,10 +75,10 @@ class Engine:
         sink: Sink,
         acquisition: Acquisition,
         listeners: Iterable[Listener] = (),
-        eyepiece: OperatorEyepiece | None = None,
+        eyepiece: SecondLook | None = None,
         *,
         control: Control | None = None,
-        look: Callable[[HeadStatus], None] = lambda _: None,
+        look: Callable[[PositionerStatus], None] = lambda _: None,
     ) -> None:
         self._clock = stand.clock
         self._operator = operator
@@ -83,21 +86,23 @@ class Engine:
         self._acquisition = acquisition
         self.control = control or Control()
         """Pauses, resumes and stops the run; from any thread."""
-        tolerance_deg = acquisition.position_tolerance_deg
-        self._motion = Motion(stand.head, stand.clock, tolerance_deg, acquisition.approach, look)
-        self._recovery = Recovery(stand, self._motion, self._announcer.announce, self.control.check)
-        self._measuring = Measuring(stand, acquisition, self._motion, self._recovery, self._checkpoint)
+        losses = Losses()
+        self._axes = Axes(stand, acquisition, losses, look)
+        self._recovery = Recovery(stand, self._axes, losses, self._announcer.announce, self.control.check)
+        sampling = Sampling(stand, losses)
+        self._measuring = Measuring(stand, acquisition, self._axes, sampling, self._recovery, self._checkpoint)
+        self._moving = " or ".join(map(stand.title, stand.positioners))
         self._eyepiece = eyepiece
         if eyepiece is not None:
             eyepiece.attach(self._announcer.announce)
         self._points: list[Point] = []
-        self._seated: str | None = None
+        self._conditions: dict[str, str] = {}
         self._began_s = 0.0
         self.state = State.IDLE
         """Where the run stands; only the engine changes it."""
 
     def run(self, procedure: Procedure) -> Outcome:
-        """Carry out `procedure` to its end, or until something else ends it, and bring the head to a standstill."""
+        """Carry out `procedure` to its end, or until something else ends it, and bring everything to a standstill."""
         self._began_s = self._clock.monotonic_s()
         return self._to_its_end(procedure, next(procedure, None), self._recovery.begin)
 
@@ -113,8 +118,8 @@ class Engine:
         """Go on with a run that was cut off, as `run` would have.
 
         The procedure is told of what was recorded as if it happened now. Before the next step the instruments are
-        identified, the operator confirms the mount of the last point, the head is homed, and that point is taken again
-        to see whether the stand still measures the same.
+        identified, the operator confirms the conditions of the last point, the positioners are homed, and that point is
+        taken again to see whether the stand still measures the same.
 
         Parameters
         ----------
@@ -123,9 +128,9 @@ class Engine:
         elapsed_s
             Seconds since the run began, asked when it goes on; at least the time of the last point is taken.
         known
-            The instruments with which the run was begun, by `head` and `daq`.
+            The instruments with which the run was begun, by name.
         tolerance_v
-            By how much the voltage of the last point may differ; without it, by what noise explains.
+            By how much the means of the last point may differ; without it, by what noise explains.
 
         Raises
         ------
@@ -135,11 +140,13 @@ class Engine:
         replayed = replay(procedure, journal, self._replay_tolerance_deg)
         self._points = list(replayed.points)
         self._recovery.know(known or {})
-        return self._to_its_end(procedure, replayed.pending, partial(self._go_on, elapsed_s, tolerance_v))
+        return self._to_its_end(
+            procedure, replayed.pending, partial(self._go_on, replayed.asks, elapsed_s, tolerance_v)
+        )
 
     @property
     def _replay_tolerance_deg(self) -> float:
-        """What a person reads on a head may differ by anything from what was to be set."""
+        """What a person reads may differ by anything from what was to be set."""
         return math.inf if self._eyepiece else self._acquisition.position_tolerance_deg
 
     def _to_its_end(self, procedure: Procedure, step: Step | None, prepare: Callable[[], None]) -> Outcome:
@@ -152,12 +159,12 @@ class Engine:
             raise
         return self._finish(None)
 
-    def _go_on(self, elapsed_s: Callable[[], float], tolerance_v: float | None) -> None:
+    def _go_on(self, asks: Iterable[Ask], elapsed_s: Callable[[], float], tolerance_v: float | None) -> None:
         """Make sure that the stand is as it was, and let the run's time go on."""
         self._recovery.begin()
         last = self._points[-1] if self._points else None
         if last is not None:
-            self._verify(last, tolerance_v)
+            self._verify(last, asks, tolerance_v)
         self._announcer.announce(RunResumed(points=len(self._points)))
         self._began_s = self._clock.monotonic_s() - max(elapsed_s(), last.time_s if last else 0.0)
 
@@ -171,25 +178,25 @@ class Engine:
         while step is not None:
             self._checkpoint()
             self._announcer.announce(StepStarted(step=step))
-            reply = self._seat(step) if isinstance(step, Mounting) else self._dwell(step)
+            reply = self._ask(step) if isinstance(step, Ask) else self._dwell(step)
             self._recovery.tell_remarks()
             step = advance(procedure, reply)
         self._measuring.unwind()
 
-    def _seat(self, mounting: Mounting) -> Mounted:
-        mount = mounting.mount
-        prompt = f"Seat the unit in the mount {mount}; answer {mount} or yes when it sits there."
+    def _ask(self, ask: Ask) -> Confirmed:
         self._change(State.AWAITING_OPERATOR)
-        self._announcer.announce(MountRequested(mount=mount, prompt=prompt))
-        self._operator.ask_mount(mount, prompt)
+        self._announcer.announce(ConditionRequested(condition=ask.condition, value=ask.value, prompt=ask.prompt))
+        self._operator.ask(ask)
         answer = self._await_answer()
-        self._announcer.announce(MountAnswered(mount=mount, answer=answer.text, confirmed=answer.confirmed))
+        self._announcer.announce(
+            ConditionAnswered(condition=ask.condition, value=ask.value, answer=answer.text, confirmed=answer.confirmed)
+        )
         if not answer.confirmed:
             said = f"was answered {answer.text!r}" if answer.text else "was not answered"
-            raise UnansweredError(f"the request to seat the unit in {mount} {said}; seat it and resume the run")
-        self._seated = mount
+            raise UnansweredError(f"the request to {ask.task} {said}; {ask.remedy} and resume the run")
+        self._conditions[ask.condition] = ask.value
         self._change(State.RUNNING)
-        return Mounted(mount=mount)
+        return Confirmed(condition=ask.condition, value=ask.value)
 
     def _await_answer(self) -> Answer:
         while (answer := self._operator.poll()) is None:
@@ -198,12 +205,12 @@ class Engine:
         return answer
 
     def _dwell(self, dwell: Dwell) -> Point:
-        if dwell.mount != self._seated:
-            raise ProcedureError(f"a dwell was asked for in {dwell.mount} while the unit sits in {self._seated}")
-        taken = self._measuring.measure(dwell.angle_deg)
+        self._check_conditions(dwell)
+        taken = self._measuring.measure(dwell)
         index = len(self._points)
         point = taken.point(dwell, index, self._began_s)
-        self._announcer.announce(SamplesAcquired(point=index, time_s=taken.began_s - self._began_s, block=taken.block))
+        for block in taken.blocks:
+            self._announcer.announce(SamplesAcquired(point=index, time_s=taken.began_s - self._began_s, block=block))
         self._warn_of(taken, dwell)
         if self._eyepiece is not None:
             point = self._eyepiece.reconsidered(point, self._points, self.control.check)
@@ -211,31 +218,37 @@ class Engine:
         self._points.append(point)
         return point
 
+    def _check_conditions(self, dwell: Dwell) -> None:
+        for condition, value in dwell.conditions.items():
+            if (standing := self._conditions.get(condition)) != value:
+                raise ProcedureError(f"a dwell was asked for with the {condition} {value} while it is {standing}")
+
     def _warn_of(self, taken: Taken, dwell: Dwell) -> None:
-        if taken.reduction.unusable:
-            bad = f"{taken.reduction.unusable} of {taken.reduction.samples} samples are overloads or no numbers"
+        if taken.unusable:
+            bad = f"{taken.unusable} of {taken.samples} samples are overloads or no numbers"
             self._warn(dwell, f"{bad}; the point will be set aside")
         if not taken.settled:
             waited = f"{self._acquisition.settle_timeout_s:g} s"
             self._warn(dwell, f"the output had not settled after {waited}; the point is kept and marked")
 
-    def _verify(self, last: Point, tolerance_v: float | None) -> None:
+    def _verify(self, last: Point, asks: Iterable[Ask], tolerance_v: float | None) -> None:
         """Bring everything back to where `last` was taken, and see whether a point gives there what it gave."""
-        self._recovery.tell_of_winding(last.angle_deg)
-        self._seat(Mounting(mount=last.mount))
+        for name, angle_deg in last.positions_deg.items():
+            self._recovery.tell_of_winding(name, angle_deg)
+        for ask in asks:
+            self._ask(ask)
         self._measuring.home()
-        now = self._measuring.measure_again(Place(angle_deg=last.angle_deg, direction=last.direction)).reduction
-        if math.isfinite(last.voltage_v):
-            seen = verified(self._points, now, self._acquisition.position_tolerance_deg, tolerance_v)
+        now = self._measuring.measure_again(last).readings
+        for seen in verified(self._points, now, self._acquisition.position_tolerance_deg, tolerance_v):
             self._announcer.announce(seen)
             check_agreement(seen)
 
     def _checkpoint(self) -> bool:
-        """Stop or pause here where that is wanted; true where the run was paused, and the head stood for it."""
+        """Stop or pause here where that is wanted; true where the run was paused, and everything stood for it."""
         self.control.check()
         if not self.control.pause_wanted():
             return False
-        self._motion.halt()
+        self._axes.halt()
         self._change(State.PAUSED)
         while self.control.pause_wanted():
             self.control.check()
@@ -244,23 +257,23 @@ class Engine:
         return True
 
     def _finish(self, error: BaseException | None) -> Outcome:
-        """Bring the head to a standstill, then tell everybody, the sink too, even where it was the sink that failed."""
+        """Bring all to a standstill, then tell everybody, the sink too, even where it was the sink that failed."""
         self.state = State.STOPPING
         with suppress(Exception):  # first of all; `standstill` sees whether it helped, and says it again
-            self._motion.brake()
+            self._axes.brake()
         self._change_anyway(State.STOPPING, message_of(error))
         at_standstill = False
         with suppress(KeyboardInterrupt):  # from whoever runs the engine without handling signals
-            at_standstill = self._motion.standstill()
+            at_standstill = self._axes.standstill()
         if at_standstill:
             self._change_anyway(State.STANDSTILL, message_of(error))
         for remark in self._recovery.last_remarks():
             self._announcer.announce_anyway(WarningRaised(message=remark))
-        outcome = outcome_of(error, self._points, at_standstill)
+        outcome = outcome_of(error, self._points, at_standstill, self._moving)
         try:
             self._announcer.store(outcome.finished)
         except StorageError as failure:
-            outcome = outcome_of(error or failure, self._points, at_standstill)
+            outcome = outcome_of(error or failure, self._points, at_standstill, self._moving)
         self._announcer.tell(outcome.finished)
         return outcome
 
@@ -273,5 +286,5 @@ class Engine:
         self._announcer.announce_anyway(StateChanged(state=state, reason=reason))
 
     def _warn(self, dwell: Dwell, message: str) -> None:
-        where = f"point {len(self._points)} ({dwell.mount} at {dwell.angle_deg:g} deg)"
+        where = f"point {len(self._points)} ({pose(dwell.conditions, dwell.targets_deg)})"
         self._announcer.announce(WarningRaised(message=f"{where}: {message}"))

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import TypeAlias
 
-from tumble.drivers.protocols import SampleBlock
+from tumble.drivers.protocols import Block
 from tumble.procedures.steps import Point, Step
 
 
@@ -44,7 +44,7 @@ class StateChanged:
 
 @dataclass(frozen=True, kw_only=True)
 class Identified:
-    """An instrument said who it is; `instrument` is `head` or `daq`."""
+    """An instrument said who it is; `instrument` is its name at the stand."""
 
     instrument: str
     model: str
@@ -54,13 +54,14 @@ class Identified:
 
 @dataclass(frozen=True, kw_only=True)
 class PointVerified:
-    """After an interruption a point was taken again, and its voltage compared; the point itself stays as it was."""
+    """After an interruption a point was taken again, and a channel compared; the point itself stays as it was."""
 
     point: int
-    voltage_v: float
-    """What was measured now."""
-    recorded_v: float
-    allowed_v: float
+    channel: str
+    now: float
+    """What was measured now, in the unit of the channel."""
+    recorded: float
+    allowed: float
     """By how much the two may differ."""
 
 
@@ -79,25 +80,27 @@ class StepStarted:
 
 
 @dataclass(frozen=True, kw_only=True)
-class MountRequested:
-    """The operator is asked to seat the unit in `mount`; the run waits."""
+class ConditionRequested:
+    """The operator is asked to set a condition; the run waits."""
 
-    mount: str
+    condition: str
+    value: str
     prompt: str
 
 
 @dataclass(frozen=True, kw_only=True)
-class MountAnswered:
-    """The operator's answer to a mount prompt, word for word."""
+class ConditionAnswered:
+    """The operator's answer to such a request, word for word."""
 
-    mount: str
+    condition: str
+    value: str
     answer: str
     confirmed: bool
 
 
 @dataclass(frozen=True, kw_only=True)
 class ReadingRequested:
-    """The operator is asked to set the head by hand and to read it, or to look again."""
+    """The operator is asked to set a positioner by hand and to read it, or to look again."""
 
     setting_deg: float
     prompt: str
@@ -105,7 +108,7 @@ class ReadingRequested:
 
 @dataclass(frozen=True, kw_only=True)
 class ReadingAnswered:
-    """What the operator typed as the reading of a head that is set by hand, word for word."""
+    """What the operator typed as the reading of a positioner that is set by hand, word for word."""
 
     setting_deg: float
     answer: str
@@ -121,7 +124,7 @@ class SamplesAcquired:
     """Index of the point to which they belong."""
     time_s: float
     """First sample, in seconds since the run began, by the stand's clock."""
-    block: SampleBlock
+    block: Block
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -153,8 +156,8 @@ Event: TypeAlias = (
     | PointVerified
     | RunResumed
     | StepStarted
-    | MountRequested
-    | MountAnswered
+    | ConditionRequested
+    | ConditionAnswered
     | ReadingRequested
     | ReadingAnswered
     | SamplesAcquired

@@ -1,47 +1,62 @@
-"""Taking a dwell: the head goes there, the output settles, samples are taken, and a point comes of them."""
+"""Taking a dwell: the positioners go there, the outputs settle, samples are taken, and a point comes of them."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
 
-from tumble.drivers.protocols import HeadStatus, SampleBlock, Stand
+from tumble.drivers.protocols import Block, Stand
 from tumble.procedures.acquisition import Acquisition
 from tumble.procedures.approach import Place
-from tumble.procedures.motion import Motion
+from tumble.procedures.axes import Axes
 from tumble.procedures.recovery import Recovery
-from tumble.procedures.reduction import Reduction, reduce_block
-from tumble.procedures.settling import acquire, settle
-from tumble.procedures.steps import Direction, Dwell, Point
+from tumble.procedures.reduction import count_unusable, reduce_channels
+from tumble.procedures.sampling import Sampling, channels_of, wanted
+from tumble.procedures.settling import settle
+from tumble.procedures.steps import Direction, Dwell, Point, Reading
 
 
 @dataclass(frozen=True, kw_only=True)
 class Taken:
-    """What was measured at one angle."""
+    """What was measured in one place."""
 
-    angle_deg: float
-    """As the head reported it."""
-    direction: Direction
+    positions_deg: Mapping[str, float]
+    """As the positioners reported them."""
+    directions: Mapping[str, Direction]
     began_s: float
     """First sample, by the stand's clock."""
-    block: SampleBlock
-    reduction: Reduction
+    blocks: tuple[Block, ...]
+    """Of every sampler."""
+    readings: Mapping[str, Reading]
     settled: bool
+
+    @property
+    def unusable(self) -> int:
+        """How many samples are not finite, or overloads."""
+        return sum(count_unusable(values) for values in channels_of(self.blocks).values())
+
+    @property
+    def samples(self) -> int:
+        """How many samples there are, of all channels together."""
+        return sum(len(values) for values in channels_of(self.blocks).values())
+
+    @property
+    def temperature_degc(self) -> float | None:
+        """Of the first sampler that has a thermometer."""
+        return next((it.temperature_degc for it in self.blocks if it.temperature_degc is not None), None)
 
     def point(self, dwell: Dwell, index: int, run_began_s: float) -> Point:
         """The point of `dwell` in a run that began at `run_began_s` by the stand's clock."""
         first_s = self.began_s - run_began_s
         return Point(
             index=index,
-            angle_deg=self.angle_deg,
-            voltage_v=self.reduction.voltage_v,
-            voltage_sd_v=self.reduction.voltage_sd_v,
-            samples=self.reduction.samples,
-            time_s=first_s + self.reduction.samples / self.block.rate_hz / 2,
-            direction=self.direction,
-            temperature_degc=self.block.temperature_degc,
-            realisation=dwell.realisation,
+            positions_deg=self.positions_deg,
+            directions=self.directions,
+            readings=self.readings,
+            time_s=first_s + sum(_duration_s(block) for block in self.blocks) / 2,
+            temperature_degc=self.temperature_degc,
             procedure=dwell.procedure,
-            mount=dwell.mount,
+            realisation=dwell.realisation,
+            conditions=dwell.conditions,
             settled=self.settled,
         )
 
@@ -49,59 +64,63 @@ class Taken:
 class Measuring:
     """Takes dwells, each from its beginning where a link is lost in the midst of it.
 
-    `checkpoint` is called while the head moves and while the output settles; see `Motion.travel`.
+    `checkpoint` is called while a positioner moves and while the outputs settle; see `Motion.travel`.
     """
 
     def __init__(
         self,
         stand: Stand,
         acquisition: Acquisition,
-        motion: Motion,
+        axes: Axes,
+        sampling: Sampling,
         recovery: Recovery,
         checkpoint: Callable[[], bool],
     ) -> None:
-        self._daq = stand.daq
         self._clock = stand.clock
         self._acquisition = acquisition
-        self._motion = motion
+        self._axes = axes
+        self._sampling = sampling
         self._recovery = recovery
         self._checkpoint = checkpoint
 
-    def measure(self, angle_deg: float) -> Taken:
-        """Measure at an angle. Raises `DeviceError`."""
-        go = partial(self._motion.travel, angle_deg, self._checkpoint)
-        return self._recovery.persist(partial(self._take, go), self._motion.place)
+    def measure(self, dwell: Dwell) -> Taken:
+        """Measure where a dwell says. Raises `DeviceError`."""
+        go = partial(self._axes.travel, dwell.targets_deg, self._checkpoint)
+        return self._recovery.persist(partial(self._take, go, dwell.channels), self._axes.places)
 
-    def measure_again(self, place: Place) -> Taken:
-        """Measure at a place where the head has been, coming there as it did then. Raises `DeviceError`."""
-        go = partial(self._motion.return_to, place, self._checkpoint)
-        return self._recovery.persist(partial(self._take, go), None)
+    def measure_again(self, point: Point) -> Taken:
+        """Measure where a point was taken, coming there as then. Raises `DeviceError`."""
+        places = {
+            name: Place(angle_deg=angle_deg, direction=point.directions[name])
+            for name, angle_deg in point.positions_deg.items()
+        }
+        go = partial(self._axes.return_to, places, self._checkpoint)
+        return self._recovery.persist(partial(self._take, go, tuple(point.readings)))
 
     def home(self) -> None:
-        """Have the head find its reference anew. Raises `DeviceError`."""
-        self._move(partial(self._motion.home, self._checkpoint))
+        """Have all positioners find their references anew. Raises `DeviceError`."""
+        self._recovery.persist(partial(self._axes.home, self._checkpoint))
 
     def unwind(self) -> None:
-        """Leave the head in the revolution about its zero. Raises `DeviceError`."""
-        self._move(partial(self._motion.unwind, self._checkpoint))
+        """Leave every positioner in the revolution about its zero. Raises `DeviceError`."""
+        self._recovery.persist(partial(self._axes.unwind, self._checkpoint))
 
-    def _move(self, move: Callable[[], None]) -> None:
-        self._recovery.persist(self._recovery.using("head")(move), None)
-
-    def _take(self, go: Callable[[], HeadStatus]) -> Taken:
-        with self._recovery.using("head"):
-            angle_deg = go().angle_deg
-        with self._recovery.using("daq"):
-            settled = settle(self._daq, self._clock, self._acquisition, self._checkpoint)
-            began_s = self._clock.monotonic_s()
-            block = acquire(self._daq, self._acquisition.samples, self._acquisition.rate_hz)
-        with self._recovery.using("head"):
-            self._motion.check_rest(angle_deg)
+    def _take(self, go: Callable[[], dict[str, float]], channels: tuple[str, ...]) -> Taken:
+        positions_deg = go()
+        settled = settle(self._sampling.channels, self._clock, self._acquisition, self._checkpoint)
+        began_s = self._clock.monotonic_s()
+        blocks = self._sampling.blocks(self._acquisition.samples, self._acquisition.rate_hz)
+        self._axes.check_rest(positions_deg)
         return Taken(
-            angle_deg=angle_deg,
-            direction=self._motion.direction,
+            positions_deg=positions_deg,
+            directions=self._axes.directions(positions_deg),
             began_s=began_s,
-            block=block,
-            reduction=reduce_block(block),
+            blocks=blocks,
+            readings=reduce_channels(wanted(channels_of(blocks), channels)),
             settled=settled,
         )
+
+
+def _duration_s(block: Block) -> float:
+    """From the first sample of a block to the time of the one that would be next."""
+    return max(map(len, block.channels.values()), default=0) / block.rate_hz

@@ -1,19 +1,17 @@
-"""Moving the head, and making sure of its standstill."""
+"""Moving one positioner, and making sure of its standstill."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from typing import Final
 
 from tumble.drivers.clock import Clock
 from tumble.drivers.errors import DeviceError, LinkLostError, ReferenceLostError
-from tumble.drivers.protocols import DividingHead, HeadStatus, Reconnectable
+from tumble.drivers.protocols import Positioner, PositionerStatus, Reconnectable
 from tumble.procedures.approach import EITHER_WAY, Approach, Place, direction_of
+from tumble.procedures.journeys import POLL_S, Journey, together
 from tumble.procedures.steps import Direction
 from tumble.procedures.watch import Watch, allowed_s
-
-POLL_S: Final = 0.05
-"""Time between two looks at the head or at the operator."""
 
 _STANDSTILL_S: Final = 10.0
 _HOMING_S: Final = 60.0
@@ -21,32 +19,36 @@ _HALF_TURN_DEG: Final = 180.0
 
 
 class Motion:
-    """Moves of one head.
+    """Moves of one positioner, which sentences call `title`.
 
     Every move is watched, see `Watch`. A standstill must be there within 10 s; a reference within the time of two
-    passes over all angles, plus 65 s. A head that a person turns may take its time, and stands where it is read.
-    `look` is shown where the head is whenever that is read on its way.
+    passes over all angles, plus 65 s. One that a person turns may take its time, and stands where it is read.
+    `look` is shown where it is whenever that is read on its way.
     """
 
     def __init__(
         self,
-        head: DividingHead,
+        head: Positioner,
         clock: Clock,
         tolerance_deg: float,
         approach: Approach = EITHER_WAY,
-        look: Callable[[HeadStatus], None] = lambda _: None,
+        look: Callable[[PositionerStatus], None] = lambda _: None,
+        *,
+        title: str,
     ) -> None:
         self._head = head
         self._clock = clock
         self._tolerance_deg = tolerance_deg
         self._approach = approach
         self._look = look
+        self.title = title
+        """What sentences call it."""
         self.direction: Direction = 0
         """Sign of the last move that was one; 0 before the first, and after the head was homed."""
         self.place: Place | None = None
         """Where the last journey ended; None before the first."""
 
-    def travel(self, angle_deg: float, checkpoint: Callable[[], bool]) -> HeadStatus:
+    def travel(self, angle_deg: float, checkpoint: Callable[[], bool]) -> PositionerStatus:
         """Go to `angle_deg` as the programme wants to arrive, and return what the head reports once it stands there.
 
         `checkpoint` is called all along; it may raise, and returns true where it braked the head, which then sets out
@@ -57,11 +59,19 @@ class Motion:
         LimitError, DeviceError
             Where the head refuses, or is not at rest at the angle in time; `ReferenceLostError` where it has lost it.
         """
-        return self._journey(angle_deg, self._approach, checkpoint)
+        return self._made(self.journey(angle_deg), checkpoint)
 
-    def return_to(self, place: Place, checkpoint: Callable[[], bool]) -> HeadStatus:
+    def return_to(self, place: Place, checkpoint: Callable[[], bool]) -> PositionerStatus:
         """Go back to a place and arrive there in the direction of then. Raises as `travel`."""
-        return self._journey(place.angle_deg, Approach(direction=place.direction), checkpoint)
+        return self._made(self.way_back(place), checkpoint)
+
+    def journey(self, angle_deg: float) -> Journey:
+        """What `travel` does, under way beside others."""
+        return self._journey(angle_deg, self._approach)
+
+    def way_back(self, place: Place) -> Journey:
+        """What `return_to` does, likewise."""
+        return self._journey(place.angle_deg, Approach(direction=place.direction))
 
     def unwind(self, checkpoint: Callable[[], bool]) -> None:
         """Turn a head that is more than half a turn from its zero back into that revolution, for the sake of its cable.
@@ -72,7 +82,7 @@ class Motion:
         status = self._head.status()
         unwound_deg = self._unwound_deg(status.angle_deg)
         if not status.by_hand and unwound_deg != status.angle_deg:
-            self._journey(unwound_deg, EITHER_WAY, checkpoint)
+            self._made(self._journey(unwound_deg, EITHER_WAY), checkpoint)
 
     def home(self, checkpoint: Callable[[], bool]) -> None:
         """Bring the head to rest, have it find its reference and wait for that; `checkpoint` as in `travel`.
@@ -93,7 +103,7 @@ class Motion:
             self._look(status)
             if self._clock.monotonic_s() > deadline_s:
                 raise DeviceError(
-                    "dividing head",
+                    self.title,
                     "was told to find its reference, and has not found it in time",
                     "look at its home sensor and at its drive, then resume the run",
                 )
@@ -107,7 +117,7 @@ class Motion:
         status = self._referenced_status()
         if status.moving or not self._at(status, angle_deg):
             raise DeviceError(
-                "dividing head",
+                self.title,
                 f"was to stand at {angle_deg:g} deg for a dwell, and is at {status.angle_deg:.4f} deg after it",
                 "look for what turns it, then resume the run",
             )
@@ -120,7 +130,7 @@ class Motion:
         """Tell the head to stop and read its rest back. Raises `DeviceError` where it does not come to rest."""
         self.brake()
         if not self.standstill():
-            raise DeviceError("dividing head", "cannot be brought to rest", "switch it off and look at it")
+            raise DeviceError(self.title, "cannot be brought to rest", "switch it off and look at it")
 
     def standstill(self) -> bool:
         """Read the head's rest back: twice in a row it is not moving, in the same place. Until then, tell it to stop.
@@ -128,15 +138,15 @@ class Motion:
         A link that is lost is opened anew. Raises nothing, whatever the head does: false says that no standstill could
         be read back within its time.
         """
-        deadline_s = self._clock.monotonic_s() + _STANDSTILL_S
-        rested_deg = math.nan
-        while self._clock.monotonic_s() <= deadline_s:
-            angle_deg = self._resting_angle_deg()
-            if self._near(angle_deg, rested_deg):
-                return True
-            rested_deg = angle_deg
-            self._clock.sleep(POLL_S)
-        return False
+        return standstill([self], self._clock)
+
+    def rests_at(self, angle_deg: float) -> tuple[bool, float]:
+        """Whether it rests where it rested, and where it does; NaN, which is near to nothing, where it does not.
+
+        One that does not say so is told to stop. Raises nothing.
+        """
+        resting_deg = self._resting_angle_deg()
+        return self._near(resting_deg, angle_deg), resting_deg
 
     def _resting_angle_deg(self) -> float:
         """Angle at which the head says it stands; NaN, which is near to nothing, where it does not say so."""
@@ -153,16 +163,20 @@ class Motion:
             self._head.stop()
         return math.nan
 
-    def _journey(self, angle_deg: float, approach: Approach, checkpoint: Callable[[], bool]) -> HeadStatus:
+    def _made(self, journey: Journey, checkpoint: Callable[[], bool]) -> PositionerStatus:
+        (status,) = together([journey], self._clock, checkpoint)
+        return status
+
+    def _journey(self, angle_deg: float, approach: Approach) -> Journey:
         here = Place(angle_deg=self._referenced_status().angle_deg, direction=self.direction)
         low_deg, high_deg = self._head.limits_deg
         for waypoint_deg in approach.waypoints_deg(here, angle_deg, self._tolerance_deg)[:-1]:
-            self._go(min(max(waypoint_deg, low_deg), high_deg), checkpoint)
-        status = self._go(angle_deg, checkpoint)
+            yield from self._go(min(max(waypoint_deg, low_deg), high_deg))
+        status = yield from self._go(angle_deg)
         self.place = Place(angle_deg=status.angle_deg, direction=self.direction)
         return status
 
-    def _go(self, angle_deg: float, checkpoint: Callable[[], bool]) -> HeadStatus:
+    def _go(self, angle_deg: float) -> Journey:
         watch = self._depart(angle_deg)
         while True:
             status = self._referenced_status()
@@ -170,8 +184,7 @@ class Motion:
                 return status
             if not status.by_hand:
                 watch.look(status, self._clock.monotonic_s())
-            self._clock.sleep(POLL_S)
-            if checkpoint():
+            if (yield):
                 watch = self._depart(angle_deg)
 
     def _depart(self, angle_deg: float) -> Watch:
@@ -186,6 +199,7 @@ class Motion:
             speed_deg_s=self._head.speed_deg_s,
             tolerance_deg=self._tolerance_deg,
             now_s=self._clock.monotonic_s(),
+            title=self.title,
         )
 
     def _unwound_deg(self, angle_deg: float) -> float:
@@ -202,17 +216,32 @@ class Motion:
         self._head.home()
         return self._clock.monotonic_s() + allowed_s(high_deg - low_deg, self._head.speed_deg_s) + _HOMING_S
 
-    def _referenced_status(self) -> HeadStatus:
+    def _referenced_status(self) -> PositionerStatus:
         status = self._head.status()
         self._look(status)
         if not status.referenced:
             raise ReferenceLostError(
-                "dividing head", "has lost its reference", "look at its power supply, then resume the run"
+                self.title, "has lost its reference", "look at its power supply, then resume the run"
             )
         return status
 
-    def _at(self, status: HeadStatus, angle_deg: float) -> bool:
+    def _at(self, status: PositionerStatus, angle_deg: float) -> bool:
         return status.by_hand or self._near(status.angle_deg, angle_deg)
 
     def _near(self, first_deg: float, second_deg: float) -> bool:
         return abs(first_deg - second_deg) <= self._tolerance_deg
+
+
+def standstill(motions: Sequence[Motion], clock: Clock) -> bool:
+    """Read the rest of several positioners back, as `Motion.standstill` does; false where one may still move."""
+    deadline_s = clock.monotonic_s() + _STANDSTILL_S
+    rested_deg = dict.fromkeys(motions, math.nan)
+    while clock.monotonic_s() <= deadline_s:
+        for motion, angle_deg in list(rested_deg.items()):
+            rests, rested_deg[motion] = motion.rests_at(angle_deg)
+            if rests:
+                del rested_deg[motion]
+        if not rested_deg:
+            return True
+        clock.sleep(POLL_S)
+    return False

@@ -1,11 +1,10 @@
 """Asking the operator, without ever waiting for the answer in a way that a stop could not end.
 
-That the unit is seated counts as said only where the answer is the name of the mount or a word that says so: an empty
-line confirms nothing. Of a head that is set by hand any line is the reading, and an empty one says that it stands as
-asked.
+What was asked for counts as done only where the answer is its name or a word that says so: an empty line confirms
+nothing. Of a head that is set by hand any line is the reading, and an empty one says that it stands as asked.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -17,6 +16,7 @@ from pydantic import BaseModel, ConfigDict, field_validator
 
 from tumble.drivers.manual.reading import parse_reading
 from tumble.procedures.errors import UnansweredError
+from tumble.procedures.steps import Ask
 from tumble.procedures.toml_lines import load_toml
 
 _YES: Final = frozenset({"yes", "done", "seated"})
@@ -25,16 +25,16 @@ _NO: Final = frozenset({"no", "abort", "cancel"})
 
 @dataclass(frozen=True, kw_only=True)
 class Answer:
-    """What the operator said, word for word, and whether it confirms the mount, or goes on with the reading."""
+    """What the operator said, word for word, and whether it confirms the request, or goes on with the reading."""
 
     text: str
     confirmed: bool
 
 
 class Operator(Protocol):
-    """Who seats the unit, and sets and reads a head that has no motor."""
+    """Who sets what no positioner can, and sets and reads a head that has no motor."""
 
-    def ask_mount(self, mount: str, prompt: str) -> None:
+    def ask(self, ask: Ask) -> None:
         """Put the request; returns at once."""
         ...
 
@@ -47,10 +47,10 @@ class Operator(Protocol):
         ...
 
 
-def understand(text: str, mount: str) -> Answer | None:
-    """What `text` says about seating the unit in `mount`; None where it says nothing clear."""
+def understand(text: str, value: str) -> Answer | None:
+    """What `text` says to a request for `value`; None where it says nothing clear."""
     word = text.strip().casefold()
-    if word == mount.casefold() or word in _YES:
+    if word == value.casefold() or word in _YES:
         return Answer(text=text.strip(), confirmed=True)
     if word in _NO:
         return Answer(text=text.strip(), confirmed=False)
@@ -65,7 +65,8 @@ def understand_reading(text: str) -> Answer:
 class Answers(BaseModel):
     """An answers file, for runs that nobody attends.
 
-    Its table `[mounts]` has `yes` or `no` by the name of the mount, and as `default` for mounts that it does not name.
+    Its table `[mounts]` has `yes` or `no` by the name of the mount, or of whatever else is asked for, and as `default`
+    for what it does not name.
     Its table `[readings]` has what is typed when the head is to be set by hand, by the number of the question, from 1,
     and as `default`; nothing between the quotes is Enter alone:
 
@@ -95,9 +96,9 @@ class Answers(BaseModel):
                 raise ValueError(f"default: {error}") from error
         return readings
 
-    def for_mount(self, mount: str) -> str:
+    def for_value(self, value: str) -> str:
         """`yes`, `no`, or nothing where the file does not say."""
-        return self.mounts.get(mount, self.mounts.get("default", ""))
+        return self.mounts.get(value, self.mounts.get("default", ""))
 
     def for_reading(self, question: int) -> Answer:
         """What is typed at a question for a reading; refused where the file does not say."""
@@ -118,9 +119,9 @@ class ScriptedOperator:
         """Read the answers from a TOML file. Raises `InputError`."""
         return cls(load_toml(path, Answers))
 
-    def ask_mount(self, mount: str, prompt: str) -> None:  # noqa: ARG002  # nobody reads the prompt
+    def ask(self, ask: Ask) -> None:
         """Look the answer up."""
-        text = self._answers.for_mount(mount)
+        text = self._answers.for_value(ask.value)
         self._answer = Answer(text=text, confirmed=text == "yes")
 
     def ask_reading(self, prompt: str) -> None:  # noqa: ARG002  # nobody reads the prompt
@@ -153,11 +154,11 @@ class ConsoleOperator:
         """Ends with the input; nothing else can end its wait for a line."""
         self._reader.start()
 
-    def ask_mount(self, mount: str, prompt: str) -> None:
+    def ask(self, ask: Ask) -> None:
         """Show the prompt."""
-        self._understand = partial(understand, mount=mount)
-        self._again = f"Type {mount} or yes when the unit sits there, or no to end the run."
-        self._put(prompt)
+        self._understand = partial(understand, value=ask.value)
+        self._again = ask.hint
+        self._put(ask.prompt)
 
     def ask_reading(self, prompt: str) -> None:
         """Show the prompt."""
@@ -205,26 +206,34 @@ class ConsoleOperator:
 
 
 class SeatingOperator:
-    """Has another operator answer and, once that one confirms, seats the unit of a simulated stand."""
+    """Has another operator answer and, once that one confirms, sets the condition at a simulated stand.
 
-    def __init__(self, operator: Operator, on_mount: Callable[[str], None]) -> None:
+    `setters` take what a condition shall be, by its name; others need nothing done.
+    """
+
+    def __init__(self, operator: Operator, setters: Mapping[str, Callable[[str], None]]) -> None:
         self._operator = operator
-        self._on_mount = on_mount
-        self._mount = ""
+        self._setters = setters
+        self._asked: Ask | None = None
 
-    def ask_mount(self, mount: str, prompt: str) -> None:
+    def ask(self, ask: Ask) -> None:
         """Pass the request on."""
-        self._mount = mount
-        self._operator.ask_mount(mount, prompt)
+        self._asked = ask
+        self._operator.ask(ask)
 
     def ask_reading(self, prompt: str) -> None:
         """Pass the request on."""
-        self._mount = ""
+        self._asked = None
         self._operator.ask_reading(prompt)
 
     def poll(self) -> Answer | None:
-        """Pass the answer on; a confirmed one seats the unit."""
+        """Pass the answer on; a confirmed one sets the condition."""
         answer = self._operator.poll()
-        if answer is not None and answer.confirmed and self._mount:
-            self._on_mount(self._mount)
+        if (
+            answer is not None
+            and answer.confirmed
+            and self._asked is not None
+            and self._asked.condition in self._setters
+        ):
+            self._setters[self._asked.condition](self._asked.value)
         return answer

@@ -19,7 +19,7 @@ class Outcome:
     points: tuple[Point, ...]
     """All points of the run, those before it was resumed included."""
     at_standstill: bool
-    """Whether the head's rest was read back."""
+    """Whether the rest of all positioners was read back."""
     error: BaseException | None = None
     """What ended the run, where it was not completed."""
 
@@ -38,12 +38,12 @@ _REASONS: Final = {
 }
 
 
-def outcome_of(error: BaseException | None, points: Iterable[Point], at_standstill: bool) -> Outcome:
-    """The outcome of a run that `error` has ended, or that came to its end.
+def outcome_of(error: BaseException | None, points: Iterable[Point], at_standstill: bool, moving: str) -> Outcome:
+    """The outcome of a run that `error` has ended, or that came to its end; `moving` is what sentences call what moves.
 
     Without a standstill no run is completed: where nothing else has gone wrong, that is the device fault.
     """
-    restless = DeviceError("dividing head", "its standstill could not be read back", "look at it before you touch it")
+    restless = DeviceError(moving, "its standstill could not be read back", "look at it before you touch it")
     message = message_of(error)
     if not at_standstill:
         message = f"{message}; {restless}" if error else str(restless)

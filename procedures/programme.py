@@ -1,10 +1,11 @@
 """What shall be done to a unit: a programme, read from TOML and validated before anything moves."""
 
-from collections.abc import Mapping
+from abc import ABC, abstractmethod
+from collections.abc import Mapping, Sequence
 from hashlib import sha256
-from importlib.resources import files
+from importlib.resources.abc import Traversable
 from pathlib import Path
-from typing import Annotated, Final, Literal, TypeAlias
+from typing import ClassVar, Final, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, PrivateAttr, model_validator
 
@@ -12,16 +13,14 @@ from tumble.drivers.names import GivenName
 from tumble.drivers.tables import MOST_SAMPLES
 from tumble.procedures.acquisition import Acquisition
 from tumble.procedures.approach import Approach
-from tumble.procedures.composition import compose
+from tumble.procedures.composition import Part, compose
 from tumble.procedures.errors import InputError, ProgrammeError
-from tumble.procedures.flip import Flip
-from tumble.procedures.steps import Direction, Procedure
-from tumble.procedures.sweep import Sweep
-from tumble.procedures.toml_lines import line_of, parse_toml, read_text
+from tumble.procedures.layout import Layout
+from tumble.procedures.registry import FIRST, find_method, method_names
+from tumble.procedures.steps import Direction, Dwell, Procedure
+from tumble.procedures.toml_lines import line_of, parse_toml, place_of, read_text
+from tumble.procedures.toml_text import read_toml
 
-Parameter: TypeAlias = Literal["u0", "kx", "ky", "kz", "kxy", "alpha0"]
-
-_SHIPPED = files("tumble.procedures") / "programmes"
 MOST_DWELLS = 200_000
 """In a run: a week or two of stand time."""
 _DIRECTIONS: Final[Mapping[str, Direction]] = {"up": 1, "down": -1, "either": 0}
@@ -29,7 +28,7 @@ _STRICT = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
 
 class Limit(BaseModel):
-    """The interval in which a parameter must lie: u0 in V, kx, ky, kz in V/g, kxy in V/g², alpha0 in deg."""
+    """The interval in which a parameter must lie, in the parameter's unit."""
 
     model_config = _STRICT
 
@@ -43,14 +42,19 @@ class Limit(BaseModel):
         return self
 
 
-class Programme(BaseModel):
-    """Procedures, repeated, and how each of their dwells is taken.
+class Programme(BaseModel, ABC):
+    """Procedures, repeated, and how each of their dwells is taken: what the programmes of all methods have in common.
 
-    What the programme does not say of samples comes from the stand; `samples` goes before `dwell_s`.
+    A method derives its schema from this one, gives its `method` as a literal, and adds its procedures. What the
+    programme does not say of samples comes from the stand; `samples` goes before `dwell_s`.
     """
 
     model_config = _STRICT
 
+    layout: ClassVar[Layout]
+    """The columns of the points that it leads to."""
+
+    method: str
     name: GivenName
     realisations: int = Field(default=1, ge=1, le=10_000)
     dwell_s: float | None = Field(default=None, gt=0.0, le=86_400.0)
@@ -68,17 +72,7 @@ class Programme(BaseModel):
     """In which direction the head arrives at every angle; `either` leaves it to where it comes from."""
     overshoot_deg: float = Field(default=2.0, gt=0.0, le=90.0)
     """How far beyond an angle the head goes to come back to it in that direction."""
-    procedures: tuple[Annotated[Flip | Sweep, Field(discriminator="kind")], ...] = Field(
-        min_length=1, alias="procedure"
-    )
-    limits: Mapping[Parameter, Limit] = Field(default_factory=dict)
-
-    @model_validator(mode="after")
-    def _ends_one_day(self) -> "Programme":
-        dwells = self.realisations * sum(part.poses for part in self.procedures)
-        if dwells > MOST_DWELLS:
-            raise ValueError(f"{dwells:,} dwells or more, where {MOST_DWELLS:,} are the most: ask for fewer")
-        return self
+    limits: Mapping[str, Limit] = Field(default_factory=dict)
 
     _text: str = PrivateAttr("")
     _source: str = PrivateAttr("")
@@ -93,9 +87,18 @@ class Programme(BaseModel):
         """SHA-256 of the text in UTF-8, hexadecimal."""
         return sha256(self._text.encode()).hexdigest()
 
+    @property
+    @abstractmethod
+    def parts(self) -> Sequence[Part]:
+        """The procedures, in order."""
+
+    @abstractmethod
+    def nominal(self, dwell: Dwell) -> Mapping[str, float]:
+        """What a nominal unit gives in a dwell, by channel: for planning, where a procedure goes by what it sees."""
+
     def procedure(self) -> Procedure:
         """All procedures, in order, as often as there are realisations: what an engine runs."""
-        return compose(self.procedures, self.realisations)
+        return compose(self.parts, self.realisations, self.layout.ask)
 
     def acquisition(self, *, samples: int, rate_hz: float) -> Acquisition:
         """How a dwell is taken at a stand whose DAQ samples at `rate_hz`, and takes `samples` unless told otherwise."""
@@ -122,8 +125,8 @@ class Programme(BaseModel):
 
 
 def shipped_programmes() -> list[str]:
-    """Names of the programmes that come along."""
-    return sorted(entry.name.removesuffix(".toml") for entry in _SHIPPED.iterdir() if entry.name.endswith(".toml"))
+    """Names of the programmes that come along with all methods, those of the first method at the beginning."""
+    return list(_shipped())
 
 
 def load_programme(name_or_path: str | Path) -> Programme:
@@ -134,9 +137,8 @@ def load_programme(name_or_path: str | Path) -> Programme:
     ProgrammeError
         Where there is no such programme, or it is not a valid one: file, line, what is wrong and what to do.
     """
-    if str(name_or_path) in shipped_programmes():
-        name = f"{name_or_path}.toml"
-        return programme_from_text((_SHIPPED / name).read_bytes().decode("utf-8"), name)
+    if (entry := _shipped().get(str(name_or_path))) is not None:
+        return programme_from_text(entry.read_bytes().decode("utf-8"), entry.name)
     path = Path(name_or_path)
     if not path.is_file():
         names = ", ".join(shipped_programmes())
@@ -150,9 +152,28 @@ def load_programme(name_or_path: str | Path) -> Programme:
 def programme_from_text(text: str, source: str) -> Programme:
     """Read a programme from TOML, for example from a recording; messages call it `source`. Raises `ProgrammeError`."""
     try:
-        programme = parse_toml(text, Programme, source)
+        programme = parse_toml(text, _schema(text, source), source)
     except InputError as error:
         raise ProgrammeError(str(error)) from error
     programme._text = text
     programme._source = source
     return programme
+
+
+def _schema(text: str, source: str) -> type[Programme]:
+    """The schema of a programme's method. Raises `InputError`."""
+    name = read_toml(text, source).get("method", FIRST)
+    try:
+        return find_method(str(name)).procedure_part.programme
+    except ValueError as error:
+        raise InputError(f"{place_of(source, text, ('method',))}: method: {error}; correct it") from error
+
+
+def _shipped() -> dict[str, Traversable]:
+    """The programmes that come along, by name."""
+    programmes: dict[str, Traversable] = {}
+    for method in map(find_method, method_names()):
+        entries = method.procedure_part.shipped.iterdir()
+        found = {entry.name.removesuffix(".toml"): entry for entry in entries if entry.name.endswith(".toml")}
+        programmes |= dict(sorted(found.items()))
+    return programmes

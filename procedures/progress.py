@@ -11,7 +11,7 @@ and for what is left, with R the sum of its planned times,
 
     time left = r R,   variance = s² R + s² R² / Σ planned
 
-The first term of the variance is the scatter of the steps to come, the second what is not known of r. Mountings and
+The first term of the variance is the scatter of the steps to come, the second what is not known of r. Requests and
 dwells are kept apart, since people and machines are late for different reasons. Before the first step of a kind r is 1,
 and before the second the standard error of the time left is that time itself.
 """
@@ -21,9 +21,9 @@ from collections import deque
 from dataclasses import dataclass
 
 from tumble.drivers.clock import Clock
-from tumble.procedures.events import Event, MountAnswered, PointCompleted, State, StateChanged, StepStarted
+from tumble.procedures.events import ConditionAnswered, Event, PointCompleted, State, StateChanged, StepStarted
 from tumble.procedures.plan import Plan
-from tumble.procedures.steps import Dwell, Mounting
+from tumble.procedures.steps import Ask, Dwell
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -54,7 +54,7 @@ class Progress:
         """Number of points that are there."""
         self._clock = clock
         self._left = deque(plan.steps_after(points_done))
-        self._paces = {Dwell: _Pace(), Mounting: _Pace()}
+        self._paces = {Dwell: _Pace(), Ask: _Pace()}
         self._began_s: float | None = None
         self._pause_began_s: float | None = None
         self._paused_s = 0.0
@@ -64,7 +64,7 @@ class Progress:
         match event:
             case StepStarted():
                 self._began_s = self._working_s()
-            case MountAnswered(confirmed=True):
+            case ConditionAnswered(confirmed=True):
                 self._step_done()
             case PointCompleted():
                 self.done += 1

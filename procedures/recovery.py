@@ -1,27 +1,29 @@
 """Knowing the instruments, and getting them back where the link to one is lost.
 
-What an instrument did while nobody could hear it is unknown. So it is identified again, a head is homed again and goes
-back to where it stood, and the step that was interrupted begins anew: its point comes once, and of one piece.
+What an instrument did while nobody could hear it is unknown. So it is identified again, a positioner is homed again and
+goes back to where it stood, and the step that was interrupted begins anew: its point comes once, and of one piece.
 """
 
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
 from typing import Final, TypeVar
 
 from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError, ReferenceLostError
-from tumble.drivers.protocols import Daq, DividingHead, Identity, Reconnectable, Remarking, Resettable, Stand
+from tumble.drivers.protocols import Identity, Positioner, Reconnectable, Remarking, Resettable, Sampler, Stand
 from tumble.procedures.approach import Place
+from tumble.procedures.axes import Axes
 from tumble.procedures.events import Event, Identified, WarningRaised
-from tumble.procedures.motion import Motion
+from tumble.procedures.losses import Losses
 
 RECONNECTING_S: Final = 30.0
 """How long a link may stay away."""
 _RETRY_S: Final = 0.5
 _LOSSES: Final = 10
 """How often one step may be interrupted."""
-_NAMES: Final = {"head": "dividing head", "daq": "DAQ"}
-
 Result = TypeVar("Result")
+
+NOWHERE: Final[Mapping[str, Place]] = MappingProxyType({})
+"""Leaves the positioners where homing has left them."""
 
 
 class Recovery:
@@ -30,9 +32,11 @@ class Recovery:
     Parameters
     ----------
     stand
-        Head, DAQ, clock, and the serial numbers that the stand file demands.
-    motion
-        Moves of the stand's head.
+        Instruments, clock, and the serial numbers that the stand file demands.
+    axes
+        Moves of the stand's positioners.
+    losses
+        Whose links were lost.
     announce
         Takes events.
     check
@@ -40,45 +44,44 @@ class Recovery:
     """
 
     def __init__(
-        self, stand: Stand, motion: Motion, announce: Callable[[Event], None], check: Callable[[], object]
+        self, stand: Stand, axes: Axes, losses: Losses, announce: Callable[[Event], None], check: Callable[[], object]
     ) -> None:
-        self._instruments: Mapping[str, DividingHead | Daq] = {"head": stand.head, "daq": stand.daq}
-        self._demanded = stand.serials
+        self._stand = stand
+        self._instruments: Mapping[str, Positioner | Sampler] = {**stand.positioners, **stand.samplers}
         self._clock = stand.clock
-        self._head = stand.head
-        self._motion = motion
+        self._axes = axes
+        self._losses = losses
         self._announce = announce
         self._check = check
         self._known: dict[str, Identity] = {}
-        self._lost: set[str] = set()
 
     def know(self, identities: Mapping[str, Identity]) -> None:
         """Expect the instruments with which the run was begun."""
         self._known.update(identities)
 
     def begin(self) -> None:
-        """Ask both instruments who they are, and reset what an earlier run has left in fault.
+        """Ask all instruments who they are, and reset what an earlier run has left in fault.
 
         Raises `DeviceError` where one does not answer, is another, or has a fault whose cause is still there.
         """
-        self.persist(self._identify, None)
-        self.persist(self._reset, None)
+        self.persist(self._identify)
+        self.persist(self._reset)
 
     def reference(self) -> None:
-        """Home a head that does not know its angle. Raises `DeviceError`."""
-        self.persist(self._home_where_needed, None)
+        """Home every positioner that does not know its angle. Raises `DeviceError`."""
+        self.persist(self._home_where_needed)
 
-    def tell_of_winding(self, angle_deg: float) -> None:
-        """Warn where a head that stood whole turns from zero no longer knows its angle. Raises `DeviceError`.
+    def tell_of_winding(self, name: str, angle_deg: float) -> None:
+        """Warn where a positioner that stood whole turns from zero no longer knows its angle. Raises `DeviceError`.
 
         One that finds its reference in every revolution then takes another for the first, and nobody counts the turns
         that the cable has already.
         """
         turns = abs(round(angle_deg / 360.0))
-        if turns and not self._head.status().referenced:
+        if turns and not self._stand.positioners[name].status().referenced:
             self._warn(
-                f"dividing head: has lost its reference at {angle_deg:g} deg; look whether its cable is wound by "
-                f"{turns} turn{'s' if turns > 1 else ''}, and stop the run to unwind it by hand if it is"
+                f"{self._stand.title(name)}: has lost its reference at {angle_deg:g} deg; look whether its cable is "
+                f"wound by {turns} turn{'s' if turns > 1 else ''}, and stop the run to unwind it by hand if it is"
             )
 
     def tell_remarks(self) -> None:
@@ -93,17 +96,8 @@ class Recovery:
         remarking = [instrument for instrument in self._instruments.values() if isinstance(instrument, Remarking)]
         return [remark for instrument in remarking for remark in instrument.last_remarks()]
 
-    @contextmanager
-    def using(self, name: str) -> Iterator[None]:
-        """Note whose link it was that a `LinkLostError` tells of: `head` or `daq`."""
-        try:
-            yield
-        except LinkLostError:
-            self._lost.add(name)
-            raise
-
-    def persist(self, action: Callable[[], Result], place: Place | None) -> Result:
-        """Carry out `action`; where a link is lost, get it back, take the head to `place` and begin again.
+    def persist(self, action: Callable[[], Result], places: Mapping[str, Place] = NOWHERE) -> Result:
+        """Carry out `action`; where a link is lost, get it back, take positioners to their `places` and begin again.
 
         Raises
         ------
@@ -115,7 +109,7 @@ class Recovery:
         for _ in range(_LOSSES):
             try:
                 if interruption is not None:
-                    self._get_back(interruption, place)
+                    self._get_back(interruption, places)
                 return action()
             except (LinkLostError, ReferenceLostError) as error:
                 interruption = error
@@ -128,50 +122,60 @@ class Recovery:
 
     def _identify(self) -> None:
         for name, instrument in self._instruments.items():
-            with self.using(name):
+            with self._losses.using(name):
                 self._recognise(name, instrument.identify())
 
     def _reset(self) -> None:
         for name, instrument in self._instruments.items():
-            with self.using(name):
+            with self._losses.using(name):
                 if isinstance(instrument, Resettable) and (fault := instrument.reset_fault()):
-                    self._warn(f"{_NAMES[name]}: was left in fault by {fault}; the fault is reset")
+                    self._warn(f"{self._stand.title(name)}: was left in fault by {fault}; the fault is reset")
 
     def _home_where_needed(self) -> None:
-        with self.using("head"):
-            if not self._head.status().referenced:
-                self._warn("dividing head: has no reference; it is homed")
-                self._motion.home(self._carry_on)
+        for name, positioner in self._stand.positioners.items():
+            with self._losses.using(name):
+                if not positioner.status().referenced:
+                    self._warn(f"{self._stand.title(name)}: has no reference; it is homed")
+                    self._axes.motions[name].home(self._carry_on)
 
-    def _get_back(self, interruption: DeviceError, place: Place | None) -> None:
+    def _get_back(self, interruption: DeviceError, places: Mapping[str, Place]) -> None:
         self._warn(f"{interruption.device}: {interruption.happened}; trying to go on")
         began_s = self._clock.monotonic_s()
         for name, instrument in self._instruments.items():
             self._reach(name, instrument, began_s + RECONNECTING_S)
-        with self.using("head"):
-            if "head" in self._lost or not self._head.status().referenced:
-                if place is not None:
-                    self.tell_of_winding(place.angle_deg)
-                self._motion.home(self._carry_on)
-                if place is not None:
-                    self._motion.return_to(place, self._carry_on)
-        self._lost.clear()
+        for name in self._stand.positioners:
+            with self._losses.using(name):
+                self._put_back(name, places.get(name))
+        self._losses.names.clear()
         self._warn(
             f"{interruption.device}: is back after {self._clock.monotonic_s() - began_s:.1f} s; the step is repeated"
         )
+
+    def _put_back(self, name: str, place: Place | None) -> None:
+        """Home a positioner that was lost, and take it to its place; one that was not is brought to rest."""
+        motion, status = self._axes.motions[name], self._stand.positioners[name].status()
+        if name not in self._losses.names and status.referenced:
+            if status.moving:
+                motion.halt()
+            return
+        if place is not None:
+            self.tell_of_winding(name, place.angle_deg)
+        motion.home(self._carry_on)
+        if place is not None:
+            motion.return_to(place, self._carry_on)
 
     def _carry_on(self) -> bool:
         self._check()
         return False
 
-    def _reach(self, name: str, instrument: DividingHead | Daq, deadline_s: float) -> None:
+    def _reach(self, name: str, instrument: Positioner | Sampler, deadline_s: float) -> None:
         while True:
             try:
-                if name in self._lost and isinstance(instrument, Reconnectable):
+                if name in self._losses.names and isinstance(instrument, Reconnectable):
                     instrument.reconnect()
                 return self._recognise(name, instrument.identify())
             except (LinkLostError, NoReplyError) as away:
-                self._lost.add(name)
+                self._losses.names.add(name)
                 if self._clock.monotonic_s() >= deadline_s or not isinstance(instrument, Reconnectable):
                     raise DeviceError(
                         away.device,
@@ -182,17 +186,17 @@ class Recovery:
             self._check()
 
     def _recognise(self, name: str, identity: Identity) -> None:
-        demanded = self._demanded.get(name, "")
+        title, demanded = self._stand.title(name), self._stand.serials.get(name, "")
         if demanded and identity.serial != demanded:
             raise DeviceError(
-                _NAMES[name],
+                title,
                 f"has the serial number {identity.serial or '(none)'}, and the stand file says {demanded}",
                 "connect the right one, or correct the stand file",
             )
         known = self._known.setdefault(name, identity)
         if (identity.model, identity.serial) != (known.model, known.serial):
             raise DeviceError(
-                _NAMES[name],
+                title,
                 f"is {_called(identity)}, and the run was begun with {_called(known)}",
                 "connect that one again, then resume the run",
             )
@@ -200,7 +204,7 @@ class Recovery:
             Identified(instrument=name, model=identity.model, serial=identity.serial, firmware=identity.firmware)
         )
         for remark in identity.remarks:
-            self._warn(f"{_NAMES[name]}: {remark}")
+            self._warn(f"{title}: {remark}")
 
     def _warn(self, message: str) -> None:
         self._announce(WarningRaised(message=message))

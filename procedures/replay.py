@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from tumble.procedures.composition import advance
 from tumble.procedures.errors import JournalError
-from tumble.procedures.steps import Dwell, Mounted, Mounting, Point, Procedure, Reply, Step
+from tumble.procedures.steps import Ask, Confirmed, Dwell, Point, Procedure, Reply, Step, pose
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -15,12 +15,14 @@ class Replayed:
     points: tuple[Point, ...]
     pending: Step | None
     """The step that comes next; None where nothing is left to do."""
+    asks: tuple[Ask, ...]
+    """What was asked for the last point, the latest of each condition."""
 
 
 def replay(procedure: Procedure, journal: Iterable[Reply], tolerance_deg: float) -> Replayed:
     """Send the recorded points into a fresh `procedure`, each compared with the step that it shall answer.
 
-    Mountings between the points answer themselves, as the points were taken in them; one after the last point is left
+    Requests between the points answer themselves, as the points were taken under them; one after the last point is left
     pending, whether the journal has its reply or not, for nobody knows what was done to the unit since.
 
     Raises
@@ -30,21 +32,31 @@ def replay(procedure: Procedure, journal: Iterable[Reply], tolerance_deg: float)
     """
     points = tuple(reply for reply in journal if isinstance(reply, Point))
     step = next(procedure, None)
+    asks: dict[str, Ask] = {}
     for number, point in enumerate(points):
-        while isinstance(step, Mounting):
-            step = advance(procedure, Mounted(mount=step.mount))
+        while isinstance(step, Ask):
+            asks[step.condition] = step
+            step = advance(procedure, Confirmed(condition=step.condition, value=step.value))
         _compare(number, point, step, tolerance_deg)
         step = advance(procedure, point)
-    return Replayed(points=points, pending=step)
+    return Replayed(points=points, pending=step, asks=tuple(asks.values()))
 
 
 def _compare(number: int, point: Point, dwell: Dwell | None, tolerance_deg: float) -> None:
     if dwell is None:
         raise _mismatch(number, point, "is over")
-    expected = (number, dwell.mount, dwell.procedure, dwell.realisation)
-    recorded = (point.index, point.mount, point.procedure, point.realisation)
-    if recorded != expected or not abs(point.angle_deg - dwell.angle_deg) <= tolerance_deg:
+    expected = (number, dict(dwell.conditions), dwell.procedure, dwell.realisation)
+    recorded = (point.index, dict(point.conditions), point.procedure, point.realisation)
+    if recorded != expected or not _near(point, dwell, tolerance_deg):
         raise _mismatch(number, point, f"has {_pose(number, dwell)}")
+
+
+def _near(point: Point, dwell: Dwell, tolerance_deg: float) -> bool:
+    """Whether a point was taken where the dwell says, in every positioner."""
+    targets_deg, positions_deg = dwell.targets_deg, point.positions_deg
+    return targets_deg.keys() == positions_deg.keys() and all(
+        abs(positions_deg[name] - target_deg) <= tolerance_deg for name, target_deg in targets_deg.items()
+    )
 
 
 def _mismatch(number: int, point: Point, programme_says: str) -> JournalError:
@@ -55,5 +67,5 @@ def _mismatch(number: int, point: Point, programme_says: str) -> JournalError:
 
 
 def _pose(index: int, taken: Point | Dwell) -> str:
-    where = f"{taken.mount} at {taken.angle_deg:g} deg"
+    where = pose(taken.conditions, taken.positions_deg if isinstance(taken, Point) else taken.targets_deg)
     return f"point {index} ({taken.procedure}, realisation {taken.realisation}, {where})"

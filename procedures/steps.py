@@ -1,74 +1,106 @@
 """What a procedure asks of the stand, and what it gets back.
 
 A procedure is a generator: it yields steps and is sent what came of each. Steps are frozen data, so that a recording
-can hold them and a resumed run can compare them.
+can hold them and a resumed run can compare them. Positioners, channels and conditions go by the names that stand and
+method give them; see `tumble.procedures.layout`.
 """
 
-from collections.abc import Generator
-from dataclasses import dataclass
+from collections.abc import Generator, Mapping
+from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
 Direction: TypeAlias = Literal[-1, 0, 1]
 
 
 @dataclass(frozen=True, kw_only=True)
-class Mounting:
-    """Ask the operator to seat the unit in another mount. The reply is a `Mounted`."""
+class Ask:
+    """Ask the operator to set a condition that no positioner can. The reply is a `Confirmed`."""
 
-    mount: str
-    """Name of the mount, a key of `tumble.calibrations.methods.dividing_head.geometry.MOUNTS`."""
+    condition: str
+    """Name of the condition, for example `mount`."""
+    value: str
+    """What it shall be; to be answered with this word or with yes."""
+    task: str
+    """What the operator has to do, in the imperative: `seat the unit in edge`."""
+    remedy: str
+    """The same in short, for a run that ended because it was not done: `seat it`."""
+    prompt: str
+    """The whole question, as it is shown."""
+    hint: str
+    """What may be typed, shown after an answer that says nothing clear."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Dwell:
-    """Turn the head, wait until the output has settled, acquire. The reply is a `Point`."""
+    """Set all targets at once, wait until the outputs have settled, acquire. The reply is a `Point`."""
 
-    angle_deg: float
-    """Head angle to go to, in degrees; any revolution."""
+    targets_deg: Mapping[str, float]
+    """Where to go, in degrees, by positioner; one that is not named stays where it is."""
+    channels: tuple[str, ...]
+    """What must be measured; the names carry the units."""
     procedure: str
-    """What the dwell belongs to: `flip`, `seek`, `sweep`."""
+    """What the dwell belongs to, for example `sweep`."""
     realisation: int
     """Which repeat it belongs to, from 1."""
-    mount: str
-    """Mount in which the unit must sit."""
+    conditions: Mapping[str, str] = field(default_factory=dict)
+    """What must have been asked for and confirmed before, by condition."""
 
 
-Step: TypeAlias = Mounting | Dwell
+Step: TypeAlias = Ask | Dwell
 
 
 @dataclass(frozen=True, kw_only=True)
-class Mounted:
-    """The operator has confirmed that the unit sits in `mount`."""
+class Confirmed:
+    """The operator has confirmed that a condition is set."""
 
-    mount: str
+    condition: str
+    value: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Reading:
+    """Samples of one channel, reduced; in the channel's unit."""
+
+    mean: float
+    """NaN where a sample was unusable."""
+    sd: float
+    """Standard deviation of the single samples (divisor n - 1)."""
+    samples: int
+    """Number of samples in the mean."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Point:
-    """A dwell, reduced: one row of the observation table."""
+    """A dwell, reduced: one row of an observation table."""
 
     index: int
     """Number of the point in the run, from 0."""
-    angle_deg: float
-    """Head angle as the head reported it, in degrees."""
-    voltage_v: float
-    """Mean output over the dwell, in volts."""
-    voltage_sd_v: float
-    """Standard deviation of the single samples (divisor n - 1), in volts."""
-    samples: int
-    """Number of samples in the mean."""
+    positions_deg: Mapping[str, float]
+    """As every positioner of the dwell reported it, in degrees."""
+    directions: Mapping[str, Direction]
+    """Sign of the last move of each of them; 0 before the first."""
+    readings: Mapping[str, Reading]
+    """By channel."""
     time_s: float
     """Middle of the dwell, in seconds since the run began, by the stand's clock."""
-    direction: Direction
-    """Sign of the last move of the head; 0 before the first."""
     temperature_degc: float | None
-    realisation: int
     procedure: str
-    mount: str
+    realisation: int
+    conditions: Mapping[str, str] = field(default_factory=dict)
     settled: bool
-    """False where the output was still moving when the time allowed for settling was over."""
+    """False where an output was still moving when the time allowed for settling was over."""
 
 
-Reply: TypeAlias = Mounted | Point
+Reply: TypeAlias = Confirmed | Point
+
 Procedure: TypeAlias = Generator[Step, Reply, None]
 """Yields steps, is sent the reply to each."""
+
+
+def pose(conditions: Mapping[str, str], positions_deg: Mapping[str, float], unit: str = " deg") -> str:
+    """Where a dwell is taken, for a sentence: `face-up at 30 deg`, or `outer 90 deg, inner 45 deg`."""
+    places = ", ".join(f"{name} {position_deg:g}{unit}" for name, position_deg in positions_deg.items())
+    if len(positions_deg) == 1:
+        (position_deg,) = positions_deg.values()
+        places = f"{position_deg:g}{unit}"
+    return " at ".join(filter(None, [", ".join(conditions.values()), places]))

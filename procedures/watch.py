@@ -1,9 +1,9 @@
-"""Whether a head that was sent somewhere does what it was told."""
+"""Whether a positioner that was sent somewhere does what it was told."""
 
 from typing import Final
 
 from tumble.drivers.errors import DeviceError
-from tumble.drivers.protocols import HeadStatus
+from tumble.drivers.protocols import PositionerStatus
 
 _PATIENCE: Final = 2.0
 _MARGIN_S: Final = 5.0
@@ -28,25 +28,28 @@ class Watch:
         Less is no motion.
     now_s
         When it set out, by the stand's clock.
+    title
+        What sentences call it.
     """
 
     def __init__(
-        self, start_deg: float, angle_deg: float, *, speed_deg_s: float, tolerance_deg: float, now_s: float
+        self, start_deg: float, angle_deg: float, *, speed_deg_s: float, tolerance_deg: float, now_s: float, title: str
     ) -> None:
         self._start_deg, self._angle_deg = start_deg, angle_deg
         self._tolerance_deg = tolerance_deg
+        self._title = title
         self._deadline_s = now_s + allowed_s(abs(angle_deg - start_deg), speed_deg_s)
         self._unmoved_s = allowed_s(tolerance_deg, speed_deg_s)
         self._last_deg, self._last_s = start_deg, now_s
 
-    def look(self, status: HeadStatus, now_s: float) -> None:
+    def look(self, status: PositionerStatus, now_s: float) -> None:
         """Look at a head that has not arrived. Raises `DeviceError` where it will not, or is where it must not be."""
         if abs(status.angle_deg - self._last_deg) > self._tolerance_deg:
             self._last_deg, self._last_s = status.angle_deg, now_s
         low_deg, high_deg = sorted((self._start_deg, self._angle_deg))
         if not low_deg - _ASTRAY_DEG <= status.angle_deg <= high_deg + _ASTRAY_DEG:
             raise DeviceError(
-                "dividing head",
+                self._title,
                 f"is at {status.angle_deg:.4f} deg on its way from {self._start_deg:g} to {self._angle_deg:g} deg",
                 "check steps_per_deg with its sign, and what else turns it, then resume the run",
             )
@@ -54,10 +57,10 @@ class Watch:
         if now_s > self._deadline_s or rested_s > (self._unmoved_s if status.moving else _STALL_S):
             raise self._late(status)
 
-    def _late(self, status: HeadStatus) -> DeviceError:
+    def _late(self, status: PositionerStatus) -> DeviceError:
         doing = "still moves" if status.moving else "stands"
         return DeviceError(
-            "dividing head",
+            self._title,
             f"{doing} at {status.angle_deg:.4f} deg when it should long have stood at {self._angle_deg:g} deg",
             "look for what blocks it, check its drive and speed, then resume the run",
         )

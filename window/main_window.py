@@ -171,7 +171,7 @@ class MainWindow(QMainWindow):
     def _show_failure(self, error: BaseException) -> None:
         self.tell(error)
 
-    def _show_head(self, status: HeadStatus) -> None:
+    def _show_head(self, status: PositionerStatus) -> None:
         self.stop_bar.show_head(status)
 
     def _show_working(self, _working: bool) -> None:

@@ -17,8 +17,9 @@ from tumble.app.wiring import Connected
 @measures
 @options.store
 @options.json_out
-def command(job: Job, connected: Connected, folder: Path, json_path: Path | None) -> None:
+@options.verbose
+def command(job: Job, connected: Connected, folder: Path, json_path: Path | None, verbose: bool) -> None:
     """Run a programme, fit the recording, trace what the model leaves, store the record and write the report."""
     with run_display(job.plan(), connected.stand.clock, messages()) as display:
         done = calibrate(job, connected, folder, [display])
-    tell_calibrated(done, json_path)
+    tell_calibrated(done, json_path, verbose=verbose)

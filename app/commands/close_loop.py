@@ -10,7 +10,7 @@ import click
 
 from tumble.app.acting import AtStand, measure
 from tumble.app.analysing import Traced, fit, trace
-from tumble.app.calibrating import write_report
+from tumble.app.calibrating import store, write_report
 from tumble.app.closing import MOST_EXPERIMENTS, Closing, act, begin
 from tumble.app.commands import options
 from tumble.app.commands.measuring import Wanted, may_measure
@@ -26,12 +26,14 @@ from tumble.app.running import Job
 from tumble.app.sections import show_sections
 from tumble.app.stand import read_stand
 from tumble.app.stand_records import with_stand_record
+from tumble.app.storing import record_tables
 from tumble.app.terminal import say
 from tumble.calibrations.core.method import Method
 from tumble.calibrations.methods.dividing_head.loop.loop import Loop
 from tumble.calibrations.methods.dividing_head.loop.sentences import comparisons
 from tumble.calibrations.methods.dividing_head.montecarlo import TRIALS
 from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.calibrations.records.record import Record
 from tumble.calibrations.tracing.chain import Chain
 from tumble.procedures.announcer import Listener
 from tumble.procedures.errors import InputError
@@ -48,6 +50,10 @@ from tumble.procedures.programme import load_programme
     help=f"How many further experiments to run at most: without FILE {MOST_EXPERIMENTS}, after files 0 unless given.",
 )
 @options.store
+@click.option(
+    "--record", is_flag=True, help="Keep what files say as a record in --store; a loop that acts always is kept."
+)
+@options.verbose
 @options.json_out
 @click.option("--report", "page", type=options.REPORT, help="Write the report (HTML) here.")
 def command(
@@ -55,6 +61,8 @@ def command(
     files: tuple[Path, ...],
     most: int | None,
     folder: Path,
+    record: bool,
+    verbose: bool,
     json_path: Path | None,
     page: Path | None,
 ) -> None:
@@ -71,38 +79,47 @@ def command(
     if files and not (method := method_of(files)).at_stand:
         if most:
             raise InputError(f"{files[0]}: no experiment can be run from a table of this kind; leave --experiments out")
-        _tell_tables(method, files, json_path, page)
+        _tell_tables(method, files, folder if record else None, verbose, json_path, page)
         return
     if files and not most:
-        _tell(_traced(files, wanted, folder, page), None, json_path, page)
+        traced = _traced(files, wanted, folder, budget=bool(page or record))
+        _tell(traced, None, json_path, page, store(traced, folder) if record else None)
         return
     closing = _closed(wanted, files, MOST_EXPERIMENTS if most is None else most, folder)
     traced = closing.traced
     say(*learn(traced, folder).sentences, err=True)
-    if page:
-        calibration = fit(traced.measurement, wanted.serial_number, TRIALS).calibration
-        traced = replace(traced, calibration=calibration)
-    _tell(traced, closing.chain, json_path, page)
+    calibration = fit(traced.measurement, wanted.serial_number, TRIALS, folder).calibration
+    traced = replace(traced, calibration=calibration)
+    _tell(traced, closing.chain, json_path, page, store(traced, folder))
 
 
-def _tell_tables(method: Method, files: tuple[Path, ...], json_path: Path | None, page: Path | None) -> None:
-    """Trace tables that were measured elsewhere, and show what was found."""
+def _tell_tables(
+    method: Method,
+    files: tuple[Path, ...],
+    folder: Path | None,
+    verbose: bool,
+    json_path: Path | None,
+    page: Path | None,
+) -> None:
+    """Trace tables that were measured elsewhere, show what was found, and record it where a folder is given."""
     result = close_loop(method, files)
     warn(result.warnings)
     if str(json_path) != "-":
-        show_sections(result.sections())
-    options.write_json(result.document(), json_path)
+        show_sections(result.sections(), verbose=verbose)
+    recorded = {} if folder is None else {"record": record_tables(result, files, folder).id}
+    say(*(f"record {name}" for name in recorded.values()), err=True)
+    options.write_json(result.document() | recorded, json_path)
     if page is not None:
         from tumble.calibrations.report.sections import page as page_of  # jinja2 takes time
 
         write_text(page, page_of(method.title, files[-1].name, result.sections(), result.warnings))
 
 
-def _traced(files: tuple[Path, ...], wanted: Wanted, folder: Path, page: Path | None) -> Traced:
+def _traced(files: tuple[Path, ...], wanted: Wanted, folder: Path, *, budget: bool) -> Traced:
     """What files say, without a stand to ask."""
     stand = read_stand(wanted.stand_path).recorded if wanted.stand_path else None
     measurement = with_stand_record(read_together(files, stand), folder)
-    return trace(fit(measurement, wanted.serial_number, trials=TRIALS if page else 0))
+    return trace(fit(measurement, wanted.serial_number, trials=TRIALS if budget else 0))
 
 
 def _closed(wanted: Wanted, files: tuple[Path, ...], most: int, folder: Path) -> Closing:
@@ -161,7 +178,9 @@ def _tell_set_aside(observations: Observations) -> None:
             results().print(line, markup=False, soft_wrap=True)
 
 
-def _tell(traced: Traced, chain: Chain[Loop] | None, json_path: Path | None, page: Path | None) -> None:
+def _tell(
+    traced: Traced, chain: Chain[Loop] | None, json_path: Path | None, page: Path | None, record: Record | None
+) -> None:
     """Show the result where it is wanted. Raises `SystemExit` where limits are not met or not decided."""
     warn(traced.loop.augmented.warnings)
     if str(json_path) != "-":
@@ -171,7 +190,9 @@ def _tell(traced: Traced, chain: Chain[Loop] | None, json_path: Path | None, pag
             results().print(parameter_table(traced))
         _tell_set_aside(traced.loop.augmented.observations)
     warn(contradictions_of(traced))
-    options.write_json(traced.loop_json() | (chain.as_json() if chain else {}), json_path)
+    recorded = {} if record is None else {"record": record.id}
+    say(*(f"record {name}" for name in recorded.values()), err=True)
+    options.write_json(traced.loop_json() | (chain.as_json() if chain else {}) | recorded, json_path)
     if page is not None:
         write_report(traced, page, chain=chain)
         say(f"report {page}", err=True)

@@ -22,8 +22,9 @@ from tumble.app.terminal import say
 @click.option("--stand", "stand_path", type=options.EXISTING, help="Stand file for the budget of a table.")
 @options.serial_of_file
 @click.option("--store", "folder", type=options.EXISTING, help="Folder of the records; without it nothing is stored.")
+@options.verbose
 def command(
-    file: Path, json_path: Path | None, stand_path: Path | None, serial_number: str, folder: Path | None
+    file: Path, json_path: Path | None, stand_path: Path | None, serial_number: str, folder: Path | None, verbose: bool
 ) -> None:
     """Fit a recording (.mcap) or an observation table (CSV).
 
@@ -37,7 +38,7 @@ def command(
     result = traced or analysed
     warn(result.calibration.warnings)
     if str(json_path) != "-":
-        show_result(result)
+        show_result(result, verbose=verbose)
         if traced is None:
             results().print("the values are those of the declared model alone; tumble close-loop traces what it leaves")
         else:

@@ -70,6 +70,9 @@ attended = click.option(
 )
 
 
+verbose = click.option("--verbose", "-v", is_flag=True, help="Say more than the answer: rows, noise, significance.")
+
+
 def finite(_context: click.Context, _parameter: click.Parameter, value: float | None) -> float | None:
     """Refuse what is no number and what has no end, which no range of click does."""
     if value is not None and not math.isfinite(value):

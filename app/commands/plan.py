@@ -11,9 +11,10 @@ from tumble.app.commands import options
 from tumble.app.running import Outline
 from tumble.app.stand import read_stand
 from tumble.app.terminal import say
+from tumble.procedures.layout import Layout
 from tumble.procedures.plan import Plan, PlannedStep
 from tumble.procedures.programme import load_programme
-from tumble.procedures.steps import Dwell, Mounting
+from tumble.procedures.steps import Ask, Dwell, pose
 
 _FEW: Final = 4
 """So many settings are written out."""
@@ -36,42 +37,43 @@ def _summary(planned: Plan) -> str:
     low, high = planned.angle_range_deg
     return (
         f"{planned.programme.name}: {planned.dwells} dwells between {low:g}° and {high:g}°, "
-        f"{planned.mount_changes} mountings by hand, {_clock(planned.duration_s)} in all"
+        f"{planned.requests} mountings by hand, {_clock(planned.duration_s)} in all"
     )
 
 
 def _mountings(planned: Plan) -> Iterator[str]:
-    """One line for each time that the unit is seated."""
+    """One line for each time that the operator sets something."""
     began_s = 0.0
-    for mount, dwells, duration_s in _seatings(planned.steps):
-        yield f"  {_clock(began_s)}  {mount}: {'; '.join(_series(dwells))}"
+    for conditions, dwells, duration_s in _stretches(planned.steps):
+        yield f"  {_clock(began_s)}  {conditions}: {'; '.join(_series(dwells))}"
         began_s += duration_s
 
 
-def _seatings(steps: Sequence[PlannedStep]) -> Iterator[tuple[str, list[Dwell], float]]:
-    """Mount, dwells and duration of every mounting."""
+def _stretches(steps: Sequence[PlannedStep]) -> Iterator[tuple[str, list[Dwell], float]]:
+    """Conditions, dwells and duration of every stretch between two requests."""
     dwells: list[Dwell] = []
-    mount, duration_s = "", 0.0
+    conditions, duration_s = "", 0.0
     for planned in steps:
-        if isinstance(planned.step, Mounting):
+        if isinstance(planned.step, Ask):
             if dwells:
-                yield mount, dwells, duration_s
-            mount, dwells, duration_s = planned.step.mount, [], 0.0
+                yield conditions, dwells, duration_s
+                dwells, duration_s = [], 0.0
         else:
-            mount = planned.step.mount
+            conditions = ", ".join(planned.step.conditions.values())
             dwells.append(planned.step)
         duration_s += planned.duration_s
-    yield mount, dwells, duration_s
+    yield conditions, dwells, duration_s
 
 
 def _series(dwells: Sequence[Dwell]) -> Iterator[str]:
     """What is measured one after the other: `flip at -90°, 90°`, `sweep of 80 settings, 0° to 395°`."""
     for name, run in groupby(dwells, key=lambda dwell: f"{dwell.procedure} {dwell.realisation}"):
-        angles_deg = [dwell.angle_deg for dwell in run]
-        if len(angles_deg) <= _FEW:
-            yield f"{name} at {', '.join(f'{angle_deg:g}°' for angle_deg in angles_deg)}"
+        settings = [dwell.targets_deg for dwell in run]
+        if len(settings) <= _FEW:
+            yield f"{name} at {', '.join(pose({}, targets_deg, '°') for targets_deg in settings)}"
         else:
-            yield f"{name}, {len(angles_deg)} settings, {_range(angles_deg)}"
+            ranges = (_range([targets_deg[positioner] for targets_deg in settings]) for positioner in settings[0])
+            yield ", ".join([name, f"{len(settings)} settings", *ranges])
 
 
 def _range(angles_deg: Sequence[float]) -> str:
@@ -90,9 +92,10 @@ def _steps(planned: Plan) -> Iterator[str]:
 
 def _words(planned: PlannedStep) -> str:
     step = planned.step
-    if isinstance(step, Mounting):
-        return f"seat the unit in {step.mount} ({planned.duration_s:.0f} s allowed)"
-    return f"{step.procedure} {step.realisation}: {step.mount} at {step.angle_deg:g}° ({planned.duration_s:.1f} s)"
+    if isinstance(step, Ask):
+        return f"{step.task} ({planned.duration_s:.0f} s allowed)"
+    where = pose(step.conditions, step.targets_deg, "°")
+    return f"{step.procedure} {step.realisation}: {where} ({planned.duration_s:.1f} s)"
 
 
 def _clock(duration_s: float) -> str:
@@ -106,21 +109,15 @@ def _document(planned: Plan) -> dict[str, Any]:
         "programme": planned.programme.name,
         "duration_s": planned.duration_s,
         "dwells": planned.dwells,
-        "mount_changes": planned.mount_changes,
+        "mount_changes": planned.requests,
         "angle_range_deg": list(planned.angle_range_deg),
-        "steps": [_step_document(step) for step in planned.steps],
+        "steps": [_step_document(planned.programme.layout, step) for step in planned.steps],
     }
 
 
-def _step_document(planned: PlannedStep) -> dict[str, Any]:
+def _step_document(layout: Layout, planned: PlannedStep) -> dict[str, Any]:
     step = planned.step
-    if isinstance(step, Mounting):
-        return {"step": "mounting", "mount": step.mount, "duration_s": planned.duration_s}
-    return {
-        "step": "dwell",
-        "mount": step.mount,
-        "angle_deg": step.angle_deg,
-        "procedure": step.procedure,
-        "realisation": step.realisation,
-        "duration_s": planned.duration_s,
-    }
+    if isinstance(step, Ask):
+        kind = layout.conditions[step.condition].step
+        return {"step": kind, step.condition: step.value, "duration_s": planned.duration_s}
+    return {"step": "dwell", **layout.dwell_fields(step), "duration_s": planned.duration_s}

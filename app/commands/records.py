@@ -1,33 +1,31 @@
-"""`tumble records`: list, show, compare, export, verify."""
+"""`tumble records`: list, show, compare, export, verify, migrate."""
 
-from collections.abc import Mapping
 from datetime import UTC, datetime
 from pathlib import Path
 
 import click
-from rich.table import Column, Table
 
 from tumble.app.commands import options
 from tumble.app.console import results
 from tumble.app.exits import Exit
 from tumble.app.recall import open_store, unprotected
+from tumble.app.record_console import effects_of, listing, show_parameters
 from tumble.app.terminal import say
-from tumble.app.verifying import Finding, leftovers, verified_record
-from tumble.calibrations.core.parameter import Parameter
-from tumble.calibrations.core.quantities import format_concise
+from tumble.app.verifying import Finding, Judgement, leftovers, verified_record
 from tumble.calibrations.core.verdict import Model, Outcome
 from tumble.calibrations.records.compare import compare
 from tumble.calibrations.records.export import document
-from tumble.calibrations.records.record import OLD_WORDS, Record
+from tumble.calibrations.records.old_formats import OLD_WORDS, outcome_of
 
 
 @click.group("records")
 def command() -> None:
-    """List, show, compare, export and verify stored calibrations."""
+    """List, show, compare, export, verify and migrate stored calibrations."""
 
 
 @command.command("list")
 @click.option("--serial", "serial_number", help="Only this unit.")
+@click.option("--method", help="Only this method.")
 @click.option("--programme", help="Only this programme.")
 @click.option("--since", type=click.DateTime(), help="Measured then or later (UTC).")
 @click.option("--until", type=click.DateTime(), help="Measured then or earlier (UTC).")
@@ -40,6 +38,7 @@ def command() -> None:
 @options.json_out
 def list_records(
     serial_number: str | None,
+    method: str | None,
     programme: str | None,
     since: datetime | None,
     until: datetime | None,
@@ -50,39 +49,15 @@ def list_records(
     """List the records that stand, each in its last revision."""
     found = open_store(folder).find(
         serial_number=serial_number,
+        method=method,
         programme_name=programme,
         since=since.replace(tzinfo=UTC) if since else None,
         until=until.replace(tzinfo=UTC) if until else None,
-        verdict=_outcome(verdict) if verdict else None,
+        verdict=outcome_of(verdict) if verdict else None,
     )
     if str(json_path) != "-":
-        results().print(_listing(found))
+        results().print(listing(found))
     options.write_json({"schema": "tumble.records/1", "records": [document(record) for record in found]}, json_path)
-
-
-def _outcome(word: str) -> Outcome:
-    """The outcome that a word, new or old, stands for."""
-    old = {spelling: outcome for outcome, spelling in OLD_WORDS.items()}
-    return old.get(word) or Outcome(word)
-
-
-def _listing(found: tuple[Record, ...]) -> Table:
-    table = Table(Column("record", no_wrap=True), "unit", "programme", "measured", "revision", "verdict", "kx")
-    for record in found:
-        kx = record.values["kx"]
-        value = "" if kx.value is None else format_concise(kx.value, kx.standard_uncertainty, kx.unit)
-        origin = record.provenance
-        measured = origin.measured_at or f"{record.created_at:%Y-%m-%d %H:%M}"
-        table.add_row(
-            record.id,
-            origin.serial_number,
-            origin.programme_name,
-            measured,
-            str(record.revision),
-            record.verdict.outcome.words,
-            "; ".join(filter(None, (value, kx.condition))),
-        )
-    return table
 
 
 @command.command("show")
@@ -98,27 +73,20 @@ def show(record_id: str, folder: Path) -> None:
         say(f"  {judgement.sentence}")
     if record.supersedes:
         say(f"supersedes {record.supersedes}")
+    say(f"method     {record.method}, version {record.method_version}")
     say(f"unit       {origin.serial_number}", f"programme  {origin.programme_name} {origin.programme_sha256[:12]}")
-    say(f"measured   {origin.measured_at}", f"raw file   {origin.raw_path} {origin.raw_sha256[:12]}")
+    say(f"measured   {origin.measured_at}")
+    for source in origin.sources:
+        say(f"raw file   {source.path} {source.sha256[:12]}")
     say(f"program    {origin.program_version} {origin.git_commit[:12]}{' (changed)' if origin.git_dirty else ''}")
-    if old := unprotected(store.raw_file(record)):
+    if old := unprotected(store.raw_files(record)):
         say(old)
-    effects = [effect["name"] for effect in record.result.get("loop", {}).get("effects", [])]
-    if effects:
+    if effects := [effect["name"] for effect in effects_of(record)]:
         say(f"with {', '.join(effects)}")
-    _show_parameters(record.values)
+    show_parameters(record.values)
     if record.model is Model.AUGMENTED:
         say("of the declared model alone, which does not describe these data:")
-        _show_parameters(record.parameters)
-
-
-def _show_parameters(parameters: Mapping[str, Parameter]) -> None:
-    for name, parameter in parameters.items():
-        if parameter.value is None:
-            say(f"  {name:7s}cannot be told: {parameter.reason}")
-        else:
-            value = format_concise(parameter.value, parameter.standard_uncertainty, parameter.unit)
-            say(f"  {name:7s}{value}{parameter.condition and f'  {parameter.condition}'}")
+        show_parameters(record.parameters)
 
 
 @command.command("compare")
@@ -137,7 +105,7 @@ def compare_records(first: str, second: str, folder: Path) -> None:
 @options.store
 @click.option("--json", "json_path", type=options.RECORD, default=Path("-"), help="File; standard output without.")
 def export(record_id: str, folder: Path, json_path: Path) -> None:
-    """Export a record as JSON (tumble.record/3)."""
+    """Export a record as JSON (tumble.record/4; older records in their own format)."""
     options.write_json(document(open_store(folder).get(record_id)), json_path)
 
 
@@ -152,7 +120,8 @@ def verify(record_ids: tuple[str, ...], folder: Path) -> None:
     store = open_store(folder)
     ids = [store.resolve(record_id) for record_id in record_ids] or store.standing()
     records = [_told(verified_record(store, record_id)) for record_id in ids]
-    others = [_told(finding) for finding in (() if record_ids else leftovers(store))]
+    told = [(finding, _told(finding)) for finding in (() if record_ids else leftovers(store))]
+    others = [good for finding, good in told if finding.judgement is not Judgement.WHOLE]
     say(f"{sum(records)} of {len(records)} records agree with their raw files{_more(others)}")
     if not all([*records, *others]):
         raise SystemExit(int(Exit.BAD_INPUT))
@@ -170,3 +139,17 @@ def _more(others: list[bool]) -> str:
     if not others:
         return ""
     return f"; {len(others)} more finding{'s' if len(others) > 1 else ''}, {others.count(False)} of them wrong"
+
+
+@command.command("migrate")
+@options.store
+def migrate(folder: Path) -> None:
+    """Bring a store that an older version made to the tables of this version; a copy of the old database is kept.
+
+    The first record added does the same. To be read, an older store need not be migrated.
+    """
+    store = open_store(folder)
+    copy = store.migrate()
+    say(f"{store.path} is of this version: nothing was done" if copy is None else f"{store.path}: migrated")
+    if copy:
+        say(f"the database as it was is kept in {copy}")

@@ -32,6 +32,7 @@ from tumble.procedures.errors import InputError
 )
 @click.option("--store", "folder", type=options.EXISTING, help="Store of a calibration whose recording was moved.")
 @options.json_out
+@options.verbose
 def command(
     recording: Path,
     stand_path: Path | None,
@@ -40,6 +41,7 @@ def command(
     tolerance_v: float | None,
     folder: Path | None,
     json_path: Path | None,
+    verbose: bool,
 ) -> None:
     """Go on with a run that was cut off, and then with what was to follow it: fit, record and report.
 
@@ -48,7 +50,7 @@ def command(
     found = find(recording)
     with holding_recording(found.path, found.recording.header.serial_number):
         unfinished = find(recording)  # as it is now that nobody writes it any more
-        _conclude(unfinished, stand_path, answers, attended, tolerance_v, folder, json_path)
+        _conclude(unfinished, stand_path, answers, attended, tolerance_v, folder, json_path, verbose)
 
 
 def _conclude(
@@ -59,6 +61,7 @@ def _conclude(
     tolerance_v: float | None,
     folder: Path | None,
     json_path: Path | None,
+    verbose: bool,
 ) -> None:
     """Do what is left of a run, and what was to follow it."""
     header = unfinished.recording.header
@@ -71,7 +74,7 @@ def _conclude(
     elif record := record_of(unfinished.path, header.serial_number, store):
         tell_recorded(unfinished.path, record, store, json_path)
     else:
-        tell_calibrated(conclude(unfinished.path, store), json_path)
+        tell_calibrated(conclude(unfinished.path, store), json_path, verbose=verbose)
 
 
 def _go_on(

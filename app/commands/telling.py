@@ -19,11 +19,11 @@ def tell_run(recording: Path, points: int, json_path: Path | None) -> None:
     write_json({"schema": "tumble.run/1", "recording": str(recording), "points": points}, json_path)
 
 
-def tell_calibrated(done: Calibrated, json_path: Path | None) -> None:
+def tell_calibrated(done: Calibrated, json_path: Path | None, *, verbose: bool = False) -> None:
     """Show what a calibration gave. Raises `SystemExit` where limits are not met, or nothing is decided of them."""
     warn(done.analysed.calibration.warnings)
     if str(json_path) != "-":
-        show_result(done.analysed)
+        show_result(done.analysed, verbose=verbose)
         show_loop(done.analysed.loop)
     say(f"recording {done.recording}", f"record    {done.record.id}", f"report    {done.report}", err=True)
     say(*done.learned.sentences, err=True)

@@ -26,7 +26,7 @@ from tumble.app.wiring import Connected
 from tumble.calibrations.methods.dividing_head.questions import questioned
 from tumble.drivers.errors import DeviceError
 from tumble.procedures.events import Event, PointCompleted, State, StateChanged, WarningRaised
-from tumble.procedures.recording.observations import observations
+from tumble.procedures.methods.dividing_head.observations import observations
 from tumble.procedures.recording.reader import read_recording
 
 SPEED: Final = 10.0

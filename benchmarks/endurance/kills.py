@@ -21,10 +21,11 @@ from pathlib import Path
 from benchmarks.endurance.killing import Job, kill_at, killed_after, undisturbed
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.methods.dividing_head.analysis import analyse
+from tumble.procedures.methods.dividing_head.layout import LAYOUT
+from tumble.procedures.methods.dividing_head.observations import observations
 from tumble.procedures.recording.contents import Said, contents
 from tumble.procedures.recording.errors import RecordingError
 from tumble.procedures.recording.messages import from_message
-from tumble.procedures.recording.observations import observations
 from tumble.procedures.recording.reader import iter_samples, read_recording
 from tumble.procedures.recording.schemas import POINT
 from tumble.procedures.steps import Point
@@ -72,7 +73,7 @@ class Survived:
 def points_said(path: Path) -> list[Point]:
     """Every message on `/point`, doubled ones included."""
     said = [entry for entry in contents(path, {POINT}) if isinstance(entry, Said)]
-    points = [from_message(entry.topic, entry.data) for entry in said]
+    points = [from_message(entry.topic, entry.data, LAYOUT) for entry in said]
     return [point for point in points if isinstance(point, Point)]
 
 

@@ -32,12 +32,12 @@ def strike_at(moment: Moment, connected: Connected, device: str, early: bool, st
     early
         Before the head is told to move or samples are asked for, and not in the midst of it.
     """
-    head: Any = connected.stand.head
-    daq: Any = connected.stand.daq
+    head: Any = connected.stand.positioners["head"]
+    daq: Any = connected.stand.samplers["daq"]
     if moment == "identification":
         _before(daq if device == "daq" else head, "identify", strike)
     elif moment == "mount prompt":
-        _before(connected.operator, "ask_mount", strike, number=2)
+        _before(connected.operator, "ask", strike, number=2)
     elif moment in ("homing", "move"):
         command, number = ("home", 1) if moment == "homing" else ("start_move", _WHICH)
         _before(head, command, strike if early else lambda: _when_moving(head, strike), number)
@@ -58,7 +58,7 @@ def take_time_to_answer(connected: Connected) -> None:
         asked_s[0] = clock.monotonic_s()
         return False
 
-    _before(operator, "ask_mount", lambda: None, counts=note)
+    _before(operator, "ask", lambda: None, counts=note)
     operator.poll = lambda: poll() if clock.monotonic_s() - asked_s[0] > PROMPT_S else None
 
 

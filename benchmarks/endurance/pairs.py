@@ -23,7 +23,7 @@ from benchmarks.endurance.rfc2217 import rfc2217_port
 from tumble.calibrations.methods.dividing_head.analysis import analyse
 from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.drivers.simulated import Simulated
-from tumble.procedures.recording.observations import observations
+from tumble.procedures.methods.dividing_head.observations import observations
 from tumble.procedures.recording.reader import read_recording
 
 PAIRS = {

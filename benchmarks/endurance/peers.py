@@ -21,6 +21,7 @@ from pathlib import Path
 
 from tumble.drivers.clock import SystemClock
 from tumble.procedures.events import PointCompleted
+from tumble.procedures.methods.dividing_head.rows import Row
 from tumble.procedures.recording.header import Header
 from tumble.procedures.recording.reader import read_recording
 from tumble.procedures.recording.writer import Recorder
@@ -132,7 +133,7 @@ def _header(clock: SystemClock) -> Header:
 
 
 def _point(index: int, angle_deg: float) -> Point:
-    return Point(
+    row = Row(
         index=index,
         angle_deg=angle_deg,
         voltage_v=2.5,
@@ -146,6 +147,7 @@ def _point(index: int, angle_deg: float) -> Point:
         mount="face-up",
         settled=True,
     )
+    return row.point
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -30,8 +30,8 @@ from tumble.calibrations.methods.dividing_head.analysis import analyse
 from tumble.drivers.simulated import Simulated
 from tumble.emulators.faults import At, Fault, Kind
 from tumble.procedures.events import Event, PointCompleted
+from tumble.procedures.methods.dividing_head.observations import observations
 from tumble.procedures.outcome import Outcome
-from tumble.procedures.recording.observations import observations
 from tumble.procedures.recording.reader import iter_samples, read_recording
 
 SPEED: Final = 10.0

@@ -5,10 +5,13 @@ A method is registered by an entry point of the group `tumble.methods`; nothing 
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.view import Section
+
+if TYPE_CHECKING:
+    from tumble.calibrations.records.entry import Entry
 
 
 class Result(Protocol):
@@ -30,6 +33,10 @@ class Result(Protocol):
 
     def sections(self) -> Sequence[Section]:
         """What is shown of it, the answer first."""
+        ...
+
+    def entry(self) -> "Entry":
+        """The result as the store takes it."""
         ...
 
 

@@ -6,6 +6,17 @@ from typing import Any
 
 
 @dataclass(frozen=True, kw_only=True)
+class Source:
+    """A raw file from which a result comes."""
+
+    kind: str
+    """`recording` or `table`."""
+    path: str
+    """Relative to the folder of the store, with `/`, where the file lies inside; absolute elsewhere."""
+    sha256: str
+
+
+@dataclass(frozen=True, kw_only=True)
 class Provenance:
     """The chain from the raw file to the numbers. Texts are empty where the source does not say."""
 
@@ -17,9 +28,8 @@ class Provenance:
     stand_name: str = ""
     stand: Mapping[str, Any]
     """The stand file as data, without what is simulated; empty for a bare table."""
-    raw_path: str
-    """Recording or table, relative to the store where it lies inside; several that were joined, with commas."""
-    raw_sha256: str
+    sources: tuple[Source, ...]
+    """The raw files, in the order in which they were joined."""
     measured_at: str = ""
     """Start of the run, ISO 8601 with time zone."""
     program_version: str
@@ -27,6 +37,11 @@ class Provenance:
     git_dirty: bool = False
     packages: Mapping[str, str]
     """Version of every package that took part in the analysis, by name."""
+
+    @property
+    def source_hashes(self) -> tuple[str, ...]:
+        """SHA-256 of every raw file."""
+        return tuple(source.sha256 for source in self.sources)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -5,7 +5,8 @@ from dataclasses import dataclass
 
 from scipy.special import stdtr
 
-from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.records.errors import RecordError
+from tumble.calibrations.records.parameter import RecordedParameter
 from tumble.calibrations.records.record import Record
 
 SIGNIFICANT_P = 0.05
@@ -33,11 +34,21 @@ def compare(first: Record, second: Record) -> tuple[Difference, ...]:
     The standard uncertainty is the root sum of squares (GUM 5.1.2), as if the two records were independent. What they
     share, the gain of one DAQ and the error of one head, moves both values alike and drops out of the difference: for
     records of one stand the uncertainty is too large, and the test conservative. For two analyses of one raw file it
-    is far too large: there every difference comes from the analysis, and the sentence says so. An interval of alpha0
+    is far too large: there every difference comes from the analysis, and the sentence says so. An interval
     that is not symmetric counts by its standard uncertainty.
+
+    Raises
+    ------
+    RecordError
+        The records are of different methods.
     """
+    if first.method != second.method:
+        raise RecordError(
+            f"record {first.id} is of method {first.method}, {second.id} of {second.method}: their values are not of "
+            "one kind; compare records of one method"
+        )
     a, b = first.values, second.values
-    same_file = first.provenance.raw_sha256 == second.provenance.raw_sha256
+    same_file = set(first.provenance.source_hashes) == set(second.provenance.source_hashes)
     return tuple(
         _difference(a[name], b[name], same_file, remark=_models(first, second) + _resting(a[name], b[name]))
         if name in a and name in b
@@ -46,7 +57,7 @@ def compare(first: Record, second: Record) -> tuple[Difference, ...]:
     )
 
 
-def _difference(a: Parameter, b: Parameter, same_file: bool, remark: str) -> Difference:
+def _difference(a: RecordedParameter, b: RecordedParameter, same_file: bool, remark: str) -> Difference:
     obstacle = _obstacle(a, b)
     if obstacle or a.value is None or b.value is None:
         return _incomparable(a, obstacle)
@@ -71,35 +82,37 @@ def _models(first: Record, second: Record) -> str:
     return f" The first value is of the {first.model} model, the second of the {second.model} one."
 
 
-def _resting(a: Parameter, b: Parameter) -> str:
+def _resting(a: RecordedParameter, b: RecordedParameter) -> str:
     """On what the values rest, where that was not measured."""
     sides = [f"the {which} on {p.rests_on} alone" for which, p in (("first", a), ("second", b)) if p.rests_on]
     return f" It rests in {' and in '.join(sides)}." if sides else ""
 
 
-def _incomparable(parameter: Parameter, obstacle: str) -> Difference:
+def _incomparable(parameter: RecordedParameter, obstacle: str) -> Difference:
     sentence = f"{parameter.name} cannot be compared: {obstacle}."
     return Difference(name=parameter.name, unit=parameter.unit, sentence=sentence)
 
 
-def _obstacle(a: Parameter, b: Parameter) -> str:
+def _obstacle(a: RecordedParameter, b: RecordedParameter) -> str:
     """Why one cannot be subtracted from the other; empty where it can."""
     for which, parameter in (("first", a), ("second", b)):
         if parameter.value is None:
             return f"the {which} record has no value" + (f" ({parameter.reason})" if parameter.reason else "")
     if a.unit != b.unit:
         return f"it is in {a.unit} in the first record and in {b.unit} in the second"
-    if a.given_alpha0_deg != b.given_alpha0_deg:
-        return f"the first value stands {_condition(a)}, the second {_condition(b)}"
+    if a.given != b.given:
+        return f"the first value stands {_standing(a, b)}, the second {_standing(b, a)}"
     return ""
 
 
-def _condition(parameter: Parameter) -> str:
-    given_deg = parameter.given_alpha0_deg
-    return "for alpha0 as fitted" if given_deg is None else f"for alpha0 = {given_deg:g}°"
+def _standing(parameter: RecordedParameter, other: RecordedParameter) -> str:
+    """For which values of other parameters it stands, or for which as fitted that the other one takes as given."""
+    if parameter.given:
+        return f"for {', '.join(given.words for given in parameter.given)}"
+    return f"for {', '.join(given.name for given in other.given)} as fitted"
 
 
-def _freedom(a: Parameter, b: Parameter, u: float) -> float:
+def _freedom(a: RecordedParameter, b: RecordedParameter, u: float) -> float:
     """Effective degrees of freedom of the difference (Welch-Satterthwaite, GUM G.4.1)."""
     shares = sum(
         (parameter.standard_uncertainty or 0.0) ** 4 / (parameter.degrees_of_freedom or math.inf)
@@ -114,7 +127,7 @@ def _two_sided_p(significance: float, freedom: float) -> float:
     return float(2.0 * stdtr(freedom, -abs(significance)))
 
 
-def _sentence(a: Parameter, difference: float, u: float, p_value: float | None, same_file: bool) -> str:
+def _sentence(a: RecordedParameter, difference: float, u: float, p_value: float | None, same_file: bool) -> str:
     change = f"{a.name} changed by {difference:+.3g} {a.unit}, standard uncertainty {u:.2g} {a.unit}"
     if same_file and difference == 0.0:
         return f"{a.name} did not change: both records come from one raw file."

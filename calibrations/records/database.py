@@ -8,13 +8,14 @@ from contextlib import contextmanager, suppress
 from json import JSONDecodeError
 from pathlib import Path
 
-from sqlalchemy import Connection, Engine, NullPool, create_engine, event, insert, inspect, select
+from sqlalchemy import Connection, Engine, NullPool, Table, create_engine, event, insert, inspect, select
 from sqlalchemy.engine import URL
 from sqlalchemy.exc import DBAPIError
 
 from tumble.calibrations.records.canonical import canonical_text
 from tumble.calibrations.records.errors import StoreError
 from tumble.calibrations.records.schema import METADATA, STORE, STORE_VERSION
+from tumble.calibrations.records.transactions import BEGIN, immediately
 
 _CAUSES = (
     ("database or disk is full", "the disk is full", "free some space and try again"),
@@ -61,7 +62,7 @@ def _make(path: Path, busy_timeout_s: float) -> None:
     """Make a database with its tables and then give it its name: nobody ever sees one that is not whole."""
     begun = path.with_name(f".{path.name}.{secrets.token_hex(4)}")
     try:
-        with writing(_engine(begun, busy_timeout_s)) as connection:
+        with immediately(_engine(begun, busy_timeout_s)) as connection:
             METADATA.create_all(connection)
             connection.execute(insert(STORE).values(version=STORE_VERSION))
         with suppress(FileExistsError):  # another process was faster: its store is as good
@@ -81,13 +82,6 @@ def _name(file: Path, name: Path) -> None:
         raise
     except OSError:  # a file system without links
         file.rename(name)
-
-
-@contextmanager
-def writing(engine: Engine) -> Iterator[Connection]:
-    """One transaction that has the right to write from its beginning on, so that two writers wait for each other."""
-    with engine.connect().execution_options(tumble_begin="BEGIN IMMEDIATE") as connection, connection.begin():
-        yield connection
 
 
 @contextmanager
@@ -127,10 +121,11 @@ def _engine(path: Path, busy_timeout_s: float) -> Engine:
 def _on_connect(connection: sqlite3.Connection, _record: object) -> None:
     connection.execute("PRAGMA foreign_keys = ON")
     connection.execute("PRAGMA synchronous = FULL")
+    connection.execute("PRAGMA temp_store = MEMORY")
 
 
 def _begin(connection: Connection) -> None:
-    connection.exec_driver_sql(connection.get_execution_options().get("tumble_begin", "BEGIN"))
+    connection.exec_driver_sql(connection.get_execution_options().get(BEGIN, "BEGIN"))
 
 
 def _version(connection: Connection, path: Path) -> int:
@@ -141,3 +136,15 @@ def _version(connection: Connection, path: Path) -> int:
     if version is None:
         raise StoreError(path, "this store does not say its version: it is damaged", "restore it from a backup")
     return version
+
+
+def deleted_rows(connection: Connection, table: Table) -> int:
+    """How many of the row numbers that SQLite gave in turn have no row; the last one leaves no gap."""
+    gaps = connection.exec_driver_sql(f"SELECT coalesce(max(rowid), 0) - count(*) FROM main.{table.name}")
+    return int(gaps.scalar_one())
+
+
+def faults(connection: Connection) -> tuple[str, ...]:
+    """What `PRAGMA integrity_check` says, but for its `ok` (sqlite.org/pragma.html#pragma_integrity_check)."""
+    found = connection.exec_driver_sql("PRAGMA integrity_check").scalars().all()
+    return tuple(str(each) for each in found if each != "ok")

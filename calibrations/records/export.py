@@ -1,12 +1,13 @@
-"""A record as one JSON document, `tumble.record/3`, that carries its own hash."""
+"""A record as one JSON document, `tumble.record/4`, that carries its own hash."""
 
 from collections.abc import Mapping
-from dataclasses import fields
+from dataclasses import asdict
 from typing import Any
 
 from tumble.calibrations.core.provenance import LimitCheck, Provenance
 from tumble.calibrations.records.canonical import canonical_sha256, canonical_text, plain
-from tumble.calibrations.records.record import JUDGED_SINCE, OLD_WORDS, Record
+from tumble.calibrations.records.old_formats import JUDGED_SINCE, METHODS_SINCE, OLD_WORDS, joined
+from tumble.calibrations.records.record import Record
 from tumble.calibrations.records.times import utc_text
 
 
@@ -34,19 +35,34 @@ def content(record: Record) -> dict[str, Any]:
         "revision": record.revision,
         "supersedes": record.supersedes,
         "created_at": utc_text(record.created_at),
-        "verdict": record.verdict.as_json() if record.format_version >= JUDGED_SINCE else spelling(record),
         "limits": [flat(check) for check in record.limits],
-        "provenance": flat(record.provenance),
         "result": plain(record.result),
+        **(_of_any_method(record) if record.format_version >= METHODS_SINCE else _of_old_format(record)),
     }
 
 
-def spelling(record: Record) -> str:
-    """The outcome in one word, as records of its format spell it."""
-    outcome = record.verdict.outcome
-    return str(outcome) if record.format_version >= JUDGED_SINCE else OLD_WORDS[outcome]
+def _of_any_method(record: Record) -> dict[str, Any]:
+    return {
+        "method": record.method,
+        "method_version": record.method_version,
+        **(asdict(record.link) if record.link else {}),
+        "verdict": record.verdict.as_json(),
+        "provenance": flat(record.provenance),
+        "parameters": plain(record.models_json or {}),
+    }
+
+
+def _of_old_format(record: Record) -> dict[str, Any]:
+    """What is spelt in another way up to format 3."""
+    provenance = flat(record.provenance)
+    del provenance["sources"]
+    verdict = record.verdict
+    return {
+        "verdict": verdict.as_json() if record.format_version >= JUDGED_SINCE else OLD_WORDS[verdict.outcome],
+        "provenance": provenance | joined(record.provenance.sources),
+    }
 
 
 def flat(data: Provenance | LimitCheck) -> dict[str, Any]:
     """The fields of a dataclass as JSON has them."""
-    return plain({field.name: getattr(data, field.name) for field in fields(data)})
+    return plain(asdict(data))

@@ -26,13 +26,18 @@ def protect(table: Table, keys: Sequence[Sequence[str]]) -> None:
     `keys` are its unique keys: in SQLite, INSERT OR REPLACE deletes a row of equal key and fires no delete trigger.
     """
     statements = {
-        "sqlite": [*_sqlite_changes(table.name), *_sqlite_replacements(table.name, keys)],
+        "sqlite": sqlite_triggers(table.name, keys),
         "postgresql": [_POSTGRESQL_FUNCTION, *_postgresql_triggers(table.name)],
     }
     for dialect, listed in statements.items():
         for statement in listed:
             ddl: DDL = DDL(statement)  # type: ignore[no-untyped-call]
             event.listen(table, "after_create", ddl.execute_if(dialect=dialect))
+
+
+def sqlite_triggers(table: str, keys: Sequence[Sequence[str]]) -> list[str]:
+    """The statements that make the triggers of a table in SQLite."""
+    return [*_sqlite_changes(table), *_sqlite_replacements(table, keys)]
 
 
 def _sqlite_changes(table: str) -> list[str]:

@@ -2,8 +2,10 @@
 
 from dataclasses import dataclass
 
-from sqlalchemy import Connection, Integer, func, literal_column, select
+from sqlalchemy import Connection, select
 
+from tumble.calibrations.records.chain import Chain, chains
+from tumble.calibrations.records.database import deleted_rows, faults
 from tumble.calibrations.records.schema import PARAMETERS, RECORDS
 
 
@@ -14,13 +16,16 @@ class Inventory:
     ids: frozenset[str]
     """Of every record, superseded ones too."""
     raw_paths: frozenset[str]
-    """Of their raw files, as records hold them; those of a record of several files stand in one text."""
+    """Of their raw files, as records hold them."""
     named: frozenset[str]
     """Ids that other rows name."""
     numbers_without_record: int
-    """How many of SQLite's own row numbers, given in turn, have no row: it was deleted. The last one leaves no gap."""
+    """How many of the database's own row numbers, given in turn, have no row: it was deleted. The last one leaves no
+    gap."""
     faults: tuple[str, ...]
-    """What SQLite finds wrong with the file; empty where it is sound."""
+    """What the database finds wrong with the file; empty where it is sound."""
+    chains: tuple[Chain, ...]
+    """Of every writer."""
 
     @property
     def removed(self) -> tuple[str, ...]:
@@ -30,26 +35,13 @@ class Inventory:
 
 def inventory(connection: Connection) -> Inventory:
     """Look through the tables of a store."""
-    rows = connection.execute(select(RECORDS.c.id, RECORDS.c.supersedes, RECORDS.c.raw_path)).all()
+    rows = connection.execute(select(RECORDS.c.id, RECORDS.c.supersedes, RECORDS.c.sources)).all()
     of_parameters = connection.execute(select(PARAMETERS.c.record_id).distinct()).scalars().all()
     return Inventory(
         ids=frozenset(row.id for row in rows),
-        raw_paths=frozenset(row.raw_path for row in rows),
+        raw_paths=frozenset(source["path"] for row in rows for source in row.sources or ()),
         named=frozenset((*(row.supersedes for row in rows if row.supersedes), *of_parameters)),
-        numbers_without_record=_numbers_without_row(connection),
-        faults=_faults(connection),
+        numbers_without_record=deleted_rows(connection, RECORDS),
+        faults=faults(connection),
+        chains=chains(connection),
     )
-
-
-def _numbers_without_row(connection: Connection) -> int:
-    rowid = literal_column("rowid", Integer)
-    last = connection.execute(
-        select(func.coalesce(func.max(rowid), 0) - func.count()).select_from(RECORDS)
-    ).scalar_one()
-    return int(last)
-
-
-def _faults(connection: Connection) -> tuple[str, ...]:
-    """What `PRAGMA integrity_check` says, but for its `ok` (sqlite.org/pragma.html#pragma_integrity_check)."""
-    found = connection.exec_driver_sql("PRAGMA integrity_check").scalars().all()
-    return tuple(str(each) for each in found if each != "ok")

@@ -1,12 +1,15 @@
 """Records as rows of the tables, and back."""
 
 from collections.abc import Mapping
+from dataclasses import asdict
 from typing import Any
 
-from tumble.calibrations.core.parameter import Parameter
-from tumble.calibrations.core.provenance import LimitCheck, Provenance
-from tumble.calibrations.records.export import content, spelling
-from tumble.calibrations.records.record import Record
+from tumble.calibrations.core.provenance import LimitCheck
+from tumble.calibrations.core.verdict import verdict_from_json
+from tumble.calibrations.records.export import content
+from tumble.calibrations.records.old_formats import METHODS_SINCE, provenance_of, unsaid, verdict_of
+from tumble.calibrations.records.parameter import RecordedParameter
+from tumble.calibrations.records.record import Link, Record
 from tumble.calibrations.records.times import read_time, utc_text
 
 _FROM_PROVENANCE = (
@@ -15,14 +18,12 @@ _FROM_PROVENANCE = (
     "programme_name",
     "programme_sha256",
     "stand_name",
-    "raw_path",
-    "raw_sha256",
     "program_version",
     "git_commit",
     "git_dirty",
 )
-
 _FROM_CONTENT = ("id", "revision", "supersedes", "created_at", "limits", "provenance", "result")
+_NO_LINK = {"writer": None, "sequence": None, "previous_sha256": None}
 
 
 def record_row(record: Record) -> dict[str, Any]:
@@ -32,10 +33,16 @@ def record_row(record: Record) -> dict[str, Any]:
     return {
         **{name: document[name] for name in _FROM_CONTENT},
         **{name: document["provenance"][name] for name in _FROM_PROVENANCE},
+        **(asdict(record.link) if record.link else _NO_LINK),
+        "method": record.method,
+        "method_version": record.method_version,
+        "sources": [asdict(source) for source in record.provenance.sources],
         "measured_at": utc_text(read_time(measured_at)) if measured_at else None,
         "format_version": record.format_version,
-        "verdict": spelling(record),
+        "outcome": str(record.verdict.outcome),
+        "verdict": record.verdict.as_json(),
         "complete": record.complete,
+        "models": record.models_json,
         "content_sha256": record.content_sha256,
     }
 
@@ -49,7 +56,7 @@ def parameter_rows(record: Record) -> list[dict[str, Any]]:
     ]
 
 
-def _parameter_row(record_id: str, model: str, parameter: Parameter) -> dict[str, Any]:
+def _parameter_row(record_id: str, model: str, parameter: RecordedParameter) -> dict[str, Any]:
     freedom, (lower_95, upper_95) = parameter.degrees_of_freedom, parameter.interval_95 or (None, None)
     return {
         "record_id": record_id,
@@ -62,21 +69,29 @@ def _parameter_row(record_id: str, model: str, parameter: Parameter) -> dict[str
         "degrees_of_freedom": None if freedom == float("inf") else freedom,
         "lower_95": lower_95,
         "upper_95": upper_95,
-        "given_alpha0_deg": parameter.given_alpha0_deg,
+        "given": {given.name: given.value for given in parameter.given} or None,
         "reason": parameter.reason,
     }
 
 
 def record_from_row(row: Mapping[str, Any]) -> Record:
     """Undo `record_row`."""
+    limits = tuple(LimitCheck(**check) for check in row["limits"])
+    since = row["format_version"] >= METHODS_SINCE
     return Record(
         id=row["id"],
         format_version=row["format_version"],
+        # What an old record does not say itself is not taken from a column that its hash does not cover.
+        method=row["method"] if since else unsaid().method,
+        method_version=row["method_version"] if since else unsaid().method_version,
         revision=row["revision"],
         supersedes=row["supersedes"],
         created_at=read_time(row["created_at"]),
-        limits=tuple(LimitCheck(**check) for check in row["limits"]),
-        provenance=Provenance(**row["provenance"]),
+        link=Link(**{name: row[name] for name in _NO_LINK}) if since else None,
+        verdict=verdict_from_json(row["verdict"]) if since else verdict_of(row["result"], limits),
+        limits=limits,
+        provenance=provenance_of(row["provenance"]),
+        models_json=row["models"] if since else None,
         result=row["result"],
         content_sha256=row["content_sha256"],
     )

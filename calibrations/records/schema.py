@@ -1,17 +1,35 @@
 """Tables of the store, the same for SQLite and PostgreSQL.
 
 The JSON columns of `records` hold everything; the other columns, and the table `parameters`, repeat parts of them for
-queries and for trends over units and time. Times are UTC as ISO 8601 texts (see `times`).
+queries and for trends over units and time. Times are UTC as ISO 8601 texts (see `times`). Columns that came with a
+later version may be null in the database, which cannot add others; the program always fills them.
 """
 
-from sqlalchemy import JSON, Boolean, Column, Double, ForeignKey, Integer, MetaData, String, Table, UniqueConstraint
+from sqlalchemy import (
+    JSON,
+    Boolean,
+    Column,
+    Double,
+    ForeignKey,
+    Index,
+    Integer,
+    MetaData,
+    String,
+    Table,
+    UniqueConstraint,
+)
 
 from tumble.calibrations.records.immutability import protect
 
-STORE_VERSION = 1
-"""Of the tables below. A store with a newer one is not opened."""
+STORE_VERSION = 2
+"""Of the tables below. A store with a newer one is not opened; an older one is read, and migrated when it is written.
+
+Version 1 knew one method and no chains.
+"""
 
 METADATA = MetaData()
+
+RECORD_KEYS = (("id",), ("supersedes",), ("writer", "sequence"))
 
 STORE = Table("store", METADATA, Column("version", Integer, primary_key=True, autoincrement=False))
 """One row: the version of the tables."""
@@ -30,18 +48,25 @@ RECORDS = Table(
     Column("programme_name", String, nullable=False),
     Column("programme_sha256", String, nullable=False),
     Column("stand_name", String, nullable=False),
-    Column("raw_path", String, nullable=False),
-    Column("raw_sha256", String, nullable=False),
     Column("measured_at", String),
     Column("program_version", String, nullable=False),
     Column("git_commit", String, nullable=False),
     Column("git_dirty", Boolean, nullable=False),
     Column("complete", Boolean, nullable=False),
-    Column("verdict", String, nullable=False),
     Column("limits", JSON, nullable=False),
     Column("provenance", JSON, nullable=False),
     Column("result", JSON, nullable=False),
     Column("content_sha256", String, nullable=False),
+    Column("method", String),
+    Column("method_version", Integer),
+    Column("sources", JSON),
+    Column("outcome", String),  # of the verdict
+    Column("verdict", JSON),
+    Column("models", JSON(none_as_null=True)),  # null up to format 3
+    Column("writer", String),  # null up to format 3, as the next two
+    Column("sequence", Integer),
+    Column("previous_sha256", String),
+    Index("ix_records_writer_sequence", "writer", "sequence", unique=True),
 )
 
 PARAMETERS = Table(
@@ -57,9 +82,19 @@ PARAMETERS = Table(
     Column("degrees_of_freedom", Double),  # null: infinite, or no value
     Column("lower_95", Double),
     Column("upper_95", Double),
-    Column("given_alpha0_deg", Double),
     Column("reason", String, nullable=False),
+    Column("given", JSON(none_as_null=True)),  # values of other parameters for which this one stands
 )
+
+CHAINS = Table(
+    "chains",
+    METADATA,
+    Column("writer", String, primary_key=True),
+    Column("place", String, nullable=False),  # user, computer and folder
+    Column("sequence", Integer, nullable=False),
+    Column("content_sha256", String, nullable=False),
+)
+"""The last record of every writer. The only rows that change."""
 
 STAND_RECORDS = Table(
     "stand_records",
@@ -76,6 +111,6 @@ STAND_RECORDS = Table(
 )
 """What is known of the stands. It came later: a store without it gets it with its first stand record."""
 
-protect(RECORDS, keys=(("id",), ("supersedes",)))
+protect(RECORDS, keys=RECORD_KEYS)
 protect(PARAMETERS, keys=(("record_id", "model", "name"),))
 protect(STAND_RECORDS, keys=(("id",), ("stand", "head", "daq", "version")))

@@ -1,31 +1,27 @@
 """A folder of calibration records."""
 
-import secrets
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
 from typing import Any
 
-from sqlalchemy import ColumnElement, Connection, Select, exists, func, insert, select
+from sqlalchemy import ColumnElement, Select, exists, func, insert, select
 
-from tumble.calibrations.core.provenance import LimitCheck, Provenance
-from tumble.calibrations.core.verdict import Outcome, Verdict
-from tumble.calibrations.methods.dividing_head.document import result_document
-from tumble.calibrations.methods.dividing_head.judging import judge
-from tumble.calibrations.methods.dividing_head.loop.loop import Loop
-from tumble.calibrations.methods.dividing_head.result import Calibration
+from tumble.calibrations.core.provenance import Provenance
+from tumble.calibrations.core.verdict import Outcome
 from tumble.calibrations.records import DATABASE as DATABASE
-from tumble.calibrations.records.canonical import canonical_sha256, plain
-from tumble.calibrations.records.database import open_database, storage_errors, writing
+from tumble.calibrations.records.adding import new_record, revisable
+from tumble.calibrations.records.chain import append, next_link, place
+from tumble.calibrations.records.database import open_database, storage_errors
+from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.records.errors import RecordError, StoreError
-from tumble.calibrations.records.export import content, flat
 from tumble.calibrations.records.inventory import Inventory, inventory
 from tumble.calibrations.records.raw import resolved_path, stored_path
-from tumble.calibrations.records.record import FORMAT_VERSION, OLD_WORDS, Record
+from tumble.calibrations.records.record import Record
 from tumble.calibrations.records.rows import parameter_rows, record_from_row, record_row
 from tumble.calibrations.records.schema import PARAMETERS, RECORDS
 from tumble.calibrations.records.times import utc_now, utc_text
+from tumble.calibrations.records.transactions import migrate, reading, writing
 
 _NEWER = RECORDS.alias("newer")
 _STANDS = ~exists().where(_NEWER.c.supersedes == RECORDS.c.id)
@@ -63,32 +59,33 @@ class Store:
             raise StoreError(folder, f"there is no {DATABASE} in this folder", "name the folder of a store")
         return cls(folder)
 
-    def add(
-        self,
-        calibration: Calibration,
-        provenance: Provenance,
-        limits: Sequence[LimitCheck] = (),
-        supersedes: str | None = None,
-        loop: Loop | None = None,
-        verdict: Verdict | None = None,
-    ) -> Record:
-        """Record a calibration, in one transaction.
+    def migrate(self) -> Path | None:
+        """Bring a store of an older version to this one; return the copy of what it was, None where nothing is to do.
 
-        `supersedes` is the id of the record that this one, another analysis of the same raw file, takes the place of.
-        With `loop`, closed on the same raw file, the record holds the augmented model beside the declared one.
-        Without `verdict` the values to use are judged here.
+        Reading leaves an older store as it is; the first record added migrates it too.
+        """
+        with storage_errors(self.path):
+            return migrate(self._engine)
+
+    def add(self, entry: Entry, provenance: Provenance, supersedes: str | None = None) -> Record:
+        """Record a result of any method, in one transaction.
+
+        `supersedes` is the id of the record that this one, another analysis of the same raw files, takes the place of.
 
         Raises
         ------
         RecordError
-            `supersedes` names no record, one that is superseded already, or one of another raw file.
+            `supersedes` names no record, one that is superseded already, or one of other raw files or another method.
         """
-        result = plain(result_document(calibration, loop, verdict or judge(calibration, limits, loop)))
         with storage_errors(self.path), writing(self._engine) as connection:
-            old = self._revisable(connection, supersedes, provenance) if supersedes else None
-            record = _new_record(result, provenance, limits, old, self._now())
+            old = revisable(connection, self.path, supersedes, entry, provenance) if supersedes else None
+            where = place(self.folder)
+            link = next_link(connection, where)
+            record = new_record(entry, provenance, old, link, self._now())
             connection.execute(insert(RECORDS), record_row(record))
-            connection.execute(insert(PARAMETERS), parameter_rows(record))
+            if parameters := parameter_rows(record):
+                connection.execute(insert(PARAMETERS), parameters)
+            append(connection, where, link, record.content_sha256)
         return record
 
     def get(self, id_prefix: str) -> Record:
@@ -98,7 +95,7 @@ class Store:
     def resolve(self, id_prefix: str) -> str:
         """Return the id that begins so, the record itself unread. Raises `RecordError` where none does, or several."""
         query = select(RECORDS.c.id).where(RECORDS.c.id.startswith(id_prefix, autoescape=True))
-        with storage_errors(self.path), self._engine.connect() as connection:
+        with storage_errors(self.path), reading(self._engine) as connection:
             found: Sequence[str] = connection.execute(query.order_by(RECORDS.c.id).limit(5)).scalars().all()
         if not found:
             raise RecordError(f"{self.path}: no record has an id that begins with {id_prefix!r}; list the records")
@@ -112,6 +109,7 @@ class Store:
         self,
         *,
         serial_number: str | None = None,
+        method: str | None = None,
         programme_name: str | None = None,
         since: datetime | None = None,
         until: datetime | None = None,
@@ -123,10 +121,11 @@ class Store:
         """
         conditions = [
             RECORDS.c.serial_number == serial_number if serial_number is not None else None,
+            RECORDS.c.method == method if method is not None else None,
             RECORDS.c.programme_name == programme_name if programme_name is not None else None,
             utc_text(since) <= _MEASURED_AT if since else None,
             utc_text(until) >= _MEASURED_AT if until else None,
-            RECORDS.c.verdict.in_([str(verdict), OLD_WORDS.get(verdict)]) if verdict else None,
+            RECORDS.c.outcome == str(verdict) if verdict else None,
         ]
         given: list[ColumnElement[bool]] = [condition for condition in conditions if condition is not None]
         return self._records(select(RECORDS).where(_STANDS, *given).order_by(_MEASURED_AT, RECORDS.c.id))
@@ -134,7 +133,7 @@ class Store:
     def standing(self) -> tuple[str, ...]:
         """Ids of the records that stand, in the order of measurement; damaged ones too."""
         query = select(RECORDS.c.id).where(_STANDS).order_by(_MEASURED_AT, RECORDS.c.id)
-        with storage_errors(self.path), self._engine.connect() as connection:
+        with storage_errors(self.path), reading(self._engine) as connection:
             return tuple(connection.execute(query).scalars())
 
     def latest(self, serial_number: str) -> Record | None:
@@ -150,28 +149,28 @@ class Store:
             chain.insert(0, self.get(older))
         return tuple(chain)
 
-    def raw_file(self, record: Record) -> Path:
-        """Where the raw file of a record lies."""
-        return resolved_path(self.folder, record.provenance.raw_path)
+    def raw_files(self, record: Record) -> tuple[Path, ...]:
+        """Where the raw files of a record lie."""
+        return tuple(resolved_path(self.folder, source.path) for source in record.provenance.sources)
 
     def raw_path(self, raw_file: Path) -> str:
-        """Return what to put as `raw_path` into the provenance: relative to the folder where the file lies inside."""
+        """Return what to put as `path` into a source: relative to the folder where the file lies inside."""
         return stored_path(self.folder, raw_file)
 
     def rows(self, record: Record) -> tuple[dict[str, Any], list[dict[str, Any]]]:
         """What the tables hold of a record, the row of `records` and the rows of `parameters`, to be verified."""
-        with storage_errors(self.path), self._engine.connect() as connection:
+        with storage_errors(self.path), reading(self._engine) as connection:
             row = connection.execute(select(RECORDS).where(RECORDS.c.id == record.id)).mappings().one()
             parameters = connection.execute(select(PARAMETERS).where(PARAMETERS.c.record_id == record.id)).mappings()
             return dict(row), [dict(parameter) for parameter in parameters]
 
     def inventory(self) -> Inventory:
         """What the tables hold, to be compared with the folder."""
-        with storage_errors(self.path), self._engine.connect() as connection:
+        with storage_errors(self.path), reading(self._engine) as connection:
             return inventory(connection)
 
     def _records(self, query: Select[Any]) -> tuple[Record, ...]:
-        with storage_errors(self.path), self._engine.connect() as connection:
+        with storage_errors(self.path), reading(self._engine) as connection:
             return tuple(self._record(dict(row)) for row in connection.execute(query).mappings())
 
     def _record(self, row: Mapping[str, Any]) -> Record:
@@ -180,35 +179,3 @@ class Store:
         except (AttributeError, KeyError, TypeError, ValueError) as error:
             happened = f"record {row['id']} is damaged ({type(error).__name__}: {error})"
             raise StoreError(self.path, happened, "restore the file from a backup") from error
-
-    def _revisable(self, connection: Connection, record_id: str, provenance: Provenance) -> Record:
-        row = connection.execute(select(RECORDS).where(RECORDS.c.id == record_id)).mappings().one_or_none()
-        if row is None:
-            raise RecordError(f"{self.path}: there is no record {record_id} to supersede; give the whole id")
-        newer = connection.execute(select(RECORDS.c.id).where(RECORDS.c.supersedes == record_id)).scalar_one_or_none()
-        if newer is not None:
-            raise RecordError(f"{self.path}: {record_id} is superseded already; supersede {newer}")
-        if row["raw_sha256"] != provenance.raw_sha256:
-            raise RecordError(f"{self.path}: {record_id} comes from another raw file; add a record without supersedes")
-        return record_from_row(dict(row))
-
-
-def _new_record(
-    result: Mapping[str, Any],
-    provenance: Provenance,
-    limits: Sequence[LimitCheck],
-    old: Record | None,
-    created_at: datetime,
-) -> Record:
-    record = Record(
-        id=f"{created_at:%Y%m%d-%H%M%S}-{secrets.token_hex(3)}",
-        format_version=FORMAT_VERSION,
-        revision=old.revision + 1 if old else 1,
-        supersedes=old.id if old else None,
-        created_at=created_at,
-        limits=tuple(limits),
-        provenance=Provenance(**flat(provenance)),
-        result=result,
-        content_sha256="",
-    )
-    return replace(record, content_sha256=canonical_sha256(content(record)))

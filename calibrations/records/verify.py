@@ -1,16 +1,16 @@
 """Whether a record can be believed: file and record untouched, and the numbers come back."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from tumble.calibrations.core.parameter import Parameter
-from tumble.calibrations.records.canonical import plain
+from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.records.export import document, is_intact
+from tumble.calibrations.records.parameter import RecordedParameter, parameters_from_json
 from tumble.calibrations.records.raw import file_sha256
-from tumble.calibrations.records.record import Record, models_from_json
+from tumble.calibrations.records.record import Record
 from tumble.calibrations.records.rows import parameter_rows, record_row
 
 if TYPE_CHECKING:
@@ -24,8 +24,8 @@ Changing the last bit of every voltage moved parameters by up to 1e-8 of their u
 times that, and a change of data or method moves them by far more.
 """
 
-Refit = Callable[[Path, Mapping[str, Any]], Mapping[str, Any]]
-"""From the raw file and the stand file as data to the result, as records hold it."""
+Refit = Callable[[Sequence[Path], Mapping[str, Any]], Entry]
+"""From the raw files and the stand file as data to the result that would be recorded."""
 
 
 class RawFile(StrEnum):
@@ -37,14 +37,22 @@ class RawFile(StrEnum):
 
 
 @dataclass(frozen=True, kw_only=True)
+class SourceCheck:
+    """One raw file of a record and what became of it."""
+
+    path: Path
+    state: RawFile
+
+
+@dataclass(frozen=True, kw_only=True)
 class ParameterCheck:
     """One parameter as recorded and as fitted again; None where one of the two does not have it."""
 
     model: str
     """`declared` or `augmented`."""
     name: str
-    recorded: Parameter | None
-    refitted: Parameter | None
+    recorded: RecordedParameter | None
+    refitted: RecordedParameter | None
     agrees: bool
     """Value, uncertainty and interval to within `TOLERANCE`, the conditions exactly."""
 
@@ -59,26 +67,33 @@ class Verification:
     """What was found; `verified` sums it up."""
 
     record_id: str
-    raw_path: Path
-    raw_file: RawFile
+    sources: tuple[SourceCheck, ...]
+    """The raw files."""
     altered: tuple[str, ...]
     """What the store holds differently from what was recorded: `content`, `column operator`, `parameters`."""
     parameters: tuple[ParameterCheck, ...]
-    """Empty where the raw file is not intact: then nothing is fitted."""
+    """Empty where a raw file is not intact: then nothing is fitted."""
+    unknown: str
+    """The method, where this program cannot carry it out and nothing was fitted; else empty."""
     recorded_with: str
     """Version of the program that made the record."""
     verified_with: str
     """Version of the program that verified it."""
 
     @property
+    def intact(self) -> bool:
+        """Whether every raw file is there and unchanged."""
+        return all(source.state is RawFile.INTACT for source in self.sources)
+
+    @property
     def verified(self) -> bool:
-        """Raw file and record intact, every number back."""
-        return self.raw_file is RawFile.INTACT and not self.altered and all(check.agrees for check in self.parameters)
+        """Raw files and record intact, every number back."""
+        return self.intact and not self.altered and not self.unknown and all(check.agrees for check in self.parameters)
 
     @property
     def sentences(self) -> tuple[str, ...]:
         """The findings in words."""
-        lines = [f"Raw file {self.raw_path}: {self.raw_file}."]
+        lines = [f"Raw file {source.path}: {source.state}." for source in self.sources]
         lines.append(f"Altered in the store: {', '.join(self.altered)}." if self.altered else "The record is intact.")
         different = [check.words for check in self.parameters if not check.agrees]
         if different:
@@ -87,44 +102,50 @@ class Verification:
             lines.append(f"Fitted again, every parameter comes back to {TOLERANCE:g} of its standard uncertainty.")
         else:
             lines.append("Nothing was fitted again.")
+        if self.unknown:
+            lines.append(f"This program cannot carry out the method {self.unknown}; update it.")
         if self.recorded_with != self.verified_with:
             lines.append(f"Recorded with version {self.recorded_with}, verified with {self.verified_with}.")
         return tuple(lines)
 
 
-def verify(record: Record, store: "Store", refit: Refit, program_version: str) -> Verification:
-    """Hash the raw file and the record again, and fit again from the raw file.
+def verify(record: Record, store: "Store", refit: Refit | None, program_version: str) -> Verification:
+    """Hash the raw files and the record again, and fit again from the raw files.
 
     Parameters
     ----------
     record
         A record of `store`.
     refit
-        Reads the raw file and analyses it; its errors are passed on.
+        Reads the raw files and analyses them; its errors are passed on. None where the method is not known.
     program_version
         Version of the program that verifies.
     """
-    raw_path = store.raw_file(record)
-    raw_file = _raw_file(raw_path, record.provenance.raw_sha256)
-    again = refit(raw_path, record.provenance.stand) if raw_file is RawFile.INTACT else None
+    sources = tuple(
+        SourceCheck(path=path, state=_state(path, source.sha256))
+        for path, source in zip(store.raw_files(record), record.provenance.sources, strict=True)
+    )
+    intact = all(source.state is RawFile.INTACT for source in sources)
+    again = refit([source.path for source in sources], record.provenance.stand) if refit and intact else None
     return Verification(
         record_id=record.id,
-        raw_path=raw_path,
-        raw_file=raw_file,
-        altered=_altered(record, store),
+        sources=sources,
+        altered=altered(record, store),
         parameters=_checks(record, again) if again else (),
+        unknown="" if refit else record.method,
         recorded_with=record.provenance.program_version,
         verified_with=program_version,
     )
 
 
-def _raw_file(path: Path, sha256: str) -> RawFile:
+def _state(path: Path, sha256: str) -> RawFile:
     if not path.is_file():
         return RawFile.MISSING
     return RawFile.INTACT if file_sha256(path) == sha256 else RawFile.CHANGED
 
 
-def _altered(record: Record, store: "Store") -> tuple[str, ...]:
+def altered(record: Record, store: "Store") -> tuple[str, ...]:
+    """What the store holds differently from what was recorded, see `Verification.altered`."""
     row, parameters = store.rows(record)
     columns = [f"column {name}" for name, value in record_row(record).items() if row[name] != value]
     return (
@@ -138,9 +159,9 @@ def _by_name(rows: list[dict[str, Any]]) -> dict[tuple[str, str], dict[str, Any]
     return {(row["model"], row["name"]): row for row in rows}
 
 
-def _checks(record: Record, again: Mapping[str, Any]) -> tuple[ParameterCheck, ...]:
+def _checks(record: Record, again: Entry) -> tuple[ParameterCheck, ...]:
     """Every parameter of the models in the record; a record of format 1 has the declared model alone."""
-    refitted = models_from_json(plain(again))
+    refitted = {model: parameters_from_json(listed) for model, listed in again.models.items()}
     return tuple(
         _check(model, name, recorded.get(name), refitted.get(model, {}).get(name))
         for model, recorded in record.models.items()
@@ -148,18 +169,20 @@ def _checks(record: Record, again: Mapping[str, Any]) -> tuple[ParameterCheck, .
     )
 
 
-def _check(model: str, name: str, recorded: Parameter | None, refitted: Parameter | None) -> ParameterCheck:
+def _check(
+    model: str, name: str, recorded: RecordedParameter | None, refitted: RecordedParameter | None
+) -> ParameterCheck:
     agrees = recorded is not None and refitted is not None and _agree(recorded, refitted)
     return ParameterCheck(model=model, name=name, recorded=recorded, refitted=refitted, agrees=agrees)
 
 
-def _agree(a: Parameter, b: Parameter) -> bool:
-    if (a.unit, a.given_alpha0_deg) != (b.unit, b.given_alpha0_deg):
+def _agree(a: RecordedParameter, b: RecordedParameter) -> bool:
+    if (a.unit, a.given) != (b.unit, b.given):
         return False
     allowed = TOLERANCE * (a.standard_uncertainty or 0.0)
     pairs = zip(_numbers(a), _numbers(b), strict=True)
     return all(x == y if x is None or y is None else abs(x - y) <= allowed for x, y in pairs)
 
 
-def _numbers(parameter: Parameter) -> tuple[float | None, ...]:
+def _numbers(parameter: RecordedParameter) -> tuple[float | None, ...]:
     return (parameter.value, parameter.standard_uncertainty, *(parameter.interval_95 or (None, None)))

@@ -11,10 +11,11 @@ from sqlalchemy import Connection, Select, func, insert, inspect, select
 
 from tumble.calibrations.records import DATABASE
 from tumble.calibrations.records.canonical import canonical_sha256
-from tumble.calibrations.records.database import open_database, storage_errors, writing
+from tumble.calibrations.records.database import open_database, storage_errors
 from tumble.calibrations.records.errors import RecordError
 from tumble.calibrations.records.schema import METADATA, STAND_RECORDS
 from tumble.calibrations.records.times import utc_now
+from tumble.calibrations.records.transactions import writing
 from tumble.calibrations.stand_records.corrections import Corrections
 from tumble.calibrations.stand_records.record import (
     Contribution,

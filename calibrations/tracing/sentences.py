@@ -70,7 +70,9 @@ _LISTED = 6
 
 def set_aside_section(name: str, aside: Sequence[SetAside]) -> Section:
     """Which rows of a table were not used, and why; empty where all were."""
+    if not aside:
+        return Section(title="Rows that were not used")
     listed = series([f"{entry.row} ({entry.reason})" for entry in aside[:_LISTED]])
     more = f" and {len(aside) - _LISTED} more" if len(aside) > _LISTED else ""
-    lines = (f"{name}: set aside: rows {listed}{more}",) if aside else ()
+    lines = (f"{name}: set aside: rows {listed}{more}",)
     return Section(title="Rows that were not used", lines=lines, brief=True)

@@ -12,7 +12,7 @@ from tumble.drivers.clock import Clock
 from tumble.drivers.driver import Bench, Driver
 from tumble.drivers.errors import DeviceError, LimitError, LinkLostError, NoReplyError
 from tumble.drivers.limits import check_limits
-from tumble.drivers.protocols import HeadStatus, Identity
+from tumble.drivers.protocols import Identity, PositionerStatus
 from tumble.drivers.tables import HeadTable, OnSerialLine
 
 DEVICE: Final = "Mercury head"
@@ -48,7 +48,7 @@ class Link(Protocol):
 
 
 class MercuryHead:
-    """Fits `DividingHead` and `Reconnectable`.
+    """Fits `Positioner` and `Reconnectable`.
 
     An answer does not say to which question it belongs. Therefore one that is missing or garbled counts as a lost link:
     the port is opened anew, the controller identified, the head homed, and the step repeated.
@@ -80,14 +80,14 @@ class MercuryHead:
         check_limits(DEVICE, angle_deg, self.limits_deg)
         self._tell(f"MOV {self._axis} {angle_deg * self._units_per_deg:.6f}")
 
-    def status(self) -> HeadStatus:
+    def status(self) -> PositionerStatus:
         """Read everything back. Raises `DeviceError`, once, where the controller tells of an error."""
         (register,) = self._ask("\x04", r"0x([0-9A-Fa-f]{1,8})")
         bits = int(register, 16)
         if bits & FAILED:
             self._raise_error()
         searching = bool(bits & REFERENCING)  # then it knows no position, and is asked for none
-        return HeadStatus(
+        return PositionerStatus(
             angle_deg=math.nan if searching else float(self._value("POS?")) / self._units_per_deg,
             moving=searching or bool(bits & MOVING),
             device_time_s=self._clock.monotonic_s(),

@@ -22,7 +22,7 @@ MOST_SAMPLES: Final = (1 << 24) - 1
 
 
 class CanDaq:
-    """A DAQ whose frames a DBC file describes. Fits `Daq`, `Reconnectable` and `Remarking`.
+    """A DAQ whose frames a DBC file describes. Fits `Sampler`, `Reconnectable` and `Remarking`.
 
     Parameters
     ----------

@@ -21,7 +21,7 @@ _RATE_S: Final = 0.5
 
 
 class FreeRunningDaq:
-    """A DAQ whose DBC file has no commands. Fits `Daq`, `Reconnectable` and `Remarking`.
+    """A DAQ whose DBC file has no commands. Fits `Sampler`, `Reconnectable` and `Remarking`.
 
     A block is the next frames that come. Lost and doubled ones are seen where the DBC file has a counter; else a lost
     frame only makes the block longer.

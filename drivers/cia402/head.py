@@ -13,7 +13,7 @@ from tumble.drivers.clock import Clock
 from tumble.drivers.errors import DeviceError, LimitError, NoReplyError, ReferenceLostError
 from tumble.drivers.limits import check_limits
 from tumble.drivers.links.can_link import CanLink
-from tumble.drivers.protocols import HeadStatus, Identity
+from tumble.drivers.protocols import Identity, PositionerStatus
 
 ANSWER_S: Final = 2.0
 """How long the drive may take to change its state or mode, or to take a set-point, in real seconds."""
@@ -28,7 +28,7 @@ _MOST_COUNTS: Final = 2**31 - 1
 
 
 class Cia402Head:
-    """A head on CANopen. Fits `DividingHead`, `Reconnectable`, `Resettable` and `Remarking`.
+    """A head on CANopen. Fits `Positioner`, `Reconnectable`, `Resettable` and `Remarking`.
 
     The homing method is the one that is set in the drive. A fault of the drive is never reset on the way: whoever knows
     that its cause is gone calls `reset_fault`, after which the head is to be homed.
@@ -154,7 +154,7 @@ class Cia402Head:
         self._control(states.ENABLE)
         self._await("be ready for the next set-point", states.ACKNOWLEDGED, 0)
 
-    def status(self) -> HeadStatus:
+    def status(self) -> PositionerStatus:
         """Read position and motion back.
 
         A fault of the drive or of the motion is raised as `DeviceError` the first time it is seen; after that the
@@ -168,7 +168,7 @@ class Cia402Head:
         now_s = time.monotonic()
         if mode == Mode.HOMING and self._errand.homed(statusword, counts, now_s):
             self._homed = True
-        return HeadStatus(
+        return PositionerStatus(
             angle_deg=counts / self._steps_per_deg + 0.0,  # never -0
             moving=states.is_powered(statusword) and not self._errand.over(statusword, counts, now_s),
             device_time_s=self._clock.monotonic_s(),

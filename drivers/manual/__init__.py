@@ -1,6 +1,6 @@
 """A dividing head that a person turns and reads.
 
-- `head.ManualHead`: fits `tumble.drivers.protocols.DividingHead`; the person is behind the protocol `Eyepiece`.
+- `head.ManualHead`: fits `tumble.drivers.protocols.Positioner`; the person is behind the protocol `Eyepiece`.
 - `reading`: angles as people write them.
 """
 

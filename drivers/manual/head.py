@@ -4,7 +4,7 @@ from typing import Protocol
 
 from tumble.drivers.clock import Clock
 from tumble.drivers.limits import check_limits
-from tumble.drivers.protocols import HeadStatus, Identity
+from tumble.drivers.protocols import Identity, PositionerStatus
 
 
 class Eyepiece(Protocol):
@@ -24,7 +24,7 @@ class Eyepiece(Protocol):
 
 
 class ManualHead:
-    """Fits `tumble.drivers.protocols.DividingHead`. Its moves take as long as a person takes.
+    """Fits `tumble.drivers.protocols.Positioner`. Its moves take as long as a person takes.
 
     It stands where the person last read it, at zero before the first reading. A setting that is asked for again while
     the head still stands there is not shown again.
@@ -86,11 +86,11 @@ class ManualHead:
         self._setting_deg, self._awaited = angle_deg, True
         self._eyepiece.show(angle_deg)
 
-    def status(self) -> HeadStatus:
+    def status(self) -> PositionerStatus:
         """Where it was read; moving for as long as a reading is awaited."""
         if self._awaited and (reading_deg := self._eyepiece.reading_deg()) is not None:
             self._reading_deg, self._awaited = reading_deg, False
-        return HeadStatus(
+        return PositionerStatus(
             angle_deg=self._reading_deg,
             moving=self._awaited,
             device_time_s=self._clock.monotonic_s(),

@@ -30,7 +30,8 @@ class ReopenableLink(Link, Protocol):
 
 
 class ScpiMultimeter:
-    """DC voltage, and temperature where a sensor is connected. Fits `tumble.drivers.protocols.Daq` and `Reconnectable`.
+    """DC voltage, and temperature where a sensor is connected. Fits `Sampler` and `Reconnectable` of the
+    protocols.
 
     Which multimeters there are, and how each wants to be told: `tumble.drivers.scpi.models` and `dialects`. What
     a meter can is found out when it is identified; what it cannot stands in the remarks of its identity.

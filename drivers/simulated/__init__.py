@@ -15,6 +15,7 @@ from tumble.drivers.simulated.geometry import FloatArray
 from tumble.drivers.simulated.head import HeadOptions
 from tumble.drivers.simulated.settings import Simulated
 from tumble.drivers.simulated.world import SimulatedWorld
+from tumble.drivers.tables import DAQ, HEAD, TITLES
 
 __all__ = ["HeadOptions", "Simulated", "SimulatedStand", "SimulatedWorld", "build", "noise_free_voltage"]
 
@@ -57,7 +58,8 @@ def build(
     """
     clock = clock or VirtualClock()
     world = SimulatedWorld(settings, clock=clock, head=head or HeadOptions(), base_path=base_path or Path())
-    return SimulatedStand(stand=Stand(name=name, head=world.head, daq=world.daq, clock=clock), world=world)
+    stand = Stand(name=name, positioners={HEAD: world.head}, samplers={DAQ: world.daq}, clock=clock, titles=TITLES)
+    return SimulatedStand(stand=stand, world=world)
 
 
 def noise_free_voltage(

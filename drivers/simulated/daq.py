@@ -71,7 +71,7 @@ class Terminals(Protocol):
 
 
 class SimulatedDaq:
-    """A voltmeter at the terminals of the simulated unit. Fits `tumble.drivers.protocols.Daq`.
+    """A voltmeter at the terminals of the simulated unit. Fits `tumble.drivers.protocols.Sampler`.
 
     With the effect `settling` a part of what was read in the previous dwell remains in all that is read in this one:
     `v + fraction (previous - v)`, unless the unit was seated anew or more than `PAUSE_S` passed.

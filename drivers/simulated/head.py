@@ -8,7 +8,7 @@ import numpy as np
 
 from tumble.drivers.clock import Clock
 from tumble.drivers.limits import check_limits
-from tumble.drivers.protocols import HeadStatus, Identity
+from tumble.drivers.protocols import Identity, PositionerStatus
 from tumble.drivers.simulated.effects import Effects
 from tumble.drivers.simulated.external import HeadError
 from tumble.drivers.simulated.geometry import FloatArray
@@ -76,7 +76,7 @@ class Move:
 
 
 class SimulatedHead:
-    """A dividing head that turns at constant speed by a clock. Fits `tumble.drivers.protocols.DividingHead`.
+    """A dividing head that turns at constant speed by a clock. Fits `tumble.drivers.protocols.Positioner`.
 
     Parameters
     ----------
@@ -120,12 +120,12 @@ class SimulatedHead:
         check_limits(DEVICE, angle_deg, self.limits_deg)
         self._travel_to(self._options.on_the_grid(angle_deg))
 
-    def status(self) -> HeadStatus:
+    def status(self) -> PositionerStatus:
         """Angle in whole counts, and whether it moves."""
         now_s = self._clock.monotonic_s()
         angle_deg = self._options.on_the_grid(self.move.angle_deg(now_s))
         moving = self.move.ended_s - now_s > ROUNDING_S
-        return HeadStatus(angle_deg=angle_deg, moving=moving, device_time_s=now_s)
+        return PositionerStatus(angle_deg=angle_deg, moving=moving, device_time_s=now_s)
 
     def stop(self) -> None:
         """Halt where it is, at once."""

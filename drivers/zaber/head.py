@@ -6,7 +6,7 @@ from typing import Final
 from tumble.drivers.clock import Clock
 from tumble.drivers.errors import DeviceError, LimitError, NoReplyError, ReferenceLostError
 from tumble.drivers.limits import check_limits
-from tumble.drivers.protocols import HeadStatus, Identity
+from tumble.drivers.protocols import Identity, PositionerStatus
 from tumble.drivers.zaber.codec import GarbledError, Message, parse_flags
 from tumble.drivers.zaber.conversation import ATTEMPTS, Conversation, Link, RejectedError, UnclearError
 from tumble.drivers.zaber.warnings import STOPPING, UNREFERENCED
@@ -19,7 +19,7 @@ SPEED_UNITS_PER_HZ: Final = 1.6384
 
 
 class ZaberHead:
-    """One axis of a Zaber device. Fits `tumble.drivers.protocols.DividingHead` and `Reconnectable`.
+    """One axis of a Zaber device. Fits `tumble.drivers.protocols.Positioner` and `Reconnectable`.
 
     A question is asked up to three times. A command that moves is never just sent again: where its answer is missing or
     garbled, the device is first asked what it is doing. A stall and the like end the move with an error, and the axis
@@ -123,7 +123,7 @@ class ZaberHead:
                 raise
             raise LimitError(error.device, error.happened, error.remedy) from error
 
-    def status(self) -> HeadStatus:
+    def status(self) -> PositionerStatus:
         """Ask for position, motion and warnings. Raises `DeviceError` once where a move has ended badly."""
         reply = self._conversation.repeat("get pos")
         status = self._read(reply, self._flags(reply))
@@ -138,7 +138,7 @@ class ZaberHead:
             self._conversation.say("stop")
             raise
 
-    def _begin(self, command: str, arrived: Callable[[HeadStatus], bool]) -> None:
+    def _begin(self, command: str, arrived: Callable[[PositionerStatus], bool]) -> None:
         """Begin a motion. Where it is unclear whether the device heard, it is asked before it is told again."""
         self._under_way = True
         for attempt in range(1, ATTEMPTS + 1):
@@ -153,7 +153,7 @@ class ZaberHead:
                     return
                 self._under_way = True
 
-    def _read(self, reply: Message, flags: frozenset[str]) -> HeadStatus:
+    def _read(self, reply: Message, flags: frozenset[str]) -> PositionerStatus:
         if self._under_way and (met := [flag for flag in STOPPING if flag in flags]):
             self._under_way = False
             happened, remedy = STOPPING[met[0]]
@@ -169,7 +169,7 @@ class ZaberHead:
                 "check model, axis number and firmware",
             ) from error
         unreferenced = flags & UNREFERENCED or any(flag.startswith("F") for flag in flags)
-        return HeadStatus(
+        return PositionerStatus(
             angle_deg=angle_deg,
             moving=reply.busy,
             device_time_s=self._clock.monotonic_s(),
@@ -196,7 +196,7 @@ class ZaberHead:
             "check model and firmware, and what else talks on this line",
         ) from garbled
 
-    def _steps(self, status: HeadStatus) -> int:
+    def _steps(self, status: PositionerStatus) -> int:
         return round(status.angle_deg * self._steps_per_deg)
 
     def _get(self, setting: str, *, axis: bool = True) -> str:

@@ -3,7 +3,7 @@
 - `header.Header`: what a recording says of itself.
 - `writer.Recorder`: writes events while a run goes on; what was completed is on the disk.
 - `reader.read_recording`, `reader.iter_samples`: read a recording, whole or cut off.
-- `observations.observations`: the table that the analysis reads.
+- `endings.warnings`: what is to be said of one that is not whole.
 - `errors.RecordingError`: what goes wrong with files.
 - `schemas`: topics and fields of the messages.
 

@@ -14,7 +14,7 @@ from mcap.records import Attachment, Channel, Chunk, DataEnd, Footer, Message, M
 from tumble.procedures.recording.chunks import TooLargeError, unpacked
 from tumble.procedures.recording.errors import RecordingError
 from tumble.procedures.recording.frames import UNREADABLE, BrokenOff, Frame, frames, parsed
-from tumble.procedures.recording.header import FORMAT_VERSION, Header, header_from_strings, is_intact
+from tumble.procedures.recording.header import NEWEST_VERSION, Header, header_from_strings, is_intact
 from tumble.procedures.recording.schemas import HEADER_METADATA, PROGRAMME_ATTACHMENT
 
 _SUMMARY_CRC_BYTES: Final = 4
@@ -210,8 +210,8 @@ def _header(path: Path, strings: dict[str, str], programme: bytes) -> Header:
     with understood(path):
         text = programme.decode()
         header = header_from_strings(strings, text)
-    if header.format_version > FORMAT_VERSION:
-        happened = f"has format version {header.format_version}, this program reads up to {FORMAT_VERSION}"
+    if header.format_version > NEWEST_VERSION:
+        happened = f"has format version {header.format_version}, this program reads up to {NEWEST_VERSION}"
         raise RecordingError(path, happened, f"read it with tumble {header.program_version} or newer")
     if not is_intact(strings, text):
         happened = "has a header that was damaged or altered (its SHA-256 differs)"

@@ -6,9 +6,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import MISSING, dataclass, fields
 from typing import Any
 
+from tumble.procedures.registry import FIRST
+
 FORMAT_VERSION = 3
 """1 had neither `job` nor the identification of instruments, nor runs that were resumed; 2 had no checksum of its
 header, and none of its data as a whole. All of them are read."""
+NEWEST_VERSION = 4
+"""Written for every method but the first: version 0.1, which knows no other, then says that it cannot read the file."""
 PROTECTED_SINCE = 3
 """From this version on damage to a header is noticed."""
 _SHA256 = "header_sha256"
@@ -52,6 +56,9 @@ class Header:
     """Recordings that were made before on the same connection, in their order."""
     stand_code_sha256: Mapping[str, str] | None = None
     """SHA-256 of every Python file that the stand file names, by `FILE.py:NAME`; None where that was not recorded."""
+    method: str = FIRST
+    """Name of the method whose points these are."""
+    method_version: int = 1
     format_version: int = FORMAT_VERSION
 
     @property
@@ -68,6 +75,11 @@ class Header:
         object.__setattr__(self, "follows", tuple(self.follows))  # a list in a recording
         if "simulated" in self.stand:
             raise ValueError("the stand in a recording's header must be without its [simulated] table")
+
+
+def written_version(method: str) -> int:
+    """The oldest format that holds runs of a method, so that the program of then reads what it can."""
+    return FORMAT_VERSION if method == FIRST else NEWEST_VERSION
 
 
 def header_to_strings(header: Header) -> dict[str, str]:

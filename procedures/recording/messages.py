@@ -11,12 +11,13 @@ from typing import Any, Final, TypeAlias
 import numpy as np
 import orjson
 
+from tumble.drivers.protocols import VOLTAGE
 from tumble.procedures.events import (
+    ConditionAnswered,
+    ConditionRequested,
     Event,
     FinishReason,
     Identified,
-    MountAnswered,
-    MountRequested,
     PointCompleted,
     PointVerified,
     ReadingAnswered,
@@ -29,71 +30,74 @@ from tumble.procedures.events import (
     StepStarted,
     WarningRaised,
 )
-from tumble.procedures.recording.blocks import Fields, split
-from tumble.procedures.recording.schemas import ANSWER, EVENT, HEAD, POINT, SAMPLES, STEP, TEMPERATURE
-from tumble.procedures.steps import Dwell, Mounting, Point, Step
+from tumble.procedures.layout import Fields, Layout
+from tumble.procedures.recording.blocks import split
+from tumble.procedures.recording.schemas import ANSWER, EVENT, POINT, SAMPLES, STEP, TEMPERATURE, positioner_topic
+from tumble.procedures.steps import Ask, Point, Step
 
 Announcement: TypeAlias = (
     StateChanged
     | Identified
     | PointVerified
     | RunResumed
-    | MountRequested
+    | ConditionRequested
     | ReadingRequested
     | WarningRaised
     | RunFinished
 )
-Entry: TypeAlias = Point | Step | MountAnswered | ReadingAnswered | Announcement
+Entry: TypeAlias = Point | Step | ConditionAnswered | ReadingAnswered | Announcement
 """What the journal of a run consists of, samples left out."""
 
-_RECORDS: Final[Mapping[str, Mapping[str, type[Entry]]]] = {
-    POINT: {"": Point},
-    ANSWER: {"": MountAnswered, "reading": ReadingAnswered},
-    STEP: {"mounting": Mounting, "dwell": Dwell},
+_RECORDS: Final[Mapping[str, Mapping[str, type[Any]]]] = {
+    ANSWER: {"reading": ReadingAnswered},
     EVENT: {
         "state": StateChanged,
         "identified": Identified,
         "verified": PointVerified,
         "resumed": RunResumed,
-        "mount requested": MountRequested,
         "reading requested": ReadingRequested,
         "warning": WarningRaised,
         "finished": RunFinished,
     },
 }
+"""What is recorded as it is, by topic and kind; what goes by the columns of a method is not among it."""
 _KINDS: Final = {record: kind for kinds in _RECORDS.values() for kind, record in kinds.items()}
+_DWELL: Final = "dwell"
+_REQUESTED: Final = " requested"
+_OTHER_NAMES: Final = {"now": "voltage_v", "recorded": "recorded_v", "allowed": "allowed_v"}
+"""How a recording calls fields that version 0.1 knew for a voltage only."""
 
-JOURNAL: Final = frozenset(_RECORDS)
-"""Topics that `from_message` reads; `/head` and `/temperature` repeat for a viewer what `/point` says."""
-
+JOURNAL: Final = frozenset({POINT, STEP, ANSWER, EVENT})
+"""Topics that `from_message` reads; those of positioners and `/temperature` repeat for a viewer what `/point` says."""
 
 _CONVERTERS: Final[Mapping[object, Callable[[Any], object]]] = {
     float: float,
-    float | None: float,
     State: State,
     FinishReason: FinishReason,
 }
 """What makes a field's value of its JSON, by the field's type; any other type needs nothing."""
 
 
-def to_messages(event: Event) -> Iterator[tuple[str, Fields]]:
+def to_messages(event: Event, layout: Layout) -> Iterator[tuple[str, Fields]]:
     """Topic and fields of the messages that an event becomes; of a point, the row on `/point` comes last."""
     match event:
         case SamplesAcquired():
             yield from ((SAMPLES, part) for part in split(event))
         case PointCompleted(point=point):
-            yield from _point_messages(point)
+            yield from _point_messages(point, layout)
         case StepStarted(step=step):
-            yield STEP, _with_kind(step)
-        case MountAnswered():
-            yield ANSWER, asdict(event)
+            yield STEP, _step_fields(step, layout)
+        case ConditionRequested():
+            yield EVENT, {"kind": event.condition + _REQUESTED, event.condition: event.value, "prompt": event.prompt}
+        case ConditionAnswered():
+            yield ANSWER, {event.condition: event.value, "answer": event.answer, "confirmed": event.confirmed}
         case ReadingAnswered():
             yield ANSWER, _with_kind(event)
         case _:
             yield EVENT, _with_kind(event)
 
 
-def from_message(topic: str, data: bytes) -> Entry:
+def from_message(topic: str, data: bytes, layout: Layout) -> Entry:
     """Turn a message on one of the `JOURNAL` topics into what was recorded.
 
     Raises
@@ -102,10 +106,39 @@ def from_message(topic: str, data: bytes) -> Entry:
         Where a field is missing or is not what it should be.
     """
     values = orjson.loads(data)
-    record = _RECORDS[topic][values.get("kind", "")]
-    given = {"temperature_degc": None, **values}
-    converted: dict[str, Any] = {field.name: _from_json(field.type, given[field.name]) for field in fields(record)}
-    return record(**converted)
+    kind = values.get("kind", "")
+    if topic == POINT:
+        return layout.point(values)
+    if topic == STEP:
+        return layout.dwell(values) if kind == _DWELL else layout.ask(*_condition_set(kind, values, layout))
+    if topic == ANSWER and not kind:
+        condition = next(iter(layout.conditions.keys() & values.keys()), "")
+        asked = {"condition": condition, "value": values[condition]}
+        return ConditionAnswered(**asked, answer=values["answer"], confirmed=values["confirmed"])
+    if topic == EVENT and (condition := kind.removesuffix(_REQUESTED)) in layout.conditions:
+        return ConditionRequested(condition=condition, value=values[condition], prompt=values["prompt"])
+    return _as_it_is(_RECORDS[topic][kind], values)
+
+
+def _step_fields(step: Step, layout: Layout) -> Fields:
+    if isinstance(step, Ask):
+        return {"kind": layout.conditions[step.condition].step, step.condition: step.value}
+    return {"kind": _DWELL, **layout.dwell_fields(step)}
+
+
+def _condition_set(step: str, values: Mapping[str, Any], layout: Layout) -> tuple[str, str]:
+    """Condition and value of a step. Raises `KeyError` where no condition is set by such a one."""
+    by_step = {condition.step: name for name, condition in layout.conditions.items()}
+    return by_step[step], values[by_step[step]]
+
+
+def _as_it_is(record: type[Any], values: Mapping[str, Any]) -> Entry:
+    if record is PointVerified:
+        renamed = {name: values[other] for name, other in _OTHER_NAMES.items()}
+        values = {"channel": VOLTAGE, **values, **renamed}
+    converted = {field.name: _from_json(field.type, values[field.name]) for field in fields(record)}
+    entry: Entry = record(**converted)
+    return entry
 
 
 def encode(values: Mapping[str, object]) -> bytes:
@@ -114,16 +147,22 @@ def encode(values: Mapping[str, object]) -> bytes:
     return orjson.dumps(plain, option=orjson.OPT_SERIALIZE_NUMPY)
 
 
-def _point_messages(point: Point) -> Iterator[tuple[str, Fields]]:
+def _point_messages(point: Point, layout: Layout) -> Iterator[tuple[str, Fields]]:
+    row = layout.point_fields(point)
     at = {"point": point.index, "time_s": point.time_s}
-    yield HEAD, {**at, "angle_deg": point.angle_deg, "direction": point.direction}
+    for name, columns in layout.positions.items():
+        shown = (columns.position_deg.name, columns.direction.name)
+        yield positioner_topic(name), {**at, **{column: row[column] for column in shown}}
     if point.temperature_degc is not None:
         yield TEMPERATURE, {**at, "temperature_degc": point.temperature_degc}
-    yield POINT, asdict(point)
+    yield POINT, row
 
 
-def _with_kind(record: Step | ReadingAnswered | Announcement) -> Fields:
-    return {"kind": _KINDS[type(record)], **asdict(record)}
+def _with_kind(record: ReadingAnswered | Announcement) -> Fields:
+    values = asdict(record)
+    if isinstance(record, PointVerified):
+        values = {_OTHER_NAMES.get(name, name): value for name, value in values.items()}
+    return {"kind": _KINDS[type(record)], **values}
 
 
 def _to_json(value: object) -> object:

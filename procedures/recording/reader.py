@@ -7,17 +7,16 @@ from typing import TypeVar
 
 import orjson
 
-from tumble.procedures.events import FinishReason, MountAnswered, ReadingAnswered, RunFinished, SamplesAcquired
+from tumble.procedures.events import ConditionAnswered, FinishReason, ReadingAnswered, RunFinished, SamplesAcquired
 from tumble.procedures.recording.blocks import join
 from tumble.procedures.recording.contents import Closed, Content, Damage, Said, contents, understood
 from tumble.procedures.recording.errors import RecordingError
 from tumble.procedures.recording.header import Header
+from tumble.procedures.recording.layouts import layout_of
 from tumble.procedures.recording.messages import JOURNAL, Announcement, Entry, from_message
-from tumble.procedures.recording.schemas import HEAD, POINT, SAMPLES, TEMPERATURE, TOPICS
-from tumble.procedures.steps import Dwell, Mounting, Point, Step
+from tumble.procedures.recording.schemas import POINT, SAMPLES, TEMPERATURE, positioner_topic, topics
+from tumble.procedures.steps import Ask, Dwell, Point, Step
 
-_POINT_FIELDS = {SAMPLES: "point", HEAD: "point", TEMPERATURE: "point", POINT: "index"}
-"""In which field a message says to which point it belongs, by topic."""
 _LARGEST_JOURNAL = 512 * 2**20
 """Bytes of messages, samples left out; a point takes some 400 of them."""
 _Kind = TypeVar("_Kind")
@@ -33,7 +32,7 @@ class Recording:
     """Completed points by index, each once."""
     steps: tuple[Step, ...]
     """Steps that were begun, in order."""
-    answers: tuple[MountAnswered | ReadingAnswered, ...]
+    answers: tuple[ConditionAnswered | ReadingAnswered, ...]
     events: tuple[Announcement, ...]
     """States, prompts, warnings and the end, in order."""
     closed: bool
@@ -76,16 +75,16 @@ def read_recording(path: Path) -> Recording:
     RecordingError
         Where the file cannot be opened, is no recording, lacks a whole header, or has a newer format.
     """
-    header, closed = [], False
+    closed = False
     journal: list[Entry] = []
     damage: dict[str, None] = {}
     for entry in _bounded(path, contents(path, JOURNAL)):
         match entry:
             case Header():
-                header.append(entry)
+                header, layout = entry, layout_of(path, entry)
             case Said():
                 with understood(path):
-                    journal.append(from_message(entry.topic, entry.data))
+                    journal.append(from_message(entry.topic, entry.data, layout))
             case Damage(what=what):
                 damage[what] = None
             case Closed():
@@ -94,10 +93,10 @@ def read_recording(path: Path) -> Recording:
     points = {point.index: point for point in reversed(_only(Point, journal))}
     return Recording(
         path=path,
-        header=header[0],
+        header=header,
         points=tuple(points[index] for index in sorted(points)),
-        steps=tuple(entry for entry in journal if isinstance(entry, Mounting | Dwell)),
-        answers=tuple(entry for entry in journal if isinstance(entry, MountAnswered | ReadingAnswered)),
+        steps=tuple(entry for entry in journal if isinstance(entry, Ask | Dwell)),
+        answers=tuple(entry for entry in journal if isinstance(entry, ConditionAnswered | ReadingAnswered)),
         events=tuple(entry for entry in journal if isinstance(entry, Announcement)),
         closed=closed,
         damage=tuple(damage),
@@ -150,15 +149,16 @@ def complete_messages(recording: Recording) -> Iterator[Said]:
         As `read_recording`.
     """
     wanted = {None, *(point.index for point in recording.points)}
-    for said in contents(recording.path, TOPICS):
-        if isinstance(said, Said) and _point_of(said) in wanted:
+    layout = layout_of(recording.path, recording.header)
+    of_points = {SAMPLES, TEMPERATURE, POINT, *map(positioner_topic, layout.positions)}
+    for said in contents(recording.path, topics(layout)):
+        if isinstance(said, Said) and (_point_of(said) if said.topic in of_points else None) in wanted:
             yield said
 
 
-def _point_of(said: Said) -> int | None:
-    """Number of the point to which a message belongs; None where it belongs to none."""
-    field = _POINT_FIELDS.get(said.topic)
-    return None if field is None else int(orjson.loads(said.data)[field])
+def _point_of(said: Said) -> int:
+    """Number of the point to which a message on the topic of a point belongs."""
+    return int(orjson.loads(said.data)["index" if said.topic == POINT else "point"])
 
 
 def monotonic_s(said: Said) -> float:

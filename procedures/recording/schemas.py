@@ -10,107 +10,94 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Any, Final
 
+from tumble.procedures.layout import POINT_INDEX, PROCEDURE, REALISATION, TEMPERATURE_MEAN, TIME, Layout
+
 HEADER_METADATA = "tumble"
 """Name of the metadata record that holds the header."""
 PROGRAMME_ATTACHMENT = "programme.toml"
 
 SAMPLES = "/samples"
-HEAD = "/head"
 TEMPERATURE = "/temperature"
 POINT = "/point"
 STEP = "/step"
 EVENT = "/event"
 ANSWER = "/answer"
 
-_POINT_INDEX = ("integer", "number of the point in the run, from 0")
-_TIME = ("number", "middle of the dwell, s since the run began, by the stand's clock")
-_ANGLE = ("number", "angle as the head reports it, deg; any revolution")
-_DIRECTION = ("integer", "sign of the last move of the head; 0 before the first")
-_TEMPERATURE = ("number", "mean of the temperature channel, °C")
-_MOUNT = ("string", "how the unit sits on the head")
-_PROCEDURE = ("string", "what the dwell belongs to")
-_SETTING = ("number", "angle to which the operator shall set the head by hand, deg")
-_REALISATION = ("integer", "which repeat, from 1")
+_SETTING = ("number", "angle to which the operator shall set a positioner by hand, deg")
 
-TOPICS: Final[Mapping[str, Mapping[str, tuple[str, str]]]] = MappingProxyType(
+_SAMPLES_FIELDS: Final[Mapping[str, tuple[str, str]]] = MappingProxyType(
     {
-        SAMPLES: {
-            "point": _POINT_INDEX,
-            "channel": ("integer", "channel of the DAQ, from 0"),
-            "channels": ("integer", "number of channels in the block"),
-            "first_sample": ("integer", "place in the block of the first sample in this message, from 0"),
-            "samples": ("integer", "samples in the whole block, per channel"),
-            "time_s": ("number", "first sample of the block, s since the run began, by the stand's clock"),
-            "device_time_s": ("number", "first sample of the block by the DAQ's own clock, s"),
-            "rate_hz": ("number", "sampling rate, Hz"),
-            "temperature_degc": _TEMPERATURE,
-            "voltage_v": ("number[]", "samples, V; an overload as the instrument says it"),
-        },
-        HEAD: {
-            "point": _POINT_INDEX,
-            "time_s": _TIME,
-            "angle_deg": _ANGLE,
-            "direction": _DIRECTION,
-        },
-        TEMPERATURE: {
-            "point": _POINT_INDEX,
-            "time_s": _TIME,
-            "temperature_degc": _TEMPERATURE,
-        },
-        POINT: {
-            "index": _POINT_INDEX,
-            "angle_deg": _ANGLE,
-            "voltage_v": ("number", "mean output over the dwell, V"),
-            "voltage_sd_v": ("number", "standard deviation of the single samples, V"),
-            "samples": ("integer", "number of samples in the mean"),
-            "time_s": _TIME,
-            "direction": _DIRECTION,
-            "temperature_degc": _TEMPERATURE,
-            "realisation": _REALISATION,
-            "procedure": _PROCEDURE,
-            "mount": _MOUNT,
-            "settled": ("boolean", "false where the output was still moving when the time for settling was over"),
-        },
-        STEP: {
-            "kind": ("string", "mounting or dwell"),
-            "mount": _MOUNT,
-            "angle_deg": ("number", "head angle to go to, deg"),
-            "procedure": _PROCEDURE,
-            "realisation": _REALISATION,
-        },
-        EVENT: {
-            "kind": (
-                "string",
-                "state, identified, verified, resumed, mount requested, reading requested, warning or finished",
-            ),
-            "state": ("string", "state into which the run went over"),
-            "reason": ("string", "why"),
-            "message": ("string", "for the reader of the result"),
-            "mount": _MOUNT,
-            "prompt": ("string", "what the operator was asked"),
-            "setting_deg": _SETTING,
-            "instrument": ("string", "head or daq"),
-            "model": ("string", "what the instrument says it is"),
-            "serial": ("string", "serial number that the instrument gives"),
-            "firmware": ("string", "version that the instrument gives"),
-            "point": _POINT_INDEX,
-            "points": ("integer", "number of points that were there when the run was resumed"),
-            "voltage_v": ("number", "mean output when the point was taken again to verify it, V"),
-            "recorded_v": ("number", "mean output of the point itself, V"),
-            "allowed_v": ("number", "by how much the two may differ, V"),
-            "at_standstill": ("boolean", "whether the head was seen to stand still at the end"),
-        },
-        ANSWER: {
-            "kind": ("string", "reading for the reading of a head that is set by hand; left out for a mount"),
-            "mount": _MOUNT,
-            "setting_deg": _SETTING,
-            "reading_deg": ("number", "the answer as an angle, deg"),
-            "answer": ("string", "the operator's answer, word for word"),
-            "confirmed": ("boolean", "whether it was taken for a yes"),
-        },
+        "point": POINT_INDEX,
+        "channel": ("integer", "channel of the sampler, from 0"),
+        "channels": ("integer", "number of channels in the block"),
+        "first_sample": ("integer", "place in the block of the first sample in this message, from 0"),
+        "samples": ("integer", "samples in the whole block, per channel"),
+        "time_s": ("number", "first sample of the block, s since the run began, by the stand's clock"),
+        "device_time_s": ("number", "first sample of the block by the sampler's own clock, s"),
+        "rate_hz": ("number", "sampling rate, Hz"),
+        "temperature_degc": TEMPERATURE_MEAN,
+        "voltage_v": ("number[]", "samples, V; an overload as the instrument says it"),
+        "name": ("string", "name of the channel, where it is another than voltage_v"),
+        "values": ("number[]", "samples of a channel that has a name, in its unit"),
     }
 )
-"""Fields of every topic: name to type and meaning. Every message has `monotonic_s` besides."""
+_EVENT_FIELDS: Final[Mapping[str, tuple[str, str]]] = MappingProxyType(
+    {
+        "kind": (
+            "string",
+            "state, identified, verified, resumed, reading requested, warning or finished; or what is requested",
+        ),
+        "state": ("string", "state into which the run went over"),
+        "reason": ("string", "why"),
+        "message": ("string", "for the reader of the result"),
+        "prompt": ("string", "what the operator was asked"),
+        "setting_deg": _SETTING,
+        "instrument": ("string", "name of the instrument at the stand"),
+        "model": ("string", "what the instrument says it is"),
+        "serial": ("string", "serial number that the instrument gives"),
+        "firmware": ("string", "version that the instrument gives"),
+        "point": POINT_INDEX,
+        "points": ("integer", "number of points that were there when the run was resumed"),
+        "channel": ("string", "name of the channel that was compared"),
+        "voltage_v": ("number", "mean when the point was taken again to verify it, in the unit of the channel"),
+        "recorded_v": ("number", "mean of the point itself"),
+        "allowed_v": ("number", "by how much the two may differ"),
+        "at_standstill": ("boolean", "whether everything was seen to stand still at the end"),
+    }
+)
+_ANSWER_FIELDS: Final[Mapping[str, tuple[str, str]]] = MappingProxyType(
+    {
+        "kind": ("string", "reading for the reading of a positioner that is set by hand; left out for a condition"),
+        "setting_deg": _SETTING,
+        "reading_deg": ("number", "the answer as an angle, deg"),
+        "answer": ("string", "the operator's answer, word for word"),
+        "confirmed": ("boolean", "whether it was taken for a yes"),
+    }
+)
+
+
+def positioner_topic(name: str) -> str:
+    """Topic on which a viewer sees where a positioner stood: `/head`."""
+    return f"/{name}"
+
+
+def topics(layout: Layout) -> dict[str, dict[str, tuple[str, str]]]:
+    """Fields of every topic of a method: name to type and meaning. Every message has `monotonic_s` besides."""
+    conditions = layout.described_conditions()
+    at = {"point": POINT_INDEX, "time_s": TIME}
+    positioners = {positioner_topic(name): at | columns.described() for name, columns in layout.positions.items()}
+    settings = {columns.position_deg.name: ("number", "where to go, deg") for columns in layout.positions.values()}
+    step = {"kind": ("string", "dwell, or what is asked for"), **conditions, **settings}
+    return {
+        SAMPLES: dict(_SAMPLES_FIELDS),
+        **positioners,
+        TEMPERATURE: at | {"temperature_degc": TEMPERATURE_MEAN},
+        POINT: layout.described(),
+        STEP: step | {"procedure": PROCEDURE, "realisation": REALISATION},
+        EVENT: dict(_EVENT_FIELDS) | conditions,
+        ANSWER: dict(_ANSWER_FIELDS) | conditions,
+    }
+
 
 _MONOTONIC = ("number", "the stand's monotonic clock when the message was recorded, s")
 
@@ -120,9 +107,9 @@ def schema_name(topic: str) -> str:
     return f"tumble.{topic.removeprefix('/').title()}"
 
 
-def json_schema(topic: str) -> bytes:
+def json_schema(topic: str, layout: Layout) -> bytes:
     """JSON Schema of a topic's messages."""
-    described = {"monotonic_s": _MONOTONIC, **TOPICS[topic]}
+    described = {"monotonic_s": _MONOTONIC, **topics(layout)[topic]}
     properties = {name: _property(kind, meaning) for name, (kind, meaning) in described.items()}
     schema = {"title": schema_name(topic), "type": "object", "properties": properties}
     return json.dumps(schema, ensure_ascii=False).encode()

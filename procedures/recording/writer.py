@@ -10,15 +10,16 @@ from typing import Final, Self
 from mcap.writer import LIBRARY_IDENTIFIER, Writer
 
 from tumble.drivers.clock import Clock
-from tumble.procedures.events import Event, MountAnswered, PointCompleted, ReadingAnswered, RunFinished
+from tumble.procedures.events import ConditionAnswered, Event, PointCompleted, ReadingAnswered, RunFinished
 from tumble.procedures.recording.contents import Said
 from tumble.procedures.recording.errors import RecordingError
 from tumble.procedures.recording.file import JournalFile, synchronise_folder
 from tumble.procedures.recording.header import Header, header_to_strings
+from tumble.procedures.recording.layouts import layout_of
 from tumble.procedures.recording.messages import encode, to_messages
 from tumble.procedures.recording.schemas import HEADER_METADATA, PROGRAMME_ATTACHMENT, json_schema, schema_name
 
-_DURABLE: Final = (PointCompleted, MountAnswered, ReadingAnswered, RunFinished)
+_DURABLE: Final = (PointCompleted, ConditionAnswered, ReadingAnswered, RunFinished)
 
 
 class Recorder:
@@ -56,6 +57,7 @@ class Recorder:
     ) -> None:
         self.path = path
         self._clock = clock
+        self._layout = layout_of(path, header)
         self._elsewhen_s = elsewhen_s
         self._sequence = count(1)
         try:
@@ -92,7 +94,7 @@ class Recorder:
             raise RecordingError(self.path, "is closed already", "start another recording")
         wall_ns, monotonic_s = self._clock.wall_ns(), self._clock.monotonic_s() + self._elsewhen_s
         with self._storage():
-            for topic, fields in to_messages(event):
+            for topic, fields in to_messages(event, self._layout):
                 self._append(topic, wall_ns, encode({"monotonic_s": monotonic_s, **fields}))
             put_back = isinstance(event, _DURABLE) and self._make_durable()
         if put_back:
@@ -121,7 +123,9 @@ class Recorder:
     def _channel(self, topic: str) -> int:
         """Channel of a topic, which is announced in the file before its first message."""
         if topic not in self._channels:
-            schema: int = self._writer.register_schema(schema_name(topic), "jsonschema", json_schema(topic))
+            schema: int = self._writer.register_schema(
+                schema_name(topic), "jsonschema", json_schema(topic, self._layout)
+            )
             self._channels[topic] = self._writer.register_channel(topic, "json", schema)
         return self._channels[topic]
 

@@ -100,7 +100,7 @@ def test_every_run_leaves_a_recording_that_names_those_before_it(told_apart):
 def test_a_simulated_stand_goes_on_from_one_run_to_the_next(told_apart):
     first, probe = (read_recording(path) for path in told_apart[0].recordings)
     assert probe.header.started_monotonic_s > first.points[-1].time_s
-    assert probe.points[0].voltage_v != first.points[0].voltage_v
+    assert probe.points[0].readings["voltage_v"].mean != first.points[0].readings["voltage_v"].mean
 
 
 def test_experiments_that_were_run_are_taken_up_from_their_files(told_apart, tmp_path):

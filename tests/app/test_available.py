@@ -86,8 +86,8 @@ class Person:
         self.asked = []
         self.answer = Answer(text="yes" if confirmed else "no", confirmed=confirmed)
 
-    def ask_mount(self, mount, prompt):
-        self.asked.append(prompt)
+    def ask(self, ask):
+        self.asked.append(ask.prompt)
 
     def ask_reading(self, prompt):
         self.asked.append(prompt)

@@ -231,8 +231,9 @@ def test_a_report_names_all_files_that_it_rests_on(k_xx_csv, tmp_path):
 
     measurement = read_together([k_xx_csv, tmp_path / "probe.csv"])
 
-    assert provenance(measurement).raw_path == f"{k_xx_csv.resolve()}, {(tmp_path / 'probe.csv').resolve()}"
-    assert [len(sha256) for sha256 in provenance(measurement).raw_sha256.split(", ")] == [64, 64]
+    sources = provenance(measurement).sources
+    assert [source.path for source in sources] == [str(k_xx_csv.resolve()), str((tmp_path / "probe.csv").resolve())]
+    assert [len(source.sha256) for source in sources] == [64, 64]
 
 
 def test_without_a_file_there_is_nothing_to_trace():

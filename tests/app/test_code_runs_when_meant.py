@@ -22,7 +22,7 @@ from dataclasses import replace
 
 from tumble.drivers.clock import VirtualClock
 from tumble.drivers.driver import Driver
-from tumble.drivers.protocols import HeadStatus, Identity, SampleBlock
+from tumble.drivers.protocols import PositionerStatus, Identity, SampleBlock
 from tumble.drivers.tables import DaqTable, HeadTable
 import numpy as np
 
@@ -32,16 +32,16 @@ class Head:
     def identify(self): return Identity(model="lab", serial="1")
     def home(self): pass
     def start_move(self, angle_deg): self.angle_deg = angle_deg
-    def status(self): return HeadStatus(angle_deg=self.angle_deg, moving=False, device_time_s=0.0)
+    def status(self): return PositionerStatus(angle_deg=self.angle_deg, moving=False, device_time_s=0.0)
     def stop(self): Path(__file__).with_name("stopped").touch()
 
-class Daq:
+class Sampler:
     def identify(self): return Identity(model="lab", serial="2")
     def acquire(self, samples, rate_hz):
         return SampleBlock(voltage_v=np.full(samples, 2.5), rate_hz=rate_hz, device_time_s=0.0, temperature_degc=None)
 
 HEAD = Driver(table=HeadTable, connect=lambda table, bench: Head())
-DAQ = Driver(table=DaqTable, connect=lambda table, bench: Daq())
+DAQ = Driver(table=DaqTable, connect=lambda table, bench: Sampler())
 """
 FAILING = DRIVER.replace("return SampleBlock(", "raise SystemExit(0)\n        return SampleBlock(")
 KINDS = ["SystemExit(0)", "KeyboardInterrupt", "ValueError('no port')", "BaseException('x')"]

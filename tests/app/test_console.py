@@ -80,12 +80,3 @@ def test_rows_that_are_set_aside_are_shown_with_their_reason(write, tiny, tmp_pa
 
     assert "rows: 6 read, 4 used, 2 set aside" in lines
     assert [line[:8] for line in lines if line.startswith("  row ")] == ["  row 5:", "  row 6:"]
-
-
-def test_what_a_value_stands_on_is_remarked(shared):
-    sweeps = tumble("fit", shared / "cases" / "19-absorbed-k_xx-sweeps-only.csv").out
-    flips = tumble("fit", shared / "data" / "flip_mpu9250_y.csv").out
-
-    assert "rests on kxy alone" in sweeps
-    assert "given alpha0 = 0°" in flips
-    assert "flip closure: u0 of the y and z flips differ by 6.5 mV, 18.2 standard uncertainties" in flips

@@ -73,8 +73,8 @@ def test_the_voltage_of_the_world_comes_through_a_dbc_file_of_others(tmp_path):
         where = emulate(stack, SharedWorld(built), wanted)
         connected = connect(stand(tmp_path, **where), clock=clock)
         stack.callback(connected.links.close)
-        block = connected.stand.daq.acquire(20, 1000.0)
-        assert connected.stand.daq.identify().serial == "310001"
+        block = connected.stand.samplers["daq"].acquire(20, 1000.0)
+        assert connected.stand.samplers["daq"].identify().serial == "310001"
     assert block.voltage_v[0] == pytest.approx(built.world.noise_free_voltage(["face-up"], [0.0])[0], abs=1e-6)
 
 

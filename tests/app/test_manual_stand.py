@@ -26,7 +26,7 @@ def test_every_reading_is_in_the_recording(manual, tiny, tmp_path, write):
     assert ran.status == 0, ran.err
     readings = [answer for answer in recording.answers if isinstance(answer, ReadingAnswered)]
     assert [reading.answer for reading in readings] == ["", "60 00 18", "", "", "", ""]
-    assert recording.points[1].angle_deg == pytest.approx(60.005)
+    assert recording.points[1].positions_deg["head"] == pytest.approx(60.005)
     assert sum(isinstance(event, ReadingRequested) for event in recording.events) == 6
 
 
@@ -44,7 +44,7 @@ def test_a_run_by_hand_goes_on_after_it_ended_early(manual, tiny, tmp_path, writ
     resumed = tumble("resume", tmp_path / "x.mcap", "--json", "-")
     assert resumed.status == 0, resumed.err
     assert json.loads(resumed.out)["points"] == 6
-    assert read_recording(tmp_path / "x.mcap").points[1].angle_deg == 59.0
+    assert read_recording(tmp_path / "x.mcap").points[1].positions_deg["head"] == 59.0
 
 
 @pytest.mark.parametrize(

@@ -46,7 +46,7 @@ def test_a_record_that_was_removed_past_the_triggers_is_noticed_by_its_recording
         "It has no record: that was removed from the store, or never came; tumble resume makes it anew.",
     ]
     assert said_of(ran, report)[1].startswith("This report has no record: that was removed from the store")
-    assert ran.out.splitlines()[-1] == ("0 of 0 records agree with their raw files; 2 more findings, 2 of them wrong")
+    assert ran.out.splitlines()[-1] == ("0 of 0 records agree with their raw files; 3 more findings, 3 of them wrong")
 
 
 def test_a_record_that_was_removed_is_noticed_by_its_parameters(copied):

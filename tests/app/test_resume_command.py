@@ -146,7 +146,7 @@ def test_the_recording_tells_of_the_interruption(cut):
     events = read_recording(broken).events
     (seen,) = [event for event in events if isinstance(event, PointVerified)]
     assert seen.point == 11
-    assert abs(seen.voltage_v - seen.recorded_v) < seen.allowed_v
+    assert abs(seen.now - seen.recorded) < seen.allowed
     assert RunResumed(points=12) in events
     moments = [json.loads(said.data)["monotonic_s"] for said in _said(broken)]
     assert moments == sorted(moments)
@@ -328,7 +328,7 @@ def test_a_file_that_is_not_there_is_named(tmp_path):
 def test_a_stand_that_measures_something_else_ends_with_status_3_and_loses_nothing(cut, monkeypatch):
     whole, broken = cut(8)
     with monkeypatch.context() as patched:
-        patched.setattr("tumble.procedures.verification.allowed_v", lambda *_: 1e-9)
+        patched.setattr("tumble.procedures.verification.allowed", lambda *_: 1e-9)
         ran = tumble("resume", broken)
     assert ran.status == 3
     assert "look whether the unit, its mount or its wiring has changed" in ran.complaint

@@ -81,7 +81,7 @@ def test_every_phase_of_every_command_is_ended(
 
 
 def test_a_signal_at_a_prompt_ends_the_run_at_a_standstill(write, tiny, tmp_path, monkeypatch):
-    monkeypatch.setattr("tumble.procedures.operator.ScriptedOperator.ask_mount", raising())
+    monkeypatch.setattr("tumble.procedures.operator.ScriptedOperator.ask", raising())
     answers = write("answers.toml", '[mounts]\ndefault = "yes"\n')
     stand = write("bench.toml", STAND)
     recording = tmp_path / "x.mcap"

@@ -27,7 +27,7 @@ def test_a_full_disk_ends_the_run_and_keeps_the_points_before(tiny, tmp_path, mo
         f"exists, is writable and has room; then resume the run; 3 complete points kept in {recording}"
     )
     kept = read_recording(recording)
-    assert [point.angle_deg for point in kept.points] == [0.0, 60.0, 120.0]
+    assert [point.positions_deg["head"] for point in kept.points] == [0.0, 60.0, 120.0]
     assert not kept.closed
     assert tumble("fit", recording).status == 0
 

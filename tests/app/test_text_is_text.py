@@ -20,11 +20,11 @@ HIDDEN = ["\x1b[2J", "a\x9b31m", "\u202egpj", "a\u2066b", "a\0b", "a\nb\rc"]
 
 @pytest.mark.parametrize("serial", MARKUP)
 def test_a_serial_number_is_listed_as_it_is(capsys, monkeypatch, calibrated, serial):
-    from tumble.app.commands.records import _listing
+    from tumble.app.record_console import listing
 
     (record, *_) = open_store(calibrated.store).find()
     renamed = replace(record, provenance=replace(record.provenance, serial_number=serial))
-    results().print(_listing((renamed,)))
+    results().print(listing((renamed,)))
 
     assert serial in capsys.readouterr().out
 

@@ -2,7 +2,7 @@
 
 Run as a program it makes the fixture of the present format, which then stays as it is for good:
 
-    python tests/calibrations/records_examples.py tests/calibrations/fixtures/records_v3.sqlite
+    python tests/calibrations/records_examples.py tests/calibrations/fixtures/records_v4.sqlite
 """
 
 import hashlib
@@ -16,8 +16,9 @@ from tempfile import TemporaryDirectory
 from loop_examples import with_k_xx
 from tables import FLIPS, UNIT, sweep, table
 
-from tumble.calibrations.core.provenance import LimitCheck, Provenance
+from tumble.calibrations.core.provenance import LimitCheck, Provenance, Source
 from tumble.calibrations.methods.dividing_head.analysis import analyse
+from tumble.calibrations.methods.dividing_head.entry import entry
 from tumble.calibrations.records.store import DATABASE, Store
 
 RAW = b"angle_deg,voltage_V\n0,2.5\n"
@@ -37,6 +38,10 @@ def sweep_only():
     return analyse(table(sweep("face-up"), realisations=2), trials=0)
 
 
+def raw_source(path="runs/raw.csv", sha256=""):
+    return Source(kind="table", path=path, sha256=sha256 or hashlib.sha256(RAW).hexdigest())
+
+
 def provenance(**changed):
     return Provenance(
         **{
@@ -46,8 +51,7 @@ def provenance(**changed):
             "programme_sha256": "ab" * 32,
             "stand_name": "bench-1",
             "stand": {"name": "bench-1", "head": {"limits_deg": [-180.0, 760.0]}},
-            "raw_path": "runs/raw.csv",
-            "raw_sha256": hashlib.sha256(RAW).hexdigest(),
+            "sources": (raw_source(),),
             "measured_at": "2026-11-20T10:00:00+02:00",
             "program_version": "0.1.0",
             "git_commit": "df5531a",
@@ -59,6 +63,15 @@ def provenance(**changed):
 
 KX_INSIDE = LimitCheck(name="kx", minimum=0.95, maximum=1.05, inside=True)
 KY_OUTSIDE = LimitCheck(name="ky", minimum=None, maximum=0.001, inside=False)
+
+
+def as_recorded(parameters):
+    """What a record must keep of every parameter."""
+    kept = "unit", "value", "standard_uncertainty", "type_a", "degrees_of_freedom", "interval_95", "reason", "condition"
+    return [
+        (name, *(getattr(each, field) for field in kept), each.rests_on, each.remark, each.settled_by)
+        for name, each in parameters.items()
+    ]
 
 
 def minutes_pass():
@@ -77,8 +90,8 @@ def store_with_raw_file(folder):
 def _write_fixture(target):
     with TemporaryDirectory() as folder:
         store = Store(Path(folder), now=minutes_pass())
-        first = store.add(calibration(), provenance(), [KX_INSIDE, KY_OUTSIDE])
-        store.add(with_k_xx().declared, provenance(), supersedes=first.id, loop=with_k_xx())
+        first = store.add(entry(calibration(), [KX_INSIDE, KY_OUTSIDE]), provenance())
+        store.add(entry(with_k_xx().declared, loop=with_k_xx()), provenance(), supersedes=first.id)
         target.write_bytes((Path(folder) / DATABASE).read_bytes())
 
 

@@ -5,7 +5,7 @@ import functools
 import numpy as np
 
 from tumble.calibrations.core.gravity import Gravity
-from tumble.calibrations.core.provenance import Provenance
+from tumble.calibrations.core.provenance import Provenance, Source
 from tumble.calibrations.methods.dividing_head.analysis import analyse
 from tumble.calibrations.methods.dividing_head.budget import StandUncertainty
 from tumble.calibrations.methods.dividing_head.geometry import projections
@@ -72,8 +72,7 @@ def provenance(**changes) -> Provenance:
         "operator": "A. Operator",
         "programme_name": "seed-2008",
         "stand": {"name": "bench-1", "head": {"limits_deg": [-180.0, 760.0], "accuracy_arcsec": 5.0}},
-        "raw_path": "runs/run-1.mcap",
-        "raw_sha256": "0123abcd",
+        "sources": (Source(kind="recording", path="runs/run-1.mcap", sha256="0123abcd"),),
         "measured_at": "2026-11-03T10:15:00+02:00",
         "program_version": "0.1.0",
         "git_commit": "8669ad0",

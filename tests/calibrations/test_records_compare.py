@@ -3,9 +3,10 @@
 from dataclasses import replace
 
 import pytest
-from records_examples import calibration, provenance, sweep_only
+from records_examples import calibration, provenance, raw_source, sweep_only
 
 from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.methods.dividing_head.entry import entry
 from tumble.calibrations.records.compare import compare
 from tumble.calibrations.records.store import Store
 
@@ -17,8 +18,13 @@ def record(tmp_path):
 
     def make(raw="aa", freedom=float("inf"), **fields):
         told = {"value": 1.0, "standard_uncertainty": 3e-4, "type_a": 3e-4, "interval_95": (0.9, 1.1), **fields}
+        # What a value is given by stands in the same record.
+        conditions = {"alpha0": calibration().parameters["alpha0"]} if "given_alpha0_deg" in fields else {}
         kx = Parameter(**({"name": "kx", "unit": "V/g", "degrees_of_freedom": freedom} | told))
-        return store.add(replace(calibration(), parameters={kx.name: kx}), provenance(raw_sha256=raw * 32))
+        return store.add(
+            entry(replace(calibration(), parameters={kx.name: kx, **conditions})),
+            provenance(sources=(raw_source(sha256=raw * 32),)),
+        )
 
     return make
 
@@ -81,13 +87,13 @@ UNTOLD = {"value": None, "standard_uncertainty": None, "type_a": None, "freedom"
     ],
 )
 def test_what_cannot_be_subtracted_is_said_so(record, fields, obstacle):
-    (kx,) = compare(record(), record("bb", **fields))
+    kx, *_ = compare(record(), record("bb", **fields))
     assert (kx.difference, kx.standard_uncertainty, kx.significance, kx.p_value) == (None, None, None, None)
     assert kx.sentence == f"kx cannot be compared: {obstacle}."
 
 
 def test_values_for_the_same_given_alpha0_are_compared(record):
-    (kx,) = compare(record(given_alpha0_deg=0.0), record("bb", given_alpha0_deg=0.0, value=1.1))
+    kx, *_ = compare(record(given_alpha0_deg=0.0), record("bb", given_alpha0_deg=0.0, value=1.1))
     assert kx.difference == pytest.approx(0.1)
 
 
@@ -98,8 +104,8 @@ def test_a_parameter_that_only_one_record_has_is_named(record):
 
 def test_a_changed_scale_factor_is_found_and_nothing_else(tmp_path):
     store = Store(tmp_path)
-    first = store.add(calibration(seed=1), provenance())
-    second = store.add(calibration(seed=2, kx=1.001), provenance(raw_sha256="bb" * 32))
+    first = store.add(entry(calibration(seed=1)), provenance())
+    second = store.add(entry(calibration(seed=2, kx=1.001)), provenance(sources=(raw_source(sha256="bb" * 32),)))
     p_values = {difference.name: difference.p_value for difference in compare(first, second)}
     assert p_values.pop("kx") < 1e-6
     assert min(p_values.values()) > 1e-3
@@ -108,6 +114,7 @@ def test_a_changed_scale_factor_is_found_and_nothing_else(tmp_path):
 def test_a_full_calibration_and_a_single_sweep_share_all_but_kz(tmp_path):
     store = Store(tmp_path)
     differences = compare(
-        store.add(calibration(), provenance()), store.add(sweep_only(), provenance(raw_sha256="bb" * 32))
+        store.add(entry(calibration()), provenance()),
+        store.add(entry(sweep_only()), provenance(sources=(raw_source(sha256="bb" * 32),))),
     )
     assert [d.name for d in differences if d.difference is None] == ["kz"]

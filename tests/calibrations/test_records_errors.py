@@ -8,6 +8,7 @@ import pytest
 from records_examples import calibration, provenance
 from sqlalchemy import Engine, event
 
+from tumble.calibrations.methods.dividing_head.entry import entry
 from tumble.calibrations.records import database
 from tumble.calibrations.records.errors import StoreError
 from tumble.calibrations.records.store import DATABASE, Store
@@ -43,7 +44,7 @@ def counts(store):
 @pytest.fixture
 def store(tmp_path):
     store = Store(tmp_path / "store", busy_timeout_s=0.01)
-    store.add(calibration(), provenance())
+    store.add(entry(calibration()), provenance())
     return store
 
 
@@ -52,10 +53,10 @@ def test_a_full_disk_while_adding_leaves_nothing_of_the_record(store):
         pages = connection.execute("PRAGMA page_count").fetchone()[0]
     with every_connection(f"max_page_count = {pages}"), refused("the disk is full; free some space"):
         for _ in range(20):
-            store.add(calibration(), provenance())
+            store.add(entry(calibration()), provenance())
     records, parameters = counts(store)
     assert parameters == 6 * records
-    store.add(calibration(), provenance())
+    store.add(entry(calibration()), provenance())
     assert counts(store) == [records + 1, parameters + 6]
 
 
@@ -69,7 +70,7 @@ def test_a_read_only_store_can_be_read_but_not_written(store):
     with every_connection("query_only = ON"):
         assert len(Store.existing(store.folder).find()) == 1
         with refused("the store is not writable; check the rights"):
-            store.add(calibration(), provenance())
+            store.add(entry(calibration()), provenance())
     assert counts(store) == [1, 6]
 
 
@@ -77,7 +78,7 @@ def test_a_store_locked_by_another_program_is_said_to_be_locked(store):
     with closing(sqlite3.connect(store.path, isolation_level=None)) as other:
         other.execute("BEGIN EXCLUSIVE")
         with refused("another program keeps the store locked"):
-            store.add(calibration(), provenance())
+            store.add(entry(calibration()), provenance())
         with refused("another program keeps the store locked"):
             store.find()
     assert counts(store) == [1, 6]
@@ -107,8 +108,8 @@ def test_a_database_of_another_program_is_refused_and_left_alone(tmp_path):
 
 def test_a_store_of_a_newer_version_is_refused(store):
     with closing(sqlite3.connect(store.path)) as connection, connection:
-        connection.execute("UPDATE store SET version = 2")
-    with refused(r"a newer version of the program made this store \(version 2, known up to 1\); update the program"):
+        connection.execute("UPDATE store SET version = 3")
+    with refused(r"a newer version of the program made this store \(version 3, known up to 2\); update the program"):
         Store(store.folder)
 
 
@@ -144,7 +145,7 @@ def test_an_error_that_nobody_foresaw_is_told_in_the_words_of_the_database(store
     with closing(sqlite3.connect(store.path)) as connection, connection:
         connection.execute("DROP TABLE parameters")
     with refused(r"the database refused \(no such table: parameters\)"):
-        store.add(calibration(), provenance())
+        store.add(entry(calibration()), provenance())
 
 
 def test_opening_to_read_makes_no_store(tmp_path):
@@ -182,7 +183,7 @@ def test_two_that_make_one_store_at_once_have_the_same(tmp_path, monkeypatch):
     def slower(file, name):
         monkeypatch.setattr(database, "_name", give_name)
         others.append(Store(tmp_path))
-        others[0].add(calibration(), provenance())
+        others[0].add(entry(calibration()), provenance())
         give_name(file, name)
 
     monkeypatch.setattr(database, "_name", slower)

@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from records_examples import KX_INSIDE, calibration, provenance
 
+from tumble.calibrations.methods.dividing_head.entry import entry
 from tumble.calibrations.records.canonical import canonical_text, plain
 from tumble.calibrations.records.export import document, document_text, is_intact
 from tumble.calibrations.records.store import Store
@@ -16,14 +17,15 @@ from tumble.calibrations.records.store import Store
 
 @pytest.fixture(scope="module")
 def record(tmp_path_factory):
-    return Store(tmp_path_factory.mktemp("store")).add(calibration(), provenance(), [KX_INSIDE])
+    return Store(tmp_path_factory.mktemp("store")).add(entry(calibration(), [KX_INSIDE]), provenance())
 
 
 def test_a_document_says_what_it_is_and_holds_the_whole_chain(record):
     exported = document(record)
-    assert exported["schema"] == "tumble.record/3"
+    assert exported["schema"] == "tumble.record/4"
     assert exported["result"] == calibration().as_json() | {"verdict": exported["verdict"]}
-    assert exported["provenance"]["raw_sha256"] == record.provenance.raw_sha256
+    assert [each["sha256"] for each in exported["provenance"]["sources"]] == list(record.provenance.source_hashes)
+    assert (exported["method"], exported["method_version"], exported["sequence"]) == ("dividing_head", 1, 1)
     assert exported["limits"] == [{"name": "kx", "minimum": 0.95, "maximum": 1.05, "inside": True}]
     assert (exported["verdict"]["outcome"], exported["revision"], exported["supersedes"]) == ("pass", 1, None)
 

@@ -9,6 +9,7 @@ from records_examples import calibration, provenance
 from sqlalchemy import create_mock_engine
 
 from tumble.calibrations.core.verdict import Outcome
+from tumble.calibrations.methods.dividing_head.entry import entry
 from tumble.calibrations.records.database import open_database
 from tumble.calibrations.records.export import document, is_intact
 from tumble.calibrations.records.schema import METADATA
@@ -20,8 +21,8 @@ FIXTURE = Path(__file__).parent / "fixtures" / "records_v1.sqlite"
 @pytest.fixture
 def database(tmp_path):
     store = Store(tmp_path)
-    first = store.add(calibration(), provenance())
-    store.add(calibration(), provenance(), supersedes=first.id)
+    first = store.add(entry(calibration()), provenance())
+    store.add(entry(calibration()), provenance(), supersedes=first.id)
     with closing(sqlite3.connect(store.path)) as connection:
         yield connection
 
@@ -108,4 +109,4 @@ def test_the_hash_of_a_record_of_format_1_still_holds(store_v1):
 
 def test_a_store_of_format_1_takes_new_records(store_v1):
     old = store_v1.find()[0]
-    assert store_v1.add(calibration(), provenance(), supersedes=old.id).revision == 3
+    assert store_v1.add(entry(calibration()), provenance(), supersedes=old.id).revision == 3

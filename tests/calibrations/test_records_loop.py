@@ -8,11 +8,11 @@ from pathlib import Path
 
 import pytest
 from loop_examples import with_k_xx
-from records_examples import KX_INSIDE, calibration, minutes_pass, provenance, store_with_raw_file
+from records_examples import KX_INSIDE, as_recorded, calibration, minutes_pass, provenance, store_with_raw_file
 
 from tumble.calibrations.core.verdict import Outcome
 from tumble.calibrations.methods.dividing_head.document import document as loop_document
-from tumble.calibrations.methods.dividing_head.document import result_document
+from tumble.calibrations.methods.dividing_head.entry import entry
 from tumble.calibrations.records.export import document, is_intact
 from tumble.calibrations.records.store import DATABASE, Store
 from tumble.calibrations.records.verify import verify
@@ -28,7 +28,7 @@ def store(tmp_path):
 
 @pytest.fixture
 def record(store):
-    return store.add(with_k_xx().declared, provenance(), [KX_INSIDE], loop=with_k_xx())
+    return store.add(entry(with_k_xx().declared, [KX_INSIDE], with_k_xx()), provenance())
 
 
 @pytest.fixture
@@ -43,8 +43,8 @@ def store_v2(tmp_path):
     return Store.existing(tmp_path)
 
 
-def same(_path, _stand):
-    return result_document(with_k_xx().declared, with_k_xx())
+def same(_paths, _stand):
+    return entry(with_k_xx().declared, loop=with_k_xx())
 
 
 def with_loop_moved(name, share):
@@ -53,21 +53,21 @@ def with_loop_moved(name, share):
     parameter = augmented.parameters[name]
     moved = replace(parameter, value=parameter.value + share * parameter.standard_uncertainty)
     loop = replace(with_k_xx(), augmented=replace(augmented, parameters={**augmented.parameters, name: moved}))
-    return result_document(with_k_xx().declared, loop)
+    return entry(with_k_xx().declared, loop=loop)
 
 
 def test_a_record_keeps_the_declared_and_the_augmented_model(store, record):
     read = Store.existing(store.folder).get(record.id)
     assert read == record
     assert list(read.models) == ["declared", "augmented"]
-    assert read.models["declared"] == read.parameters == with_k_xx().declared.parameters
-    assert read.models["augmented"]["ky"] == with_k_xx().augmented.parameters["ky"]
+    assert as_recorded(read.parameters) == as_recorded(with_k_xx().declared.parameters)
+    assert as_recorded(read.models["augmented"]) == as_recorded(with_k_xx().augmented.parameters)
 
 
 def test_a_record_holds_the_whole_loop(record):
-    assert record.format_version == 3
+    assert record.format_version == 4
     assert record.result["loop"] == loop_document(with_k_xx())
-    assert document(record)["schema"] == "tumble.record/3"
+    assert document(record)["schema"] == "tumble.record/4"
     assert is_intact(document(record))
 
 
@@ -79,7 +79,7 @@ def test_both_models_stand_in_the_table_of_parameters(store, record):
 
 
 def test_a_record_without_a_loop_has_the_declared_model_alone(store):
-    record = store.add(calibration(), provenance())
+    record = store.add(entry(calibration()), provenance())
     assert list(record.models) == ["declared"]
     assert {row["model"] for row in store.rows(record)[1]} == {"declared"}
 
@@ -99,7 +99,7 @@ def test_a_number_of_the_augmented_model_that_moved_does_not_come_back(store, re
 
 
 def test_a_loop_that_is_not_closed_again_does_not_come_back(store, record):
-    verification = verify(record, store, lambda *_: with_k_xx().declared.as_json(), "0.1.0")
+    verification = verify(record, store, lambda *_: entry(with_k_xx().declared), "0.1.0")
     assert [check.name for check in verification.parameters if not check.agrees] == NAMES
 
 
@@ -112,9 +112,9 @@ def test_an_augmented_parameter_altered_in_the_store_is_seen(store, record):
 
 def test_a_record_of_format_1_is_verified_by_its_declared_model(store_v1):
     record = store_v1.revisions(store_v1.find()[0])[0]
-    raw = store_with_raw_file(store_v1.folder).raw_file(record)
+    (raw,) = store_with_raw_file(store_v1.folder).raw_files(record)
     assert raw.is_file()
-    again = result_document(calibration(), with_k_xx())
+    again = entry(calibration(), loop=with_k_xx())
     verification = verify(record, store_v1, lambda *_: again, "0.1.0")
     assert (record.format_version, verification.altered) == (1, ())
     assert [check.model for check in verification.parameters] == ["declared"] * 6

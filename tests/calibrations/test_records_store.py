@@ -7,9 +7,19 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
-from records_examples import KX_INSIDE, KY_OUTSIDE, calibration, minutes_pass, provenance, sweep_only
+from records_examples import (
+    KX_INSIDE,
+    KY_OUTSIDE,
+    as_recorded,
+    calibration,
+    minutes_pass,
+    provenance,
+    raw_source,
+    sweep_only,
+)
 
 from tumble.calibrations.core.verdict import Outcome
+from tumble.calibrations.methods.dividing_head.entry import entry
 from tumble.calibrations.records.errors import RecordError
 from tumble.calibrations.records.store import Store
 
@@ -20,53 +30,53 @@ def store(tmp_path):
 
 
 def test_a_record_read_back_is_the_record_that_was_added(store):
-    added = store.add(calibration(), provenance(), [KX_INSIDE, KY_OUTSIDE])
+    added = store.add(entry(calibration(), [KX_INSIDE, KY_OUTSIDE]), provenance())
     assert Store.existing(store.folder).get(added.id) == added
 
 
 def test_a_record_gives_back_the_parameters_of_the_calibration(store):
-    record = store.add(calibration(), provenance())
-    assert record.parameters == calibration().parameters
+    record = store.add(entry(calibration()), provenance())
+    assert as_recorded(record.parameters) == as_recorded(calibration().parameters)
 
 
 def test_the_parameters_of_a_record_keep_their_usual_order(store):
-    record = Store.existing(store.folder).get(store.add(calibration(), provenance()).id)
+    record = Store.existing(store.folder).get(store.add(entry(calibration()), provenance()).id)
     assert list(record.parameters) == ["u0", "kx", "ky", "kz", "kxy", "alpha0"]
 
 
 def test_a_parameter_without_value_keeps_its_reason(store):
-    kz = store.get(store.add(sweep_only(), provenance()).id).parameters["kz"]
+    kz = store.get(store.add(entry(sweep_only()), provenance()).id).parameters["kz"]
     assert (kz.value, kz.degrees_of_freedom, kz.interval_95) == (None, None, None)
     assert kz.reason == sweep_only().parameters["kz"].reason != ""
 
 
 def test_the_id_starts_with_the_time_of_recording_and_sorts_by_it(store):
-    ids = [store.add(calibration(), provenance()).id for _ in range(3)]
+    ids = [store.add(entry(calibration()), provenance()).id for _ in range(3)]
     assert re.fullmatch(r"20261122-141503-[0-9a-f]{6}", ids[0])
     assert ids == sorted(ids)
 
 
 def test_a_record_is_found_by_an_unambiguous_beginning_of_its_id(store):
-    first, _ = store.add(calibration(), provenance()), store.add(calibration(), provenance())
+    first, _ = store.add(entry(calibration()), provenance()), store.add(entry(calibration()), provenance())
     assert store.get("20261122-1415") == first
 
 
 def test_an_ambiguous_beginning_lists_what_it_fits(store):
-    first, second = store.add(calibration(), provenance()), store.add(calibration(), provenance())
+    first, second = store.add(entry(calibration()), provenance()), store.add(entry(calibration()), provenance())
     with pytest.raises(RecordError, match=f"{first.id}, {second.id}"):
         store.get("20261122")
 
 
 @pytest.mark.parametrize("prefix", ["2025", "%", "20261122_"])
 def test_an_unknown_id_is_said_so(store, prefix):
-    store.add(calibration(), provenance())
+    store.add(entry(calibration()), provenance())
     with pytest.raises(RecordError, match=f"no record has an id that begins with '{prefix}'"):
         store.get(prefix)
 
 
 def test_a_revision_names_the_old_record_and_takes_its_place(store):
-    first = store.add(calibration(), provenance())
-    second = store.add(calibration(), provenance(program_version="0.2.0"), supersedes=first.id)
+    first = store.add(entry(calibration()), provenance())
+    second = store.add(entry(calibration()), provenance(program_version="0.2.0"), supersedes=first.id)
     assert (first.revision, second.revision, second.supersedes) == (1, 2, first.id)
     assert store.find() == (second,)
     assert store.revisions(second) == (first, second)
@@ -78,22 +88,22 @@ def test_a_revision_names_the_old_record_and_takes_its_place(store):
     [
         ("nothing", {}, "there is no record nothing to supersede"),
         ("first", {}, "is superseded already; supersede"),
-        ("second", {"raw_sha256": "00" * 32}, "comes from another raw file"),
+        ("second", {"sources": (raw_source(sha256="00" * 32),)}, "comes from another raw file"),
     ],
 )
 def test_a_revision_that_does_not_fit_is_refused_and_nothing_is_written(store, old, changed, message):
-    first = store.add(calibration(), provenance())
-    second = store.add(calibration(), provenance(), supersedes=first.id)
+    first = store.add(entry(calibration()), provenance())
+    second = store.add(entry(calibration()), provenance(), supersedes=first.id)
     ids = {"nothing": "nothing", "first": first.id, "second": second.id}
     with pytest.raises(RecordError, match=message):
-        store.add(calibration(), provenance(**changed), supersedes=ids[old])
+        store.add(entry(calibration()), provenance(**changed), supersedes=ids[old])
     assert store.find() == (second,)
 
 
 def test_records_are_found_by_unit_programme_and_verdict(store):
-    inside = store.add(calibration(), provenance(), [KX_INSIDE])
-    outside = store.add(calibration(), provenance(programme_name="quick"), [KX_INSIDE, KY_OUTSIDE])
-    other = store.add(calibration(), provenance(serial_number="SN 18"))
+    inside = store.add(entry(calibration(), [KX_INSIDE]), provenance())
+    outside = store.add(entry(calibration(), [KX_INSIDE, KY_OUTSIDE]), provenance(programme_name="quick"))
+    other = store.add(entry(calibration()), provenance(serial_number="SN 18"))
     assert store.find(serial_number="SN 17") == (inside, outside)
     assert store.find(programme_name="quick") == (outside,)
     assert store.find(verdict=Outcome.PASS) == (inside,)
@@ -103,8 +113,8 @@ def test_records_are_found_by_unit_programme_and_verdict(store):
 
 
 def test_records_are_found_by_the_time_of_measurement_whatever_its_time_zone(store):
-    later = store.add(calibration(), provenance(measured_at="2026-11-20T11:00:00+02:00"))
-    earlier = store.add(calibration(), provenance(measured_at="2026-11-20T08:30:00Z"))
+    later = store.add(entry(calibration()), provenance(measured_at="2026-11-20T11:00:00+02:00"))
+    earlier = store.add(entry(calibration()), provenance(measured_at="2026-11-20T08:30:00Z"))
     assert store.find() == (earlier, later)
     nine = datetime(2026, 11, 20, 9, 0, tzinfo=UTC)
     assert store.find(since=nine) == (later,)
@@ -116,13 +126,13 @@ def test_a_time_without_zone_is_refused(store):
     with pytest.raises(ValueError, match="has no time zone"):
         store.find(since=datetime(2026, 11, 20))
     with pytest.raises(ValueError, match="has no time zone"):
-        store.add(calibration(), provenance(measured_at="2026-11-20T11:00:00"))
+        store.add(entry(calibration()), provenance(measured_at="2026-11-20T11:00:00"))
 
 
 def test_the_latest_record_is_the_one_measured_last_or_else_recorded_last(store):
-    store.add(calibration(), provenance(measured_at="2026-11-21T00:00:00Z"))
-    store.add(calibration(), provenance(measured_at="2026-11-20T00:00:00Z"))
-    undated = store.add(calibration(), provenance(measured_at=""))
+    store.add(entry(calibration()), provenance(measured_at="2026-11-21T00:00:00Z"))
+    store.add(entry(calibration()), provenance(measured_at="2026-11-20T00:00:00Z"))
+    undated = store.add(entry(calibration()), provenance(measured_at=""))
     assert store.latest("SN 17") == undated
     assert store.latest("SN 99") is None
 
@@ -131,20 +141,21 @@ def test_a_raw_file_inside_the_store_moves_with_it(store):
     raw = store.folder / "runs" / "raw.csv"
     stored = store.raw_path(raw)
     assert stored == "runs/raw.csv"
-    assert store.raw_file(store.add(calibration(), provenance(raw_path=stored))) == raw
+    assert store.raw_files(store.add(entry(calibration()), provenance(sources=(raw_source(stored),)))) == (raw,)
 
 
 def test_a_raw_file_elsewhere_keeps_its_absolute_path(store, tmp_path):
     raw = tmp_path / "elsewhere.csv"
     stored = store.raw_path(raw)
     assert Path(stored) == raw.resolve()
-    assert store.raw_file(store.add(calibration(), provenance(raw_path=stored))) == raw.resolve()
+    record = store.add(entry(calibration()), provenance(sources=(raw_source(stored),)))
+    assert store.raw_files(record) == (raw.resolve(),)
 
 
 def test_a_cut_measurement_is_marked_incomplete(store):
-    whole = store.add(calibration(), provenance())
+    whole = store.add(entry(calibration()), provenance())
     cut = store.add(
-        replace(calibration(), observations=replace(calibration().observations, complete=False)), provenance()
+        entry(replace(calibration(), observations=replace(calibration().observations, complete=False))), provenance()
     )
     assert [record.complete for record in (whole, cut)] == [True, False]
     assert [store.rows(record)[0]["complete"] for record in (whole, cut)] == [True, False]
@@ -152,7 +163,7 @@ def test_a_cut_measurement_is_marked_incomplete(store):
 
 def test_writers_that_open_and_write_at_the_same_time_all_succeed(tmp_path):
     def write(number):
-        return Store(tmp_path).add(calibration(), provenance(serial_number=f"SN {number}"))
+        return Store(tmp_path).add(entry(calibration()), provenance(serial_number=f"SN {number}"))
 
     with ThreadPoolExecutor(4) as pool:
         written = list(pool.map(write, range(12)))

@@ -7,6 +7,7 @@ from dataclasses import replace
 import pytest
 from records_examples import KX_INSIDE, RAW, calibration, provenance, store_with_raw_file, sweep_only
 
+from tumble.calibrations.methods.dividing_head.entry import entry
 from tumble.calibrations.records.verify import RawFile, verify
 
 
@@ -17,18 +18,18 @@ def store(tmp_path):
 
 @pytest.fixture
 def record(store):
-    return store.add(calibration(), provenance(), [KX_INSIDE])
+    return store.add(entry(calibration(), [KX_INSIDE]), provenance())
 
 
-def same(_path, _stand):
-    return calibration().as_json()
+def same(_paths, _stand):
+    return entry(calibration())
 
 
 def shifted(name, share, field="value"):
     """The calibration with one number of a parameter moved by a share of its uncertainty."""
     parameter = calibration().parameters[name]
     moved = replace(parameter, **{field: getattr(parameter, field) + share * parameter.standard_uncertainty})
-    return replace(calibration(), parameters=calibration().parameters | {name: moved}).as_json()
+    return entry(replace(calibration(), parameters=calibration().parameters | {name: moved}))
 
 
 def failing(verification):
@@ -55,22 +56,22 @@ def test_an_untouched_record_is_verified(store, record):
 def test_the_raw_file_and_the_recorded_stand_are_what_is_fitted_again(store, record):
     asked = []
 
-    def refit(path, stand):
-        asked.append((path.read_bytes(), stand))
-        return same(path, stand)
+    def refit(paths, stand):
+        asked.append((*[path.read_bytes() for path in paths], stand))
+        return same(paths, stand)
 
     verify(record, store, refit, "0.1.0")
     assert asked == [(RAW, {"name": "bench-1", "head": {"limits_deg": [-180.0, 760.0]}})]
 
 
-def never(_path, _stand):
+def never(_paths, _stand):
     raise AssertionError("nothing may be fitted")
 
 
 def test_a_changed_raw_file_is_seen_and_not_fitted(store, record):
     (store.folder / "runs" / "raw.csv").write_bytes(RAW + b"90,3.5\n")
     verification = verify(record, store, never, "0.1.0")
-    assert verification.raw_file is RawFile.CHANGED
+    assert verification.sources[0].state is RawFile.CHANGED
     assert not verification.verified
     assert "Nothing was fitted again." in verification.sentences
 
@@ -78,20 +79,29 @@ def test_a_changed_raw_file_is_seen_and_not_fitted(store, record):
 def test_a_missing_raw_file_is_seen(store, record):
     (store.folder / "runs" / "raw.csv").unlink()
     verification = verify(record, store, never, "0.1.0")
-    assert verification.raw_file is RawFile.MISSING
+    assert verification.sources[0].state is RawFile.MISSING
     assert not verification.verified
 
 
 @pytest.mark.parametrize(
     ("trigger", "statement", "altered"),
     [
+        ("records_no_update", "UPDATE records SET result = replace(result, '\"V/g\"', '\"mV/g\"')", {"content"}),
         (
             "records_no_update",
-            "UPDATE records SET result = replace(result, '\"V/g\"', '\"mV/g\"')",
+            "UPDATE records SET models = replace(models, '\"V/g\"', '\"mV/g\"')",
             {"content", "parameters"},
         ),
         ("records_no_update", "UPDATE records SET operator = 'somebody else'", {"column operator"}),
-        ("records_no_update", "UPDATE records SET verdict = 'fail'", {"column verdict"}),
+        ("records_no_update", "UPDATE records SET outcome = 'fail'", {"column outcome"}),
+        (
+            "records_no_update",
+            "UPDATE records SET verdict = replace(verdict, 'pass', 'fail')",
+            {"content", "column outcome"},
+        ),
+        ("records_no_update", "UPDATE records SET method = 'another'", {"content"}),
+        ("records_no_update", "UPDATE records SET sequence = 2", {"content"}),
+        ("records_no_update", "UPDATE records SET sources = '[]'", {"column sources"}),
         ("parameters_no_update", "UPDATE parameters SET value = 1.5 WHERE name = 'kx'", {"parameters"}),
         ("parameters_no_delete", "DELETE FROM parameters WHERE name = 'kx'", {"parameters"}),
     ],
@@ -116,27 +126,27 @@ def test_rounding_is_tolerated(store, record):
 
 
 def test_a_value_that_the_refit_cannot_tell_does_not_come_back(store, record):
-    assert "kz" in failing(verify(record, store, lambda *_: sweep_only().as_json(), "0.1.0"))
+    assert "kz" in failing(verify(record, store, lambda *_: entry(sweep_only()), "0.1.0"))
 
 
 def test_a_value_that_stands_for_another_alpha0_does_not_come_back(store, record):
     given = replace(calibration().parameters["ky"], given_alpha0_deg=0.0)
     again = replace(calibration(), parameters=calibration().parameters | {"ky": given})
-    assert failing(verify(record, store, lambda *_: again.as_json(), "0.1.0")) == ["ky"]
+    assert failing(verify(record, store, lambda *_: entry(again), "0.1.0")) == ["ky"]
 
 
 def test_a_parameter_that_the_refit_does_not_have_does_not_come_back(store, record):
     rest = {name: parameter for name, parameter in calibration().parameters.items() if name != "kxy"}
     again = replace(calibration(), parameters=rest)
     (check,) = [
-        check for check in verify(record, store, lambda *_: again.as_json(), "0.1.0").parameters if not check.agrees
+        check for check in verify(record, store, lambda *_: entry(again), "0.1.0").parameters if not check.agrees
     ]
     assert (check.name, check.refitted) == ("kxy", None)
 
 
 def test_a_null_comes_back_as_null(store):
-    record = store.add(sweep_only(), provenance())
-    assert verify(record, store, lambda *_: sweep_only().as_json(), "0.1.0").verified
+    record = store.add(entry(sweep_only()), provenance())
+    assert verify(record, store, lambda *_: entry(sweep_only()), "0.1.0").verified
 
 
 def test_another_program_version_is_said_and_does_no_harm(store, record):

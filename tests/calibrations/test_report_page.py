@@ -10,12 +10,13 @@ import pytest
 from markupsafe import Markup
 from report_examples import FACE_UP, FLIPS, calibrate, dwells, face_up, flips_only, provenance, reversed_
 
-from tumble.calibrations.core.provenance import LimitCheck
+from tumble.calibrations.core.provenance import LimitCheck, Source
 from tumble.calibrations.core.rows import SetAside
-from tumble.calibrations.methods.dividing_head.report import evidence, render_report
+from tumble.calibrations.methods.dividing_head.report import render_report
 from tumble.calibrations.methods.dividing_head.report.page import SECTIONS
 from tumble.calibrations.methods.dividing_head.report.results import header
 from tumble.calibrations.methods.dividing_head.report.subject import Subject
+from tumble.calibrations.report import evidence
 
 VOID = {"meta", "br", "link", "img", "hr"}
 HOSTILE = "<script>alert('1')</script>\"&"
@@ -137,7 +138,11 @@ def test_table_heads_have_a_scope(page):
 def test_texts_from_outside_are_escaped(without_plots):
     calibration = replace(face_up(), warnings=(HOSTILE,))
     hostile = provenance(
-        serial_number=HOSTILE, operator=HOSTILE, raw_path=HOSTILE, stand={HOSTILE: HOSTILE}, packages={HOSTILE: HOSTILE}
+        serial_number=HOSTILE,
+        operator=HOSTILE,
+        sources=(Source(kind="table", path=HOSTILE, sha256=""),),
+        stand={HOSTILE: HOSTILE},
+        packages={HOSTILE: HOSTILE},
     )
     page = render_report(calibration, hostile, record_id=HOSTILE)
     assert "<script" not in page

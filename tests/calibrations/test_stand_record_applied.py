@@ -130,7 +130,7 @@ def test_a_report_shows_the_map_and_what_contradicts_it():
     table, record = rows(), learned()
     corrected_table = corrected(table, record)
     calibration = analyse(corrected_table, StandUncertainty(record=record), trials=0)
-    origin = Provenance(serial_number="SN 3", stand={}, raw_path="", raw_sha256="", program_version="", packages={})
+    origin = Provenance(serial_number="SN 3", stand={}, sources=(), program_version="", packages={})
 
     page = render_report(calibration, origin, loop=close_loop(corrected_table), contradictions=["It moved"])
 
@@ -142,6 +142,6 @@ def test_a_report_shows_the_map_and_what_contradicts_it():
 
 
 def test_a_report_without_a_record_says_so():
-    origin = Provenance(serial_number="SN 3", stand={}, raw_path="", raw_sha256="", program_version="", packages={})
+    origin = Provenance(serial_number="SN 3", stand={}, sources=(), program_version="", packages={})
 
     assert "No stand record was applied." in render_report(analyse(rows(), trials=0), origin)

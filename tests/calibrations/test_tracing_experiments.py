@@ -72,8 +72,8 @@ def test_every_probe_is_a_programme_that_comes_along():
 @pytest.mark.parametrize("probe", PROBES, ids=lambda probe: probe.programme)
 def test_a_probe_takes_the_dwells_of_its_programme(probe):
     steps = [dwell for dwell, _ in dwells(probe.programme)]
-    assert {step.mount for step in steps} == {probe.mount}
-    assert [step.angle_deg for step in steps] == probe.angles_deg.ravel().tolist()
+    assert {step.conditions["mount"] for step in steps} == {probe.mount}
+    assert [step.targets_deg["head"] for step in steps] == probe.angles_deg.ravel().tolist()
     assert [step.realisation for step in steps] == np.repeat(
         np.arange(1, probe.realisations + 1), len(steps) // probe.realisations
     ).tolist()

@@ -22,7 +22,7 @@ def dwells(named):
     wanted = load_programme(named) if isinstance(named, str) else named
     acquisition = wanted.acquisition(samples=100, rate_hz=100.0)
     waited_s = 0.0
-    for planned in plan(wanted, acquisition, speed_deg_s=20.0).steps:
+    for planned in plan(wanted, acquisition, speeds_deg_s={"head": 20.0}).steps:
         waited_s += planned.duration_s
         if isinstance(planned.step, Dwell):
             yield planned.step, waited_s
@@ -47,10 +47,10 @@ def runs(*programmes, noise_v=1e-4, seed=1, error_deg=None, extra_v=None, waits_
 
 
 def _table(rows, generator, noise_v, error_deg, extra_v):
-    angle_deg = np.array([dwell.angle_deg for dwell, *_ in rows])
+    angle_deg = np.array([dwell.targets_deg["head"] for dwell, *_ in rows])
     columns = {
         "angle_deg": angle_deg,
-        "mount": np.array([dwell.mount for dwell, *_ in rows]),
+        "mount": np.array([dwell.conditions["mount"] for dwell, *_ in rows]),
         "procedure": np.array([dwell.procedure for dwell, *_ in rows]),
         "realisation": np.array([realisation for _, _, realisation, _ in rows]),
         "time_s": np.cumsum([step_s for _, step_s, *_ in rows]),

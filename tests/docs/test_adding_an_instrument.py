@@ -14,11 +14,13 @@ from tumble.drivers.driver import Bench
 from tumble.drivers.errors import DeviceError, LimitError, LinkLostError
 from tumble.drivers.links.opened import Links
 from tumble.drivers.protocols import Identity, Reconnectable, Stand
+from tumble.drivers.tables import TITLES
 from tumble.procedures.composition import compose
 from tumble.procedures.engine import Engine
 from tumble.procedures.events import Identified, WarningRaised
+from tumble.procedures.methods.dividing_head.layout import LAYOUT
+from tumble.procedures.methods.dividing_head.sweep import Sweep
 from tumble.procedures.outcome import FinishReason
-from tumble.procedures.sweep import Sweep
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = (DOCS / "adding-an-instrument.md").read_text("utf-8")
@@ -49,8 +51,15 @@ class Mercury:
         daq, sink = FakeDaq(self.clock, self.head), MemorySink()
         daq.on_acquire = lambda: on_block(daq.blocks)
         serials = {"head": self.loaded.file.head.serial}
-        stand = Stand(name="bench-3", head=self.head, daq=daq, clock=self.clock, serials=serials)
-        outcome = Engine(stand, FakeOperator(daq), sink, QUICK).run(compose([SWEEP], 1))
+        stand = Stand(
+            name="bench-3",
+            positioners={"head": self.head},
+            samplers={"daq": daq},
+            clock=self.clock,
+            serials=serials,
+            titles=TITLES,
+        )
+        outcome = Engine(stand, FakeOperator(daq), sink, QUICK).run(compose([SWEEP], 1, LAYOUT.ask))
         return outcome, [event.message for event in sink.of(WarningRaised)], sink
 
 
@@ -132,7 +141,7 @@ def test_an_answer_that_cannot_be_had_is_a_lost_link(mercury, trouble):
 def test_a_run_identifies_it_and_homes_it_first(mercury):
     outcome, warnings, sink = mercury.run()
     assert outcome.reason is FinishReason.COMPLETED
-    assert [point.angle_deg for point in outcome.points] == [0.0, 30.0, 60.0, 90.0]
+    assert [point.positions_deg["head"] for point in outcome.points] == [0.0, 30.0, 60.0, 90.0]
     assert warnings == ["dividing head: has no reference; it is homed"]
     assert [each.model for each in sink.of(Identified)] == ["C-863.12", "fake DAQ"]
 
@@ -147,7 +156,7 @@ def test_a_run_goes_on_after_a_loss_of_power(mercury):
 
     outcome, warnings, _ = mercury.run(lose_power_once)
     assert outcome.reason is FinishReason.COMPLETED
-    assert [point.angle_deg for point in outcome.points] == [0.0, 30.0, 60.0, 90.0]
+    assert [point.positions_deg["head"] for point in outcome.points] == [0.0, 30.0, 60.0, 90.0]
     assert any("has lost its reference" in warning for warning in warnings)
 
 
@@ -155,7 +164,7 @@ def test_a_run_goes_on_after_a_lost_answer_with_everything_anew(mercury):
     mercury.controller.mute_from = "MOV 1 60.000000"
     outcome, warnings, _ = mercury.run()
     assert outcome.reason is FinishReason.COMPLETED
-    assert [point.angle_deg for point in outcome.points] == [0.0, 30.0, 60.0, 90.0]
+    assert [point.positions_deg["head"] for point in outcome.points] == [0.0, 30.0, 60.0, 90.0]
     assert mercury.controller.reopened == 1
     assert mercury.controller.heard.count("FRF 1") == 2
     assert any("is back after" in warning for warning in warnings)
@@ -167,4 +176,4 @@ def test_a_run_ends_at_a_standstill_where_the_stage_is_blocked(mercury):
     assert outcome.reason is FinishReason.DEVICE_FAULT
     assert outcome.at_standstill
     assert "does not follow its set-point" in outcome.message
-    assert [point.angle_deg for point in outcome.points] == [0.0, 30.0]
+    assert [point.positions_deg["head"] for point in outcome.points] == [0.0, 30.0]

@@ -3,7 +3,7 @@ import pytest
 from scpi_bench import emulated
 
 from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
-from tumble.drivers.protocols import Daq, Identity, Reconnectable
+from tumble.drivers.protocols import Identity, Reconnectable, Sampler
 from tumble.drivers.scpi import ScpiMultimeter
 from tumble.drivers.scpi.measurement import voltage
 from tumble.drivers.scpi.models import MODELS
@@ -37,7 +37,7 @@ def test_it_says_who_it_is():
 
 
 def test_it_fits_the_protocols():
-    meter: Daq = ScpiMultimeter(*emulated())
+    meter: Sampler = ScpiMultimeter(*emulated())
 
     assert isinstance(meter, Reconnectable)
 

@@ -20,9 +20,9 @@ def quiet(effects=None, **settings) -> SimulatedStand:
 
 
 def read_v(stand: SimulatedStand, angle_deg: float) -> float:
-    stand.stand.head.start_move(angle_deg)
+    stand.stand.positioners["head"].start_move(angle_deg)
     stand.stand.clock.sleep(30.0)
-    return float(stand.stand.daq.acquire(10, 100.0).voltage_v.mean())
+    return float(stand.stand.samplers["daq"].acquire(10, 100.0).voltage_v.mean())
 
 
 def test_nonlinearity_is_a_sine_of_the_voltage():
@@ -46,7 +46,7 @@ def test_a_voltage_out_of_range_reads_as_overload():
 def test_an_acquisition_advances_the_clock():
     stand = quiet()
     stand.stand.clock.sleep(5.0)
-    block = stand.stand.daq.acquire(50, 100.0)
+    block = stand.stand.samplers["daq"].acquire(50, 100.0)
     assert (block.device_time_s, block.rate_hz, block.voltage_v.shape) == (5.0, 100.0, (50,))
     assert stand.stand.clock.monotonic_s() == pytest.approx(5.5)
 
@@ -54,18 +54,18 @@ def test_an_acquisition_advances_the_clock():
 @pytest.mark.parametrize(("samples", "rate_hz"), [(0, 100.0), (10, 0.0), (10, float("nan"))])
 def test_nothing_to_acquire_is_a_fault(samples, rate_hz):
     with pytest.raises(DeviceError, match="cannot be taken"):
-        quiet().stand.daq.acquire(samples, rate_hz)
+        quiet().stand.samplers["daq"].acquire(samples, rate_hz)
 
 
 def test_it_says_who_it_is():
-    assert quiet().stand.daq.identify().model == "tumble simulated DAQ"
+    assert quiet().stand.samplers["daq"].identify().model == "tumble simulated DAQ"
 
 
 def test_a_part_of_the_previous_dwell_remains_in_every_acquisition_of_the_next():
     stand = quiet({"settling": 0.1})
     assert read_v(stand, -90.0) == pytest.approx(1.0)
     assert read_v(stand, 0.0) == pytest.approx(0.1)
-    again_v = stand.stand.daq.acquire(10, 100.0).voltage_v
+    again_v = stand.stand.samplers["daq"].acquire(10, 100.0).voltage_v
     assert again_v == pytest.approx(np.full(10, 0.1))
 
 
@@ -85,24 +85,24 @@ def test_nothing_remains_after_a_pause():
 
 def test_samples_taken_while_the_head_moves_follow_it():
     stand = quiet(response_tau_s=0.0)
-    stand.stand.head.start_move(-90.0)
-    block = stand.stand.daq.acquire(5, 1.0)
+    stand.stand.positioners["head"].start_move(-90.0)
+    block = stand.stand.samplers["daq"].acquire(5, 1.0)
     angles_deg = np.array([0.0, 20.0, 40.0, 60.0, 80.0])
     assert block.voltage_v == pytest.approx(np.sin(np.deg2rad(angles_deg)), abs=1e-12)
 
 
 def test_latency_delays_what_is_read_in_motion():
     stand = quiet({"latency": 0.5}, response_tau_s=0.0)
-    stand.stand.head.start_move(-90.0)
-    block = stand.stand.daq.acquire(3, 1.0)
+    stand.stand.positioners["head"].start_move(-90.0)
+    block = stand.stand.samplers["daq"].acquire(3, 1.0)
     assert block.voltage_v == pytest.approx(np.sin(np.deg2rad([0.0, 10.0, 30.0])), abs=1e-12)
 
 
 def test_the_first_samples_after_a_move_still_settle():
     stand = quiet(response_tau_s=0.5)
-    stand.stand.head.start_move(-20.0)
+    stand.stand.positioners["head"].start_move(-20.0)
     stand.stand.clock.sleep(1.0)
-    first_v, second_v = stand.stand.daq.acquire(2, 2.0).voltage_v
+    first_v, second_v = stand.stand.samplers["daq"].acquire(2, 2.0).voltage_v
     left_deg = 10.0 * (1.0 - np.exp(-2.0))
     assert first_v == pytest.approx(np.sin(np.deg2rad(20.0 - left_deg)))
     assert second_v == pytest.approx(np.sin(np.deg2rad(20.0 - left_deg / np.e)))

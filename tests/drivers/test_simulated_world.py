@@ -19,9 +19,9 @@ def world(effects=None, base_path=None, **table) -> SimulatedStand:
 
 
 def read_v(stand: SimulatedStand, angle_deg: float, wait_s: float = 30.0) -> float:
-    stand.stand.head.start_move(angle_deg)
+    stand.stand.positioners["head"].start_move(angle_deg)
     stand.stand.clock.sleep(wait_s)
-    return float(stand.stand.daq.acquire(100, 100.0).voltage_v.mean())
+    return float(stand.stand.samplers["daq"].acquire(100, 100.0).voltage_v.mean())
 
 
 def tilt_deg(stand: SimulatedStand, angle_deg: float) -> float:
@@ -37,8 +37,8 @@ def test_the_published_unit_reads_its_published_values_at_the_x_poles():
 
 def test_a_dwell_of_noise_scatters_as_stated():
     stand = world(noise_v=1e-3)
-    stand.stand.head.start_move(0.0)
-    block = stand.stand.daq.acquire(10000, 1000.0)
+    stand.stand.positioners["head"].start_move(0.0)
+    block = stand.stand.samplers["daq"].acquire(10000, 1000.0)
     assert block.voltage_v.std() == pytest.approx(1e-3, rel=0.03)
     assert block.voltage_v.mean() == pytest.approx(0.0, abs=4e-5)
 
@@ -67,10 +67,10 @@ def test_a_tilted_axis_puts_gravity_on_oz():
 def test_misreading_lasts_for_one_dwell_however_often_it_is_acquired():
     stand = world({"misreading": {"rows": [2], "error_deg": 1.0}})
     assert tilt_deg(stand, 0.0) == pytest.approx(0.0, abs=1e-9)
-    stand.stand.head.start_move(-5.0)  # an approach without a dwell does not count
+    stand.stand.positioners["head"].start_move(-5.0)  # an approach without a dwell does not count
     stand.stand.clock.sleep(10.0)
     assert tilt_deg(stand, 10.0) == pytest.approx(1.0)
-    again_v = stand.stand.daq.acquire(1, 1.0).voltage_v[0]
+    again_v = stand.stand.samplers["daq"].acquire(1, 1.0).voltage_v[0]
     assert again_v == pytest.approx(-np.sin(np.deg2rad(11.0)))
     assert tilt_deg(stand, 20.0) == pytest.approx(0.0, abs=1e-9)
 
@@ -124,7 +124,7 @@ def test_hysteresis_remembers_an_extremum_passed_on_the_way():
 
 def test_hysteresis_follows_moves_at_whose_end_nothing_was_acquired():
     stand = world({"hysteresis": 1e-4})
-    stand.stand.head.start_move(60.0)
+    stand.stand.positioners["head"].start_move(60.0)
     stand.stand.clock.sleep(10.0)
     assert read_v(stand, 0.0) == pytest.approx(-1e-4)
 
@@ -149,8 +149,8 @@ def test_the_bias_follows_the_variance_of_the_samples_in_the_dwell():
     stand = world({"vibration_rectification": 1000.0}, noise_v=1e-3)
     biases_v, variances_v2 = [], []
     for _ in range(40):
-        stand.stand.head.start_move(0.0)
-        block = stand.stand.daq.acquire(4000, 4000.0)
+        stand.stand.positioners["head"].start_move(0.0)
+        block = stand.stand.samplers["daq"].acquire(4000, 4000.0)
         biases_v.append(block.voltage_v.mean())
         variances_v2.append(block.voltage_v.var())
     assert np.max(variances_v2) > 3.0 * np.min(variances_v2)
@@ -162,22 +162,22 @@ def test_the_noise_of_a_dwell_is_the_same_however_often_one_looked_in_the_dwell_
     for looks in (1, 3):
         stand = world(noise_v=1e-3)
         for _ in range(looks):
-            stand.stand.daq.acquire(10, 100.0)
-        stand.stand.head.start_move(10.0)
+            stand.stand.samplers["daq"].acquire(10, 100.0)
+        stand.stand.positioners["head"].start_move(10.0)
         stand.stand.clock.sleep(10.0)
-        blocks_v.append(stand.stand.daq.acquire(100, 100.0).voltage_v.tolist())
+        blocks_v.append(stand.stand.samplers["daq"].acquire(100, 100.0).voltage_v.tolist())
     assert blocks_v[0] == blocks_v[1]
 
 
 def test_every_look_in_a_dwell_has_noise_of_its_own():
     stand = world(noise_v=1e-3)
-    first_v, second_v = (stand.stand.daq.acquire(100, 100.0).voltage_v for _ in range(2))
+    first_v, second_v = (stand.stand.samplers["daq"].acquire(100, 100.0).voltage_v for _ in range(2))
     assert not np.any(first_v == second_v)
 
 
 def test_the_vibration_level_is_that_of_the_dwell():
     stand = world(noise_v=1e-3, vibration_spread=2.0)
-    first_v, second_v = (stand.stand.daq.acquire(10000, 10000.0).voltage_v for _ in range(2))
+    first_v, second_v = (stand.stand.samplers["daq"].acquire(10000, 10000.0).voltage_v for _ in range(2))
     assert first_v.std() == pytest.approx(second_v.std(), rel=0.05)
 
 
@@ -185,22 +185,22 @@ def test_the_room_follows_its_ramp_and_the_unit_the_room():
     calm_ramp = CALM | {"start_degC": 20.0, "ramp_K_per_h": 2.0}
     stand = world({"bias_temperature": 1e-3}, temperature=calm_ramp)
     stand.stand.clock.sleep(3600.0)
-    block = stand.stand.daq.acquire(2, 1.0)
+    block = stand.stand.samplers["daq"].acquire(2, 1.0)
     assert block.temperature_degc == pytest.approx(22.0, abs=1e-3)
     assert block.voltage_v[0] == pytest.approx(-1e-3)
 
 
 def test_the_thermometer_has_its_own_noise():
     stand = world(temperature={"wander_K": 0.0, "sensor_noise_K": 0.1})
-    readings_degc = [stand.stand.daq.acquire(1, 1.0).temperature_degc for _ in range(300)]
+    readings_degc = [stand.stand.samplers["daq"].acquire(1, 1.0).temperature_degc for _ in range(300)]
     assert np.std(readings_degc) == pytest.approx(0.1, rel=0.12)
 
 
 def test_overload_is_shown_where_the_range_ends():
     stand = world(range_v=0.5)
-    stand.stand.head.start_move(-90.0)
+    stand.stand.positioners["head"].start_move(-90.0)
     stand.stand.clock.sleep(30.0)
-    assert stand.stand.daq.acquire(2, 1.0).voltage_v.tolist() == [9.9e37, 9.9e37]
+    assert stand.stand.samplers["daq"].acquire(2, 1.0).voltage_v.tolist() == [9.9e37, 9.9e37]
 
 
 def test_external_physics_is_found_beside_the_stand_file(tmp_path: Path):
@@ -233,7 +233,7 @@ def test_a_world_goes_on_with_the_draws_where_another_stopped():
         setattr(rest.world.counts, count, value)
     rest.world.seat("edge")
     rest.world.counts.mountings = whole.world.counts.mountings
-    rest.stand.head.start_move(90.0)
+    rest.stand.positioners["head"].start_move(90.0)
     rest.stand.clock.sleep(whole.stand.clock.monotonic_s())
     assert read_v(rest, 45.0) == read_v(whole, 45.0)
 
@@ -263,4 +263,5 @@ def test_static_readings_refuse_a_mount_that_does_not_exist():
 
 def test_the_stand_has_the_name_and_the_limits_that_it_is_given():
     stand = build(Simulated(), name="bench-1", head=HeadOptions(limits_deg=(-10.0, 10.0), speed_deg_s=5.0)).stand
-    assert (stand.name, stand.head.limits_deg, stand.head.speed_deg_s) == ("bench-1", (-10.0, 10.0), 5.0)
+    head = stand.positioners["head"]
+    assert (stand.name, head.limits_deg, head.speed_deg_s) == ("bench-1", (-10.0, 10.0), 5.0)

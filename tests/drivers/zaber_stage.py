@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from tumble.drivers.clock import VirtualClock
 from tumble.drivers.errors import NoReplyError
-from tumble.drivers.protocols import HeadStatus
+from tumble.drivers.protocols import PositionerStatus
 from tumble.drivers.simulated import HeadOptions, Simulated, build
 from tumble.drivers.zaber import ZaberHead
 from tumble.emulators.faults import Fault, Faults, FaultScript
@@ -69,7 +69,7 @@ class Stage:
         self.link.heard.clear()
         return self
 
-    def settle(self) -> HeadStatus:
+    def settle(self) -> PositionerStatus:
         """Wait until the head stands, at most ten minutes."""
         for _ in range(6000):
             if not (status := self.head.status()).moving:

@@ -12,7 +12,7 @@ from tumble.drivers.cia402 import Cia402Head
 from tumble.drivers.clock import Clock
 from tumble.drivers.links.can_address import CanAddress
 from tumble.drivers.links.can_link import CanLink
-from tumble.drivers.protocols import HeadStatus
+from tumble.drivers.protocols import PositionerStatus
 from tumble.drivers.simulated import Simulated, build
 from tumble.emulators.candaq import EmulatedCanDaq
 from tumble.emulators.cia402 import EmulatedDrive
@@ -80,12 +80,12 @@ def can_bench(*faults: dict, frames: DaqFrames | None = None) -> Iterator[CanBen
             list(together.map(lambda each: each.close(), (link, daq, drive)))
 
 
-def rested(head: Cia402Head) -> HeadStatus:
+def rested(head: Cia402Head) -> PositionerStatus:
     """Status of the head once it does not move."""
     return until(head, lambda status: not status.moving)
 
 
-def until(head, holds) -> HeadStatus:
+def until(head, holds) -> PositionerStatus:
     deadline_s = time.monotonic() + DEADLINE_S
     while True:
         status = head.status()

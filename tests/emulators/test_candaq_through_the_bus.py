@@ -9,7 +9,7 @@ from cantools.database import load_string
 import tumble.drivers.candaq.daq
 from tumble.drivers.candaq import DaqFrames
 from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
-from tumble.drivers.protocols import Daq, Reconnectable
+from tumble.drivers.protocols import Reconnectable, Sampler
 from tumble.emulators.candaq_faults import LOST_FRAMES
 
 OTHER_DBC = """VERSION ""
@@ -68,7 +68,7 @@ def test_the_daq_says_who_it_is(bench: CanBench):
 
 
 def test_the_daq_fits_the_protocols(bench: CanBench):
-    daq: Daq = bench.daq()
+    daq: Sampler = bench.daq()
     assert isinstance(daq, Reconnectable)
 
 

@@ -9,7 +9,7 @@ import tumble.drivers.cia402.head
 import tumble.drivers.cia402.node
 from tumble.drivers.cia402 import Cia402Head, objects, states
 from tumble.drivers.errors import DeviceError, LimitError, LinkLostError, NoReplyError
-from tumble.drivers.protocols import DividingHead, Reconnectable, Resettable
+from tumble.drivers.protocols import Positioner, Reconnectable, Resettable
 from tumble.emulators.cia402_drive import Drive
 
 START = {"command": 1, "containing": "controlword 003F"}
@@ -70,7 +70,7 @@ def test_the_drive_says_who_it_is(bench: CanBench):
 
 
 def test_the_head_fits_the_protocols(bench: CanBench):
-    head: DividingHead = bench.head()
+    head: Positioner = bench.head()
     assert isinstance(head, Reconnectable)
     assert (head.limits_deg, head.speed_deg_s) == ((-180.0, 760.0), 20.0)
 

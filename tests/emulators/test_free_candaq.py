@@ -15,7 +15,7 @@ from tumble.drivers.clock import SystemClock
 from tumble.drivers.errors import DeviceError, NoReplyError
 from tumble.drivers.links.can_address import CanAddress
 from tumble.drivers.links.can_link import CanLink
-from tumble.drivers.protocols import Daq, Reconnectable, Remarking
+from tumble.drivers.protocols import Reconnectable, Remarking, Sampler
 
 DBC = """VERSION ""
 
@@ -62,7 +62,7 @@ def daq_on(channel: str):
 
 def test_a_block_is_the_next_frames_that_come():
     with daq_on("free-1") as daq, sending("free-1", range(10_000)):
-        fits: Daq = daq
+        fits: Sampler = daq
         assert isinstance(fits, Reconnectable) and isinstance(fits, Remarking)
         assert daq.identify().model == "CAN DAQ ADC"
         block = daq.acquire(40, RATE_HZ)

@@ -1,6 +1,7 @@
 """A wheel, installed in an environment of its own outside the checkout, does everything."""
 
 import os
+import shutil
 import subprocess
 import sys
 import sysconfig
@@ -100,3 +101,9 @@ def test_it_serves_an_emulated_stand_until_it_is_told_to_end(installed):
 def test_it_reads_the_dbc_file_and_the_programmes_that_come_along(installed):
     assert "seed" in installed.run("tumble", "plan", "seed")
     installed.run("python", "-c", "from tumble.drivers.candaq import DaqFrames; DaqFrames.from_file()")
+
+
+def test_a_store_of_an_older_version_is_migrated(installed):
+    old = installed.folder / "old"
+    shutil.copytree(ROOT / "tests" / "calibrations" / "fixtures" / "store_0_1", old)
+    assert "records.sqlite: migrated" in installed.run("tumble", "records", "migrate", "--store", old)

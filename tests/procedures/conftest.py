@@ -3,7 +3,7 @@
 import pytest
 from fakes import FakeStand, point_at
 
-from tumble.procedures.steps import Mounted, Mounting, Reply, Step
+from tumble.procedures.steps import Ask, Confirmed, Reply, Step
 
 
 @pytest.fixture
@@ -16,6 +16,6 @@ def nominal_reply():
     """Replies to a step as an ideal unit at an ideal stand would."""
 
     def reply(step: Step) -> Reply:
-        return Mounted(mount=step.mount) if isinstance(step, Mounting) else point_at(step)
+        return Confirmed(condition=step.condition, value=step.value) if isinstance(step, Ask) else point_at(step)
 
     return reply

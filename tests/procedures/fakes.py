@@ -9,12 +9,14 @@ import numpy as np
 from tumble.calibrations.methods.dividing_head.geometry import projections
 from tumble.drivers.clock import VirtualClock
 from tumble.drivers.errors import DeviceError
-from tumble.drivers.protocols import HeadStatus, Identity, SampleBlock, Stand
+from tumble.drivers.protocols import Identity, PositionerStatus, SampleBlock, Stand
 from tumble.procedures.acquisition import Acquisition
 from tumble.procedures.engine import Engine
 from tumble.procedures.events import Event
+from tumble.procedures.methods.dividing_head.layout import HEAD, MOUNT
+from tumble.procedures.methods.dividing_head.rows import Row
 from tumble.procedures.operator import Answer
-from tumble.procedures.steps import Dwell, Point
+from tumble.procedures.steps import Ask, Dwell, Point
 
 QUICK = Acquisition(samples=10, rate_hz=100.0, settle_samples=2, settle_timeout_s=1.0)
 """Settings of a run that tests something else."""
@@ -53,10 +55,10 @@ class FakeHead:
         self._from_deg, self._since_s = self._angle_deg(), self._clock.monotonic_s()
         self._to_deg = angle_deg if self.stuck_at_deg is None else self.stuck_at_deg
 
-    def status(self) -> HeadStatus:
+    def status(self) -> PositionerStatus:
         self.on_status()
         angle_deg = self._angle_deg()
-        return HeadStatus(
+        return PositionerStatus(
             angle_deg=angle_deg,
             moving=self.coasting or angle_deg != self._to_deg,
             device_time_s=self._clock.monotonic_s(),
@@ -123,8 +125,8 @@ class FakeOperator:
     on_poll: Callable[[], None] = lambda: None
     _left: int = 0
 
-    def ask_mount(self, mount: str, prompt: str) -> None:
-        self.asked.append(mount)
+    def ask(self, ask: Ask) -> None:
+        self.asked.append(ask.value)
         self._left = self.looks
 
     def poll(self) -> Answer | None:
@@ -165,15 +167,22 @@ class FakeStand:
         self.sink = MemorySink()
 
     def engine(self, acquisition: Acquisition = QUICK, listeners=(), serials=None) -> Engine:
-        stand = Stand(name="fake", head=self.head, daq=self.daq, clock=self.clock, serials=serials or {})
+        stand = Stand(
+            name="fake",
+            positioners={"head": self.head},
+            samplers={"daq": self.daq},
+            clock=self.clock,
+            serials=serials or {},
+            titles={"head": "dividing head", "daq": "DAQ"},
+        )
         return Engine(stand, self.operator, self.sink, acquisition, listeners)
 
 
 def point_at(dwell: Dwell, voltage_v: float = 0.0, index: int = 0) -> Point:
     """The point of a dwell that went as planned."""
-    return Point(
+    row = Row(
         index=index,
-        angle_deg=dwell.angle_deg,
+        angle_deg=dwell.targets_deg[HEAD],
         voltage_v=voltage_v,
         voltage_sd_v=1e-3,
         samples=10,
@@ -182,6 +191,7 @@ def point_at(dwell: Dwell, voltage_v: float = 0.0, index: int = 0) -> Point:
         temperature_degc=None,
         realisation=dwell.realisation,
         procedure=dwell.procedure,
-        mount=dwell.mount,
+        mount=dwell.conditions[MOUNT],
         settled=True,
     )
+    return row.point

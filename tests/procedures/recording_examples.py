@@ -9,10 +9,10 @@ import numpy as np
 from tumble.drivers.clock import VirtualClock
 from tumble.drivers.protocols import SampleBlock
 from tumble.procedures.events import (
+    ConditionAnswered,
+    ConditionRequested,
     Event,
     FinishReason,
-    MountAnswered,
-    MountRequested,
     PointCompleted,
     RunFinished,
     SamplesAcquired,
@@ -21,9 +21,10 @@ from tumble.procedures.events import (
     StepStarted,
     WarningRaised,
 )
+from tumble.procedures.methods.dividing_head.layout import MOUNT, dwell_at, mounting
+from tumble.procedures.methods.dividing_head.rows import Row
 from tumble.procedures.recording.header import Header
 from tumble.procedures.recording.writer import Recorder
-from tumble.procedures.steps import Dwell, Mounting, Point
 
 STARTED_NS = 1_800_000_000_000_000_000
 
@@ -43,7 +44,7 @@ HEADER = Header(
     started_monotonic_s=0.0,
 )
 
-POINT = Point(
+ROW = Row(
     index=0,
     angle_deg=395.0,
     voltage_v=2.5001234567890123,
@@ -57,6 +58,7 @@ POINT = Point(
     mount="face-up",
     settled=True,
 )
+POINT = ROW.point
 
 FINISHED = RunFinished(reason=FinishReason.COMPLETED, message="all points are in", at_standstill=True)
 
@@ -67,18 +69,18 @@ def samples(point: int, voltage_v: Iterable[float] = (2.5, 2.50001, 9.9e37)) -> 
 
 
 def completed(index: int, **changes: object) -> PointCompleted:
-    return PointCompleted(point=replace(POINT, index=index, **changes))
+    return PointCompleted(point=replace(ROW, index=index, **changes).point)
 
 
 def run_of(points: int) -> list[Event]:
     """Events of a short run with every kind in it."""
-    dwell = Dwell(angle_deg=35.0, procedure="sweep", realisation=1, mount="face-up")
+    dwell = dwell_at(angle_deg=35.0, procedure="sweep", realisation=1, mount="face-up")
     dwells = [(StepStarted(step=dwell), samples(index), completed(index)) for index in range(points)]
     return [
         StateChanged(state=State.RUNNING),
-        StepStarted(step=Mounting(mount="face-up")),
-        MountRequested(mount="face-up", prompt="Seat the unit face-up"),
-        MountAnswered(mount="face-up", answer="так, сидить", confirmed=True),
+        StepStarted(step=mounting("face-up")),
+        ConditionRequested(condition=MOUNT, value="face-up", prompt="Seat the unit face-up"),
+        ConditionAnswered(condition=MOUNT, value="face-up", answer="так, сидить", confirmed=True),
         WarningRaised(message="the certificate of the DAQ has expired"),
         *(event for dwelling in dwells for event in dwelling),
         FINISHED,

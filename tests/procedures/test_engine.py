@@ -7,10 +7,10 @@ from fakes import QUICK, FakeStand
 from tumble.drivers.errors import DeviceError
 from tumble.procedures.errors import ProcedureError
 from tumble.procedures.events import (
+    ConditionAnswered,
+    ConditionRequested,
     FinishReason,
     Identified,
-    MountAnswered,
-    MountRequested,
     PointCompleted,
     RunFinished,
     SamplesAcquired,
@@ -19,9 +19,11 @@ from tumble.procedures.events import (
     StepStarted,
     WarningRaised,
 )
+from tumble.procedures.methods.dividing_head.layout import MOUNT, dwell_at, mounting
+from tumble.procedures.methods.dividing_head.rows import Row, row_of
 from tumble.procedures.operator import Answer
 from tumble.procedures.programme import programme_from_text
-from tumble.procedures.steps import Dwell, Mounted, Mounting, Point
+from tumble.procedures.steps import Confirmed
 
 FLIPS = 'name = "flips"\n[[procedure]]\nkind = "flip"\naxes = ["y", "z"]\n'
 
@@ -31,9 +33,9 @@ def flips():
 
 
 def dwells(*angles_deg):
-    yield Mounting(mount="face-up")
+    yield mounting("face-up")
     for angle_deg in angles_deg:
-        yield Dwell(angle_deg=angle_deg, procedure="sweep", realisation=1, mount="face-up")
+        yield dwell_at(angle_deg=angle_deg, procedure="sweep", realisation=1, mount="face-up")
 
 
 def states(stand):
@@ -60,8 +62,8 @@ def test_a_run_announces_everything_in_its_order(stand: FakeStand):
         Identified,
         StepStarted,
         StateChanged,
-        MountRequested,
-        MountAnswered,
+        ConditionRequested,
+        ConditionAnswered,
         StateChanged,
         StepStarted,
         SamplesAcquired,
@@ -80,7 +82,7 @@ def test_a_run_announces_everything_in_its_order(stand: FakeStand):
 def test_a_point_is_the_mean_of_its_samples_with_time_direction_and_origin(stand: FakeStand):
     (point,) = stand.engine().run(dwells(-90.0)).points
     block = stand.sink.of(SamplesAcquired)[0]
-    assert point == Point(
+    assert row_of(point) == Row(
         index=0,
         angle_deg=-90.0,
         voltage_v=pytest.approx(3.5),
@@ -104,18 +106,18 @@ def test_times_count_from_the_beginning_of_the_run(stand: FakeStand):
 
 def test_the_direction_is_that_of_the_last_real_move(stand: FakeStand):
     points = stand.engine().run(dwells(0.0, 30.0, 30.0, -10.0)).points
-    assert [point.direction for point in points] == [0, 1, 1, -1]
+    assert [point.directions["head"] for point in points] == [0, 1, 1, -1]
 
 
 def test_a_procedure_is_sent_the_reply_to_each_step(stand: FakeStand):
     replies = []
 
     def procedure():
-        replies.append((yield Mounting(mount="edge")))
-        replies.append((yield Dwell(angle_deg=5.0, procedure="flip", realisation=1, mount="edge")))
+        replies.append((yield mounting("edge")))
+        replies.append((yield dwell_at(angle_deg=5.0, procedure="flip", realisation=1, mount="edge")))
 
     outcome = stand.engine().run(procedure())
-    assert replies == [Mounted(mount="edge"), outcome.points[0]]
+    assert replies == [Confirmed(condition=MOUNT, value="edge"), outcome.points[0]]
 
 
 def test_the_head_goes_where_the_programme_says(stand: FakeStand):
@@ -131,7 +133,7 @@ def test_an_empty_procedure_is_completed(stand: FakeStand):
 def test_a_point_with_an_overload_is_kept_without_a_voltage(stand: FakeStand):
     stand.daq.overload_at = {2}
     (point,) = stand.engine().run(dwells(-90.0)).points
-    assert math.isnan(point.voltage_v)
+    assert math.isnan(point.readings["voltage_v"].mean)
     assert [event.message for event in stand.sink.of(WarningRaised)] == [
         "point 0 (face-up at -90 deg): 1 of 10 samples are overloads or no numbers; the point will be set aside"
     ]
@@ -163,7 +165,9 @@ def test_a_mount_that_is_not_confirmed_ends_the_run(stand: FakeStand, text, mess
     stand.operator.answer = Answer(text=text, confirmed=False)
     outcome = stand.engine().run(dwells(0.0))
     assert (outcome.reason, outcome.message) == (FinishReason.UNANSWERED, message)
-    assert stand.sink.of(MountAnswered) == [MountAnswered(mount="face-up", answer=text, confirmed=False)]
+    assert stand.sink.of(ConditionAnswered) == [
+        ConditionAnswered(condition=MOUNT, value="face-up", answer=text, confirmed=False)
+    ]
     assert stand.head.targets_deg == []
 
 
@@ -239,20 +243,20 @@ def test_an_exception_inside_a_procedure_is_a_fault_of_the_program(stand: FakeSt
 def test_a_part_of_a_programme_that_is_told_nonsense_says_so():
     procedure = flips()
     procedure.send(None)
-    procedure.send(Mounted(mount="face-up"))
-    with pytest.raises(ProcedureError, match=r"answered with Mounted\(mount='face-up'\) in place of a point"):
-        procedure.send(Mounted(mount="face-up"))
+    procedure.send(Confirmed(condition=MOUNT, value="face-up"))
+    with pytest.raises(ProcedureError, match=r"answered with Confirmed\(.*'face-up'\) in place of a point"):
+        procedure.send(Confirmed(condition=MOUNT, value="face-up"))
 
 
 def test_a_dwell_in_a_mount_that_nobody_confirmed_is_not_taken(stand: FakeStand):
-    steps = (Dwell(angle_deg=5.0, procedure="flip", realisation=1, mount=mount) for mount in ["edge"])
+    steps = (dwell_at(angle_deg=5.0, procedure="flip", realisation=1, mount=mount) for mount in ["edge"])
     outcome = stand.engine().run(steps)
     assert outcome.reason is FinishReason.INTERNAL
     assert stand.head.targets_deg == []
 
 
 @pytest.mark.parametrize(
-    ("kind", "points"), [(StateChanged, 0), (MountAnswered, 0), (SamplesAcquired, 0), (PointCompleted, 0)]
+    ("kind", "points"), [(StateChanged, 0), (ConditionAnswered, 0), (SamplesAcquired, 0), (PointCompleted, 0)]
 )
 def test_a_sink_that_fails_ends_the_run(stand: FakeStand, kind, points):
     stand.sink.fails_at = lambda event: isinstance(event, kind)
@@ -314,7 +318,7 @@ def test_a_stop_while_the_operator_is_awaited_ends_the_run(stand: FakeStand):
     engine = stand.engine()
     stand.operator.on_poll = lambda: engine.control.stop() if stand.clock.monotonic_s() > 60.0 else None
     assert engine.run(dwells(10.0)).reason is FinishReason.STOPPED
-    assert stand.sink.of(MountAnswered) == []
+    assert stand.sink.of(ConditionAnswered) == []
 
 
 def test_a_stop_between_points_keeps_those_that_are_there(stand: FakeStand):
@@ -377,7 +381,7 @@ def test_a_pause_brakes_a_moving_head_and_the_move_goes_on_after_it(stand: FakeS
     (point,) = engine.run(dwells(90.0)).points
     assert len(set(rested_deg)) == 1
     assert stand.head.targets_deg == [90.0, 90.0]
-    assert (point.angle_deg, point.direction) == (90.0, 1)
+    assert (point.positions_deg["head"], point.directions["head"]) == (90.0, 1)
 
 
 def test_a_head_that_cannot_be_paused_ends_the_run(stand: FakeStand):

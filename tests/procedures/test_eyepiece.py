@@ -7,13 +7,14 @@ from fakes import QUICK, FakeDaq, FakeHead, MemorySink, point_at
 from tumble.drivers.clock import VirtualClock
 from tumble.drivers.manual import ManualHead
 from tumble.drivers.protocols import Stand
-from tumble.procedures.doubt import doubt
 from tumble.procedures.engine import Engine
 from tumble.procedures.events import FinishReason, PointCompleted, ReadingAnswered, ReadingRequested
-from tumble.procedures.eyepiece import OperatorEyepiece, on_the_circle
+from tumble.procedures.methods.dividing_head.doubt import doubt
+from tumble.procedures.methods.dividing_head.eyepiece import OperatorEyepiece, on_the_circle
+from tumble.procedures.methods.dividing_head.layout import dwell_at
+from tumble.procedures.methods.dividing_head.rows import row_of
 from tumble.procedures.operator import Answers, ScriptedOperator
 from tumble.procedures.programme import programme_from_text
-from tumble.procedures.steps import Dwell
 
 SWEEP = programme_from_text('name = "a"\n[[procedure]]\nkind = "sweep"\nstep_deg = 30\npoints = 12\n', "a.toml")
 
@@ -45,7 +46,14 @@ def run(readings, programme=SWEEP, journal=None):
     eyepiece = OperatorEyepiece(operator, clock, 60 / 3600)
     head = ManualHead(HandTurned(eyepiece, fake), clock, limits_deg=(-180.0, 760.0), speed_deg_s=5.0)
     sink = MemorySink()
-    engine = Engine(Stand(name="bench", head=head, daq=daq, clock=clock), operator, sink, QUICK, (), eyepiece)
+    engine = Engine(
+        Stand(name="bench", positioners={"head": head}, samplers={"daq": daq}, clock=clock),
+        operator,
+        sink,
+        QUICK,
+        (),
+        eyepiece,
+    )
     if journal is None:
         return engine.run(programme.procedure()), sink
     return engine.resume(programme.procedure(), journal), sink
@@ -58,14 +66,14 @@ def asked(sink):
 def test_enter_alone_takes_a_point_at_every_setting():
     outcome, sink = run({"default": ""})
     assert outcome.reason is FinishReason.COMPLETED
-    assert [point.angle_deg for point in outcome.points] == [30.0 * number for number in range(12)]
+    assert [point.positions_deg["head"] for point in outcome.points] == [30.0 * number for number in range(12)]
     assert len(sink.of(ReadingAnswered)) == 12
     assert asked(sink)[1] == "Set the head to 30° 00′ 00″; Enter when it reads so, or type the reading."
 
 
 def test_a_reading_is_taken_in_place_of_the_setting():
     outcome, sink = run({"default": "", "2": "30 00 12"})
-    assert outcome.points[1].angle_deg == pytest.approx(30.0 + 12 / 3600)
+    assert outcome.points[1].positions_deg["head"] == pytest.approx(30.0 + 12 / 3600)
     assert sink.of(ReadingAnswered)[1] == ReadingAnswered(
         setting_deg=30.0, answer="30 00 12", reading_deg=pytest.approx(30.0 + 12 / 3600)
     )
@@ -77,12 +85,12 @@ def test_a_reading_far_from_the_setting_is_asked_for_again_and_kept_when_typed_t
         "You read 25° 00′ 00″, the setting was 30° 00′ 00″: type it again to keep it, or set the head right and press "
         "Enter."
     )
-    assert outcome.points[1].angle_deg == 25.0
+    assert outcome.points[1].positions_deg["head"] == 25.0
 
 
 def test_a_slip_of_the_finger_is_corrected_with_enter():
     outcome, _ = run({"default": "", "2": "25 00", "3": ""})
-    assert outcome.points[1].angle_deg == 30.0
+    assert outcome.points[1].positions_deg["head"] == 30.0
 
 
 def test_an_answer_that_is_never_an_angle_is_none():
@@ -96,7 +104,7 @@ def test_an_answer_that_is_never_an_angle_is_none():
 
 def test_what_is_no_angle_is_asked_for_again_and_journaled():
     outcome, sink = run({"default": "", "2": "abc", "3": "30,001"})
-    assert outcome.points[1].angle_deg == pytest.approx(30.001)
+    assert outcome.points[1].positions_deg["head"] == pytest.approx(30.001)
     assert [event.answer for event in sink.of(ReadingAnswered)][1:3] == ["abc", "30,001"]
     assert math.isnan(sink.of(ReadingAnswered)[1].reading_deg)
     assert "'abc' is no angle" in asked(sink)[2]
@@ -114,7 +122,7 @@ def test_a_second_turn_is_read_on_the_circle_and_counted_on():
     far = programme_from_text(SWEEP.text.replace("step_deg = 30", "start_deg = 390\nstep_deg = 5"), "a.toml")
     outcome, sink = run({"default": "", "1": "30 00 06"}, far)
     assert asked(sink)[0].startswith("Set the head to 30° 00′ 00″;")
-    assert outcome.points[0].angle_deg == pytest.approx(390.0 + 6 / 3600)
+    assert outcome.points[0].positions_deg["head"] == pytest.approx(390.0 + 6 / 3600)
 
 
 def test_a_voltage_that_contradicts_the_reading_is_questioned_with_a_guess():
@@ -122,13 +130,13 @@ def test_a_voltage_that_contradicts_the_reading_is_questioned_with_a_guess():
     outcome, sink = run({"default": "", "12": "320", "13": "320", "14": "330"})
     question = asked(sink)[-1]
     assert "V off at 320° 00′ 00″ and would fit 330° 00′ 00″: a wrong degree?" in question
-    assert outcome.points[11].angle_deg == 330.0
-    assert [event.point.angle_deg for event in sink.of(PointCompleted)][11] == 330.0
+    assert outcome.points[11].positions_deg["head"] == 330.0
+    assert [event.point.positions_deg["head"] for event in sink.of(PointCompleted)][11] == 330.0
 
 
 def test_who_insists_keeps_the_reading():
     outcome, sink = run({"default": "", "12": "320", "13": "320", "14": ""})
-    assert outcome.points[11].angle_deg == 320.0
+    assert outcome.points[11].positions_deg["head"] == 320.0
     assert len(asked(sink)) == 14
 
 
@@ -136,15 +144,17 @@ def test_a_run_with_a_kept_reading_can_be_resumed():
     begun, _ = run({"default": "", "2": "25 00", "3": "25:00:00"})
     outcome, _ = run({"default": ""}, journal=begun.points[:5])
     assert outcome.reason is FinishReason.COMPLETED
-    assert outcome.points[1].angle_deg == 25.0
+    assert outcome.points[1].positions_deg["head"] == 25.0
 
 
 def points_at(angles_deg, noise_v=1e-4):
     return [
         replace(
-            point_at(
-                Dwell(angle_deg=angle_deg, procedure="sweep", realisation=1, mount="face-up"),
-                2.5 - math.sin(math.radians(angle_deg)) + noise_v * (-1) ** number,
+            row_of(
+                point_at(
+                    dwell_at(angle_deg=angle_deg, procedure="sweep", realisation=1, mount="face-up"),
+                    2.5 - math.sin(math.radians(angle_deg)) + noise_v * (-1) ** number,
+                )
             ),
             index=number,
         )

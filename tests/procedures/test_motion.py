@@ -3,10 +3,11 @@ from fakes import FakeHead, FakeStand
 
 from tumble.drivers.clock import VirtualClock
 from tumble.drivers.errors import DeviceError
-from tumble.procedures.approach import Approach, Place
+from tumble.procedures.approach import EITHER_WAY, Approach, Place
 from tumble.procedures.errors import ProgrammeError
 from tumble.procedures.motion import Motion
-from tumble.procedures.plan import check_cable, check_limits, plan
+from tumble.procedures.plan import plan
+from tumble.procedures.plan_checks import check_cable, check_limits
 from tumble.procedures.programme import programme_from_text
 
 HERE = Place(angle_deg=10.0, direction=1)
@@ -19,7 +20,7 @@ def going_on():
 def head_and_motion(approach=None):
     clock = VirtualClock()
     head = FakeHead(clock)
-    return head, Motion(head, clock, 0.01, **({} if approach is None else {"approach": approach}))
+    return head, Motion(head, clock, 0.01, approach or EITHER_WAY, title="dividing head")
 
 
 @pytest.mark.parametrize(
@@ -44,7 +45,7 @@ def test_a_programme_with_an_approach_arrives_everywhere_in_that_direction(stand
     text = 'name = "a"\napproach = "up"\n[[procedure]]\nkind = "sweep"\nstep_deg = -10\npoints = 4\n'
     programme = programme_from_text(text, "a.toml")
     outcome = stand.engine(programme.acquisition(samples=10, rate_hz=100.0)).run(programme.procedure())
-    assert [point.direction for point in outcome.points] == [1, 1, 1, 1]
+    assert [point.directions["head"] for point in outcome.points] == [1, 1, 1, 1]
     assert stand.head.targets_deg == [-2.0, 0.0, -12.0, -10.0, -22.0, -20.0, -32.0, -30.0]
 
 
@@ -56,7 +57,7 @@ def test_without_one_the_head_goes_straight(stand: FakeStand):
 
 def planned(text, **settings):
     programme = programme_from_text(text, "a.toml")
-    return plan(programme, programme.acquisition(samples=100, rate_hz=100.0), speed_deg_s=10.0, **settings)
+    return plan(programme, programme.acquisition(samples=100, rate_hz=100.0), speeds_deg_s={"head": 10.0}, **settings)
 
 
 DOWN = 'name = "a"\napproach = "down"\novershoot_deg = 5\n[[procedure]]\nkind = "sweep"\nstep_deg = 10\npoints = 3\n'
@@ -67,22 +68,24 @@ def test_the_way_round_is_in_the_plan_and_within_the_limits():
     straight = planned(DOWN.replace("down", "up"))
     # up: one detour of twice 5 deg for the first dwell; down: one for every dwell
     assert whole.duration_s - straight.duration_s == pytest.approx(2 * 2 * 0.5)
-    check_limits(whole, (0.0, 25.0))
+    check_limits(whole, "head", (0.0, 25.0))
     with pytest.raises(
         ProgrammeError, match=r"line 4: the sweep goes to 25 deg on its way to 20 deg, outside the head's"
     ):
-        check_limits(whole, (0.0, 24.0))
+        check_limits(whole, "head", (0.0, 24.0))
 
 
 def test_a_cable_allows_what_the_limits_do_to_the_last_degree():
-    check_cable(planned('name = "a"\n[[procedure]]\nkind = "sweep"\nstep_deg = 185\npoints = 2\n'), 185.0 / 360.0)
+    check_cable(
+        planned('name = "a"\n[[procedure]]\nkind = "sweep"\nstep_deg = 185\npoints = 2\n'), "head", 185.0 / 360.0
+    )
 
 
 def test_a_plan_that_winds_the_cable_too_far_is_refused():
     wound = planned('name = "a"\n[[procedure]]\nkind = "sweep"\nstep_deg = 90\npoints = 9\n')
-    check_cable(wound, 2.0)
+    check_cable(wound, "head", 2.0)
     with pytest.raises(ProgrammeError) as raised:
-        check_cable(wound, 1.5)
+        check_cable(wound, "head", 1.5)
     assert str(raised.value) == (
         "a.toml, line 2: the sweep goes to 630 deg, and the cable allows 1.5 turns to either side of zero; change the "
         "angles, or cable_turns of the stand"
@@ -93,7 +96,7 @@ def test_a_plan_that_winds_the_cable_too_far_is_refused():
 def test_a_cable_that_was_wound_is_unwound_at_the_end(stand: FakeStand, last_deg, rest_deg):
     text = f'name = "a"\n[[procedure]]\nkind = "sweep"\nstart_deg = {last_deg}\nstep_deg = 0\npoints = 1\n'
     outcome = stand.engine().run(programme_from_text(text, "a.toml").procedure())
-    assert [point.angle_deg for point in outcome.points] == [last_deg]
+    assert [point.positions_deg["head"] for point in outcome.points] == [last_deg]
     assert stand.head.status().angle_deg == rest_deg
 
 

@@ -6,6 +6,7 @@ from threading import Event
 import pytest
 
 from tumble.procedures.errors import InputError, UnansweredError
+from tumble.procedures.methods.dividing_head.layout import mounting
 from tumble.procedures.operator import Answer, Answers, ConsoleOperator, ScriptedOperator, SeatingOperator, understand
 
 YES = Answer(text="yes", confirmed=True)
@@ -46,7 +47,7 @@ def operator(tmp_path: Path, text):
 def test_an_answers_file_answers(tmp_path: Path, text, mount, answer):
     scripted = operator(tmp_path, text)
     assert scripted.poll() is None
-    scripted.ask_mount(mount, "Seat it.")
+    scripted.ask(mounting(mount))
     assert scripted.poll() == answer
 
 
@@ -94,27 +95,27 @@ def answer_of(console):
 def test_lines_from_a_pipe_answer_one_request_each():
     shown = []
     console = ConsoleOperator(io.StringIO("edge\nno\n"), shown.append)
-    console.ask_mount("edge", "Seat it in edge.")
+    console.ask(mounting("edge"))
     assert answer_of(console) == Answer(text="edge", confirmed=True)
-    console.ask_mount("end", "Seat it in end.")
+    console.ask(mounting("end"))
     assert answer_of(console) == Answer(text="no", confirmed=False)
-    assert shown == ["Seat it in edge.", "Seat it in end."]
+    assert shown == [mounting("edge").prompt, mounting("end").prompt]
 
 
 def test_a_stray_enter_is_asked_again():
     shown = []
     console = ConsoleOperator(io.StringIO("\n\nedge\n"), shown.append)
-    console.ask_mount("edge", "Seat it in edge.")
+    console.ask(mounting("edge"))
     assert answer_of(console) == Answer(text="edge", confirmed=True)
     again = "Type edge or yes when the unit sits there, or no to end the run."
-    assert shown == ["Seat it in edge.", again, again]
+    assert shown == [mounting("edge").prompt, again, again]
 
 
 def test_at_the_end_of_the_input_a_request_stays_unanswered():
     console = ConsoleOperator(io.StringIO(""), lambda text: None)
-    console.ask_mount("edge", "Seat it in edge.")
+    console.ask(mounting("edge"))
     assert answer_of(console) == SILENCE
-    console.ask_mount("end", "Seat it in end.")
+    console.ask(mounting("end"))
     assert answer_of(console) == SILENCE
 
 
@@ -124,14 +125,14 @@ def test_what_was_typed_on_a_terminal_before_the_request_is_no_answer():
     terminal = Terminal("yes\nyes\n", typed)
     console = ConsoleOperator(terminal, lambda text: None)
     assert terminal.read.wait(10.0)
-    console.ask_mount("edge", "Seat it in edge.")
+    console.ask(mounting("edge"))
     assert answer_of(console) == SILENCE
 
 
 def test_nobody_waits_for_a_terminal():
     typed = Event()
     console = ConsoleOperator(Terminal("edge\n", typed), lambda text: None)
-    console.ask_mount("edge", "Seat it in edge.")
+    console.ask(mounting("edge"))
     assert console.poll() is None
     typed.set()
     assert answer_of(console) == Answer(text="edge", confirmed=True)
@@ -139,16 +140,16 @@ def test_nobody_waits_for_a_terminal():
 
 def test_a_simulated_unit_is_seated_once_it_is_confirmed():
     seated = []
-    operator = SeatingOperator(ScriptedOperator(Answers(mounts={"edge": "yes", "end": "no"})), seated.append)
-    operator.ask_mount("end", "Seat it in end.")
+    operator = SeatingOperator(ScriptedOperator(Answers(mounts={"edge": "yes", "end": "no"})), {"mount": seated.append})
+    operator.ask(mounting("end"))
     assert operator.poll() == Answer(text="no", confirmed=False)
-    operator.ask_mount("edge", "Seat it in edge.")
+    operator.ask(mounting("edge"))
     assert operator.poll() == YES
     assert seated == ["edge"]
 
 
 def test_input_that_cannot_be_read_is_told_with_its_reason():
     console = ConsoleOperator(io.TextIOWrapper(io.BytesIO(b"\xff\xfe\n"), "utf-8"), lambda text: None)
-    console.ask_mount("edge", "Seat it in edge.")
+    console.ask(mounting("edge"))
     with pytest.raises(UnansweredError, match=r"the answer could not be read .UnicodeDecodeError: .* resume the run"):
         answer_of(console)

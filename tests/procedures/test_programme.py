@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from tumble.procedures.errors import ProgrammeError
 from tumble.procedures.programme import load_programme, programme_from_text, shipped_programmes
-from tumble.procedures.steps import Dwell, Mounting
+from tumble.procedures.steps import Ask, Dwell
 
 PROBES = [
     "probe-back",
@@ -182,10 +182,11 @@ def test_the_unit_is_seated_exactly_where_the_mount_changes(order, realisations,
     text = f'name = "a"\nrealisations = {realisations}\n' + "".join(PARTS[part] for part in order)
     seated = None
     for step in steps_of(text, nominal_reply):
-        if isinstance(step, Mounting):
-            assert step.mount != seated
-            seated = step.mount
-        assert step.mount == seated
+        if isinstance(step, Ask):
+            assert step.value != seated
+            seated = step.value
+        else:
+            assert step.conditions == {"mount": seated}
 
 
 def test_realisations_are_numbered_from_1(nominal_reply):

@@ -5,16 +5,18 @@ from fakes import QUICK, FakeStand, point_at
 
 from tumble.drivers.clock import VirtualClock
 from tumble.procedures.acquisition import Acquisition
-from tumble.procedures.events import MountAnswered, PointCompleted, State, StateChanged, StepStarted
+from tumble.procedures.events import ConditionAnswered, PointCompleted, State, StateChanged, StepStarted
+from tumble.procedures.methods.dividing_head.layout import MOUNT, dwell_at, mounting
 from tumble.procedures.plan import plan
 from tumble.procedures.programme import programme_from_text
 from tumble.procedures.progress import Progress, TimeLeft
-from tumble.procedures.steps import Dwell, Mounting
 
 PROGRAMME = programme_from_text('name = "a"\n[[procedure]]\nkind = "sweep"\nstep_deg = 0\npoints = 5\n', "a.toml")
 # One dwell is planned to take 10 s, the mounting 60 s.
-PLAN = plan(PROGRAMME, Acquisition(samples=80, rate_hz=10.0, settle_samples=10), speed_deg_s=1.0, mounting_s=60.0)
-DWELL = Dwell(angle_deg=0.0, procedure="sweep", realisation=1, mount="face-up")
+PLAN = plan(
+    PROGRAMME, Acquisition(samples=80, rate_hz=10.0, settle_samples=10), speeds_deg_s={"head": 1.0}, request_s=60.0
+)
+DWELL = dwell_at(angle_deg=0.0, procedure="sweep", realisation=1, mount="face-up")
 
 
 class Run:
@@ -30,9 +32,9 @@ class Run:
         self.progress(PointCompleted(point=point_at(DWELL)))
 
     def mounting(self, duration_s):
-        self.progress(StepStarted(step=Mounting(mount="face-up")))
+        self.progress(StepStarted(step=mounting("face-up")))
         self.clock.sleep(duration_s)
-        self.progress(MountAnswered(mount="face-up", answer="yes", confirmed=True))
+        self.progress(ConditionAnswered(condition=MOUNT, value="face-up", answer="yes", confirmed=True))
 
     def pause(self, duration_s):
         self.progress(StateChanged(state=State.PAUSED))
@@ -83,19 +85,19 @@ def test_a_pause_is_not_counted():
 
 def test_a_resumed_run_counts_what_was_there_and_not_the_mount_confirmed_again():
     run = Run(points_done=3)
-    run.progress(MountAnswered(mount="face-up", answer="yes", confirmed=True))
+    run.progress(ConditionAnswered(condition=MOUNT, value="face-up", answer="yes", confirmed=True))
     run.dwell(10.0)
     assert (run.progress.done, run.progress.total) == (4, 5)
     assert run.progress.time_left().time_s == pytest.approx(10.0)
 
 
 def test_steps_planned_to_take_no_time_say_nothing():
-    run = Run(plan(PROGRAMME, QUICK, speed_deg_s=1.0, mounting_s=0.0))
+    run = Run(plan(PROGRAMME, QUICK, speeds_deg_s={"head": 1.0}, request_s=0.0))
     run.mounting(100.0)
     assert run.progress.time_left().time_s == pytest.approx(5 * 0.14)
 
 
 def test_at_the_end_of_a_real_run_no_time_is_left(stand: FakeStand):
-    progress = Progress(plan(PROGRAMME, QUICK, speed_deg_s=30.0), stand.clock)
+    progress = Progress(plan(PROGRAMME, QUICK, speeds_deg_s={"head": 30.0}), stand.clock)
     stand.engine(listeners=[progress]).run(PROGRAMME.procedure())
     assert (progress.done, progress.time_left()) == (5, TimeLeft(time_s=0.0, standard_error_s=0.0))

@@ -16,11 +16,11 @@ from mcap.writer import Writer
 from recording_examples import HEADER, completed, record, run_of, samples
 
 from benchmarks.endurance.flips import flips, places
+from tumble.procedures.methods.dividing_head.observations import observations
 from tumble.procedures.recording import header as header_module
 from tumble.procedures.recording.errors import RecordingError
 from tumble.procedures.recording.frames import LARGEST_RECORD, frames
 from tumble.procedures.recording.header import Header, header_to_strings, is_intact
-from tumble.procedures.recording.observations import observations
 from tumble.procedures.recording.reader import complete_messages, iter_samples, leading, read_header, read_recording
 
 FIRST_FORMAT = Path(__file__).parent / "fixtures" / "recording_v1.mcap"

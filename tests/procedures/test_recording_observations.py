@@ -4,7 +4,7 @@ from recording_examples import FINISHED, completed, record, run_of
 
 from tumble.calibrations.core.rows import SetAside
 from tumble.procedures.events import FinishReason, RunFinished, WarningRaised
-from tumble.procedures.recording.observations import observations
+from tumble.procedures.methods.dividing_head.observations import observations
 from tumble.procedures.recording.reader import read_recording
 
 

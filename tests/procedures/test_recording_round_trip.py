@@ -7,13 +7,13 @@ import numpy as np
 import orjson
 import pytest
 from hypothesis import given
-from recording_examples import FINISHED, HEADER, POINT, completed, record, run_of, samples
+from recording_examples import FINISHED, HEADER, POINT, ROW, completed, record, run_of, samples
 
-from tumble.drivers.protocols import SampleBlock
+from tumble.drivers.protocols import ChannelBlock
 from tumble.procedures.events import (
+    ConditionAnswered,
+    ConditionRequested,
     FinishReason,
-    MountAnswered,
-    MountRequested,
     PointCompleted,
     RunFinished,
     SamplesAcquired,
@@ -22,18 +22,19 @@ from tumble.procedures.events import (
     StepStarted,
     WarningRaised,
 )
+from tumble.procedures.methods.dividing_head.layout import LAYOUT, MOUNT, dwell_at, mounting
+from tumble.procedures.methods.dividing_head.rows import Row, row_of
 from tumble.procedures.recording.blocks import join, split
 from tumble.procedures.recording.contents import Said, contents
 from tumble.procedures.recording.header import Header, header_from_strings, header_to_strings
 from tumble.procedures.recording.messages import encode, from_message, to_messages
 from tumble.procedures.recording.reader import iter_samples, read_recording
-from tumble.procedures.recording.schemas import TOPICS, json_schema
-from tumble.procedures.steps import Dwell, Mounting, Point
+from tumble.procedures.recording.schemas import json_schema, topics
 
 
 def through_json(event):
-    topic, values = list(to_messages(event))[-1]
-    return from_message(topic, encode(values))
+    topic, values = list(to_messages(event, LAYOUT))[-1]
+    return from_message(topic, encode(values), LAYOUT)
 
 
 def test_everything_a_run_announces_comes_back(tmp_path):
@@ -41,12 +42,14 @@ def test_everything_a_run_announces_comes_back(tmp_path):
 
     assert recording.header == HEADER
     assert recording.points == tuple(replace(POINT, index=index) for index in range(3))
-    dwell = Dwell(angle_deg=35.0, procedure="sweep", realisation=1, mount="face-up")
-    assert recording.steps == (Mounting(mount="face-up"), dwell, dwell, dwell)
-    assert recording.answers == (MountAnswered(mount="face-up", answer="так, сидить", confirmed=True),)
+    dwell = dwell_at(angle_deg=35.0, procedure="sweep", realisation=1, mount="face-up")
+    assert recording.steps == (mounting("face-up"), dwell, dwell, dwell)
+    assert recording.answers == (
+        ConditionAnswered(condition=MOUNT, value="face-up", answer="так, сидить", confirmed=True),
+    )
     assert recording.events == (
         StateChanged(state=State.RUNNING),
-        MountRequested(mount="face-up", prompt="Seat the unit face-up"),
+        ConditionRequested(condition=MOUNT, value="face-up", prompt="Seat the unit face-up"),
         WarningRaised(message="the certificate of the DAQ has expired"),
         FINISHED,
     )
@@ -87,14 +90,14 @@ doubles = st.floats(allow_nan=True, allow_infinity=True, width=64)
 
 @given(voltage_v=doubles, temperature_degc=st.none() | doubles, angle_deg=doubles)
 def test_a_point_comes_back_with_every_bit_of_its_numbers(voltage_v, temperature_degc, angle_deg):
-    point = replace(POINT, voltage_v=voltage_v, temperature_degc=temperature_degc, angle_deg=angle_deg)
+    row = replace(ROW, voltage_v=voltage_v, temperature_degc=temperature_degc, angle_deg=angle_deg)
 
-    again = through_json(PointCompleted(point=point))
+    again = row_of(through_json(PointCompleted(point=row.point)))
 
     assert again.settled is True
     assert (again.temperature_degc is None) == (temperature_degc is None)
     for name in ("voltage_v", "angle_deg", "temperature_degc"):
-        before, after = getattr(point, name), getattr(again, name)
+        before, after = getattr(row, name), getattr(again, name)
         if before is not None:
             np.testing.assert_array_equal(after, before)
             assert np.signbit(after) == np.signbit(before) or np.isnan(before)
@@ -102,13 +105,13 @@ def test_a_point_comes_back_with_every_bit_of_its_numbers(voltage_v, temperature
 
 @given(answer=st.text())
 def test_an_answer_comes_back_word_for_word(answer):
-    event = MountAnswered(mount="edge", answer=answer, confirmed=False)
+    event = ConditionAnswered(condition=MOUNT, value="edge", answer=answer, confirmed=False)
 
     assert through_json(event) == event
 
 
 def test_an_answer_that_is_no_text_is_kept_legible():
-    event = MountAnswered(mount="edge", answer="ok \udcff", confirmed=True)
+    event = ConditionAnswered(condition=MOUNT, value="edge", answer="ok \udcff", confirmed=True)
 
     assert through_json(event).answer == "ok \\udcff"
 
@@ -128,8 +131,9 @@ def test_numbers_that_json_lacks_are_strings(value, text):
 )
 def test_a_block_comes_back_from_its_messages(voltage_v, channels, temperature_degc):
     rows = np.array([np.roll(voltage_v, channel) for channel in range(channels)])
-    block = SampleBlock(
-        voltage_v=rows if channels > 1 else rows[0],
+    names = ["u_x_v", "u_y_v", "rate_deg_h"] if channels > 1 else ["voltage_v"]
+    block = ChannelBlock(
+        channels=dict(zip(names, rows, strict=False)),
         rate_hz=1000.0,
         device_time_s=0.1,
         temperature_degc=temperature_degc,
@@ -138,7 +142,9 @@ def test_a_block_comes_back_from_its_messages(voltage_v, channels, temperature_d
 
     (again,) = join(orjson.loads(encode(part)) for part in split(event))
 
-    np.testing.assert_array_equal(again.block.voltage_v, block.voltage_v)
+    assert list(again.block.channels) == list(block.channels)
+    for name, values in block.channels.items():
+        np.testing.assert_array_equal(again.block.channels[name], values)
     assert (again.point, again.time_s, again.block.rate_hz) == (7, 1.5, 1000.0)
     assert (again.block.device_time_s, again.block.temperature_degc) == (0.1, temperature_degc)
 
@@ -167,36 +173,36 @@ def test_samples_are_read_block_by_block(tmp_path):
 def test_every_message_holds_fields_of_its_schema_and_no_others(tmp_path):
     path = record(tmp_path / "run.mcap", run_of(2))
 
-    said = [entry for entry in contents(path, TOPICS) if isinstance(entry, Said)]
+    said = [entry for entry in contents(path, topics(LAYOUT)) if isinstance(entry, Said)]
 
-    assert {entry.topic for entry in said} == set(TOPICS)
+    assert {entry.topic for entry in said} == set(topics(LAYOUT))
     for entry in said:
-        properties = orjson.loads(json_schema(entry.topic))["properties"]
+        properties = orjson.loads(json_schema(entry.topic, LAYOUT))["properties"]
         assert set(orjson.loads(entry.data)) <= set(properties)
 
 
 def test_the_schema_of_a_point_has_every_field_of_a_point():
-    assert set(TOPICS["/point"]) == {field.name for field in fields(Point)}
+    assert set(topics(LAYOUT)["/point"]) == {field.name for field in fields(Row)}
 
 
 def test_no_schema_has_a_list_of_types():
-    for topic in TOPICS:
-        schema = orjson.loads(json_schema(topic))
+    for topic in topics(LAYOUT):
+        schema = orjson.loads(json_schema(topic, LAYOUT))
         assert all(isinstance(described["type"], str) for described in schema["properties"].values())
 
 
 def test_a_point_without_temperature_has_no_temperature_message():
-    topics = [topic for topic, _ in to_messages(completed(0, temperature_degc=None))]
+    topics = [topic for topic, _ in to_messages(completed(0, temperature_degc=None), LAYOUT)]
 
     assert topics == ["/head", "/point"]
 
 
 def test_the_row_of_a_point_comes_after_what_repeats_it():
-    assert [topic for topic, _ in to_messages(completed(0))] == ["/head", "/temperature", "/point"]
+    assert [topic for topic, _ in to_messages(completed(0), LAYOUT)] == ["/head", "/temperature", "/point"]
 
 
 def test_a_step_says_which_kind_it_is():
-    ((topic, values),) = to_messages(StepStarted(step=Mounting(mount="end")))
+    ((topic, values),) = to_messages(StepStarted(step=mounting("end")), LAYOUT)
 
     assert (topic, values) == ("/step", {"kind": "mounting", "mount": "end"})
 
@@ -226,4 +232,13 @@ def test_a_recording_of_the_first_format_is_still_read():
     recording = read_recording(Path(__file__).parent / "fixtures" / "recording_v1.mcap")
     assert (recording.header.format_version, recording.header.job) == (1, "run")
     assert recording.complete
-    assert [point.angle_deg for point in recording.points] == [0.0, 60.0, 120.0, 180.0, 240.0, 300.0]
+    assert [point.positions_deg["head"] for point in recording.points] == [0.0, 60.0, 120.0, 180.0, 240.0, 300.0]
+
+
+def test_a_header_that_names_no_method_is_of_the_dividing_head():
+    strings = header_to_strings(HEADER)
+    written = {name: text for name, text in strings.items() if name not in ("method", "method_version")}
+
+    header = header_from_strings(written, HEADER.programme_text)
+
+    assert (header.method, header.method_version) == ("dividing_head", 1)

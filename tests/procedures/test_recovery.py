@@ -5,8 +5,9 @@ from fakes import QUICK, FakeDaq, FakeHead, FakeStand
 
 from tumble.drivers.clock import VirtualClock
 from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError, ReferenceLostError
-from tumble.drivers.protocols import HeadStatus, Identity
+from tumble.drivers.protocols import Identity, PositionerStatus
 from tumble.procedures.events import FinishReason, Identified, PointCompleted, SamplesAcquired, WarningRaised
+from tumble.procedures.methods.dividing_head.rows import row_of
 from tumble.procedures.programme import programme_from_text
 
 SWEEP = programme_from_text(
@@ -71,7 +72,7 @@ class LinkedHead(FakeHead):
         self.link.check()
         super().start_move(angle_deg)
 
-    def status(self) -> HeadStatus:
+    def status(self) -> PositionerStatus:
         self.on_status()
         self.link.check()
         return replace(super().status(), referenced=self.referenced)
@@ -110,7 +111,8 @@ def linked() -> FakeStand:
 
 
 def voltages(outcome):
-    return [(point.index, point.angle_deg, point.direction, round(point.voltage_v, 9)) for point in outcome.points]
+    rows = map(row_of, outcome.points)
+    return [(row.index, row.angle_deg, row.direction, round(row.voltage_v, 9)) for row in rows]
 
 
 def undisturbed():
@@ -267,7 +269,7 @@ def test_turns_of_the_cable_that_nobody_counts_any_more_are_told(linked: FakeSta
     text = 'name = "a"\n[[procedure]]\nkind = "sweep"\nstart_deg = 700\nstep_deg = -5\npoints = 2\n'
     linked.daq.on_acquire = once_when(lambda: len(linked.sink.of(PointCompleted)) == 1, lose_power)
     outcome = linked.engine().run(programme_from_text(text, "a").procedure())
-    assert [point.angle_deg for point in outcome.points] == [700.0, 695.0]
+    assert [point.positions_deg["head"] for point in outcome.points] == [700.0, 695.0]
     assert warnings(linked)[1] == (
         "dividing head: has lost its reference at 700 deg; look whether its cable is wound by 2 turns, and stop the "
         "run to unwind it by hand if it is"

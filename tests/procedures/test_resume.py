@@ -1,4 +1,5 @@
 from dataclasses import replace
+from functools import partial
 
 import pytest
 from fakes import FakeStand, point_at
@@ -6,11 +7,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tumble.procedures.errors import JournalError
-from tumble.procedures.events import FinishReason, MountAnswered, PointCompleted, StepStarted
+from tumble.procedures.events import ConditionAnswered, FinishReason, PointCompleted, StepStarted
+from tumble.procedures.methods.dividing_head.layout import MOUNT, dwell_at, mounting
+from tumble.procedures.methods.dividing_head.rows import row_of
 from tumble.procedures.operator import Answer
 from tumble.procedures.programme import programme_from_text
 from tumble.procedures.replay import replay
-from tumble.procedures.steps import Dwell, Mounted, Mounting
+from tumble.procedures.steps import Confirmed, Dwell
 
 PARTS = [
     '[[procedure]]\nkind = "flip"\naxes = ["x", "z"]\npole = "extremum"\n',
@@ -46,8 +49,8 @@ def journal(stand):
     """The replies in a recording, in order."""
     for event in stand.sink.events:
         match event:
-            case MountAnswered(confirmed=True):
-                yield Mounted(mount=event.mount)
+            case ConditionAnswered(confirmed=True):
+                yield Confirmed(condition=event.condition, value=event.value)
             case PointCompleted():
                 yield event.point
 
@@ -59,7 +62,7 @@ def test_a_run_cut_anywhere_goes_on_as_if_it_had_not_been(text, data):
     cut = data.draw(st.integers(0, len(expected.points)), label="points before the cut")
 
     if cut:
-        resumed.head.start_move(expected.points[cut - 1].angle_deg)
+        resumed.head.start_move(expected.points[cut - 1].positions_deg["head"])
         resumed.clock.sleep(60.0)
     outcome = resumed.engine().resume(procedure_of(text), expected.points[:cut])
 
@@ -121,15 +124,20 @@ def test_the_direction_before_the_cut_holds_until_the_next_move(stand: FakeStand
     begun = FakeStand().engine().run(still.procedure()).points[:2]
     stand.head.start_move(-40.0)
     stand.clock.sleep(60.0)
-    assert [point.direction for point in stand.engine().resume(still.procedure(), begun).points] == [-1, -1, -1]
+    assert [point.directions["head"] for point in stand.engine().resume(still.procedure(), begun).points] == [
+        -1,
+        -1,
+        -1,
+    ]
 
 
-SECOND = Dwell(angle_deg=5.0, procedure="sweep", realisation=1, mount="face-up")
+AT = partial(dwell_at, procedure="sweep", realisation=1, mount="face-up")
+SECOND = AT(angle_deg=5.0)
 
 
 def test_a_reported_angle_may_differ_by_the_tolerance():
-    points = [point_at(replace(SECOND, angle_deg=0.009)), point_at(replace(SECOND, angle_deg=4.991), index=1)]
-    assert replay(SWEEP.procedure(), points, 0.01).pending == replace(SECOND, angle_deg=10.0)
+    points = [point_at(AT(angle_deg=0.009)), point_at(AT(angle_deg=4.991), index=1)]
+    assert replay(SWEEP.procedure(), points, 0.01).pending == AT(angle_deg=10.0)
 
 
 @pytest.mark.parametrize(
@@ -144,7 +152,7 @@ def test_a_reported_angle_may_differ_by_the_tolerance():
     ],
 )
 def test_a_recording_of_another_programme_is_refused_before_anything_moves(stand: FakeStand, other, seen):
-    points = [point_at(replace(SECOND, angle_deg=0.0)), replace(point_at(SECOND, index=1), **other)]
+    points = [point_at(AT(angle_deg=0.0)), replace(row_of(point_at(SECOND, index=1)), **other).point]
     with pytest.raises(JournalError) as raised:
         stand.engine().resume(SWEEP.procedure(), points)
     assert str(raised.value) == (
@@ -156,11 +164,11 @@ def test_a_recording_of_another_programme_is_refused_before_anything_moves(stand
 
 
 def test_a_recording_that_is_longer_than_the_programme_is_refused():
-    points = [point_at(replace(SECOND, angle_deg=5.0 * index), index=index) for index in range(4)]
+    points = [point_at(AT(angle_deg=5.0 * index), index=index) for index in range(4)]
     with pytest.raises(JournalError, match="the programme is over after 3 points"):
         replay(SWEEP.procedure(), points, 0.01)
 
 
 def test_the_reply_to_a_mounting_alone_leaves_it_pending():
-    replayed = replay(SWEEP.procedure(), [Mounted(mount="face-up")], 0.01)
-    assert (replayed.points, replayed.pending) == ((), Mounting(mount="face-up"))
+    replayed = replay(SWEEP.procedure(), [Confirmed(condition=MOUNT, value="face-up")], 0.01)
+    assert (replayed.points, replayed.pending) == ((), mounting("face-up"))

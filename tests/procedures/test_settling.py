@@ -9,8 +9,9 @@ from hypothesis import strategies as st
 from tumble.drivers.clock import VirtualClock
 from tumble.drivers.protocols import Identity, SampleBlock
 from tumble.procedures.acquisition import Acquisition
-from tumble.procedures.reduction import Reduction, reduce_block
+from tumble.procedures.reduction import count_unusable, reduce_samples
 from tumble.procedures.settling import agree, settle
+from tumble.procedures.steps import Reading
 
 ACQUISITION = Acquisition(samples=100, rate_hz=100.0, settle_s=0.5, settle_samples=10, settle_timeout_s=3.0)
 
@@ -34,10 +35,14 @@ class SequenceDaq:
         return SampleBlock(voltage_v=voltage_v, rate_hz=rate_hz, device_time_s=0.0, temperature_degc=None)
 
 
+def taking(daq):
+    return lambda samples, rate_hz: daq.acquire(samples, rate_hz).channels
+
+
 def settled(means_v, acquisition=ACQUISITION, ripple_v=1e-3):
     clock = VirtualClock(0)
     daq = SequenceDaq(clock, means_v, ripple_v)
-    return settle(daq, clock, acquisition, lambda: None), daq.blocks, clock.monotonic_s()
+    return settle(taking(daq), clock, acquisition, lambda: None), daq.blocks, clock.monotonic_s()
 
 
 def test_an_output_at_rest_takes_two_blocks_after_the_least_time():
@@ -56,7 +61,7 @@ def test_a_slow_daq_does_not_stretch_the_time_allowed():
     clock = VirtualClock(0)
     daq = SequenceDaq(clock, np.arange(1000.0))
     daq.lag_s = 1.0
-    assert not settle(daq, clock, ACQUISITION, lambda: None)
+    assert not settle(taking(daq), clock, ACQUISITION, lambda: None)
     assert daq.blocks == 3
 
 
@@ -67,7 +72,7 @@ def test_a_daq_that_takes_no_time_is_asked_only_as_often_as_blocks_fit():
 
     clock = Frozen(0)
     daq = SequenceDaq(clock, np.arange(1000.0))
-    assert not settle(daq, clock, ACQUISITION, lambda: None)
+    assert not settle(taking(daq), clock, ACQUISITION, lambda: None)
     assert daq.blocks == 30
 
 
@@ -90,37 +95,33 @@ def test_a_stop_is_heeded_between_blocks():
             raise InterruptedError
 
     with pytest.raises(InterruptedError):
-        settle(daq, clock, ACQUISITION, stop_after_three)
+        settle(taking(daq), clock, ACQUISITION, stop_after_three)
     assert daq.blocks == 3
 
 
 @given(difference=st.floats(-10.0, 10.0), first_sd_v=st.floats(0.01, 1.0), second_sd_v=st.floats(0.01, 1.0))
 def test_the_measure_is_the_standard_error_of_the_difference(difference, first_sd_v, second_sd_v):
     standard_error_v = math.sqrt(first_sd_v**2 / 10 + second_sd_v**2 / 20)
-    first = Reduction(voltage_v=0.0, voltage_sd_v=first_sd_v, samples=10, unusable=0)
-    second = Reduction(voltage_v=difference * standard_error_v, voltage_sd_v=second_sd_v, samples=20, unusable=0)
+    first = Reading(mean=0.0, sd=first_sd_v, samples=10)
+    second = Reading(mean=difference * standard_error_v, sd=second_sd_v, samples=20)
     assume(abs(abs(difference) - 3.0) > 1e-9)
     assert agree(first, second, ACQUISITION) == (abs(difference) < 3.0)
 
 
-def block(*voltage_v):
-    return SampleBlock(voltage_v=np.array(voltage_v), rate_hz=10.0, device_time_s=0.0, temperature_degc=None)
-
-
 def test_a_block_reduces_to_mean_and_sample_standard_deviation():
-    assert reduce_block(block(1.0, 2.0, 6.0)) == Reduction(
-        voltage_v=3.0, voltage_sd_v=pytest.approx(math.sqrt(7.0)), samples=3, unusable=0
-    )
+    reduced = reduce_samples(np.array([1.0, 2.0, 6.0]))
+    assert reduced == Reading(mean=3.0, sd=pytest.approx(math.sqrt(7.0)), samples=3)
 
 
 @pytest.mark.parametrize("bad_v", [math.nan, math.inf, -math.inf, 9.9e37, -9.9e37])
 def test_a_sample_that_is_no_voltage_spoils_the_mean(bad_v):
-    reduced = reduce_block(block(1.0, bad_v, 6.0, bad_v))
-    assert math.isnan(reduced.voltage_v)
-    assert math.isnan(reduced.voltage_sd_v)
-    assert (reduced.samples, reduced.unusable) == (4, 2)
+    values = np.array([1.0, bad_v, 6.0, bad_v])
+    reduced = reduce_samples(values)
+    assert math.isnan(reduced.mean)
+    assert math.isnan(reduced.sd)
+    assert (reduced.samples, count_unusable(values)) == (4, 2)
 
 
 def test_a_block_without_a_mean_agrees_with_nothing():
-    spoilt = reduce_block(block(math.nan, 1.0))
+    spoilt = reduce_samples(np.array([math.nan, 1.0]))
     assert not agree(spoilt, spoilt, ACQUISITION)

@@ -3,7 +3,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tumble.procedures.sweep import Sweep
+from tumble.procedures.methods.dividing_head.sweep import Sweep
 
 
 def sweep(**settings):
@@ -43,7 +43,12 @@ def test_realisations_are_shuffled_differently():
 
 def test_a_dwell_says_where_it_belongs():
     dwell = next(sweep(start_deg=30.0).dwells(3))
-    assert (dwell.mount, dwell.angle_deg, dwell.procedure, dwell.realisation) == ("edge", 30.0, "sweep", 3)
+    assert (dwell.conditions["mount"], dwell.targets_deg["head"], dwell.procedure, dwell.realisation) == (
+        "edge",
+        30.0,
+        "sweep",
+        3,
+    )
 
 
 @pytest.mark.parametrize("wrong", [{"points": 0}, {"step_deg": float("nan")}, {"order": "down"}, {"seed": -1}])

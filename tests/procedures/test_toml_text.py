@@ -3,7 +3,8 @@
 import pytest
 
 from tumble.procedures.errors import InputError
-from tumble.procedures.programme import Programme, load_programme
+from tumble.procedures.methods.dividing_head.programme import DividingHeadProgramme
+from tumble.procedures.programme import load_programme
 from tumble.procedures.toml_lines import MOST_BYTES, line_of, load_toml, parse_toml, read_text
 from tumble.procedures.toml_text import read_toml
 
@@ -57,14 +58,14 @@ VALUES = {
 @pytest.mark.parametrize(("line", "complaint"), VALUES.values(), ids=VALUES)
 def test_values_that_are_none_are_refused_with_their_line(line, complaint):
     with pytest.raises(InputError) as told:
-        parse_toml(PROGRAMME.replace("[[", f"{line}\n[[", 1), Programme, "p.toml")
+        parse_toml(PROGRAMME.replace("[[", f"{line}\n[[", 1), DividingHeadProgramme, "p.toml")
     assert str(told.value).startswith(f"p.toml, line 2: {complaint}")
 
 
 @pytest.mark.parametrize("name", ["x" * 101, "x" * 900_000, "a\\u0000b", "a\\nb", "\\u001b[2J", "\\u202Eevil"])
 def test_a_name_that_cannot_be_shown_is_refused(name):
     with pytest.raises(InputError) as told:
-        parse_toml(PROGRAMME.replace('"p"', f'"{name}"'), Programme, "p.toml")
+        parse_toml(PROGRAMME.replace('"p"', f'"{name}"'), DividingHeadProgramme, "p.toml")
     assert str(told.value).startswith("p.toml, line 1: name: ")
     assert str(told.value).isprintable()
     assert len(str(told.value)) < 200
@@ -74,7 +75,7 @@ def test_a_byte_order_mark_is_passed_over_and_lines_stay_what_they_are(tmp_path)
     file = tmp_path / "p.toml"
     file.write_bytes(b"\xef\xbb\xbf" + PROGRAMME.encode())
     assert load_programme(file).name == "p"
-    assert load_toml(file, Programme).name == "p"
+    assert load_toml(file, DividingHeadProgramme).name == "p"
     assert line_of(file.read_text("utf-8"), ("name",)) == 1
 
 

@@ -10,7 +10,7 @@ from window_driver import STAND
 
 from tumble.app.stand import load_stand
 from tumble.drivers.errors import DeviceError
-from tumble.drivers.protocols import HeadStatus
+from tumble.drivers.protocols import PositionerStatus
 from tumble.drivers.simulated.daq import SimulatedDaq
 from tumble.procedures.errors import InputError
 from tumble.procedures.events import Identified
@@ -136,7 +136,7 @@ def test_nothing_that_moves_waits_behind_a_run(driver, long):
     driver.wait_for_points(1)
     driver.press(Qt.Key.Key_F12)
     driver.wait_for_end()
-    head = worker.session.connected.stand.head
+    head = worker.session.connected.stand.positioners["head"]
     here_deg = head.status().angle_deg
     driver.bot.wait(300)
     assert head.status().angle_deg == here_deg < 90.0
@@ -147,7 +147,7 @@ def test_what_is_told_of_a_stand_that_was_left_is_not_shown(driver, stands):
     driver.window.stand.open(a)
     worker, left = driver.window.worker, driver.window.worker.session
     driver.window.stand.open(b)
-    worker._tell(left, worker.head_seen, HeadStatus(angle_deg=123.0, moving=True, device_time_s=0.0))
+    worker._tell(left, worker.head_seen, PositionerStatus(angle_deg=123.0, moving=True, device_time_s=0.0))
     driver.bot.wait(50)
     assert driver.window.stand.dial.accessibleName() == ""
     assert driver.run.view.dial.accessibleName() == ""

@@ -50,7 +50,7 @@ def test_it_pauses_until_the_standstill_was_read_back_and_shows_where_that_is(ru
     running.press(Qt.Key.Key_F6)
     running.wait(lambda: running.run.state is State.PAUSED)
     assert list(dict.fromkeys(texts))[-2:] == ["Pausing…", "Paused; the head stands"]
-    head = running.window.worker.session.connected.stand.head.status()
+    head = running.window.worker.session.connected.stand.positioners["head"].status()
     for dial in (running.run.view.dial, running.window.stand.dial):
         assert (dial._status.angle_deg, dial._status.moving) == (head.angle_deg, False)
 
@@ -100,7 +100,7 @@ def test_closing_while_a_jog_moves_the_head_asks_stops_and_closes(connected):
     connected.wait(stand.connect_button.isEnabled)
     stand.connect_button.click()
     connected.wait(stand.jog.isEnabled)
-    head = connected.window.worker.session.connected.stand.head
+    head = connected.window.worker.session.connected.stand.positioners["head"]
     connected.window.worker.move_to(700.0)
     connected.wait(lambda: head.status().moving)
     connected.window.close()
@@ -124,7 +124,7 @@ class Manager:
 
 
 def test_the_end_of_a_session_brings_the_head_to_rest_first(connected):
-    manager, head = Manager(), connected.window.worker.session.connected.stand.head
+    manager, head = Manager(), connected.window.worker.session.connected.stand.positioners["head"]
     head.start_move(700.0)
     connected.running.end_session(manager)
     assert not head.status().moving

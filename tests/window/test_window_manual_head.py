@@ -57,7 +57,7 @@ def test_thirty_points_by_keyboard_alone_with_a_mistyped_reading_caught(driver, 
         answer(driver, "204,0" if index == 17 else "")
     driver.wait_for_result()
     (path,) = (tmp_path / "store").glob("recordings/SN-1/*.mcap")
-    angles_deg = [point.angle_deg for point in read_recording(path).points]
+    angles_deg = [point.positions_deg["head"] for point in read_recording(path).points]
     assert angles_deg == [12.0 * index for index in range(30)]
 
 

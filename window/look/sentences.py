@@ -3,10 +3,10 @@
 from tumble.drivers.manual import format_dms
 from tumble.messages import Message
 from tumble.procedures.events import (
+    ConditionAnswered,
+    ConditionRequested,
     Event,
     Identified,
-    MountAnswered,
-    MountRequested,
     PointVerified,
     ReadingAnswered,
     RunFinished,

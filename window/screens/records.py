@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QTabWidget, QVBoxLayout, QWidget
 
-from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.quantities import format_concise
 from tumble.calibrations.core.verdict import Outcome
+from tumble.calibrations.records.parameter import RecordedParameter
 from tumble.calibrations.records.record import Record
 from tumble.procedures.errors import InputError
 from tumble.window.look.language import tr
@@ -139,7 +139,7 @@ class RecordsScreen(QWidget):
         self._refresh_buttons()
 
     def _line(self, record: Record) -> tuple[str, ...]:
-        kx, origin = record.values["kx"], record.provenance
+        kx, origin = record.values.get("kx"), record.provenance
         verdicts = {
             Outcome.PASS: tr("✓ inside"),
             Outcome.FAIL: tr("✗ outside"),
@@ -152,7 +152,7 @@ class RecordsScreen(QWidget):
             (origin.measured_at or f"{record.created_at:%Y-%m-%dT%H:%M}").replace("T", " ")[:16],
             str(record.revision),
             verdicts[record.verdict.outcome],
-            _value(kx),
+            _value(kx) if kx else "",
             record.id,
         )
 
@@ -241,7 +241,7 @@ class RecordsScreen(QWidget):
         self.resume_wanted.emit(resumption, resumption.unfinished.recording.points)
 
 
-def _value(parameter: Parameter) -> str:
+def _value(parameter: RecordedParameter) -> str:
     """A value with the condition on which it stands; empty where there is none."""
     if parameter.value is None:
         return ""

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QVBoxLayout, QW
 
 from tumble.app.exits import Exit, JobError
 from tumble.app.wiring import Attendant
-from tumble.drivers.protocols import HeadStatus
+from tumble.drivers.protocols import PositionerStatus
 from tumble.procedures.errors import InputError
 from tumble.procedures.events import Event, ReadingRequested, RunFinished, State, StateChanged
 from tumble.procedures.progress import TimeLeft
@@ -198,7 +198,7 @@ class RunScreen(QWidget):
         self._worker.resume()
         self._refresh()
 
-    def _see_head(self, status: HeadStatus) -> None:
+    def _see_head(self, status: PositionerStatus) -> None:
         if self._now.restless and not status.moving:
             self._see_rest()
 

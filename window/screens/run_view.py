@@ -7,8 +7,9 @@ import numpy as np
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
 
-from tumble.drivers.protocols import HeadStatus, SampleBlock
+from tumble.drivers.protocols import Block, PositionerStatus
 from tumble.procedures.events import Event, PointCompleted, SamplesAcquired, StepStarted, WarningRaised
+from tumble.procedures.methods.dividing_head.rows import Row, row_of
 from tumble.procedures.plan import Plan
 from tumble.procedures.steps import Dwell, Point
 from tumble.window.look.sentences import sentence_of
@@ -31,9 +32,9 @@ class RunView(QWidget):
     def __init__(self, background: Background, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._background = background
-        self.points: list[Point] = []
+        self.points: list[Row] = []
         self._step: Dwell | None = None
-        self._block: SampleBlock | None = None
+        self._block: Block | None = None
         self._drawn = self._fitted = 0
         self._fitting = False
         self._stale: dict[Callable[[], None], None] = {}
@@ -53,7 +54,7 @@ class RunView(QWidget):
 
     def begin(self, plan: Plan, points: Sequence[Point] = ()) -> None:
         """Show a run that begins, or goes on after some points."""
-        self.points = list(points)
+        self.points = [row_of(point) for point in points]
         dwells = [planned.step for planned in plan.steps if isinstance(planned.step, Dwell)]
         self.map.show_plan(dwells, done=len(self.points))
         self._step, self._block, self.fit = None, None, None
@@ -72,13 +73,13 @@ class RunView(QWidget):
             case SamplesAcquired(block=block):
                 self._block = block
             case PointCompleted(point=point):
-                self.points.append(point)
+                self.points.append(row_of(point))
                 if self._step is not None:
                     self.map.complete(self._step)
         if sentence := sentence_of(event):
             self.log.say(sentence, warning=isinstance(event, WarningRaised))
 
-    def see(self, status: HeadStatus | None) -> None:
+    def see(self, status: PositionerStatus | None) -> None:
         """Show where the head is; None where nobody knows."""
         self.dial.show_status(status)
 
@@ -154,5 +155,5 @@ class RunView(QWidget):
             self._background.failed.emit(error)
 
 
-def _volts(point: Point) -> float:
-    return point.voltage_v if abs(point.voltage_v) < 1e30 else float("nan")
+def _volts(row: Row) -> float:
+    return row.voltage_v if abs(row.voltage_v) < 1e30 else float("nan")

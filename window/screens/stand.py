@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWi
 
 from tumble.app.stand import LoadedStand, load_stand
 from tumble.app.wiring import Attendant
-from tumble.drivers.protocols import HeadStatus, Identity
+from tumble.drivers.protocols import Identity, PositionerStatus
 from tumble.procedures.errors import InputError
 from tumble.procedures.events import Event, Identified
 from tumble.window.look.language import tr
@@ -148,7 +148,7 @@ class StandScreen(QWidget):
         self._notice.clear()
         self._refresh()
 
-    def _see(self, status: HeadStatus) -> None:
+    def _see(self, status: PositionerStatus) -> None:
         self.dial.show_status(status)
         unreferenced = [] if status.referenced else [tr("The head does not know its angle: home it first.")]
         self._notice.setText("\n".join([*map(in_language, self._warnings), *unreferenced]))

@@ -8,7 +8,7 @@ from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QWidget
 
 from tumble.drivers.manual import format_dms
-from tumble.drivers.protocols import HeadStatus
+from tumble.drivers.protocols import PositionerStatus
 from tumble.window.look.numbers import local
 from tumble.window.look.theme import Colours, colours
 
@@ -21,14 +21,14 @@ class Dial(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._status: HeadStatus | None = None
+        self._status: PositionerStatus | None = None
         self.setMinimumSize(140, 140)
 
     def sizeHint(self) -> QSize:  # noqa: N802  # Qt's name
         """Readable from two metres where there is room."""
         return QSize(360, 360)
 
-    def show_status(self, status: HeadStatus | None) -> None:
+    def show_status(self, status: PositionerStatus | None) -> None:
         """Show where the head is; None where nobody knows."""
         self._status = status
         self.setAccessibleName("" if status is None else local(f"{status.angle_deg:.4f}°"))
@@ -67,7 +67,7 @@ class Dial(QWidget):
                 box = QRectF(place.x() - radius, place.y() - radius, 2 * radius, 2 * radius)
                 painter.drawText(box, Qt.AlignmentFlag.AlignCenter, str(angle_deg))
 
-    def _draw_needle(self, painter: QPainter, chosen: Colours, radius: float, status: HeadStatus) -> None:
+    def _draw_needle(self, painter: QPainter, chosen: Colours, radius: float, status: PositionerStatus) -> None:
         painter.save()
         painter.rotate(math.fmod(status.angle_deg, 360.0))
         painter.setPen(Qt.PenStyle.NoPen)

@@ -10,6 +10,7 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QBrush, QColor, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QWidget
 
+from tumble.procedures.methods.dividing_head.layout import HEAD, MOUNT
 from tumble.procedures.steps import Dwell
 from tumble.window.look.names import mount_name
 from tumble.window.look.theme import Colours, colours
@@ -29,7 +30,7 @@ class Cell:
 
 def pose_of(dwell: Dwell) -> Pose:
     """The pose of a dwell."""
-    return dwell.mount, round(dwell.angle_deg % 360.0, 1)
+    return dwell.conditions[MOUNT], round(dwell.targets_deg[HEAD] % 360.0, 1)
 
 
 class PoseMap(QWidget):

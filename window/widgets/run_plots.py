@@ -39,7 +39,7 @@ class AnglePlot(Plot):
         self._named: tuple[str, ...] = ()
         self.recoloured.connect(self._restyle)
 
-    def draw_points(self, points: Sequence[Point], values: FloatArray) -> None:
+    def draw_points(self, points: Sequence[Row], values: FloatArray) -> None:
         """Draw a value of every point."""
         self.draw([point.mount for point in points], np.array([point.angle_deg for point in points]), values)
 
@@ -122,7 +122,7 @@ class ResidualPlot(AnglePlot):
         """How many gross errors are shown."""
         return len(self._rings.data)
 
-    def draw_fit(self, points: Sequence[Point], fit: LiveFit | None) -> None:
+    def draw_fit(self, points: Sequence[Row], fit: LiveFit | None) -> None:
         """Draw the residuals of the points that were fitted."""
         if fit is None:
             self.draw_points((), np.empty(0))
@@ -155,7 +155,7 @@ class TemperaturePlot(Plot):
         self._line = self.plot([], [], pen=self.pen(self.colours.accent))
         self.recoloured.connect(lambda: self._line.setPen(self.pen(self.colours.accent)))
 
-    def draw_points(self, points: Sequence[Point]) -> None:
+    def draw_points(self, points: Sequence[Row]) -> None:
         """Draw the points that have a temperature."""
         told = [(point.time_s / 60.0, point.temperature_degc) for point in points if point.temperature_degc is not None]
         times_min, temperatures_degc = zip(*told, strict=True) if told else ((), ())
@@ -174,9 +174,9 @@ class SamplesPlot(Plot):
         self._lines: list[pg.PlotDataItem] = []
         self.recoloured.connect(self._restyle)
 
-    def draw_block(self, block: SampleBlock) -> None:
+    def draw_block(self, block: Block) -> None:
         """Draw a block, thinned to its extremes where there are more samples than columns."""
-        channels = np.atleast_2d(block.voltage_v)
+        channels = list(block.channels.values())
         while len(self._lines) < len(channels):
             self._lines.append(self.plot([], []))
             self._restyle()

@@ -42,7 +42,7 @@ class StopBar(QWidget):
         self.state.style().polish(self.state)
         self.state.setText(text)
 
-    def show_head(self, status: HeadStatus | None) -> None:
+    def show_head(self, status: PositionerStatus | None) -> None:
         """Show where the head is; None where nobody knows."""
         if status is None:
             self._angle.setText(tr("not connected"))

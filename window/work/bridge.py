@@ -5,8 +5,8 @@ from typing import Final
 
 from PySide6.QtCore import QObject, Signal
 
-from tumble.drivers.protocols import HeadStatus
-from tumble.procedures.events import Event, MountAnswered, PointCompleted
+from tumble.drivers.protocols import PositionerStatus
+from tumble.procedures.events import ConditionAnswered, Event, PointCompleted
 from tumble.procedures.progress import Progress, TimeLeft
 
 _LOOKS_S: Final = 0.04
@@ -19,7 +19,7 @@ class EventBridge(QObject):
     announced = Signal(object)
     """Every event of a run."""
     head_seen = Signal(object)
-    """`HeadStatus`, where the head is on its way; not every one."""
+    """`PositionerStatus`, where the head is on its way; not every one."""
     progressed = Signal(int, object)
     """Points done, and the `TimeLeft`."""
     failed = Signal(object)
@@ -47,11 +47,11 @@ class EventBridge(QObject):
         if self._progress is None:
             return
         self._progress(event)
-        if isinstance(event, PointCompleted | MountAnswered):
+        if isinstance(event, PointCompleted | ConditionAnswered):
             left: TimeLeft = self._progress.time_left()
             self.progressed.emit(self._progress.done, left)
 
-    def look(self, status: HeadStatus) -> None:
+    def look(self, status: PositionerStatus) -> None:
         """Pass on where the head is, as often as an eye can follow."""
         now_s = time.monotonic()
         if not status.moving or now_s - self._looked_s >= _LOOKS_S:

@@ -8,7 +8,7 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.dividing_head.model import basis, coefficients
 from tumble.calibrations.methods.dividing_head.observations import Observations
-from tumble.procedures.steps import Point
+from tumble.procedures.methods.dividing_head.rows import Row
 
 FEWEST_POINTS = 10
 """Points below which ten functions of the pose fit anything."""
@@ -29,7 +29,7 @@ class LiveFit:
     """Indices of points that the fit sets aside."""
 
 
-def fit_live(points: Sequence[Point]) -> LiveFit | None:
+def fit_live(points: Sequence[Row]) -> LiveFit | None:
     """Fit the points of a run; None while there are too few of them."""
     from tumble.calibrations.methods.dividing_head.joint import fit_jointly  # takes the time in which a window is up
 
@@ -50,7 +50,7 @@ def fit_live(points: Sequence[Point]) -> LiveFit | None:
     )
 
 
-def _table(points: Sequence[Point]) -> Observations:
+def _table(points: Sequence[Row]) -> Observations:
     return Observations(
         row=np.arange(1, len(points) + 1),
         angle_deg=np.array([point.angle_deg for point in points]),

@@ -6,6 +6,7 @@ from typing import Final
 from PySide6.QtCore import QObject, Signal
 
 from tumble.procedures.operator import Answer, understand, understand_reading
+from tumble.procedures.steps import Ask
 
 SEATED: Final = "yes"
 _BLINK_S: Final = 0.02
@@ -31,11 +32,11 @@ class WindowOperator(QObject):
         """Answer the question that is open; called in the event loop."""
         self._answers.put(text)
 
-    def ask_mount(self, mount: str, prompt: str) -> None:  # noqa: ARG002  # the window has its own words and a picture
-        """Ask for the unit to be seated."""
+    def ask(self, ask: Ask) -> None:
+        """Ask for what is to be set, which is how the unit is seated: the window has its own words and a picture."""
         self._forget()
-        self._mount = mount
-        self.mount_asked.emit(mount)
+        self._mount = ask.value
+        self.mount_asked.emit(ask.value)
 
     def ask_reading(self, prompt: str) -> None:
         """Ask for a reading."""

@@ -65,10 +65,7 @@ def present(concluded: Concluded) -> Presentation:
         leaning,
         untold,
     )
-    from tumble.calibrations.methods.dividing_head.report.results import (  # matplotlib takes half a second
-        notices,
-        results,
-    )
+    from tumble.calibrations.methods.dividing_head.report.results import notices, results
     from tumble.calibrations.methods.dividing_head.report.subject import Subject
 
     traced = concluded.traced

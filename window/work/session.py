@@ -10,7 +10,8 @@ from tumble.app.stand import LoadedStand
 from tumble.app.stand_lock import holding
 from tumble.app.wiring import Attendant, Connected, connect
 from tumble.drivers.errors import DeviceError
-from tumble.drivers.protocols import HeadStatus, Identity
+from tumble.drivers.protocols import Identity, PositionerStatus
+from tumble.drivers.tables import DAQ, HEAD
 from tumble.procedures.motion import Motion
 
 _TOLERANCE_DEG: Final = 0.01
@@ -23,7 +24,7 @@ class StandIdentity:
     loaded: LoadedStand
     head: Identity
     daq: Identity
-    status: HeadStatus
+    status: PositionerStatus
     warnings: tuple[str, ...]
 
 
@@ -34,7 +35,7 @@ class StandSession:
     read from it, and another stand takes its place as a whole. Everything but `loaded` belongs to the stand's thread.
     """
 
-    def __init__(self, loaded: LoadedStand, look: Callable[[HeadStatus], None]) -> None:
+    def __init__(self, loaded: LoadedStand, look: Callable[[PositionerStatus], None]) -> None:
         self.loaded = loaded
         self._look = look
         self._connected: Connected | None = None
@@ -59,13 +60,13 @@ class StandSession:
     @property
     def angle_deg(self) -> float:
         """Where the head is, as it reads it now. Raises `DeviceError`."""
-        return self.connected.stand.head.status().angle_deg
+        return self.connected.stand.positioners[HEAD].status().angle_deg
 
     @property
     def motion(self) -> Motion:
         """Moves of the head. Raises `DeviceError`."""
         stand = self.connected.stand
-        return Motion(stand.head, stand.clock, _TOLERANCE_DEG, look=self._look)
+        return Motion(stand.positioners[HEAD], stand.clock, _TOLERANCE_DEG, look=self._look, title=stand.title(HEAD))
 
     def connect(self, attendant: Attendant, past: Sequence[Past] = ()) -> StandIdentity:
         """Reach the instruments, which were left before. Raises `InputError`, `JobError`, `DeviceError`."""
@@ -75,9 +76,9 @@ class StandSession:
             stack.callback(connected.links.close)
             identity = StandIdentity(
                 loaded=self.loaded,
-                head=connected.stand.head.identify(),
-                daq=connected.stand.daq.identify(),
-                status=connected.stand.head.status(),
+                head=connected.stand.positioners[HEAD].identify(),
+                daq=connected.stand.samplers[DAQ].identify(),
+                status=connected.stand.positioners[HEAD].status(),
                 warnings=connected.warnings,
             )
             self._connected, self._held = connected, stack.pop_all()

@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, Signal, SignalInstance, Slot
 from tumble.app.simulation import Past
 from tumble.app.stand import LoadedStand
 from tumble.app.wiring import Attendant, Connected
+from tumble.drivers.tables import HEAD
 from tumble.procedures.control import Control
 from tumble.procedures.errors import InputError, StopRequestedError
 from tumble.procedures.motion import Motion
@@ -39,7 +40,7 @@ class StandWorker(QObject):
     """`StandIdentity`."""
     disconnected = Signal()
     head_seen = Signal(object)
-    """`HeadStatus` of a head that nobody moves."""
+    """`PositionerStatus` of a head that nobody moves."""
     working = Signal(bool)
     """Whether an order is under way; leaving a stand is none."""
     stage = Signal(str)
@@ -243,7 +244,7 @@ class StandWorker(QObject):
         if not session.is_connected:
             return
         try:
-            self._tell(session, self.head_seen, session.connected.stand.head.status())
+            self._tell(session, self.head_seen, session.connected.stand.positioners[HEAD].status())
         except Exception:
             self._leave_stand(session)
             raise

@@ -10,10 +10,12 @@ from tumble.calibrations.core.known_tables import misspelt
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.dividing_head.document import document
+from tumble.calibrations.methods.dividing_head.entry import VERSION, entry
 from tumble.calibrations.methods.dividing_head.loop.loop import Loop, close_loop
 from tumble.calibrations.methods.dividing_head.loop.sections import sections
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.table import read_table
+from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.tracing.sentences import set_aside_section
 
 
@@ -38,6 +40,10 @@ class DividingHeadResult:
         """The result as `tumble.loop/1`."""
         return document(self.loop)
 
+    def entry(self) -> Entry:
+        """The result as the store takes it, without a budget or limits."""
+        return entry(self.loop.declared, (), self.loop, None)
+
     def sections(self) -> Sequence[Section]:
         """What is shown."""
         rows = self.loop.augmented.observations
@@ -49,7 +55,7 @@ class DividingHead:
     """An accelerometer on a dividing head in the gravity field."""
 
     name: str = "dividing_head"
-    version: int = 1
+    version: int = VERSION
     title: str = "An accelerometer on a dividing head"
     columns: str = "an accelerometer on a head (angle_deg, voltage_V)"
     at_stand: bool = True

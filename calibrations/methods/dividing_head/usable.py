@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from tumble.calibrations.core.parameter import Parameter
-from tumble.calibrations.core.verdict import Model
+from tumble.calibrations.core.verdict import Model as Model
 from tumble.calibrations.methods.dividing_head.result import Calibration
 
 if TYPE_CHECKING:

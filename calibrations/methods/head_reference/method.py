@@ -12,9 +12,11 @@ from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.head_reference.changes import Comparison, compare
 from tumble.calibrations.methods.head_reference.comparison_document import comparison_json
 from tumble.calibrations.methods.head_reference.document import document
+from tumble.calibrations.methods.head_reference.entry import VERSION, entry
 from tumble.calibrations.methods.head_reference.loop import ReferenceLoop, close_reference_loop
 from tumble.calibrations.methods.head_reference.observations import HeadObservations, read_head_table
 from tumble.calibrations.methods.head_reference.sections import difference, sections
+from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.tracing.sentences import set_aside_section
 
 _MOST_COMPARED = 2
@@ -50,6 +52,12 @@ class HeadResult:
         common = {key: documents[0][key] for key in ("schema", "method")}
         return common | {"tables": documents} | comparison_json(self.comparison, *self.names)
 
+    def entry(self) -> Entry:
+        """The result as the store takes it. Raises `ValueError` for two tables, each of which is a record."""
+        if len(self.loops) > 1:
+            raise ValueError(f"{self.names[1]}: record one table of a head at a time")
+        return entry(self.loops[0])
+
     def sections(self) -> Sequence[Section]:
         """What is shown: how two tables differ, then each of them."""
         shown = [] if self.comparison is None else list(difference(self.comparison, *self.names))
@@ -63,7 +71,7 @@ class HeadReference:
     """A dividing head measured against a reference."""
 
     name: str = "head_reference"
-    version: int = 1
+    version: int = VERSION
     title: str = "A dividing head measured against a reference"
     columns: str = "a head against a reference (angle_deg, reference_deg)"
     at_stand: bool = False

@@ -10,9 +10,11 @@ from tumble.calibrations.core.sentences import series
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.temperature.columns import Column, named, says_runs
 from tumble.calibrations.methods.temperature.document import document
+from tumble.calibrations.methods.temperature.entry import VERSION, entry
 from tumble.calibrations.methods.temperature.loop import TemperatureLoop, close_temperature_loop
 from tumble.calibrations.methods.temperature.sections import sections
 from tumble.calibrations.methods.temperature.table import read_runs
+from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.tracing.sentences import set_aside_section
 
 
@@ -37,6 +39,10 @@ class TemperatureResult:
         """The result as `tumble.loop/1`."""
         return document(self.loop)
 
+    def entry(self) -> Entry:
+        """The result as the store takes it."""
+        return entry(self.loop)
+
     def sections(self) -> Sequence[Section]:
         """What is shown."""
         return [set_aside_section(self.name, self.loop.runs.set_aside), *sections(self.loop)]
@@ -47,7 +53,7 @@ class Temperature:
     """Parameters of a sensor against temperature."""
 
     name: str = "temperature"
-    version: int = 1
+    version: int = VERSION
     title: str = "Parameters against temperature"
     columns: str = "parameters against temperature (…_degC, and each parameter with its unit, as bias_mV)"
     at_stand: bool = False

@@ -39,7 +39,7 @@ def sections(loop: TemperatureLoop) -> Iterator[Section]:
         caption=f"What a {word} leaves (circles) and what is left with what was found (triangles) against temperature.",
     )
     yield Section(title="What parameters share", lines=[shared_sentence(cause) for cause in loop.shared], brief=True)
-    yield Section(title="What these runs cannot tell", lines=loop.unknowable, brief=True)
+    yield Section(title="What these runs cannot tell", lines=loop.unknowable)
 
 
 def _row(parameter: ParameterLoop) -> Sequence[str]:

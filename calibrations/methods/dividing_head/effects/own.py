@@ -1,13 +1,6 @@
 """Effects of a laboratory's own. One is a few lines: name, owner, columns, what its coefficient is called.
 
-Effect(
-    name="lamp",
-    belongs_to="stand",
-    symbol="k_l · lamp",
-    source="heat of the reading lamp",
-    forms=lambda scene: single(scene.observations.extra.get("lamp")),
-    report=plain("lamp", "V"),
-)
+`docs/examples/own.py` is this file with an example in it: paste it here and change what is yours.
 """
 
 from tumble.calibrations.methods.dividing_head.effects.scene import Scene

@@ -4,13 +4,7 @@ from collections.abc import Iterator
 
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.dividing_head.loop.loop import Loop
-from tumble.calibrations.methods.dividing_head.loop.sentences import (
-    comparisons,
-    findings_of,
-    headline,
-    leaning,
-    untold,
-)
+from tumble.calibrations.methods.dividing_head.loop.sentences import comparisons, findings_of, headline, leaning, untold
 
 
 def sections(loop: Loop) -> Iterator[Section]:

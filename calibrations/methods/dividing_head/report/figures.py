@@ -9,17 +9,7 @@ from tumble.calibrations.methods.dividing_head.model import PARAMETERS, basis, c
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.report.subject import mounts_of
 from tumble.calibrations.methods.dividing_head.result import Calibration
-from tumble.calibrations.report.drawing import (
-    COLOURS,
-    HALF_IN,
-    MICRO,
-    PALE,
-    WIDE_IN,
-    cloud,
-    sheet,
-    styled,
-    to_svg,
-)
+from tumble.calibrations.report.drawing import COLOURS, HALF_IN, MICRO, PALE, WIDE_IN, cloud, sheet, styled, to_svg
 
 
 @styled

@@ -11,8 +11,8 @@ def origin(subject: Subject) -> dict[str, Any]:
     provenance = subject.provenance
     commit = provenance.git_commit + (" with uncommitted changes" if provenance.git_dirty else "")
     facts = {
-        "Raw file": provenance.raw_path,
-        "SHA-256 of the raw file": provenance.raw_sha256,
+        "Raw file": ", ".join(source.path for source in provenance.sources),
+        "SHA-256 of the raw file": ", ".join(provenance.source_hashes),
         "Start of the run": provenance.measured_at,
         "Programme": provenance.programme_name,
         "SHA-256 of the programme": provenance.programme_sha256,

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tumble.procedures.steps import Point
+from tumble.procedures.methods.dividing_head.rows import Row
 
 _TERMS = 5
 _FEWEST = _TERMS + 4
@@ -35,11 +35,11 @@ class Doubt:
     """`degree` or `minute`."""
 
 
-def doubt(point: Point, points: Sequence[Point]) -> Doubt | None:
-    """What is to be said against the angle of `point`; None where nothing is, or too little is known yet."""
-    same = [other for other in points if other.mount == point.mount and math.isfinite(other.voltage_v)]
+def doubt(row: Row, rows: Sequence[Row]) -> Doubt | None:
+    """What is to be said against the angle of `row`; None where nothing is, or too little is known yet."""
+    same = [other for other in rows if other.mount == row.mount and math.isfinite(other.voltage_v)]
     angles_deg = np.array([other.angle_deg for other in same])
-    if len(same) < _FEWEST or not math.isfinite(point.voltage_v):
+    if len(same) < _FEWEST or not math.isfinite(row.voltage_v):
         return None
     design = _design(angles_deg)
     voltage_v = np.array([other.voltage_v for other in same])
@@ -48,21 +48,21 @@ def doubt(point: Point, points: Sequence[Point]) -> Doubt | None:
         return None
     residual_v = voltage_v - design @ coefficients
     scatter_v = math.sqrt(float(residual_v @ residual_v) / (len(same) - _TERMS))
-    expected_v, spread = _expected(point.angle_deg, coefficients, np.linalg.inv(design.T @ design))
-    sigma_v = max(scatter_v, point.voltage_sd_v / math.sqrt(point.samples)) * spread
-    off_v = point.voltage_v - expected_v
+    expected_v, spread = _expected(row.angle_deg, coefficients, np.linalg.inv(design.T @ design))
+    sigma_v = max(scatter_v, row.voltage_sd_v / math.sqrt(row.samples)) * spread
+    off_v = row.voltage_v - expected_v
     if abs(off_v) <= _DOUBTED * sigma_v:
         return None
-    return _explained(point, off_v, coefficients, _EXPLAINED * sigma_v)
+    return _explained(row, off_v, coefficients, _EXPLAINED * sigma_v)
 
 
-def _explained(point: Point, off_v: float, coefficients: NDArray[np.float64], window_v: float) -> Doubt:
+def _explained(row: Row, off_v: float, coefficients: NDArray[np.float64], window_v: float) -> Doubt:
     """Look for one wrong digit, the smallest slip first."""
     for digits in range(1, 10):
         for unit_deg, slip in _SLIPS:
             for sign in (1, -1):
-                likely_deg = point.angle_deg + sign * digits * unit_deg
-                if abs(point.voltage_v - float(_design(np.array([likely_deg]))[0] @ coefficients)) <= window_v:
+                likely_deg = row.angle_deg + sign * digits * unit_deg
+                if abs(row.voltage_v - float(_design(np.array([likely_deg]))[0] @ coefficients)) <= window_v:
                     return Doubt(off_v=off_v, likely_deg=likely_deg, slip=slip)
     return Doubt(off_v=off_v)
 

@@ -7,7 +7,7 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field
 
 from tumble.calibrations.methods.dividing_head.geometry import MOUNTS
 from tumble.procedures.composition import Dwells
-from tumble.procedures.steps import Dwell
+from tumble.procedures.methods.dividing_head.layout import dwell_at
 
 
 def _known_mount(mount: str) -> str:
@@ -55,4 +55,4 @@ class Sweep(BaseModel):
     def dwells(self, realisation: int) -> Dwells:
         """Carry out the sweep once."""
         for angle_deg in self.angles_deg(realisation):
-            yield Dwell(angle_deg=angle_deg, procedure="sweep", realisation=realisation, mount=self.mount)
+            yield dwell_at(angle_deg=angle_deg, procedure="sweep", realisation=realisation, mount=self.mount)

@@ -13,6 +13,8 @@ from pydantic import BaseModel, ConfigDict, Field, field_validator, model_valida
 
 from tumble.calibrations.methods.dividing_head.flips import POLES, SEEKING_DEG
 from tumble.procedures.composition import Dwells
+from tumble.procedures.methods.dividing_head.layout import dwell_at
+from tumble.procedures.methods.dividing_head.rows import row_of
 from tumble.procedures.steps import Dwell, Point
 
 Axis: TypeAlias = Literal["x", "y", "z"]
@@ -56,7 +58,7 @@ class Flip(BaseModel):
                 angle_deg = nominal_deg
                 if axis == "x" and self.pole == "extremum":
                     angle_deg = yield from _seek(nominal_deg, self.span_deg, realisation, mount)
-                yield Dwell(angle_deg=angle_deg, procedure="flip", realisation=realisation, mount=mount)
+                yield dwell_at(angle_deg=angle_deg, procedure="flip", realisation=realisation, mount=mount)
 
 
 def _seek(nominal_deg: float, span_deg: float, realisation: int, mount: str) -> Generator[Dwell, Point, float]:
@@ -70,7 +72,7 @@ def _seek(nominal_deg: float, span_deg: float, realisation: int, mount: str) -> 
     for reach_deg in (span_deg, span_deg / 2):
         for offset_deg in (-reach_deg, 0.0, reach_deg):
             angle_deg = _clamp(centre_deg + offset_deg, nominal_deg, span_deg)
-            seen.append((yield Dwell(angle_deg=angle_deg, procedure="seek", realisation=realisation, mount=mount)))
+            seen.append((yield dwell_at(angle_deg=angle_deg, procedure="seek", realisation=realisation, mount=mount)))
         centre_deg = extremum_deg(seen, nominal_deg, span_deg)
     return centre_deg
 
@@ -81,10 +83,10 @@ def extremum_deg(points: list[Point], nominal_deg: float, span_deg: float) -> fl
     It is clamped to `nominal_deg` ± `span_deg`, however noisy the points are; with fewer than three different usable
     points it is `nominal_deg` itself. Points whose voltage is not finite are passed over.
     """
-    usable = [point for point in points if np.isfinite(point.voltage_v)]
-    offset_rad = np.deg2rad([point.angle_deg - nominal_deg for point in usable])
+    usable = [row for row in map(row_of, points) if np.isfinite(row.voltage_v)]
+    offset_rad = np.deg2rad([row.angle_deg - nominal_deg for row in usable])
     design = np.stack([np.ones_like(offset_rad), np.sin(offset_rad), np.cos(offset_rad)], axis=-1)
-    (_, sine, cosine), _, rank, _ = np.linalg.lstsq(design, np.array([p.voltage_v for p in usable]), rcond=None)
+    (_, sine, cosine), _, rank, _ = np.linalg.lstsq(design, np.array([row.voltage_v for row in usable]), rcond=None)
     if rank < 3:
         return nominal_deg
     # Extremum and its opposite are equally good solutions: the one within 90° of the pole is meant.

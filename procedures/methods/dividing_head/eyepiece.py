@@ -11,10 +11,11 @@ from typing import Final
 
 from tumble.drivers.clock import Clock
 from tumble.drivers.manual.reading import format_dms, parse_reading
-from tumble.procedures.doubt import Doubt, doubt
 from tumble.procedures.errors import UnansweredError
 from tumble.procedures.events import Event, ReadingAnswered, ReadingRequested
-from tumble.procedures.motion import POLL_S
+from tumble.procedures.journeys import POLL_S
+from tumble.procedures.methods.dividing_head.doubt import Doubt, doubt
+from tumble.procedures.methods.dividing_head.rows import row_of
 from tumble.procedures.operator import Answer, Operator
 from tumble.procedures.steps import Point
 
@@ -75,15 +76,16 @@ class OperatorEyepiece:
         UnansweredError
             Where nobody answers.
         """
-        against = doubt(point, points)
+        row = row_of(point)
+        against = doubt(row, [row_of(other) for other in points])
         if against is None:
             return point
-        self._setting_deg = self._doubted_deg = point.angle_deg
-        self._ask(_contradiction(point.angle_deg, against))
+        self._setting_deg = self._doubted_deg = row.angle_deg
+        self._ask(_contradiction(row.angle_deg, against))
         while (answer := self._operator.poll()) is None or (angle_deg := self._read(answer)) is None:
             check()
             self._clock.sleep(POLL_S)
-        return replace(point, angle_deg=angle_deg)
+        return replace(row, angle_deg=angle_deg).point
 
     def _understood(self, answer: Answer) -> float | None:
         reading_deg = self._read(answer)

@@ -1,0 +1,50 @@
+"""What a calibration method brings along for the stand: programmes, columns, and the table that its analysis reads."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from importlib.resources.abc import Traversable
+from typing import TYPE_CHECKING, Generic, Protocol, TypeVar
+
+from tumble.procedures.layout import Layout
+from tumble.procedures.programme import Programme
+
+if TYPE_CHECKING:
+    from tumble.procedures.recording.reader import Recording
+
+Table = TypeVar("Table", covariant=True)
+
+
+@dataclass(frozen=True, kw_only=True)
+class ProcedurePart(Generic[Table]):
+    """The part of a method that the engine, the recording and the programmes need."""
+
+    programme: type[Programme]
+    """The schema of its programmes, which make its procedures."""
+    shipped: Traversable
+    """Folder of the programmes that come along, `NAME.toml` each."""
+    table: Callable[["Recording"], Table]
+    """The table of a recording: a row for every complete point."""
+
+    @property
+    def layout(self) -> Layout:
+        """The columns of its points."""
+        return self.programme.layout
+
+
+class Method(Protocol):
+    """A calibration method as far as a stand is concerned; what the entry point group `tumble.procedures` names."""
+
+    @property
+    def name(self) -> str:
+        """Its name in programmes and recordings."""
+        ...
+
+    @property
+    def version(self) -> int:
+        """Grows where its points or steps come to mean something else."""
+        ...
+
+    @property
+    def procedure_part(self) -> ProcedurePart[object]:
+        """Programmes, columns and table."""
+        ...

@@ -1,0 +1,86 @@
+"""Whether a stand allows what a plan asks of it."""
+
+from collections.abc import Collection, Iterator
+
+from tumble.procedures.composition import advance
+from tumble.procedures.errors import ProgrammeError
+from tumble.procedures.plan import Plan, nominal_point
+from tumble.procedures.programme import Programme
+from tumble.procedures.steps import Dwell
+
+
+def check_limits(plan: Plan, positioner: str, limits_deg: tuple[float, float]) -> None:
+    """Make sure that every dwell, and the way round to it, lies within the soft limits of a positioner.
+
+    Raises
+    ------
+    ProgrammeError
+        Names file, line, angle and limits.
+    """
+    lowest_deg, highest_deg = limits_deg
+    for dwell, waypoints_deg in _ways(plan, positioner):
+        beyond_deg = [angle for angle in waypoints_deg if not lowest_deg <= angle <= highest_deg]
+        target_deg = dwell.targets_deg[positioner]
+        if beyond_deg:
+            way = "" if beyond_deg[-1] == target_deg else f" on its way to {target_deg:g} deg"
+            raise ProgrammeError(
+                f"{_origin(plan.programme, dwell)}: the {dwell.procedure} goes to {beyond_deg[-1]:g} deg{way}, outside "
+                f"the {positioner}'s limits of {lowest_deg:g} to {highest_deg:g} deg; change the angles, or the limits "
+                "of the stand"
+            )
+
+
+def check_cable(plan: Plan, positioner: str, turns: float) -> None:
+    """Make sure that a positioner, which begins unwound about its zero, never winds its cable further than it may.
+
+    Raises
+    ------
+    ProgrammeError
+        Names file, line, angle and turns.
+    """
+    for dwell, waypoints_deg in _ways(plan, positioner):
+        if max(map(abs, waypoints_deg)) / 360.0 > turns:
+            raise ProgrammeError(
+                f"{_origin(plan.programme, dwell)}: the {dwell.procedure} goes to {dwell.targets_deg[positioner]:g} "
+                f"deg, and the cable allows {turns:g} turns to either side of zero; change the angles, or cable_turns "
+                "of the stand"
+            )
+
+
+def check_condition(plan: Plan, condition: str, allowed: Collection[str] | None) -> None:
+    """Make sure that the seat of the unit allows every value of a condition; None allows all.
+
+    Raises
+    ------
+    ProgrammeError
+        Names file, line, value and those that there are.
+    """
+    if allowed is None:
+        return
+    for planned in plan.steps:
+        step = planned.step
+        if isinstance(step, Dwell) and step.conditions.get(condition, "") not in {*allowed, ""}:
+            raise ProgrammeError(
+                f"{_origin(plan.programme, step)}: the {step.procedure} needs the {condition} "
+                f"{step.conditions[condition]}, and the seat allows {', '.join(allowed)} only; change the {condition}, "
+                f"or {condition}s of the stand"
+            )
+
+
+def _ways(plan: Plan, positioner: str) -> Iterator[tuple[Dwell, tuple[float, ...]]]:
+    """Every dwell that moves a positioner, and where that stops for it."""
+    for planned in plan.steps:
+        if isinstance(planned.step, Dwell) and positioner in planned.waypoints_deg:
+            yield planned.step, planned.waypoints_deg[positioner]
+
+
+def _origin(programme: Programme, dwell: Dwell) -> str:
+    """File and line of the first procedure that asks for `dwell`."""
+    for number, part in enumerate(programme.parts):
+        dwells = part.dwells(dwell.realisation)
+        step = next(dwells, None)
+        while step is not None and step != dwell:
+            step = advance(dwells, nominal_point(programme, step, 0))
+        if step == dwell:
+            return programme.where(number)
+    raise AssertionError(f"{dwell} is in no procedure of its own programme")
