@@ -85,4 +85,4 @@ gui: setup
 	$(BIN)/tumble gui
 
 clean:
-	rm -rf $(VENV) tumble-store $(CATALOGUES:.po=.mo)
+	rm -rf $(VENV) docs/_site tumble-store $(CATALOGUES:.po=.mo)

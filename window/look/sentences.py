@@ -3,8 +3,6 @@
 from tumble.drivers.manual import format_dms
 from tumble.messages import Message
 from tumble.procedures.events import (
-    ConditionAnswered,
-    ConditionRequested,
     Event,
     Identified,
     PointVerified,

@@ -9,8 +9,6 @@ from PySide6.QtWidgets import QWidget
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.dividing_head.geometry import MOUNTS
-from tumble.drivers.protocols import SampleBlock
-from tumble.procedures.steps import Point
 from tumble.window.look.language import tr
 from tumble.window.look.plots import Plot
 from tumble.window.look.theme import MARKERS
