@@ -8,6 +8,7 @@ from PySide6.QtGui import QCloseEvent, QKeyEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QStackedWidget, QVBoxLayout, QWidget
 
 from tumble.app.stand import LoadedStand
+from tumble.drivers.protocols import PositionerStatus
 from tumble.window.look.language import tr
 from tumble.window.menus import fill_menus
 from tumble.window.place import keep_on_screen, remember_place, restore_place

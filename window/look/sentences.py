@@ -3,6 +3,8 @@
 from tumble.drivers.manual import format_dms
 from tumble.messages import Message
 from tumble.procedures.events import (
+    ConditionAnswered,
+    ConditionRequested,
     Event,
     Identified,
     PointVerified,
@@ -31,10 +33,10 @@ def sentence_of(event: Event) -> str:
                 serial=event.serial or "—",
                 firmware=event.firmware or "—",
             )
-        case MountRequested():
-            said = tr("The unit is to be seated in the mount {mount}.", mount=mount_name(event.mount))
-        case MountAnswered(confirmed=True):
-            said = tr("The unit sits in the mount {mount}.", mount=mount_name(event.mount))
+        case ConditionRequested():
+            said = tr("The unit is to be seated in the mount {mount}.", mount=mount_name(event.value))
+        case ConditionAnswered(confirmed=True):
+            said = tr("The unit sits in the mount {mount}.", mount=mount_name(event.value))
         case ReadingAnswered():
             answer = event.answer or tr("as set")
             said = tr("Set to {setting}; read: {answer}.", setting=format_dms(event.setting_deg), answer=answer)
@@ -44,8 +46,8 @@ def sentence_of(event: Event) -> str:
             said = tr(
                 "Point {point} was taken again: {now:.6f} V now, {before:.6f} V before.",
                 point=event.point,
-                now=event.voltage_v,
-                before=event.recorded_v,
+                now=event.now,
+                before=event.recorded,
             )
         case StateChanged(state=State.PAUSED | State.STANDSTILL):
             said = state_name(event.state) + "."

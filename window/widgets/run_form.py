@@ -116,7 +116,7 @@ class RunForm(QWidget):
         text = tr(
             "{points} points, {mountings} mountings, about {time}",
             points=planned.dwells,
-            mountings=planned.mount_changes,
+            mountings=planned.requests,
             time=minutes(planned.duration_s),
         )
         self.summary.setText(local(text))

@@ -9,6 +9,8 @@ from PySide6.QtWidgets import QWidget
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.dividing_head.geometry import MOUNTS
+from tumble.drivers.protocols import Block
+from tumble.procedures.methods.dividing_head.rows import Row
 from tumble.window.look.language import tr
 from tumble.window.look.plots import Plot
 from tumble.window.look.theme import MARKERS

@@ -4,6 +4,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
 
 from tumble.drivers.manual import format_dms
+from tumble.drivers.protocols import PositionerStatus
 from tumble.window.look.language import tr
 from tumble.window.look.numbers import local
 from tumble.window.stop_guard import STOP_KEYS
