@@ -29,7 +29,7 @@ from tumble.calibrations.methods.dividing_head.probes import PROBES
 from tumble.calibrations.tracing.experiments import next_experiments
 from tumble.calibrations.tracing.noise import NoiseModel
 from tumble.calibrations.tracing.rivals import CLOSE, with_best_names
-from tumble.calibrations.tracing.separation import Question, Rows
+from tumble.calibrations.tracing.separation import PlannedRows, Question
 from tumble.calibrations.tracing.trace import Tracer, found, refined_one
 
 _EFFECTS = (
@@ -124,11 +124,11 @@ def _realised(
     return float(np.mean(differences))
 
 
-def _rows(table: Rows, whole: Observations) -> Rows:
+def _rows(table: PlannedRows, whole: Observations) -> PlannedRows:
     """The rows of a table with those that come after it, of weight 1."""
     added = len(whole) - len(table.weights)
-    return Rows(
-        observations=whole,
+    return PlannedRows(
+        rows=whole,
         weights=np.pad(table.weights, (0, added), constant_values=1.0),
         programmes=np.pad(table.programmes, (0, added)),
     )

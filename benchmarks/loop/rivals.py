@@ -27,7 +27,7 @@ from tumble.calibrations.tracing.effect import Effect, Form
 
 CLOSE, MARGIN = 3.84, 0.3
 """The contract's threshold, and how near to it neither answer is held against a list."""
-_JUDGED: Final = {effect.name: effect for effect in CATALOGUE if not effect.drawn}
+_JUDGED: Final = {effect.name: effect for effect in CATALOGUE if not effect.random}
 _MOST_FORMS, _BY_CHANCE = 3, 0.02
 _WORTH_REFINING = 40.0
 _STEPS = 12

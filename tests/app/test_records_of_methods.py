@@ -14,9 +14,9 @@ from tumble.app.identity import program_identity
 from tumble.app.joining import read_together
 from tumble.app.recall import open_store, verify_record
 from tumble.calibrations.core.provenance import Provenance, Source
-from tumble.calibrations.methods.dividing_head.table import read_table
 from tumble.calibrations.methods.head_reference.entry import entry as head_entry
 from tumble.calibrations.methods.head_reference.loop import close_reference_loop
+from tumble.calibrations.methods.head_reference.observations import read_head_table
 from tumble.calibrations.methods.temperature.entry import entry as temperature_entry
 from tumble.calibrations.methods.temperature.loop import close_temperature_loop
 from tumble.calibrations.methods.temperature.table import read_runs
@@ -49,7 +49,7 @@ def pendulum(**changed):
 
 
 def test_a_head_held_against_a_reference_is_a_record(tmp_path):
-    record = Store(tmp_path).add(head_entry(close_reference_loop(read_table(HEAD))), origin(HEAD))
+    record = Store(tmp_path).add(head_entry(close_reference_loop(read_head_table(HEAD))), origin(HEAD))
     assert (record.method, record.model) == ("head_reference", "augmented")
     assert tumble("records", "verify", "--store", tmp_path).status == 0
     shown = tumble("records", "show", record.id, "--store", tmp_path).out
@@ -145,7 +145,7 @@ def test_a_record_deleted_past_the_triggers_is_noticed(tmp_path, number):
 
 
 def test_a_whole_chain_says_its_last_hash(tmp_path):
-    record = Store(tmp_path).add(head_entry(close_reference_loop(read_table(HEAD))), origin(HEAD))
+    record = Store(tmp_path).add(head_entry(close_reference_loop(read_head_table(HEAD))), origin(HEAD))
     said = tumble("records", "verify", "--store", tmp_path).out
     assert f"the last, number 1, is {record.content_sha256[:16]}." in said
 
