@@ -2,12 +2,12 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.blas_threads import one_blas_thread
-from tumble.calibrations.methods.dividing_head.stand.evidence import Run
 from tumble.calibrations.stand_records.corrections import Corrections, chi_square_p
 from tumble.calibrations.stand_records.terms import Term, harmonic_term, head_course, union
 
@@ -35,6 +35,24 @@ class Agreement:
     def holds(self) -> bool:
         """Whether both confirm something, and do not contradict each other."""
         return bool(self.corrections.terms) and self.p_value >= AGREE_P
+
+
+class Run(Protocol):
+    """What a run says of the stand; each method has its own."""
+
+    @property
+    def terms(self) -> tuple[Term, ...]:
+        """What it found."""
+        ...
+
+    @property
+    def highest_order(self) -> int:
+        """Harmonics of the head that its settings can tell apart."""
+        ...
+
+    def estimate(self, terms: Sequence[Term]) -> Corrections:
+        """What it says of these terms, fitted together."""
+        ...
 
 
 @one_blas_thread

@@ -1,0 +1,39 @@
+"""Only a method's own packages, and the registry, name it."""
+
+import ast
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+NAMES = sorted(path.name for path in (ROOT / "calibrations" / "methods").iterdir() if (path / "method.py").is_file())
+GENERIC = ("calibrations", "procedures", "drivers", "emulators")
+FIRST = ROOT / "procedures" / "registry.py"
+"""Says which method files of version 0.1 are of, which do not say it themselves."""
+MIGRATIONS = ROOT / "calibrations" / "records"
+"""Holds what records of version 0.1 leave unsaid."""
+
+
+def generic_files():
+    for folder in GENERIC:
+        for path in sorted((ROOT / folder).rglob("*.py")):
+            if "methods" not in path.relative_to(ROOT).parts and path != FIRST and MIGRATIONS not in path.parents:
+                yield path
+
+
+def names_in(path):
+    """Literals and imported modules of a file."""
+    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+        if isinstance(node, ast.Constant) and isinstance(node.value, str):
+            yield node.value
+        if isinstance(node, ast.ImportFrom) and node.module:
+            yield from node.module.split(".")
+
+
+def test_there_are_methods():
+    assert {"dividing_head", "head_reference", "temperature"} <= set(NAMES)
+
+
+@pytest.mark.parametrize("name", ["dividing_head", "head_reference"])
+def test_no_generic_file_names_a_method(name):
+    assert [path.relative_to(ROOT) for path in generic_files() if name in names_in(path)] == []
