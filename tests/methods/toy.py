@@ -1,4 +1,4 @@
-"""A seventh method, which exists in these tests alone: the output of a clock against time, a constant by declaration."""
+"""A further method, which exists in these tests alone: how late a clock is, a constant by declaration."""
 
 from dataclasses import dataclass
 from pathlib import Path
