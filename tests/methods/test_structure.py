@@ -1,8 +1,10 @@
 """Only a method's own packages, and the registry, name it."""
 
 import ast
+from graphlib import TopologicalSorter
 from pathlib import Path
 
+import grimp
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -37,3 +39,9 @@ def test_there_are_methods():
 @pytest.mark.parametrize("name", ["dividing_head", "head_reference"])
 def test_no_generic_file_names_a_method(name):
     assert [path.relative_to(ROOT) for path in generic_files() if name in names_in(path)] == []
+
+
+def test_nothing_imports_in_a_circle():
+    graph = grimp.build_graph("tumble", exclude_type_checking_imports=True, cache_dir=None)
+    imported = {module: graph.find_modules_directly_imported_by(module) for module in graph.modules}
+    assert len(list(TopologicalSorter(imported).static_order())) > 500  # raises `CycleError` on a circle
