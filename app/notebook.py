@@ -26,6 +26,7 @@ from tumble.app.stand_lock import holding
 from tumble.app.wiring import connect
 from tumble.calibrations.core.method import Method
 from tumble.calibrations.core.quantities import format_concise
+from tumble.procedures.errors import InputError
 from tumble.procedures.plan import Plan
 from tumble.procedures.programme import Programme, load_programme
 
@@ -114,6 +115,8 @@ def close_loop(path: Place, *further: Place, stand: Place | None = None, serial_
     files = [Path(place) for place in (path, *further)]
     method = method_of(files)
     if not method.at_stand:
+        if further:
+            raise InputError(f"{files[1]}: give one table of this kind at a time")
         return _of_method(method, files)
     recorded = read_stand(Path(stand)).recorded if stand else None
     return _of(trace(analyse(read_together(files, recorded), serial_number)))

@@ -24,7 +24,7 @@ class Ended(StrEnum):
     """Why no further experiment is run."""
 
     NOTHING_TO_TELL = "nothing to tell apart"
-    TOLD_APART = "distinguished"
+    TOLD_APART = "told apart"
     NOTHING_AVAILABLE = "no available experiment"
     NOT_AS_PROMISED = "not as promised"
     ENOUGH = "as many as were asked for"

@@ -74,7 +74,7 @@ def test_what_cannot_be_told_any_more_is_printed_with_its_reason(looped):
     ran, document = looped("k_xx")
 
     taken_back = {name for name, found in document["augmented"]["parameters"].items() if found["value"] is None}
-    assert {line.split()[1] for line in lines_with(ran.out, "cannot be told:")} == taken_back
+    assert {line.split()[1] for line in lines_with(ran.out, "is not identifiable:")} == taken_back
 
 
 def test_clean_data_is_said_to_be_clean(looped):

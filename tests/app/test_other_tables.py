@@ -6,7 +6,7 @@ from app_jobs import tumble
 from head_tables import rests, stream
 from public_heads import backwards, five_settings, joint
 
-from tumble.calibrations.methods.dividing_head.table import write_table
+from tumble.calibrations.core.table import write_table
 
 
 def closed(tmp_path, *paths):
@@ -41,7 +41,7 @@ def test_two_tables_of_one_head_are_compared(tmp_path, eccentric):
     assert (change["name"], change["after"]) == ("head_eccentricity", 0.0)
     assert change["difference"] == pytest.approx(0.02, abs=5e-4)
     assert change["before"] == pytest.approx(0.02, abs=5e-4)
-    assert "What changed" in ran.out
+    assert "What the difference shows" in ran.out
 
 
 def test_an_eccentricity_that_turned_round_has_changed(tmp_path, eccentric):
@@ -107,7 +107,7 @@ def test_a_reference_that_counts_backwards_is_asked_about_and_nothing_else_is_st
     ran = tumble("close-loop", tmp_path / "back.csv", "--report", page)
     assert ran.status == 0
     assert "it turns against the head; change its sign" in " ".join(ran.err.split())
-    assert ran.out.strip() == "back.csv: nothing is stated before that is answered."
+    assert ran.out.strip() == "Nothing is stated before that is answered."
     text = page.read_text("utf-8")
     assert "change its sign" in text
     assert "Nothing is stated before that is answered." in text
@@ -118,7 +118,7 @@ def test_a_reference_that_counts_backwards_is_asked_about_and_nothing_else_is_st
 def test_too_few_rows_are_said_to_be_too_few_and_nothing_is_stated(tmp_path):
     (tmp_path / "few.csv").write_text("angle_deg,reference_deg\n0,0.1\n90,90.1\n180,180.2\n", "utf-8")
     ran, document = closed(tmp_path, tmp_path / "few.csv")
-    assert "nothing was looked for: 3 rows are too few; at least 6 are needed" in ran.out
+    assert "Nothing was looked for: 3 rows are too few; at least 6 are needed" in ran.out
     assert "Before and after" not in ran.out
     assert document["declared"]["parameters"]["offset"]["value"] is None
     assert document["declared"]["parameters"]["offset"]["reason"] == "3 rows are too few; at least 6 are needed"
@@ -127,7 +127,7 @@ def test_too_few_rows_are_said_to_be_too_few_and_nothing_is_stated(tmp_path):
 def test_repeats_give_a_table_of_settings_on_the_terminal_and_in_the_report(tmp_path):
     write_table(five_settings(), tmp_path / "five.csv")
     page = tmp_path / "five.html"
-    ran = tumble("close-loop", tmp_path / "five.csv", "--report", page)
+    ran = tumble("close-loop", tmp_path / "five.csv", "--verbose", "--report", page)
     assert "F(9, 38) = 497" in ran.out
     for text in (ran.out, page.read_text("utf-8")):
         assert "Error by setting" in text

@@ -73,7 +73,7 @@ def test_show_says_what_cannot_be_told_and_for_which_alpha0_a_value_stands(write
 
     text = tumble("records", "show", record, "--store", tmp_path / "s").out
 
-    assert "alpha0 cannot be told: its 95% interval reaches 45 deg" in text
+    assert "alpha0 not identifiable: its 95% interval reaches 45 deg" in text
     assert any(line.startswith("  ky ") and line.endswith("given alpha0 = 0°") for line in text.splitlines())
 
 

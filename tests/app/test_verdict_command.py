@@ -83,7 +83,7 @@ def test_what_the_loop_withdraws_is_never_the_headline(calibrated_k_xx):
     assert (document["model"], document["parameters"]["ky"]["value"]) == ("augmented", None)
     assert "ky" not in document["per_m_s2"]
     rows = {line.split("│")[1].strip(): line for line in ran.out.splitlines() if line.count("│") == 6}
-    assert "cannot be told" in rows["ky"]
+    assert "not identifiable" in rows["ky"]
     assert "NOT DECIDED" in rows["ky"]
     assert ran.out.startswith("verdict: NOT DECIDED (judged: the augmented model)")
     (record,) = Store.existing(store).find()
@@ -99,7 +99,7 @@ def test_a_record_keeps_and_shows_the_verdict_and_the_values_to_use(calibrated_k
 
     lines = shown.splitlines()
     assert lines[0].endswith("revision 1, not decided")
-    assert next(line for line in lines if line.startswith("  ky  ")).startswith("  ky     cannot be told: it differs")
+    assert next(line for line in lines if line.startswith("  ky  ")).startswith("  ky     not identifiable: it differs")
     assert lines.index("of the declared model alone, which does not describe these data:") > lines.index("with k_xx")
     assert exported["verdict"] == document["verdict"]
     assert "not decided" in listed

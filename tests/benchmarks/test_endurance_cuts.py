@@ -5,6 +5,7 @@ from multiprocessing import get_context
 import pytest
 
 from benchmarks.endurance.cuts import cut_correctly, recorded, wrong_cuts
+from tumble.procedures.methods.dividing_head.rows import row_of
 
 
 @pytest.fixture(scope="module")
@@ -29,6 +30,6 @@ def test_a_point_that_is_not_read_is_noticed(whole, tmp_path):
 
 
 def test_a_point_that_is_read_with_another_voltage_is_noticed(whole, tmp_path):
-    changed = replace(whole.points[2], voltage_v=0.0)
+    changed = replace(row_of(whole.points[2]), voltage_v=0.0).point
     other = replace(whole, points=(*whole.points[:2], changed, *whole.points[3:]))
     assert not read_correctly(other, whole.sizes[5], tmp_path)

@@ -12,11 +12,10 @@ from report_examples import FACE_UP, FLIPS, calibrate, dwells, face_up, flips_on
 
 from tumble.calibrations.core.provenance import LimitCheck, Source
 from tumble.calibrations.core.rows import SetAside
-from tumble.calibrations.methods.dividing_head.report import render_report
+from tumble.calibrations.methods.dividing_head.report import evidence, render_report
 from tumble.calibrations.methods.dividing_head.report.page import SECTIONS
 from tumble.calibrations.methods.dividing_head.report.results import header
 from tumble.calibrations.methods.dividing_head.report.subject import Subject
-from tumble.calibrations.report import evidence
 
 VOID = {"meta", "br", "link", "img", "hr"}
 HOSTILE = "<script>alert('1')</script>\"&"

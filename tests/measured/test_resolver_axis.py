@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from app_jobs import tumble
 
-from tumble.calibrations.methods.dividing_head.table import read_table, write_table
+from tumble.calibrations.core.table import write_table
+from tumble.calibrations.methods.dividing_head.table import read_table
 
 
 def closed(tmp_path, *paths):

@@ -62,6 +62,7 @@ class HeadResult:
         """What is shown: how two tables differ, then each of them."""
         shown = [] if self.comparison is None else list(difference(self.comparison, *self.names))
         for name, loop in zip(self.names, self.loops, strict=True):
+            shown += [Section(title=name, lines=(f"{name}:",), brief=True)] if self.comparison else []
             shown += [set_aside_section(name, loop.observations.set_aside), *sections(loop)]
         return shown
 

@@ -14,8 +14,10 @@ from tumble.calibrations.tracing.sentences import findings
 def sections(loop: TemperatureLoop) -> Iterator[Section]:
     """What is shown of a table of runs, the answer first."""
     word = loop.parameters[0].polynomials[-1].words
+    few = loop.parameters[0].explained.table.not_traced
     yield Section(
         title="To what it was traced",
+        lines=(f"Nothing is looked for: {few}.",) if few else (),
         headings=("Parameter", "Effect", "Could also be", "Coefficients", "p"),
         rows=[row for parameter in loop.parameters for row in _found(parameter)],
         brief=True,
