@@ -52,6 +52,8 @@ def _row(parameter: ParameterLoop) -> Sequence[str]:
 
 
 def _found(parameter: ParameterLoop) -> Iterator[Sequence[str]]:
+    if parameter.explained.table.not_traced and not parameter.effects:
+        yield parameter.name, "not looked for", "", "", ""
     for each in findings(parameter.effects):
         yield parameter.name, each.name, each.also_possible or "told apart", each.coefficients, each.p_value
 
