@@ -171,7 +171,7 @@ def test_two_temperatures_are_too_few_and_nothing_is_stated(tmp_path):
     (tmp_path / "runs.csv").write_text("\n".join(["run,sensor_degC,bias_mV", *lines, ""]), "utf-8")
     ran, document = closed(tmp_path, tmp_path / "runs.csv")
     assert "2 temperatures (visited 12 times) are too few" in " ".join(ran.out.split())
-    assert "not looked for" in ran.out
+    assert "Nothing is looked for" in ran.out
     assert document["parameters"]["bias_mV"]["augmented"]["parameters"]["constant"]["value"] is None
     assert tumble("close-loop", tmp_path / "runs.csv", "--report", tmp_path / "runs.html").status == 0
 
