@@ -18,12 +18,14 @@ from tumble.app.running import Job
 from tumble.app.stand_records import with_stand_record
 from tumble.calibrations.core.sentences import series
 from tumble.calibrations.methods.dividing_head.loop.loop import Explained, Loop, explain
+from tumble.calibrations.methods.dividing_head.probes import PROBES
 from tumble.calibrations.tracing.chain import FUTILE, Chain, Ended, Link, cannot, cheapest, experiments_for, stage_of
 from tumble.calibrations.tracing.experiments import Experiment
 from tumble.procedures.announcer import Listener
 from tumble.procedures.errors import InputError
 
 MOST_EXPERIMENTS = 6
+_EXPERIMENTS = frozenset(probe.programme for probe in PROBES)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -57,10 +59,12 @@ def begin(files: Sequence[Path], at: AtStand) -> Closing:
 
     What is no experiment that the files before it asked for is part of the first measurement. Raises `InputError`.
     """
-    closing = _begun(files[:1], at)
-    for path in files[1:]:
+    programmes = [_programme_name(read_measurement(path)) for path in files]
+    plain = next((place for place, name in enumerate(programmes[1:], 1) if name in _EXPERIMENTS), len(files))
+    closing = _begun(files[:plain], at)  # nothing before the first experiment decides anything by itself
+    for path in files[plain:]:
         measurement = read_measurement(path)
-        name = measurement.programme.name if measurement.programme else ""
+        name = _programme_name(measurement)
         asked_for = next((each for each in closing.planned if each.programme == name), None)
         if asked_for is None:
             closing = _begun((*closing.files, path), at)
@@ -69,6 +73,10 @@ def begin(files: Sequence[Path], at: AtStand) -> Closing:
             took_s = float(times_s[-1]) if times_s is not None else asked_for.stand_time_s
             closing = follow(closing, asked_for, path, took_s, at)
     return closing
+
+
+def _programme_name(measurement: Measurement) -> str:
+    return measurement.programme.name if measurement.programme else ""
 
 
 def _begun(files: Sequence[Path], at: AtStand) -> Closing:
