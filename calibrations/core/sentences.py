@@ -17,6 +17,11 @@ def series(names: Sequence[str], last: str = "and") -> str:
     return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} {last} {names[-1]}"
 
 
+def deviations(separation: float) -> str:
+    """How far explanations are apart that differ by so much in -2 ln L, as `4.8 standard deviations`."""
+    return f"{max(separation, 0.0) ** 0.5:.1f} standard deviations"
+
+
 def significant_digits(value: float, expanded: float) -> int:
     """Digits of a value whose last unit is no less than the expanded uncertainty; 0 where that is over half of it."""
     if value == 0 or not expanded > 0:

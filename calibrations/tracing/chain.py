@@ -6,7 +6,7 @@ from enum import StrEnum
 from typing import Any, Generic, Protocol, TypeVar
 
 from tumble.calibrations.core.blas_threads import one_blas_thread
-from tumble.calibrations.core.sentences import series
+from tumble.calibrations.core.sentences import deviations, series
 from tumble.calibrations.tracing.experiments import APART, Experiment, next_experiments
 from tumble.calibrations.tracing.explained import Explained
 from tumble.calibrations.tracing.findings import EffectFound
@@ -128,8 +128,8 @@ class Link(Generic[L]):
     @property
     def comparison(self) -> str:
         """What was expected of it, and what came."""
-        realised = "none" if self.realised is None else f"{self.realised:.0f}"
-        return f"expected difference in -2 ln L {self.experiment.separation:.0f}, realised {realised}"
+        realised = "none" if self.realised is None else deviations(self.realised)
+        return f"expected difference {deviations(self.experiment.separation)}, realised {realised}"
 
     @property
     def _name(self) -> str:
@@ -246,7 +246,7 @@ def cannot(experiments: Sequence[Experiment], elsewhere: Mapping[str, tuple[Expe
     """
     sentences = [
         f"No experiment that can be run here tells {each.separates[0]} from {series(each.separates[1:], 'or')}: they "
-        f"would differ by {each.separation:.1f} in -2 ln L at most, and {APART:.0f} are needed."
+        f"would differ by {deviations(each.separation)} at most, and {APART**0.5:.0f} are needed."
         for each in experiments
         if not each.command
     ]

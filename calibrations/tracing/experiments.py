@@ -7,7 +7,7 @@ from itertools import combinations
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
-from tumble.calibrations.core.sentences import series
+from tumble.calibrations.core.sentences import deviations, series
 from tumble.calibrations.tracing.effect import OWNER_WORDS
 from tumble.calibrations.tracing.probe import Probe
 from tumble.calibrations.tracing.rivals import Rival
@@ -141,7 +141,7 @@ def _experiment(question: Question, offer: _Offer, probe: Probe, apart: list[int
         programme=probe.programme,
         why=(
             f"{probe.programme} {probe.does}: {question.name} then differs from {series(rivals)} by "
-            f"{'at least ' * (len(rivals) > 1)}{separation:.0f} in -2 ln L{''.join(remarks)}"
+            f"{'at least ' * (len(rivals) > 1)}{deviations(separation)}{''.join(remarks)}"
         ),
         command=probe.command,
         separation=separation,
@@ -184,7 +184,7 @@ def _nothing(question: Question, left: list[int], nearest: _Offer, otherwise: st
         programme="",
         why=(
             f"no programme that comes along tells {question.name} from {series(rivals, 'or')}: they differ by "
-            f"{separation:.1f} in -2 ln L at most{exchange}{otherwise and f'; {otherwise}'}"
+            f"{deviations(separation)} at most{exchange}{otherwise and f'; {otherwise}'}"
         ),
         command="",
         separation=separation,

@@ -199,7 +199,7 @@ class Stub(Question):
 def answers(monkeypatch, names, separations):
     monkeypatch.setattr(experiments, "Question", lambda *_: Stub(names, separations))
     return [
-        (experiment.programme, experiment.separates, experiment.why.partition(" in -2 ln L")[2])
+        (experiment.programme, experiment.separates, experiment.why.partition(" standard deviations")[2])
         for experiment in next_experiments(None, None, {"a": ["some"]}, PROBES)
     ]
 

@@ -66,8 +66,8 @@ ANALYSIS_CLAUSES: Final[tuple[str, ...]] = (
     translatable("{}: the declared model does not describe the poses (lack of fit, p = {})"),
     translatable("uncertainties rest on that disagreement"),
     # the next experiment
-    translatable("{}: {} then differs from {} by {} in -2 ln L"),
-    translatable("{}: {} then differs from {} by {} in -2 ln L, if {} is the true one"),
+    translatable("{}: {} then differs from {} by {} standard deviations"),
+    translatable("{}: {} then differs from {} by {} standard deviations, if {} is the true one"),
     translatable("at least {}"),
     translatable("only together with {}"),
     translatable("run it {} times"),
