@@ -96,6 +96,7 @@ def test_why_nothing_more_is_told_apart_names_what_would_help_elsewhere():
     nothing = experiment("", ("k_xx", "k_yy"), command="", separation=0.3)
     elsewhere = {"probe-end": (experiment("probe-end"), "the seat allows face-up only")}
     assert cannot([nothing], elsewhere) == (
-        "No experiment that can be run here tells k_xx from k_yy: they would differ by 0.5 standard deviations at most, "
-        "and 4 are needed. probe-end would tell k_xx from k_yy, but it cannot be run here: the seat allows face-up only."
+        "No experiment that can be run here tells k_xx from k_yy: they would differ by 0.5 standard deviations at "
+        "most, and 4 are needed. probe-end would tell k_xx from k_yy, but it cannot be run here: the seat allows "
+        "face-up only."
     )
