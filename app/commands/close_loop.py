@@ -19,7 +19,7 @@ from tumble.app.console import messages, parameter_table, results, row_lines, ru
 from tumble.app.files import is_recording, write_text
 from tumble.app.joining import read_together
 from tumble.app.learning import contradictions_of, learn
-from tumble.app.loop_console import show_loop, tell_closing
+from tumble.app.loop_console import tell_closing
 from tumble.app.measurements import read_measurement
 from tumble.app.methods import close_loop, method_of
 from tumble.app.running import Job
@@ -30,6 +30,7 @@ from tumble.app.storing import record_tables
 from tumble.app.terminal import say
 from tumble.calibrations.core.method import Method
 from tumble.calibrations.methods.dividing_head.loop.loop import Loop
+from tumble.calibrations.methods.dividing_head.loop.sections import sections
 from tumble.calibrations.methods.dividing_head.loop.sentences import comparisons
 from tumble.calibrations.methods.dividing_head.montecarlo import TRIALS
 from tumble.calibrations.methods.dividing_head.observations import Observations
@@ -185,7 +186,7 @@ def _tell(
     warn(traced.loop.augmented.warnings)
     if str(json_path) != "-":
         show_verdict(traced.verdict)
-        show_loop(traced.loop)
+        show_sections(sections(traced.loop))
         if not comparisons(traced.loop):  # which holds the values, too
             results().print(parameter_table(traced))
         _tell_set_aside(traced.loop.augmented.observations)

@@ -9,11 +9,12 @@ from tumble.app.calibrating import store
 from tumble.app.commands import options
 from tumble.app.commands.telling import leave_by
 from tumble.app.console import results, show_result, warn
-from tumble.app.loop_console import show_loop
 from tumble.app.measurements import read_measurement
+from tumble.app.sections import show_sections
 from tumble.app.stand import read_stand
 from tumble.app.stand_records import with_stand_record
 from tumble.app.terminal import say
+from tumble.calibrations.methods.dividing_head.loop.sections import sections
 
 
 @click.command("fit")
@@ -42,7 +43,7 @@ def command(
         if traced is None:
             results().print("the values are those of the declared model alone; tumble close-loop traces what it leaves")
         else:
-            show_loop(traced.loop)
+            show_sections(sections(traced.loop))
     document = result.as_json()
     if traced is not None and folder is not None:
         document["record"] = store(traced, folder).id

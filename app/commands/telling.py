@@ -6,10 +6,11 @@ from tumble.app.calibrating import Calibrated, has_report, report_path
 from tumble.app.commands.options import write_json
 from tumble.app.console import show_result, show_verdict, warn
 from tumble.app.exits import Exit
-from tumble.app.loop_console import show_loop
 from tumble.app.recall import report_again
+from tumble.app.sections import show_sections
 from tumble.app.terminal import say
 from tumble.calibrations.core.verdict import Verdict
+from tumble.calibrations.methods.dividing_head.loop.sections import sections
 from tumble.calibrations.records.record import Record
 
 
@@ -24,7 +25,7 @@ def tell_calibrated(done: Calibrated, json_path: Path | None, *, verbose: bool =
     warn(done.analysed.calibration.warnings)
     if str(json_path) != "-":
         show_result(done.analysed, verbose=verbose)
-        show_loop(done.analysed.loop)
+        show_sections(sections(done.analysed.loop))
     say(f"recording {done.recording}", f"record    {done.record.id}", f"report    {done.report}", err=True)
     say(*done.learned.sentences, err=True)
     left = {"record": done.record.id, "recording": str(done.recording), "report": str(done.report)}

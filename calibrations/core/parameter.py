@@ -42,6 +42,10 @@ class Parameter:
             return f"given alpha0 = {self.given_alpha0_deg:g}°"
         return f"rests on {self.rests_on} alone" if self.rests_on else ""
 
+    def withheld(self, reason: str) -> "Parameter":
+        """The parameter without a value, for a reason."""
+        return Parameter(name=self.name, unit=self.unit, value=None, reason=reason)
+
     def as_json(self) -> dict[str, Any]:
         """The parameter as the result format has it; keys without content are left out."""
         optional = {

@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Generic, TypeVar
 
+from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.tracing.judged import Judged
 from tumble.calibrations.tracing.rivals import CLOSE, Rival
 from tumble.calibrations.tracing.table import Table
@@ -13,6 +14,17 @@ RIVALS_APART = 2.0
 """A parameter that differs between rivals by more than so many standard uncertainties is not identifiable."""
 _T = TypeVar("_T", bound=Table)
 _F = TypeVar("_F")
+
+
+def unless_rivals_differ(parameter: Parameter, other: float, name: str, rival: str) -> Parameter:
+    """The parameter; without its value where that differs too far from what it is if the rival of an effect is true."""
+    if parameter.value is None or parameter.standard_uncertainty is None:
+        return parameter
+    if abs(other - parameter.value) <= RIVALS_APART * parameter.standard_uncertainty:
+        return parameter
+    return parameter.withheld(
+        f"it differs between {name} and {rival}, which this experiment does not clearly tell apart"
+    )
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -1,7 +1,7 @@
 """Closing the loop on a table whose declared model is linear: what is left, and what that does to the parameters."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, TypeVar
 
 import numpy as np
@@ -9,7 +9,7 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.parameter import ModelFit, Parameter
 from tumble.calibrations.tracing.effect import Quantity, Structure
-from tumble.calibrations.tracing.explained import RIVALS_APART, Explained
+from tumble.calibrations.tracing.explained import Explained, unless_rivals_differ
 from tumble.calibrations.tracing.findings import EffectFound, Unexplained, effects_found
 from tumble.calibrations.tracing.judged import judged
 from tumble.calibrations.tracing.linear import LinearFit, fit_linear
@@ -67,7 +67,7 @@ def stated(explained: LinearExplained[Any], fit: LinearFit, units: Mapping[str, 
         for rival in rivals:
             other = fit_linear(explained.table, rival.trace, units)
             for key, quantity in other.parameters.items():
-                parameters[key] = _judged(parameters[key], quantity.value, name, rival.name)
+                parameters[key] = unless_rivals_differ(parameters[key], quantity.value, name, rival.name)
     return parameters
 
 
@@ -90,15 +90,6 @@ def as_stated(fit: LinearFit) -> dict[str, Parameter]:
 def _stated(name: str, quantity: Quantity) -> Parameter:
     uncertainty = quantity.standard_uncertainty
     return Parameter(name=name, unit=quantity.unit, value=quantity.value, standard_uncertainty=uncertainty)
-
-
-def _judged(parameter: Parameter, other: float, name: str, rival: str) -> Parameter:
-    if parameter.value is None or parameter.standard_uncertainty is None:
-        return parameter
-    if abs(other - parameter.value) <= RIVALS_APART * parameter.standard_uncertainty:
-        return parameter
-    reason = f"it differs between {name} and {rival}, which this table does not clearly tell apart"
-    return replace(parameter, value=None, standard_uncertainty=None, reason=reason)
 
 
 def withheld_json(explained: LinearExplained[Any]) -> list[dict[str, str]]:

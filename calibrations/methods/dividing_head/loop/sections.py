@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.dividing_head.loop.loop import Loop
 from tumble.calibrations.methods.dividing_head.loop.sentences import comparisons, findings_of, headline, leaning, untold
+from tumble.calibrations.tracing.experiments import Experiment
 
 
 def sections(loop: Loop) -> Iterator[Section]:
@@ -27,11 +28,22 @@ def sections(loop: Loop) -> Iterator[Section]:
     )
     yield Section(
         title="What is not identifiable",
-        lines=[*(f"{name}: {reason}" for name, reason in untold(loop)), *filter(None, [leaning(loop)])],
+        lines=[
+            *(f"- {name} is not identifiable: {reason}" for name, reason in untold(loop)),
+            *(f"- {leans}" for leans in [leaning(loop)] if leans),
+        ],
         brief=True,
     )
     yield Section(
         title="What to measure next",
-        lines=[f"{experiment.command}\n  {experiment.why}".strip() for experiment in loop.next_experiment],
+        lines=[line for experiment in loop.next_experiment for line in _experiment(experiment)],
         brief=True,
     )
+
+
+def _experiment(experiment: Experiment) -> Iterator[str]:
+    """What to run next, and why."""
+    command = f": {experiment.command}" if experiment.command else ""
+    aim = f", to tell {' from '.join(experiment.separates[:2])}" if len(experiment.separates) > 1 else ""
+    yield f"next{aim}{command}"
+    yield f"  {experiment.why}"

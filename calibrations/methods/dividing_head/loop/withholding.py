@@ -5,14 +5,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.methods.dividing_head.effects.unnamed import withheld_by
 from tumble.calibrations.methods.dividing_head.loop.augmented import Augmented, augment
 from tumble.calibrations.methods.dividing_head.loop.table import DividingHeadTable
 from tumble.calibrations.methods.dividing_head.model import PARAMETERS
 from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.calibrations.tracing.effect import Structure
-from tumble.calibrations.tracing.explained import RIVALS_APART
+from tumble.calibrations.tracing.explained import RIVALS_APART, unless_rivals_differ
 from tumble.calibrations.tracing.rivals import Rival
 
 _COURSES = ("time", "temperature", "order", "realisation", "direction")
@@ -38,7 +37,7 @@ def without_courses(calibration: Calibration, best: Augmented) -> Calibration:
 def _without(calibration: Calibration, names: Sequence[str], reason: str) -> Calibration:
     """Take parameters back, for a reason."""
     told = {name: parameter for name in names if (parameter := calibration.parameters[name]).value is not None}
-    taken = {name: _taken_back(parameter, reason) for name, parameter in told.items()}
+    taken = {name: parameter.withheld(reason) for name, parameter in told.items()}
     return replace(calibration, parameters={**calibration.parameters, **taken})
 
 
@@ -51,28 +50,7 @@ def without_rivals(
         for rival in listed:
             theta = augment(base, rival.trace).joint.fit.theta
             for index, parameter in enumerate(PARAMETERS):
-                parameters[parameter] = _judged(parameters[parameter], float(theta[index]), name, rival.name)
+                parameters[parameter] = unless_rivals_differ(
+                    parameters[parameter], float(theta[index]), name, rival.name
+                )
     return replace(calibration, parameters=parameters)
-
-
-def _judged(parameter: Parameter, other: float, name: str, rival: str) -> Parameter:
-    if parameter.value is None or parameter.standard_uncertainty is None:
-        return parameter
-    if abs(other - parameter.value) <= RIVALS_APART * parameter.standard_uncertainty:
-        return parameter
-    reason = f"it differs between {name} and {rival}, which this experiment does not clearly tell apart"
-    return _taken_back(parameter, reason)
-
-
-def _taken_back(parameter: Parameter, reason: str) -> Parameter:
-    """A parameter that cannot be told after all."""
-    return Parameter(
-        name=parameter.name,
-        unit=parameter.unit,
-        value=None,
-        standard_uncertainty=None,
-        type_a=None,
-        degrees_of_freedom=None,
-        interval_95=None,
-        reason=reason,
-    )
