@@ -32,7 +32,8 @@ class Message(str):
     """Text in English that keeps its template and its fields, to be put into another language.
 
     `Message("{rows} rows are too few", rows=3)` is the string `3 rows are too few`. The template is written as for
-    `str.format`, its fields named; a field that is a message itself is put into the language with the whole.
+    `str.format`, its fields named; a field that is a message itself, or an exception that was given one, is put into
+    the language with the whole.
     """
 
     template: str
@@ -62,6 +63,10 @@ class Message(str):
         made.template, made.plural, made.fields = template, plural, fields
         return made
 
+    def __str__(self) -> Self:
+        """Itself, so that the text of an exception that a message was given to is that message still."""
+        return self
+
     def in_language(self, language: Language) -> str:
         """The text in a language; in English where the catalogue lacks the template."""
         if self.plural:
@@ -87,7 +92,8 @@ def translatable(template: str) -> str:
 
 
 def _field(value: object, language: Language) -> object:
-    return value.in_language(language) if isinstance(value, Message) else value
+    said = str(value) if isinstance(value, Exception) else value
+    return said.in_language(language) if isinstance(said, Message) else said
 
 
 def _looked_up(template: str, language: Language) -> str:

@@ -38,6 +38,11 @@ def catalogue(language):
     return ROOT / "tumble" / "locales" / language / "LC_MESSAGES" / "tumble.po"
 
 
+def translated(language):
+    """The messages that have words, which stand in the catalogue in two languages."""
+    return [message for message in read(catalogue(language)) if message.string]
+
+
 def wordings(text):
     return [text] if isinstance(text, str) else list(text)
 
@@ -46,6 +51,13 @@ def fields(text):
     """What stands in braces, with conversion and format; bare braces by their place."""
     found = [part[1:] for part in Formatter().parse(text) if part[1] is not None]
     return sorted((name or str(place), *rest) for place, (name, *rest) in enumerate(found))
+
+
+def has_words(key):
+    """Whether anything stands beside the fields; `{path}: {error}` is the same in every language."""
+    return any(
+        letter.isalpha() for wording in wordings(key) for text, *_ in Formatter().parse(wording) for letter in text
+    )
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -58,19 +70,19 @@ def test_it_holds_every_key_of_the_source_and_no_other(language, source):
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_it_leaves_nothing_untranslated(language):
     wanting = [m.id for m in read(catalogue(language)) if m.fuzzy or not all(wordings(m.string))]
-    assert wanting == []
+    assert [key for key in wanting if has_words(key)] == []
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_it_keeps_what_stands_in_braces(language):
-    for message in read(catalogue(language)):
+    for message in translated(language):
         allowed = [fields(wording) for wording in wordings(message.id)]
         assert all(fields(wording) in allowed for wording in wordings(message.string)), message.id
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_it_keeps_access_keys_marks_and_the_space_at_the_ends(language):
-    for message in read(catalogue(language)):
+    for message in translated(language):
         for text in wordings(message.string):
             of = wordings(message.id)[0]
             assert text.count("&") == of.count("&"), of
@@ -81,7 +93,7 @@ def test_it_keeps_access_keys_marks_and_the_space_at_the_ends(language):
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_what_is_compiled_is_what_was_written(language):
     compiled = gettext.translation("tumble", ROOT / "tumble" / "locales", [language])
-    stale = [m.id for m in read(catalogue(language)) if isinstance(m.id, str) and compiled.gettext(m.id) != m.string]
+    stale = [m.id for m in translated(language) if isinstance(m.id, str) and compiled.gettext(m.id) != m.string]
     assert stale == [], "run `make setup`, which compiles the catalogues"
 
 

@@ -32,6 +32,16 @@ def test_a_field_that_is_a_message_goes_with_it():
     assert message.in_language(Language.GERMAN) == "Der Lauf ist beendet: das Programm wurde ausgeführt."
 
 
+def test_the_text_of_an_exception_is_still_the_message():
+    assert str(ValueError(Message("Stop: {reason}", reason="door"))).in_language(Language.GERMAN).endswith("door")
+
+
+def test_an_exception_as_a_field_goes_with_it(monkeypatch):
+    monkeypatch.setattr("tumble.messages._looked_up", lambda template, _: template.upper().replace("ERROR", "error"))
+    inner = ValueError(Message("no rows"))
+    assert Message("file: {error}", error=inner).in_language(Language.GERMAN) == "FILE: NO ROWS"
+
+
 def test_messages_in_a_row_are_each_put_into_the_language():
     message = Message.joined("; ", [Message("does not answer"), "port 3"])
     assert message == "does not answer; port 3"
