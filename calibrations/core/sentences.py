@@ -2,8 +2,10 @@
 
 import math
 from collections.abc import Sequence
+from typing import Literal
 
 from tumble.calibrations.core.quantities import format_probability
+from tumble.messages import Message
 
 
 def equals(p_value: float) -> str:
@@ -12,14 +14,19 @@ def equals(p_value: float) -> str:
     return text if text.startswith("<") else f"= {text}"
 
 
-def series(names: Sequence[str], last: str = "and") -> str:
+def series(names: Sequence[str], last: Literal["and", "or"] = "and") -> str:
     """`x, y and z`."""
-    return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} {last} {names[-1]}"
+    if len(names) == 1:
+        return names[0]
+    first = Message.joined(", ", names[:-1])
+    if last == "or":
+        return Message("{first} or {last}", first=first, last=names[-1])
+    return Message("{first} and {last}", first=first, last=names[-1])
 
 
 def deviations(separation: float) -> str:
     """How far explanations are apart that differ by so much in -2 ln L, as `4.8 standard deviations`."""
-    return f"{max(separation, 0.0) ** 0.5:.1f} standard deviations"
+    return Message("{number:.1f} standard deviations", number=max(separation, 0.0) ** 0.5)
 
 
 def significant_digits(value: float, expanded: float) -> int:
