@@ -121,21 +121,29 @@ def stated(theta: FloatArray) -> FloatArray:
     """Parameters as they are stated, shape (14,): biases, scales, six m and two levels in arcsec."""
     k = response(theta)
     scale = np.diag(k)
-    angles = [k[i, j] / scale[i] for i in range(3) for j in range(3) if i != j]
+    by = _divisors(k)
+    angles = [k[i, j] / by[i] for i in range(3) for j in range(3) if i != j]
     return np.concatenate([theta[:3], scale, ARCSEC_PER_RAD * np.array([*angles, theta[LEVEL_X], theta[LEVEL_Y]])])
 
 
 def stated_slopes(theta: FloatArray) -> FloatArray:
     """Derivative of `stated`, shape (14, 14)."""
     k = response(theta)
+    by = _divisors(k)
     found = np.zeros((INTERNAL, INTERNAL))
     found[:3, :3] = np.eye(3)
     place = 6
     for i in range(3):
         found[3 + i, 3 + 4 * i] = 1.0
         for j in (j for j in range(3) if j != i):
-            found[place, 3 + 3 * i + j] = ARCSEC_PER_RAD / k[i, i]
-            found[place, 3 + 4 * i] = -ARCSEC_PER_RAD * k[i, j] / k[i, i] ** 2
+            found[place, 3 + 3 * i + j] = ARCSEC_PER_RAD / by[i]
+            found[place, 3 + 4 * i] = -ARCSEC_PER_RAD * k[i, j] / by[i] ** 2
             place += 1
     found[12, LEVEL_X] = found[13, LEVEL_Y] = ARCSEC_PER_RAD
     return found
+
+
+def _divisors(k: FloatArray) -> FloatArray:
+    """The diagonal of K; infinite where no position shows it, so that what rests on it vanishes."""
+    scale = np.diag(k)
+    return np.where(scale == 0.0, np.inf, scale)
