@@ -27,6 +27,8 @@ _UNITS: Final = (*["V"] * 3, *["V/g"] * 3, *["arcsec"] * 3)
 _LOWER: Final = np.tril_indices(3)
 _PAIRS: Final = ((0, 1), (0, 2), (1, 2))
 _ROUNDS = 30
+_FARTHEST = 10.0
+"""A response so many times the range of the outputs fits only where gravity is nowhere as long as it should be."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -88,6 +90,8 @@ def fit_scalar(outputs_v: FloatArray, variances: FloatArray) -> ScalarFit | None
             return None
         if np.abs(step).max() < 1e-13 * np.abs(theta).max():
             break
+    if np.abs(theta[3:]).max() > _FARTHEST * np.ptp(outputs_v):
+        return None
     return _stated(theta, outputs_v, variances)
 
 
