@@ -228,7 +228,7 @@ def measure(minutes: float) -> dict[str, Any]:
         thread.join()
         late_s = float(streaming.stderr.read())
     beat.stop()
-    drawn = view.map.done
+    drawn = view.overview.done
     running.window.run._now.phase = Phase.IDLE
     running.window.leave()
     return summary(meter) | {

@@ -7,7 +7,8 @@ from tumble.calibrations.methods.head_reference.effects import HEAD_EFFECTS
 from tumble.calibrations.methods.temperature.effects import run_effects
 from tumble.messages import Language
 from tumble.window.look.language import speak
-from tumble.window.look.names import EFFECT_NAMES, MOUNT_NAMES, effect_name, mount_name
+from tumble.window.look.names import EFFECT_NAMES, effect_name
+from tumble.window.methods.dividing_head.mounts import MOUNT_NAMES, mount_name
 
 
 @pytest.fixture
