@@ -55,7 +55,7 @@ class ResultScreen(QWidget):
             )
         )
         self.correlation, self.loop = CorrelationTable(), LoopView()
-        self.tabs, self._method = QTabWidget(), ""
+        self.tabs, self._part = QTabWidget(), window_part(FIRST)
         self._own: Sequence[ResultTab] = ()
         """Tabs of the method that is shown."""
         self._lay_out()
@@ -89,12 +89,13 @@ class ResultScreen(QWidget):
 
     def _take_tabs_of(self, method: str) -> None:
         """Put the tabs of another method between the parameters and the correlations."""
-        if method == self._method:
+        if window_part(method) is self._part and self._own:
             return
         for tab in self._own:
             self.tabs.removeTab(self.tabs.indexOf(tab.widget))
             tab.widget.deleteLater()
-        self._method, self._own = method, window_part(method).tabs()
+        self._part = window_part(method)
+        self._own = self._part.tabs()
         for place, tab in enumerate(self._own, 1):
             self.tabs.insertTab(place, tab.widget, tab.title)
 

@@ -99,8 +99,7 @@ class RunView(QWidget):
             self.overview.complete(self._step, point)
 
     def _make_parts(self, programme: Programme) -> None:
-        layout, self._method = programme.layout, programme.method
-        self._part = window_part(self._method)
+        layout, self._part = programme.layout, window_part(programme.method)
         self.prompt, self.overview = self._part.prompt(layout), self._part.overview(layout)
         self.figures = self._part.figures(layout, self._background)
         self.prompt.confirmed.connect(self.confirmed)
@@ -108,7 +107,7 @@ class RunView(QWidget):
 
     def _take_parts_of(self, programme: Programme) -> None:
         """Put the parts of another method in the places of those that are there."""
-        if programme.method == self._method:
+        if window_part(programme.method) is self._part:
             return
         before = self.prompt, self.overview, self.figures
         self._make_parts(programme)
