@@ -139,6 +139,7 @@ def test_points_are_listed_and_every_channel_is_drawn(driver, tmp_path):
         ["1", "level", "90.0000", "0.0000"],
     ]
     driver.window.open(driver.run)
+    assert view.overview.table.texts()[2][4:] == ["-0.70711", "-0.70711", "0.00000"]
     (plot,) = view.figures.plots.values()
     driver.wait(lambda: [plot.drawn(channel) for channel in CHANNELS] == [4, 4, 4])
     assert view.overview.done == 4

@@ -1,12 +1,14 @@
 """The points of a run as a table: where each was taken, and what every channel gave."""
 
+import math
 from collections.abc import Sequence
 from typing import Final
 
 from PySide6.QtWidgets import QVBoxLayout
 
+from tumble.calibrations.core.quantities import rounded
 from tumble.procedures.layout import Layout
-from tumble.procedures.steps import Dwell, Point
+from tumble.procedures.steps import Dwell, Point, Reading
 from tumble.window.look.language import tr
 from tumble.window.look.numbers import local
 from tumble.window.parts import Overview
@@ -47,7 +49,7 @@ class PointTable(Overview):
     def begin(self, dwell: Dwell) -> None:
         """Show a dwell without values."""
         conditions, positions, channels = self._names
-        places = (_number(dwell.targets_deg[name], 4) if name in dwell.targets_deg else "" for name in positions)
+        places = (_angle(dwell.targets_deg[name]) if name in dwell.targets_deg else "" for name in positions)
         asked = (dwell.conditions.get(name, "") for name in conditions)
         self._now = (f"▶ {self._done + 1}", *asked, *places, *("" for _ in channels))
         self._fill()
@@ -60,13 +62,18 @@ class PointTable(Overview):
 
     def _row(self, point: Point) -> tuple[str, ...]:
         conditions, positions, channels = self._names
-        places = (_number(point.positions_deg[name], 4) for name in positions)
-        means = (_number(point.readings[name].mean, 7) for name in channels)
+        places = (_angle(point.positions_deg[name]) for name in positions)
+        means = (_mean(point.readings[name]) for name in channels)
         return (str(point.index + 1), *(point.conditions.get(name, "") for name in conditions), *places, *means)
 
     def _fill(self) -> None:
         self.table.fill([row for row in (self._now, *self._rows) if row])
 
 
-def _number(value: float, decimals: int) -> str:
-    return local(f"{value:.{decimals}f}")
+def _angle(angle_deg: float) -> str:
+    return local(f"{angle_deg:z.4f}")
+
+
+def _mean(reading: Reading) -> str:
+    """With as many digits as the scatter of the samples leaves."""
+    return local(rounded(reading.mean, reading.sd / math.sqrt(reading.samples), "").value)

@@ -109,13 +109,12 @@ class RunView(QWidget):
         """Put the parts of another method in the places of those that are there."""
         if window_part(programme.method) is self._part:
             return
-        before = self.prompt, self.overview, self.figures
+        prompt, overview, figures = self.prompt, self.overview, self.figures
         self._make_parts(programme)
-        self._place.removeWidget(before[0])
-        self._left.replaceWidget(self._left.indexOf(before[1]), self.overview)
-        self._right.replaceWidget(self._right.indexOf(before[2]), self.figures)
-        for part in before:
-            part.deleteLater()
+        self._place.removeWidget(prompt)
+        prompt.deleteLater()
+        self._left.replace(overview, self.overview)
+        self._right.replace(figures, self.figures)
 
     def _lay_out(self) -> None:
         self._place.insertWidget(0, self.dials)

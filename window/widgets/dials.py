@@ -38,6 +38,7 @@ class Dials(QWidget):
     def _make(self, names: Sequence[str]) -> None:
         while (item := self._row.takeAt(0)) is not None:
             if (before := item.widget()) is not None:
+                before.hide()  # it is deleted when the event loop comes to it
                 before.deleteLater()
         self._dials = {name: Dial() for name in names}
         for name, dial in self._dials.items():

@@ -64,6 +64,7 @@ class InstrumentTable(QFrame):
         """A column for each instrument, in place of those that are there."""
         while (item := self._grid.takeAt(0)) is not None:
             if (before := item.widget()) is not None:
+                before.hide()  # it is deleted when the event loop comes to it
                 before.deleteLater()
         for column in range(self._grid.columnCount()):
             self._grid.setColumnStretch(column, 0)

@@ -31,6 +31,7 @@ class Jog(QFrame):
         for step in _STEPS_DEG:
             self.step.addItem(local(f"{step}°"), float(step))
         self.step.setCurrentIndex(int(str(QSettings().value("stand/step", 4))))
+        self.positioner.setAccessibleName(tr("Positioner"))
         self.angle.setPlaceholderText(tr("12 34 56, or 12.5"))
         self.back = MotionButton("◀", "Ctrl+Left")
         self.ahead = MotionButton("▶", "Ctrl+Right")
