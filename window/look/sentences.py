@@ -42,6 +42,14 @@ def sentence_of(event: Event, words: ConditionWords) -> str:
             said = tr("Set to {setting}; read: {answer}.", setting=format_dms(event.setting_deg), answer=answer)
         case RunResumed():
             said = tr("The run goes on; {points} points are there already.", points=event.points)
+        case PointVerified() if not event.channel.endswith("_v"):
+            said = tr(
+                "Point {point} was taken again: {channel} {now:.7g} now, {before:.7g} before.",
+                point=event.point,
+                channel=event.channel,
+                now=event.now,
+                before=event.recorded,
+            )
         case PointVerified():
             said = tr(
                 "Point {point} was taken again: {now:.6f} V now, {before:.6f} V before.",

@@ -57,7 +57,7 @@ class RunView(QWidget):
         self.figures.begin(points)
         self._step, self._block = None, None
         self._drawn = -1
-        self.samples.forget()
+        self.samples.begin(programme.layout.channels)
         self.ask_nothing()
         self.log.clear()
 

@@ -1,6 +1,6 @@
 """What is drawn of every run, whatever it measures: temperature, and the samples of the last dwell."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Final
 
 import numpy as np
@@ -58,8 +58,10 @@ class SamplesPlot(Plot):
             times_s, extremes_v = thinned(np.where(np.abs(voltage_v) < 1e30, voltage_v, np.nan), block.rate_hz)
             line.setData(times_s, extremes_v, connect="finite")
 
-    def forget(self) -> None:
-        """Draw nothing."""
+    def begin(self, channels: Iterable[str]) -> None:
+        """Draw nothing, until there are samples of these channels; the names of those in volts end in `_v`."""
+        volts = all(name.endswith("_v") for name in channels)
+        self.name_axes(tr("time in the dwell (s)"), tr("samples (V)") if volts else tr("samples"))
         for line in self._lines:
             line.setData([], [])
 
