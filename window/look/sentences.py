@@ -42,21 +42,8 @@ def sentence_of(event: Event, words: ConditionWords) -> str:
             said = tr("Set to {setting}; read: {answer}.", setting=format_dms(event.setting_deg), answer=answer)
         case RunResumed():
             said = tr("The run goes on; {points} points are there already.", points=event.points)
-        case PointVerified() if not event.channel.endswith("_v"):
-            said = tr(
-                "Point {point} was taken again: {channel} {now:.7g} now, {before:.7g} before.",
-                point=event.point,
-                channel=event.channel,
-                now=event.now,
-                before=event.recorded,
-            )
         case PointVerified():
-            said = tr(
-                "Point {point} was taken again: {now:.6f} V now, {before:.6f} V before.",
-                point=event.point,
-                now=event.now,
-                before=event.recorded,
-            )
+            said = _taken_again(event)
         case StateChanged(state=State.PAUSED | State.STANDSTILL):
             said = state_name(event.state) + "."
         case WarningRaised():
@@ -66,6 +53,24 @@ def sentence_of(event: Event, words: ConditionWords) -> str:
         case _:
             return ""
     return local(said)
+
+
+def _taken_again(event: PointVerified) -> str:
+    """In volts where the name of the channel ends in these."""
+    if not event.channel.endswith("_v"):
+        return tr(
+            "Point {point} was taken again: {channel} {now:.7g} now, {before:.7g} before.",
+            point=event.point,
+            channel=event.channel,
+            now=event.now,
+            before=event.recorded,
+        )
+    return tr(
+        "Point {point} was taken again: {now:.6f} V now, {before:.6f} V before.",
+        point=event.point,
+        now=event.now,
+        before=event.recorded,
+    )
 
 
 def state_name(state: State) -> str:

@@ -64,8 +64,6 @@ class RunScreen(QWidget):
         self._worker, self._operator, self._store, self._attendant = worker, operator, store, attendant
         self._now, self._broken_off = RunState(), False
         self._setting_deg = 0.0
-        self._resting: set[str] = set()
-        """Positioners that were seen at rest since something was restless."""
         self.form, self.reading = RunForm(lambda: worker.session.loaded), ReadingPrompt()
         self.view = RunView(background, self.form.chosen_or_shipped())
         self.offered = ResumeOffer()
@@ -185,7 +183,7 @@ class RunScreen(QWidget):
                 self._setting_deg = setting_deg
             case RunFinished(at_standstill=at_standstill):
                 self._ask_nothing()
-                self._now.restless, self._resting = not at_standstill, set()
+                self._now.settle(at_standstill)
 
     def _pause(self) -> None:
         self._now.pausing = True
@@ -205,17 +203,17 @@ class RunScreen(QWidget):
         return tuple(self._worker.session.loaded.file.positioners)
 
     def _see_position(self, name: str, status: PositionerStatus) -> None:
-        """Whatever was restless is at rest once every positioner has said so."""
-        self._resting = self._resting - {name} if status.moving else self._resting | {name}
-        if self._now.restless and self._resting.issuperset(self._positioners):
-            self._see_rest()
+        before = self._now.restless
+        self._now.see(name, status.moving, self._positioners)
+        if before != self._now.restless:
+            self._refresh()
 
     def _see_rest(self, *_: object) -> None:
-        self._now.restless = False
+        self._now.settle(at_standstill=True)
         self._refresh()
 
     def _see_unrest(self) -> None:
-        self._now.restless, self._resting = True, set()
+        self._now.settle(at_standstill=False)
         self._refresh()
 
     def _change(self, state: State) -> None:
