@@ -15,7 +15,7 @@ from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.provenance import LimitCheck, Provenance
 from tumble.calibrations.core.verdict import Judgement, Model, Outcome, Verdict
 from tumble.calibrations.core.view import Section
-from tumble.calibrations.records.entry import Entry
+from tumble.calibrations.tracing.experiments import Experiment
 from tumble.drivers.clock import VirtualClock
 from tumble.procedures import registry as methods_at_stands
 from tumble.procedures.programme import load_programme, programme_from_text
@@ -58,21 +58,15 @@ class Bias:
         told = Parameter(name="bias", unit="V", value=value, standard_uncertainty=0.001, interval_95=(-0.002, 0.002))
         return {"bias": told, "scale": Parameter(name="scale", unit="V/g", value=None, reason="there is one position")}
 
-    def document(self):
-        return {"method": "two_axes"}
+    limits = (LimitCheck(name="bias", minimum=None, maximum=-1.0, inside=False),)
+    next_experiment = ()
+    verdict = Verdict(
+        judged=Model.DECLARED,
+        parameters=(Judgement(name="bias", outcome=Outcome.FAIL, reason="it lies outside"),),
+    )
 
     def sections(self):
         yield Section(title="Means", lines=("As they came",), headings=("channel", "mean"), rows=[("u_x_v", "0 V")])
-
-    def entry(self):
-        failed = Judgement(name="bias", outcome=Outcome.FAIL, reason="it lies outside")
-        return Entry(
-            method="two_axes",
-            method_version=2,
-            result=self.document(),
-            limits=(LimitCheck(name="bias", minimum=None, maximum=-1.0, inside=False),),
-            verdict=Verdict(judged=Model.DECLARED, parameters=(failed,)),
-        )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -214,6 +208,23 @@ def test_its_result_is_shown_by_parameters_and_sections(driver, tmp_path):
     ]
     (tab,) = result._own
     assert tab.widget.tables[0].texts() == [["u_x_v", "0 V"]]
+
+
+def test_the_next_experiment_of_any_method_may_be_run(driver, tmp_path, monkeypatch):
+    wanted = Experiment(
+        separates=("bias", "scale"),
+        programme="four",
+        why="one more position tells the scale",
+        command="",
+        separation=3.0,
+        stand_time_s=60.0,
+    )
+    monkeypatch.setattr(Bias, "next_experiment", (wanted,))
+    measure(driver, tmp_path)
+    loop = driver.window.result.loop
+    driver.window.result.tabs.setCurrentWidget(loop)
+    assert loop.experiments.item(0).text() == "four (1:00): one more position tells the scale"
+    assert loop.run_button.isEnabled()
 
 
 def test_the_tabs_of_another_method_take_their_places(driver, tmp_path):

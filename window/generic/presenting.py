@@ -1,11 +1,11 @@
 """A result of any method as the screen Result shows it: its parameters, its warnings and its sections."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
-from tumble.calibrations.core.method import Result
 from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.core.provenance import LimitCheck
 from tumble.calibrations.core.quantities import (
     format_concise,
     format_interval,
@@ -13,13 +13,13 @@ from tumble.calibrations.core.quantities import (
     format_number,
     format_quantity,
 )
-from tumble.calibrations.core.verdict import Outcome
+from tumble.calibrations.core.verdict import Judgement, Outcome, Verdict
 from tumble.calibrations.core.view import Section
 from tumble.window.work.activity import Concluded
-from tumble.window.work.presentation import ParameterLine, Presentation
+from tumble.window.work.presentation import LoopSummary, ParameterLine, Presentation
 
 if TYPE_CHECKING:
-    from tumble.calibrations.records.entry import Entry
+    from tumble.calibrations.tracing.experiments import Experiment
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -35,26 +35,56 @@ def sections_of(presentation: Presentation) -> Sequence[Section]:
     return presentation.sections
 
 
+class Analysed(Protocol):
+    """What an analysis has to say of itself to be shown."""
+
+    @property
+    def warnings(self) -> Sequence[str]:
+        """Sentences to be read first."""
+        ...
+
+    @property
+    def parameters(self) -> Mapping[str, Parameter]:
+        """The values to use, by name."""
+        ...
+
+    @property
+    def limits(self) -> Sequence[LimitCheck]:
+        """The values held against the limits of the programme."""
+        ...
+
+    @property
+    def verdict(self) -> Verdict:
+        """How the unit stands against them."""
+        ...
+
+    @property
+    def next_experiment(self) -> "Sequence[Experiment]":
+        """What to measure next, the best first."""
+        ...
+
+    def sections(self) -> Iterable[Section]:
+        """What is shown beside, the answer first."""
+        ...
+
+
 def present(concluded: Concluded) -> SectionPresentation:
-    """Work out what there is to show of a `tumble.calibrations.core.method.Result`."""
-    result: Result = concluded.traced
-    entry = result.entry()
+    """Work out what there is to show."""
+    analysed: Analysed = concluded.traced
+    limits = {check.name: check for check in analysed.limits}
     return SectionPresentation(
         concluded=concluded,
-        verdict=entry.verdict,
-        notices=result.warnings,
-        table=[_line(parameter, entry) for parameter in result.parameters.values()],
-        sections=result.sections(),
+        verdict=analysed.verdict,
+        notices=analysed.warnings,
+        table=[
+            _line(each, limits.get(each.name), analysed.verdict.of(each.name)) for each in analysed.parameters.values()
+        ],
+        loop=LoopSummary(experiments=analysed.next_experiment) if analysed.next_experiment else None,
+        sections=tuple(analysed.sections()),
     )
 
 
-def _line(parameter: Parameter, entry: "Entry") -> ParameterLine:
-    judged = entry.verdict.of(parameter.name)
-    limits = [
-        format_limits(check.minimum, check.maximum, parameter.unit)
-        for check in entry.limits
-        if check.name == parameter.name
-    ]
+def _line(parameter: Parameter, check: LimitCheck | None, judged: Judgement | None) -> ParameterLine:
     value, interval, standard = _numbers(parameter)
     return ParameterLine(
         name=parameter.name,
@@ -63,7 +93,7 @@ def _line(parameter: Parameter, entry: "Entry") -> ParameterLine:
         standard=standard,
         note=parameter.condition,
         reason=parameter.reason if parameter.value is None else "",
-        limits=limits[0] if limits else "",
+        limits=format_limits(check.minimum, check.maximum, parameter.unit) if check else "",
         verdict=judged.outcome.words if judged else "",
         outcome=judged.outcome if judged else Outcome.NO_LIMITS,
     )

@@ -49,7 +49,7 @@ class Concluded:
     method: str
     """Name of the method, which is shown by its part of the window."""
     traced: Any
-    """What its analysis gave: `tumble.app.analysing.Traced`, or a `tumble.calibrations.core.method.Result`."""
+    """What its analysis gave, which its part of the window shows; without one, a `generic.presenting.Analysed`."""
     recordings: tuple[Path, ...]
     record_id: str = ""
     """Empty where nothing was stored."""

@@ -46,18 +46,18 @@ class Correlations:
 
 @dataclass(frozen=True, kw_only=True)
 class LoopSummary:
-    """What the closed loop says."""
+    """What the closed loop says; what is empty is not shown."""
 
-    headline: str
-    findings: "Sequence[Finding]"
-    comparisons: Sequence[tuple[str, str, str, str]]
-    """Name, declared model, with what was found, change."""
-    unidentifiable: Sequence[tuple[str, str]]
-    """Names, and why."""
-    leaning: str
-    """On what found effects lean; empty where there is nothing to say."""
     experiments: "Sequence[Experiment]"
     """What to measure next, the best first."""
+    headline: str = ""
+    findings: "Sequence[Finding]" = ()
+    comparisons: Sequence[tuple[str, str, str, str]] = ()
+    """Name, declared model, with what was found, change."""
+    unidentifiable: Sequence[tuple[str, str]] = ()
+    """Names, and why."""
+    leaning: str = ""
+    """On what found effects lean."""
 
 
 @dataclass(frozen=True, kw_only=True)
