@@ -15,10 +15,11 @@ from tumble.drivers.clock import Clock, ReleasedClock, SystemClock
 from tumble.drivers.driver import Bench, DaqDriver, HeadDriver
 from tumble.drivers.links.opened import Links
 from tumble.drivers.manual import Eyepiece
-from tumble.drivers.protocols import Positioner, PositionerStatus, Sampler, Stand
+from tumble.drivers.protocols import Positioner, Sampler, Stand
 from tumble.drivers.tables import HEAD, TITLES
 from tumble.emulators.backstage import Backstage, find_backstage
 from tumble.procedures.announcer import Listener
+from tumble.procedures.axes import Look, look_away
 from tumble.procedures.control import Control
 from tumble.procedures.errors import InputError
 from tumble.procedures.methods.dividing_head.eyepiece import OperatorEyepiece
@@ -62,8 +63,8 @@ class Connected:
     """Recordings of the runs so far, in their order: what a simulated stand lives through before it goes on."""
     control: Control = field(default_factory=Control)
     """Pauses, resumes and stops what goes on there; from any thread."""
-    look: Callable[[PositionerStatus], None] = lambda _: None
-    """Is shown where the head is on its way."""
+    look: Look = look_away
+    """Is shown where every positioner is on its way."""
 
 
 def connect(

@@ -1,6 +1,8 @@
 """All positioners of a stand: they set out together, and come to rest together."""
 
 from collections.abc import Callable, Generator, Mapping
+from functools import partial
+from typing import TypeAlias
 
 from tumble.drivers.errors import DeviceError
 from tumble.drivers.protocols import PositionerStatus, Stand
@@ -12,11 +14,18 @@ from tumble.procedures.losses import Losses
 from tumble.procedures.motion import Motion, standstill
 from tumble.procedures.steps import Direction
 
+Look: TypeAlias = Callable[[str, PositionerStatus], None]
+"""Is shown where a positioner is, by its name."""
+
+
+def look_away(_name: str, _status: PositionerStatus) -> None:
+    """Look at nothing."""
+
 
 class Axes:
     """Moves of the positioners of a stand, by name.
 
-    `look` is shown where a positioner is whenever that is read on its way.
+    `look` is shown where each of them is whenever that is read on its way.
     """
 
     def __init__(
@@ -24,7 +33,7 @@ class Axes:
         stand: Stand,
         acquisition: Acquisition,
         losses: Losses,
-        look: Callable[[PositionerStatus], None] = lambda _: None,
+        look: Look = look_away,
     ) -> None:
         self.motions = {
             name: Motion(
@@ -32,7 +41,7 @@ class Axes:
                 stand.clock,
                 acquisition.position_tolerance_deg,
                 acquisition.approach,
-                look,
+                partial(look, name),
                 title=stand.title(name),
             )
             for name, positioner in stand.positioners.items()

@@ -9,10 +9,10 @@ from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from functools import partial
 
-from tumble.drivers.protocols import Identity, PositionerStatus, Stand
+from tumble.drivers.protocols import Identity, Stand
 from tumble.procedures.acquisition import Acquisition
 from tumble.procedures.announcer import Announcer, Listener, Sink
-from tumble.procedures.axes import Axes
+from tumble.procedures.axes import Axes, Look, look_away
 from tumble.procedures.composition import advance
 from tumble.procedures.control import Control
 from tumble.procedures.errors import ProcedureError, StorageError, UnansweredError
@@ -65,7 +65,7 @@ class Engine:
     control
         Pauses, resumes and stops the run; one of its own without it.
     look
-        Called with what a positioner reports on its way; must not raise.
+        Called with the name of a positioner and what it reports on its way; must not raise.
     """
 
     def __init__(
@@ -78,7 +78,7 @@ class Engine:
         eyepiece: SecondLook | None = None,
         *,
         control: Control | None = None,
-        look: Callable[[PositionerStatus], None] = lambda _: None,
+        look: Look = look_away,
     ) -> None:
         self._clock = stand.clock
         self._operator = operator

@@ -46,3 +46,9 @@ def format_dms(angle_deg: float) -> str:
     seconds = f"{tenths_left // 10:02d}" + (f".{tenths_left % 10}" if tenths_left % 10 else "")
     sign = "-" if angle_deg < 0 and tenths else ""
     return f"{sign}{minutes // 60}° {minutes % 60:02d}′ {seconds}″"
+
+
+def on_the_circle(angle_deg: float) -> str:
+    """An angle as the circle of a head shows it, from 0° to 360°: `35° 00′ 00″` for 395 degrees."""
+    tenths = round(angle_deg * 36000.0) % (360 * 36000)
+    return format_dms(tenths / 36000.0)

@@ -9,7 +9,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 NAMES = sorted(path.name for path in (ROOT / "calibrations" / "methods").iterdir() if (path / "method.py").is_file())
-GENERIC = ("calibrations", "procedures", "drivers", "emulators")
+GENERIC = ("calibrations", "procedures", "drivers", "emulators", "window")
 FIRST = ROOT / "procedures" / "registry.py"
 """Says which method files of version 0.1 are of, which do not say it themselves."""
 MIGRATIONS = ROOT / "calibrations" / "records"
@@ -45,3 +45,10 @@ def test_nothing_imports_in_a_circle():
     graph = grimp.build_graph("tumble", exclude_type_checking_imports=True, cache_dir=None)
     imported = {module: graph.find_modules_directly_imported_by(module) for module in graph.modules}
     assert len(list(TopologicalSorter(imported).static_order())) > 500  # raises `CycleError` on a circle
+
+
+def test_nothing_in_the_window_names_the_type_of_what_imports_it():
+    graph = grimp.build_graph("tumble", exclude_type_checking_imports=False, cache_dir=None)
+    window = graph.find_descendants("tumble.window")
+    imported = {module: graph.find_modules_directly_imported_by(module) & window for module in window}
+    assert set(TopologicalSorter(imported).static_order()) == window  # raises `CycleError` on a circle

@@ -1,22 +1,12 @@
-"""Names of mounts and of effects as words for the operator, in the language of the window.
+"""Names of effects and of instruments as words for the operator, in the language of the window.
 
-The words of the contracts (`face-down`, `scale_drift`) stay what they are in programmes, tables and documents.
+The words of the contracts (`scale_drift`) stay what they are in tables and documents.
 """
 
 from typing import Final
 
 from tumble.messages import translatable, translate
-from tumble.window.look.language import spoken
-
-MOUNT_NAMES: Final = {
-    "face-up": translatable("face up"),
-    "face-up-90": translatable("face up, turned by 90°"),
-    "face-down": translatable("face down"),
-    "edge": translatable("on edge"),
-    "edge-back": translatable("on the other edge"),
-    "end": translatable("on end"),
-}
-"""Every mount of the catalogue."""
+from tumble.window.look.language import spoken, tr
 
 EFFECT_NAMES: Final = {
     # the unit
@@ -66,9 +56,9 @@ EFFECT_NAMES: Final = {
 """Every effect of the catalogues; one of the user's own keeps the word that its author gave it."""
 
 
-def mount_name(mount: str) -> str:
-    """A mount as an operator reads it."""
-    return translate(MOUNT_NAMES.get(mount, mount), spoken())
+def instrument_name(name: str) -> str:
+    """An instrument of a stand file as an operator reads it: those of every stand in words, others by their names."""
+    return {"head": tr("Dividing head"), "daq": tr("Voltmeter")}.get(name, name)
 
 
 def effect_name(effect: str) -> str:

@@ -13,7 +13,7 @@ from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
 from tumble.window.widgets.motion_button import MotionButton
 from tumble.window.widgets.table import Table
-from tumble.window.work.presentation import Presentation
+from tumble.window.work.presentation import LoopSummary
 
 if TYPE_CHECKING:
     from tumble.calibrations.tracing.experiments import Experiment
@@ -62,10 +62,10 @@ class LoopView(QWidget):
         layout.addWidget(self.untold)
         layout.addStretch(1)
 
-    def show_presentation(self, presentation: Presentation) -> None:
-        """Show another result."""
-        self._experiments = presentation.concluded.traced.loop.next_experiment
-        self.headline.setText(in_language(presentation.headline))
+    def show_loop(self, loop: LoopSummary) -> None:
+        """Show that of another result."""
+        self._experiments = tuple(loop.experiments)
+        self.headline.setText(in_language(loop.headline))
         self.findings.fill(
             [
                 (
@@ -75,27 +75,20 @@ class LoopView(QWidget):
                     local(found.coefficients),
                     local(found.p_value),
                 )
-                for found in presentation.findings
+                for found in loop.findings
             ]
         )
-        self.comparisons.fill(
-            [
-                tuple(map(in_language, (line.name, line.declared, line.augmented, line.change)))
-                for line in presentation.comparisons
-            ]
-        )
+        self.comparisons.fill([tuple(map(in_language, line)) for line in loop.comparisons])
         self.findings.show_whole()
         self.comparisons.show_whole()
         told = [
-            tr("{name} cannot be told: {reason}", name=n, reason=in_language(why)) for n, why in presentation.untold
+            tr("{name} cannot be told: {reason}", name=n, reason=in_language(why)) for n, why in loop.unidentifiable
         ]
-        self.untold.setText(
-            local("\n".join([*told, *([in_language(presentation.leaning)] if presentation.leaning else [])]))
-        )
+        self.untold.setText(local("\n".join([*told, *([in_language(loop.leaning)] if loop.leaning else [])])))
         self._list_experiments(self._experiments)
         shown = {
-            self.findings: bool(presentation.findings),
-            self.comparisons: bool(presentation.comparisons),
+            self.findings: bool(loop.findings),
+            self.comparisons: bool(loop.comparisons),
             self.experiments: bool(self._experiments),
         }
         for part, title in self._titles.items():

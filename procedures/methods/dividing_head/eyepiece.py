@@ -10,7 +10,7 @@ from dataclasses import replace
 from typing import Final
 
 from tumble.drivers.clock import Clock
-from tumble.drivers.manual.reading import format_dms, parse_reading
+from tumble.drivers.manual.reading import on_the_circle, parse_reading
 from tumble.procedures.errors import UnansweredError
 from tumble.procedures.events import Event, ReadingAnswered, ReadingRequested
 from tumble.procedures.journeys import POLL_S
@@ -138,12 +138,6 @@ class OperatorEyepiece:
 
 def _unheard(_event: Event) -> None:
     """Nobody is attached."""
-
-
-def on_the_circle(angle_deg: float) -> str:
-    """An angle as the circle of a head shows it, from 0° to 360°: `35° 00′ 00″` for 395 degrees."""
-    tenths = round(angle_deg * 36000.0) % (360 * 36000)
-    return format_dms(tenths / 36000.0)
 
 
 def _contradiction(angle_deg: float, against: Doubt) -> str:
