@@ -57,9 +57,21 @@ class Message(str):
         return cls(separator.join(f"{{{name}}}" for name in fields), **fields)
 
     @classmethod
+    def named(cls, name: str, wording: str, /) -> Self:
+        """A name of a document or a programme, which a reader of any language is shown as words: `wording`.
+
+        The string is the name itself, so that it compares, sorts and is written as that.
+        """
+        return cls._spelt(name, wording, "", {})
+
+    @classmethod
     def _made(cls, template: str, plural: str, fields: Mapping[str, object]) -> Self:
         chosen = plural if plural and fields["count"] != 1 else template
-        made = super().__new__(cls, chosen.format(**fields))
+        return cls._spelt(chosen.format(**fields), template, plural, fields)
+
+    @classmethod
+    def _spelt(cls, text: str, template: str, plural: str, fields: Mapping[str, object]) -> Self:
+        made = super().__new__(cls, text)
         made.template, made.plural, made.fields = template, plural, fields
         return made
 
@@ -78,7 +90,7 @@ class Message(str):
         return template.format(**{name: _field(value, language) for name, value in self.fields.items()})
 
     def __reduce__(self) -> tuple[object, ...]:
-        return _restored, (type(self), self.template, self.plural, dict(self.fields))
+        return _restored, (type(self), self[:], self.template, self.plural, dict(self.fields))
 
 
 def translate(text: str, language: Language) -> str:
@@ -100,8 +112,8 @@ def _looked_up(template: str, language: Language) -> str:
     return _catalogue(language).gettext(template) if template else ""  # the empty key holds the catalogue's header
 
 
-def _restored(kind: type[Message], template: str, plural: str, fields: Mapping[str, object]) -> Message:
-    return kind._made(template, plural, fields)
+def _restored(kind: type[Message], text: str, template: str, plural: str, fields: Mapping[str, object]) -> Message:
+    return kind._spelt(text, template, plural, fields)
 
 
 @cache

@@ -8,6 +8,7 @@ from scipy.special import stdtr
 from tumble.calibrations.records.errors import RecordError
 from tumble.calibrations.records.parameter import RecordedParameter
 from tumble.calibrations.records.record import Record
+from tumble.messages import Message
 
 SIGNIFICANT_P = 0.05
 
@@ -44,8 +45,14 @@ def compare(first: Record, second: Record) -> tuple[Difference, ...]:
     """
     if first.method != second.method:
         raise RecordError(
-            f"record {first.id} is of method {first.method}, {second.id} of {second.method}: their values are not of "
-            "one kind; compare records of one method"
+            Message(
+                "record {first_id} is of method {method}, {second_id} of {method2}: their values are not of one "
+                "kind; compare records of one method",
+                first_id=first.id,
+                method=first.method,
+                second_id=second.id,
+                method2=second.method,
+            )
         )
     a, b = first.values, second.values
     same_file = set(first.provenance.source_hashes) == set(second.provenance.source_hashes)

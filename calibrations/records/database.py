@@ -16,6 +16,7 @@ from tumble.calibrations.records.canonical import canonical_text
 from tumble.calibrations.records.errors import StoreError
 from tumble.calibrations.records.schema import METADATA, STORE, STORE_VERSION
 from tumble.calibrations.records.transactions import BEGIN, immediately
+from tumble.messages import Message
 
 _CAUSES = (
     ("database or disk is full", "the disk is full", "free some space and try again"),
@@ -52,7 +53,11 @@ def open_database(path: Path, busy_timeout_s: float) -> Engine:
     if version > STORE_VERSION:
         raise StoreError(
             path,
-            f"a newer version of the program made this store (version {version}, known up to {STORE_VERSION})",
+            Message(
+                "a newer version of the program made this store (version {version}, known up to {STORE_VERSION})",
+                version=version,
+                STORE_VERSION=STORE_VERSION,
+            ),
             "update the program",
         )
     return engine
@@ -92,7 +97,9 @@ def storage_errors(path: Path) -> Iterator[None]:
     except (DBAPIError, sqlite3.Error) as error:
         raise _store_error(path, str(error.orig if isinstance(error, DBAPIError) else error)) from error
     except JSONDecodeError as error:
-        raise StoreError(path, f"a record is damaged ({error})", "restore the file from a backup") from error
+        raise StoreError(
+            path, Message("a record is damaged ({error})", error=error), "restore the file from a backup"
+        ) from error
     except OSError as error:
         happened = (error.strerror or str(error)).lower()
         raise StoreError(path, happened, "check the folder of the store and its rights, or choose another") from error

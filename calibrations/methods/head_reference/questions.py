@@ -4,6 +4,7 @@ import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.head_reference.observations import HeadObservations
+from tumble.messages import Message
 
 _FOLLOWS = 0.5
 """A reference that follows the head keeps a direction from it: mean resultant length (Mardia) of the differences."""
@@ -19,7 +20,7 @@ _MOST_TURNS = 9
 def question(observations: HeadObservations) -> tuple[str, ...]:
     """Sentences for a reference that does not follow the head; none where it does. Raises `ValueError` without one."""
     if observations.reference_deg is None:
-        raise ValueError(f"{observations.source}: there is no column reference_deg")
+        raise ValueError(Message("{source}: there is no column reference_deg", source=observations.source))
     reference_deg, angle_deg = observations.reference_deg, observations.angle_deg
     if len(angle_deg) < 3 or not np.ptp(angle_deg):
         return ()

@@ -16,6 +16,7 @@ from tumble.calibrations.methods.temperature.sections import sections
 from tumble.calibrations.methods.temperature.table import read_runs
 from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.tracing.sentences import set_aside_section
+from tumble.messages import Message
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -78,7 +79,9 @@ class Temperature:
     def close_loop(self, paths: Sequence[Path]) -> TemperatureResult:
         """Trace one table of runs. Raises `TableError`, `ValueError`."""
         if len(paths) > 1:
-            raise ValueError(f"{paths[1]}: give one table of parameters against temperature at a time")
+            raise ValueError(
+                Message("{paths}: give one table of parameters against temperature at a time", paths=paths[1])
+            )
         return TemperatureResult(name=paths[0].name, loop=close_temperature_loop(read_runs(paths[0])))
 
 

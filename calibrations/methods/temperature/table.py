@@ -14,6 +14,7 @@ from tumble.calibrations.core.rows import OVERLOAD, SetAside
 from tumble.calibrations.core.screening import SENSORS_DEGC
 from tumble.calibrations.methods.temperature.clock import clock_s
 from tumble.calibrations.methods.temperature.columns import Column, column_of, named
+from tumble.messages import Message
 
 _ORDER = "run"
 _FEWEST = 4
@@ -66,15 +67,26 @@ def read_runs(path: Path) -> Runs:
     columns = {name: _numbers(name, place, lines, path) for name, place in numbers.items()}
     temperatures = named(list(columns), Column.TEMPERATURE)
     if not temperatures:
-        raise TableError(f"{path}: no column of a temperature (…_degC) holds numbers; correct it")
+        raise TableError(Message("{path}: no column of a temperature (…_degC) holds numbers; correct it", path=path))
     at = "sensor_degC" if "sensor_degC" in temperatures else temperatures[0]
     parameters = {name: values for name, values in columns.items() if column_of(name) is Column.PARAMETER}
     if not parameters:
         raise TableError(
-            f"{path}, line 1: there is no parameter beside the temperature; add a column for each, its unit in its name"
+            Message(
+                "{path}, line 1: there is no parameter beside the temperature; add a column for each, its unit "
+                "in its name",
+                path=path,
+            )
         )
     if len(lines) < _FEWEST or np.ptp(columns[at]) <= 0:
-        raise TableError(f"{path}: {len(lines)} runs at {len(np.unique(columns[at]))} temperatures tell nothing")
+        raise TableError(
+            Message(
+                "{path}: {count_lines} runs at {count_unique} temperatures tell nothing",
+                path=path,
+                count_lines=len(lines),
+                count_unique=len(np.unique(columns[at])),
+            )
+        )
     _check_temperatures(at, columns[at], lines, path)
     time_s = clock_s(columns)
     _check_pace(time_s, len(lines), path)
@@ -108,15 +120,27 @@ def _is_blank(cell: str) -> bool:
 def _check_temperatures(name: str, values_degc: FloatArray, lines: Sequence[Line], path: Path) -> None:
     if values_degc.min() > _KELVIN:
         raise TableError(
-            f"{path}, column {name}: temperatures from {values_degc.min():g} to {values_degc.max():g} °C; are these "
-            "kelvin? Write degrees Celsius"
+            Message(
+                "{path}, column {name}: temperatures from {min:g} to {max:g} °C; are these kelvin? Write degrees "
+                "Celsius",
+                path=path,
+                name=name,
+                min=values_degc.min(),
+                max=values_degc.max(),
+            )
         )
     unlikely = (values_degc < SENSORS_DEGC[0]) | (values_degc > SENSORS_DEGC[1])
     if unlikely.any():
         row = int(np.argmax(unlikely))
         raise TableError(
-            f"{path}, line {lines[row][0]}, column {name}: no sensor of a run reads {values_degc[row]:g} °C; is it in "
-            "another unit? Correct it or leave the run out"
+            Message(
+                "{path}, line {lines}, column {name}: no sensor of a run reads {values_degc:g} °C; is it in "
+                "another unit? Correct it or leave the run out",
+                path=path,
+                lines=lines[row][0],
+                name=name,
+                values_degc=values_degc[row],
+            )
         )
 
 
@@ -126,8 +150,12 @@ def _check_pace(time_s: FloatArray | None, runs: int, path: Path) -> None:
     if pace_s < _LOG_S or runs > _LOG_ROWS:
         why = f"{runs} rows" if pace_s >= _LOG_S else f"rows {pace_s:g} s apart"
         raise TableError(
-            f"{path}: {why} look like a log and not like runs of calibration; give one row for each run, or "
-            "angle_deg with the output"
+            Message(
+                "{path}: {why} look like a log and not like runs of calibration; give one row for each run, or "
+                "angle_deg with the output",
+                path=path,
+                why=why,
+            )
         )
 
 
@@ -138,8 +166,15 @@ def _check_gross(name: str, values: FloatArray, lines: Sequence[Line], path: Pat
     spread = float(np.ptp(others))
     if spread > 0 and abs(values[row] - np.median(others)) > _FAR * spread:
         raise TableError(
-            f"{path}, line {lines[row][0]}, column {name}: {values[row]:g} lies more than {_FAR:.0f} times as far from "
-            "the other runs as these from each other; correct it or leave the run out"
+            Message(
+                "{path}, line {lines}, column {name}: {values:g} lies more than {FAR:.0f} times as far from the "
+                "other runs as these from each other; correct it or leave the run out",
+                path=path,
+                lines=lines[row][0],
+                name=name,
+                values=values[row],
+                FAR=_FAR,
+            )
         )
 
 
@@ -158,8 +193,24 @@ def _numbers(name: str, place: int, lines: Sequence[Line], path: Path) -> FloatA
         try:
             value = as_number(cells[place])
         except ValueError:
-            raise TableError(f"{path}, line {number}, column {name}: {cells[place]!r} is not a number") from None
+            raise TableError(
+                Message(
+                    "{path}, line {number}, column {name}: {cells!r} is not a number",
+                    path=path,
+                    number=number,
+                    name=name,
+                    cells=cells[place],
+                )
+            ) from None
         if not abs(value) < OVERLOAD:
-            raise TableError(f"{path}, line {number}, column {name}: {cells[place]} is no value; leave the run out")
+            raise TableError(
+                Message(
+                    "{path}, line {number}, column {name}: {cells} is no value; leave the run out",
+                    path=path,
+                    number=number,
+                    name=name,
+                    cells=cells[place],
+                )
+            )
         values.append(value)
     return np.array(values)
