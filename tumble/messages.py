@@ -57,12 +57,17 @@ class Message(str):
         return cls(separator.join(f"{{{name}}}" for name in fields), **fields)
 
     @classmethod
-    def named(cls, name: str, wording: str, /) -> Self:
-        """A name of a document or a programme, which a reader of any language is shown as words: `wording`.
+    def named(cls, name: str, wording: str, /, **fields: object) -> Self:
+        """A name of a document, which a reader is shown in words: the template `wording`, with its fields.
 
         The string is the name itself, so that it compares, sorts and is written as that.
         """
-        return cls._spelt(name, wording, "", {})
+        return cls._spelt(name, wording, "", fields)
+
+    @classmethod
+    def capitalised(cls, part: str, /) -> "Message":
+        """A message or text with a capital at its beginning, in whatever language it is put."""
+        return _Capitalised._spelt(_with_capital(part), "{part}", "", {"part": part})
 
     @classmethod
     def _made(cls, template: str, plural: str, fields: Mapping[str, object]) -> Self:
@@ -93,6 +98,14 @@ class Message(str):
         return _restored, (type(self), self[:], self.template, self.plural, dict(self.fields))
 
 
+class _Capitalised(Message):
+    """A message that begins with a capital."""
+
+    def in_language(self, language: Language) -> str:
+        """The text in a language, with a capital at its beginning."""
+        return _with_capital(super().in_language(language))
+
+
 def translate(text: str, language: Language) -> str:
     """Text in a language: a message with its fields, any other as a key of the catalogue; English where unknown."""
     return text.in_language(language) if isinstance(text, Message) else _looked_up(text, language)
@@ -106,6 +119,10 @@ def translatable(template: str) -> str:
 def _field(value: object, language: Language) -> object:
     said = str(value) if isinstance(value, Exception) else value
     return said.in_language(language) if isinstance(said, Message) else said
+
+
+def _with_capital(text: str) -> str:
+    return text[:1].upper() + text[1:]
 
 
 def _looked_up(template: str, language: Language) -> str:

@@ -13,6 +13,7 @@ from tumble.calibrations.tracing.findings import EffectFound
 from tumble.calibrations.tracing.probe import Probe
 from tumble.calibrations.tracing.rivals import rivals
 from tumble.calibrations.tracing.table import Extensible
+from tumble.messages import Message
 
 FUTILE = 2
 """After so many experiments in a row that told nothing apart, none is run any more."""
@@ -82,7 +83,12 @@ class Link(Generic[L]):
     @property
     def did(self) -> str:
         """What was run, and why."""
-        return f"ran {self.experiment.programme} to tell {self._name} from {series(self._others, 'and')}"
+        return Message(
+            "ran {programme} to tell {name} from {others}",
+            programme=self.experiment.programme,
+            name=self._name,
+            others=series(self._others),
+        )
 
     @property
     def separated(self) -> tuple[str, ...]:
@@ -119,17 +125,25 @@ class Link(Generic[L]):
         """What follows from it, in words that go after `decides`."""
         left = self.rivals_after
         if not left:
-            return f"against {series(self.rivals_before, 'and')}: something else was found instead"
+            return Message("against {names}: something else was found instead", names=series(self.rivals_before))
         if not self.separated:
-            return f"nothing: it could still be {series(left, 'or')}"
-        gone = series([name for name in self.rivals_before if name not in left], "and")
-        return f"against {gone}: {series(left, 'or')} {'remains' if len(left) == 1 else 'remain'}"
+            return Message("nothing: it could still be {names}", names=series(left, "or"))
+        return Message.counted(
+            "against {gone}: {left} remains",
+            "against {gone}: {left} remain",
+            count=len(left),
+            gone=series([name for name in self.rivals_before if name not in left]),
+            left=series(left, "or"),
+        )
 
     @property
     def comparison(self) -> str:
         """What was expected of it, and what came."""
-        realised = "none" if self.realised is None else deviations(self.realised)
-        return f"expected difference {deviations(self.experiment.separation)}, realised {realised}"
+        return Message(
+            "expected difference {expected}, realised {realised}",
+            expected=deviations(self.experiment.separation),
+            realised=Message("none") if self.realised is None else deviations(self.realised),
+        )
 
     @property
     def _name(self) -> str:
@@ -245,13 +259,25 @@ def cannot(experiments: Sequence[Experiment], elsewhere: Mapping[str, tuple[Expe
         By programme, an experiment that would help, and why it cannot be run.
     """
     sentences = [
-        f"No experiment that can be run here tells {each.separates[0]} from {series(each.separates[1:], 'or')}: they "
-        f"would differ by {deviations(each.separation)} at most, and {APART**0.5:.0f} are needed."
+        Message(
+            "No experiment that can be run here tells {name} from {rivals}: they would differ by {difference} at most, "
+            "and {needed:.0f} are needed.",
+            name=each.separates[0],
+            rivals=series(each.separates[1:], "or"),
+            difference=deviations(each.separation),
+            needed=APART**0.5,
+        )
         for each in experiments
         if not each.command
     ]
     sentences += [
-        f"{name} would tell {each.separates[0]} from {series(each.separates[1:])}, but it cannot be run here: {reason}."
-        for name, (each, reason) in elsewhere.items()
+        Message(
+            "{programme} would tell {name} from {rivals}, but it cannot be run here: {reason}.",
+            programme=programme,
+            name=each.separates[0],
+            rivals=series(each.separates[1:]),
+            reason=reason,
+        )
+        for programme, (each, reason) in elsewhere.items()
     ]
-    return " ".join(sentences)
+    return Message.joined(" ", sentences) if sentences else ""

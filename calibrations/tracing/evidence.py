@@ -12,7 +12,6 @@ a temperature) are one block. Three things are asked of every effect, beside eve
   to ε |x|/|s|. With ε = 1 % and |x| = 30 |s| that is 30 %: beyond it no more than an order of magnitude is left.
 """
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
@@ -25,6 +24,7 @@ from tumble.calibrations.tracing.effect import Structure, Variable
 from tumble.calibrations.tracing.seen import Linearised, Seen
 from tumble.calibrations.tracing.table import Table
 from tumble.calibrations.tracing.trace import Found, Trace
+from tumble.messages import Message
 
 MOST_INFLATED: Final = 30.0
 """So many times larger than what is seen of it an effect may be; see above."""
@@ -33,16 +33,6 @@ HELD_OUT_MARGIN: Final = 4.0
 _STRETCHES: Final = 24
 """Into so many stretches of time a table is cut; where most of the effect is, it is cut finer."""
 IntArray = NDArray[np.int64]
-UNITS_OF: Final[Mapping[Variable, str]] = {
-    "angle": "settings",
-    "acceleration": "settings",
-    "direction": "settings",
-    "time": "stretches of time",
-    "order": "dwells",
-    "temperature": "visits of a temperature",
-    "realisation": "realisations",
-}
-"""What blocks of a variable are called."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -55,6 +45,8 @@ class Evidence:
     """The variable whose blocks count."""
     blocks: int
     """Distinct settings, stretches, visits."""
+    counted: Message
+    """The same in words: `7 settings`."""
     freedom: int
     """Blocks that are left beside everything that is fitted; nothing can be tested with none."""
     p_value: float
@@ -74,15 +66,21 @@ class Evidence:
     @property
     def reason(self) -> str:
         """Why it is not, in words that go after its name; empty where it is."""
-        number = f"{self.blocks} {UNITS_OF[self.variable]}"
         if not self.freedom:
-            return f"{number} leave nothing to test it by"
+            return Message("{blocks} leave nothing to test it by", blocks=self.counted)
         if self.inflation > MOST_INFLATED:
-            return f"as stated it would be {self.inflation:.0f} times as large as what these rows show of it"
+            return Message(
+                "as stated it would be {times:.0f} times as large as what these rows show of it", times=self.inflation
+            )
         if self.p_value > self.chance:
-            return f"{number} differ by as much without it (p = {self.p_value:.2g}; {self.chance:.1g} is asked for)"
+            return Message(
+                "{blocks} differ by as much without it (p = {p_value:.2g}; {chance:.1g} is asked for)",
+                blocks=self.counted,
+                p_value=self.p_value,
+                chance=self.chance,
+            )
         if self.held_out < HELD_OUT_MARGIN:
-            return f"it does not predict any of {number} better from the others"
+            return Message("it does not predict any of {blocks} better from the others", blocks=self.counted)
         return ""
 
 
@@ -119,6 +117,7 @@ def _evidence(linearised: Linearised, name: str) -> Evidence:
         unnamed=isinstance(items[0].effect, Structure),
         variable=variable,
         blocks=lack.blocks,
+        counted=linearised.table.counted_blocks(variable, lack.blocks),
         freedom=lack.freedom,
         p_value=lack.p_value,
         chance=min(item.candidate.chance for item in items),

@@ -19,9 +19,10 @@ from tumble.calibrations.tracing.noise import SETTINGS, WHITE, NoiseModel
 from tumble.calibrations.tracing.problem import Explanation, Problem
 from tumble.calibrations.tracing.search import penalties, search, settled
 from tumble.calibrations.tracing.table import Table
+from tumble.messages import Message
 
 _NOTICED = 3.84
-WALK = "bias_random_walk"
+WALK = Message.named("bias_random_walk", "random walk of the bias")
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -81,10 +81,10 @@ def read_runs(path: Path) -> Runs:
     if len(lines) < _FEWEST or np.ptp(columns[at]) <= 0:
         raise TableError(
             Message(
-                "{path}: {count_lines} runs at {count_unique} temperatures tell nothing",
+                "{path}: {runs} runs at {temperatures} temperatures tell nothing",
                 path=path,
-                count_lines=len(lines),
-                count_unique=len(np.unique(columns[at])),
+                runs=len(lines),
+                temperatures=len(np.unique(columns[at])),
             )
         )
     _check_temperatures(at, columns[at], lines, path)
@@ -109,7 +109,9 @@ def _complete(numbers: Mapping[str, int], lines: list[Line]) -> tuple[list[Line]
         row: next((name for name, place in numbers.items() if _is_blank(cells[place])), "")
         for row, (_, cells) in enumerate(lines)
     }
-    aside = tuple(SetAside(row=row + 1, reason=f"{name} has no value") for row, name in missing.items() if name)
+    aside = tuple(
+        SetAside(row=row + 1, reason=Message("{name} has no value", name=name)) for row, name in missing.items() if name
+    )
     return [line for row, line in enumerate(lines) if not missing[row]], aside
 
 
@@ -121,12 +123,12 @@ def _check_temperatures(name: str, values_degc: FloatArray, lines: Sequence[Line
     if values_degc.min() > _KELVIN:
         raise TableError(
             Message(
-                "{path}, column {name}: temperatures from {min:g} to {max:g} °C; are these kelvin? Write degrees "
-                "Celsius",
+                "{path}, column {name}: temperatures from {lowest:g} to {highest:g} °C; are these kelvin? Write "
+                "degrees Celsius",
                 path=path,
                 name=name,
-                min=values_degc.min(),
-                max=values_degc.max(),
+                lowest=values_degc.min(),
+                highest=values_degc.max(),
             )
         )
     unlikely = (values_degc < SENSORS_DEGC[0]) | (values_degc > SENSORS_DEGC[1])
@@ -134,12 +136,12 @@ def _check_temperatures(name: str, values_degc: FloatArray, lines: Sequence[Line
         row = int(np.argmax(unlikely))
         raise TableError(
             Message(
-                "{path}, line {lines}, column {name}: no sensor of a run reads {values_degc:g} °C; is it in "
-                "another unit? Correct it or leave the run out",
+                "{path}, line {line}, column {name}: no sensor of a run reads {value_degc:g} °C; is it in another "
+                "unit? Correct it or leave the run out",
                 path=path,
-                lines=lines[row][0],
+                line=lines[row][0],
                 name=name,
-                values_degc=values_degc[row],
+                value_degc=values_degc[row],
             )
         )
 
@@ -148,13 +150,15 @@ def _check_pace(time_s: FloatArray | None, runs: int, path: Path) -> None:
     """Refuse a log: rows that follow each other as no runs of calibration can."""
     pace_s = float("inf") if time_s is None else float(np.median(np.diff(np.sort(time_s))))
     if pace_s < _LOG_S or runs > _LOG_ROWS:
-        why = f"{runs} rows" if pace_s >= _LOG_S else f"rows {pace_s:g} s apart"
+        rows = (
+            Message("{rows} rows", rows=runs) if pace_s >= _LOG_S else Message("rows {pace_s:g} s apart", pace_s=pace_s)
+        )
         raise TableError(
             Message(
-                "{path}: {why} look like a log and not like runs of calibration; give one row for each run, or "
+                "{path}: {rows} look like a log and not like runs of calibration; give one row for each run, or "
                 "angle_deg with the output",
                 path=path,
-                why=why,
+                rows=rows,
             )
         )
 
@@ -167,13 +171,13 @@ def _check_gross(name: str, values: FloatArray, lines: Sequence[Line], path: Pat
     if spread > 0 and abs(values[row] - np.median(others)) > _FAR * spread:
         raise TableError(
             Message(
-                "{path}, line {lines}, column {name}: {values:g} lies more than {FAR:.0f} times as far from the "
+                "{path}, line {line}, column {name}: {value:g} lies more than {times:.0f} times as far from the "
                 "other runs as these from each other; correct it or leave the run out",
                 path=path,
-                lines=lines[row][0],
+                line=lines[row][0],
                 name=name,
-                values=values[row],
-                FAR=_FAR,
+                value=values[row],
+                times=_FAR,
             )
         )
 
@@ -195,21 +199,21 @@ def _numbers(name: str, place: int, lines: Sequence[Line], path: Path) -> FloatA
         except ValueError:
             raise TableError(
                 Message(
-                    "{path}, line {number}, column {name}: {cells!r} is not a number",
+                    "{path}, line {line}, column {name}: {cell!r} is not a number",
                     path=path,
-                    number=number,
+                    line=number,
                     name=name,
-                    cells=cells[place],
+                    cell=cells[place],
                 )
             ) from None
         if not abs(value) < OVERLOAD:
             raise TableError(
                 Message(
-                    "{path}, line {number}, column {name}: {cells} is no value; leave the run out",
+                    "{path}, line {line}, column {name}: {cell} is no value; leave the run out",
                     path=path,
-                    number=number,
+                    line=number,
                     name=name,
-                    cells=cells[place],
+                    cell=cells[place],
                 )
             )
         values.append(value)
