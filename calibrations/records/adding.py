@@ -71,11 +71,11 @@ def revisable(connection: Connection, path: Path, record_id: str, entry: Entry, 
     if old.method != entry.method:
         raise RecordError(
             Message(
-                "{path}: {record_id} is of method {method}, not {method2}; add a record without it",
+                "{path}: {record_id} is of method {recorded}, not {method}; add a record without it",
                 path=path,
                 record_id=record_id,
-                method=old.method,
-                method2=entry.method,
+                recorded=old.method,
+                method=entry.method,
             )
         )
     return old

@@ -39,9 +39,7 @@ def _plain(value: object) -> object:
         return value.isoformat()
     if isinstance(value, np.generic):
         return _plain(value.item())
-    raise TypeError(
-        Message("a record cannot hold {value!r} of type {name__}", value=value, name__=type(value).__name__)
-    )
+    raise TypeError(Message("a record cannot hold {value!r} of type {kind}", value=value, kind=type(value).__name__))
 
 
 def canonical_text(content: object) -> str:

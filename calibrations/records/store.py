@@ -59,8 +59,8 @@ class Store:
         if not (folder / DATABASE).is_file():
             raise StoreError(
                 folder,
-                Message("there is no {DATABASE} in this folder", DATABASE=DATABASE),
-                "name the folder of a store",
+                Message("there is no {file} in this folder", file=DATABASE),
+                Message("name the folder of a store"),
             )
         return cls(folder)
 
@@ -193,5 +193,10 @@ class Store:
         try:
             return record_from_row(row)
         except (AttributeError, KeyError, TypeError, ValueError) as error:
-            happened = f"record {row['id']} is damaged ({type(error).__name__}: {error})"
-            raise StoreError(self.path, happened, "restore the file from a backup") from error
+            happened = Message(
+                "record {id} is damaged ({error_type}: {error})",
+                id=row["id"],
+                error_type=type(error).__name__,
+                error=error,
+            )
+            raise StoreError(self.path, happened, Message("restore the file from a backup")) from error

@@ -3,7 +3,7 @@
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import Any, Generic, Protocol, TypeVar
+from typing import Any, Final, Generic, Protocol, TypeVar
 
 from tumble.calibrations.core.blas_threads import one_blas_thread
 from tumble.calibrations.core.sentences import deviations, series
@@ -29,6 +29,20 @@ class Ended(StrEnum):
     NOTHING_AVAILABLE = "no available experiment"
     NOT_AS_PROMISED = "not as promised"
     ENOUGH = "as many as were asked for"
+
+    @property
+    def words(self) -> Message:
+        """The same for a reader."""
+        return _ENDINGS[self]
+
+
+_ENDINGS: Final = {
+    Ended.NOTHING_TO_TELL: Message("nothing to tell apart"),
+    Ended.TOLD_APART: Message("told apart"),
+    Ended.NOTHING_AVAILABLE: Message("no available experiment"),
+    Ended.NOT_AS_PROMISED: Message("not as promised"),
+    Ended.ENOUGH: Message("as many as were asked for"),
+}
 
 
 class ClosedLoop(Protocol):

@@ -10,11 +10,10 @@ import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.head_reference.scene import HeadScene
+from tumble.calibrations.stand_records.terms import BACKLASH, ECCENTRICITY, GRADUATION, SECOND_HARMONIC
 from tumble.calibrations.tracing.effect import Effect, Form, Forms, harmonic, plain, single, with_scanned
 from tumble.messages import Message
 
-GRADUATION: Final = Message.named("graduation", "graduation error")
-"""Waves of any order above the second, each an effect of its own."""
 HIGHEST_ORDER: Final = 36
 TIMED: Final = ("reference_drift", "reference_temperature")
 """What changes between two visits to one setting."""
@@ -94,7 +93,7 @@ def _temperature(scene: HeadScene) -> Sequence[Form]:
 
 HEAD_EFFECTS: tuple[Effect[HeadScene], ...] = (
     Effect(
-        name=Message.named("head_eccentricity", "eccentricity of the head's circle"),
+        name=ECCENTRICITY,
         depends_on="angle",
         belongs_to="stand",
         symbol="A sin(φ + p)",
@@ -103,7 +102,7 @@ HEAD_EFFECTS: tuple[Effect[HeadScene], ...] = (
         report=harmonic,
     ),
     Effect(
-        name=Message.named("head_second_harmonic", "second harmonic of the head's circle"),
+        name=SECOND_HARMONIC,
         depends_on="angle",
         belongs_to="stand",
         symbol="A sin(2φ + p)",
@@ -122,13 +121,13 @@ HEAD_EFFECTS: tuple[Effect[HeadScene], ...] = (
         report=plain("head_scale", "deg/turn"),
     ),
     Effect(
-        name=Message("backlash"),
+        name=BACKLASH,
         depends_on="direction",
         belongs_to="stand",
         symbol=Message("b after a move in - direction"),
         source=Message("play of the drive"),
         forms=_backlash,
-        report=plain("backlash", "deg"),
+        report=plain(BACKLASH, "deg"),
     ),
     Effect(
         name=Message("latency"),

@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tumble.calibrations.core.arrays import FloatArray
-from tumble.calibrations.methods.head_reference.effects import GRADUATION, HIGHEST_ORDER
+from tumble.calibrations.methods.head_reference.effects import HIGHEST_ORDER
 from tumble.calibrations.methods.head_reference.table import HeadTable
+from tumble.calibrations.stand_records.terms import GRADUATION
 from tumble.calibrations.tracing.linear_loop import LinearExplained
 
 _STRETCHES: Final = 8
