@@ -113,10 +113,10 @@ class Store:
         if len(found) > 1:
             raise RecordError(
                 Message(
-                    "{path}: {id_prefix!r} fits several records ({join}); give more of the id",
+                    "{path}: {id_prefix!r} fits several records ({ids}); give more of the id",
                     path=self.path,
                     id_prefix=id_prefix,
-                    join=", ".join(found),
+                    ids=", ".join(found),
                 )
             )
         return found[0]

@@ -19,9 +19,7 @@ def utc_text(time: datetime) -> str:
         For a time without time zone.
     """
     if time.tzinfo is None:
-        raise ValueError(
-            Message("{isoformat} has no time zone; add one, for example {isoformat}Z", isoformat=time.isoformat())
-        )
+        raise ValueError(Message("{time} has no time zone; add one, for example {time}Z", time=time.isoformat()))
     return time.astimezone(UTC).isoformat(timespec="microseconds").removesuffix("+00:00") + "Z"
 
 

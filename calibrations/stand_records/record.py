@@ -87,11 +87,7 @@ class Validity:
             " °C": (self.temperature_degc, _within(measured.temperature_degc, 2.0)),
         }
         return [
-            Message(
-                "{range}, known for {known}",
-                range=f"{now[0]:.4g} to {now[1]:.4g}{unit}",
-                known=f"{known[0]:.4g} to {known[1]:.4g}{unit}",
-            )
+            Message("{range}, known for {known}", range=_range(now, unit), known=_range(known, unit))
             for unit, (known, now) in pairs.items()
             if known and now and (now[0] < known[0] or now[1] > known[1])
         ]
@@ -103,6 +99,10 @@ class Validity:
 
 def _hull(*ranges: tuple[float, float]) -> tuple[float, float]:
     return min(low for low, _ in ranges), max(high for _, high in ranges)
+
+
+def _range(ends: tuple[float, float], unit: str) -> str:
+    return f"{ends[0]:.4g} to {ends[1]:.4g}{unit}"
 
 
 def _within(measured: tuple[float, float] | None, margin: float) -> tuple[float, float] | None:

@@ -28,11 +28,14 @@ def nothing_looked_for(reason: str) -> Message:
     return Message("Nothing is looked for: {reason}.", reason=reason)
 
 
-_UNIT_SUFFIXES = ("_deg", "_s", "_V")
+_UNIT_SUFFIXES = ("_degC", "_deg", "_s", "_V")
 _COEFFICIENTS: Final[Mapping[str, Message]] = {
     "amplitude": Message("amplitude"),
     "phase": Message("phase"),
-    "order": Message("order"),
+    "order": Message.named("order", "periods per turn"),
+    "slope": Message("slope"),
+    "step": Message("step"),
+    "at": Message("at"),
 }
 """What coefficients without a symbol of their own are called."""
 
