@@ -9,7 +9,7 @@ import numpy as np
 
 from tumble.calibrations.core.rows import Rows, SetAside
 from tumble.calibrations.core.sentences import series
-from tumble.messages import Message, translatable
+from tumble.messages import Message
 
 PAUSE_S = 600.0
 """Time between two tables of which nobody knows when they were taken."""
@@ -38,12 +38,12 @@ def joined(tables: Sequence[_R], starts_s: Sequence[float | None]) -> _R:
         unknown = tables[0].columns()[name].unknown if name in tables[0].columns() else None
         complete = [_with_unknown(table, name) for table in complete]
         lacking = series([table.source for table in tables if table.values(name) is None])
-        template = (
-            translatable("{sources}: there is no column {name}; it is left out")
+        spelt = _spelt(tables[0], name)
+        warnings.append(
+            Message("{sources}: there is no column {name}; it is left out", sources=lacking, name=spelt)
             if unknown is None
-            else translatable("{sources}: there is no column {name}; it is unknown there")
+            else Message("{sources}: there is no column {name}; it is unknown there", sources=lacking, name=spelt)
         )
-        warnings.append(Message(template, sources=lacking, name=_spelt(tables[0], name)))
     whole = reduce(appended, complete)
     return replace(whole, warnings=(*whole.warnings, *warnings), source=series([table.source for table in tables]))
 

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.rows import OVERLOAD, Rows, SetAside
-from tumble.messages import Message, translatable
+from tumble.messages import Message
 
 MOSTLY: Final = 0.5
 """Where more rows than this part hold what cannot be, the column is in another unit and is asked about."""
@@ -36,28 +36,31 @@ def without_missing(rows: _R, overloads: tuple[str, ...] = ()) -> _R:
         if name in overloads:
             bad |= np.abs(column) > OVERLOAD
         for row, value in zip(rows.row[bad].tolist(), column[bad].tolist(), strict=True):
-            template = (
-                translatable("overload: {name} is {value:g}")
-                if np.isfinite(value)
-                else translatable("{name} is {value}")
-            )
-            reasons.setdefault(row, Message(template, name=name, value=value))
+            reasons.setdefault(row, _no_value(name, value))
     return rows.without(tuple(SetAside(row=row, reason=reason) for row, reason in reasons.items()))
 
 
 def beyond(rows: Rows, name: str, bad: NDArray[np.bool_], what: str, *, gross: bool = False) -> tuple[SetAside, ...]:
     """Rows whose value of a column is beyond anything that can be measured; `what` says beyond what."""
     values: FloatArray = getattr(rows, name)
-    template = (
-        translatable("gross error: {name} is {value:g}, beyond {what}")
-        if gross
-        else translatable("{name} is {value:g}, beyond {what}")
-    )
+
     spelt = rows.columns()[name].name
     return tuple(
-        SetAside(row=row, reason=Message(template, name=spelt, value=value, what=what), gross=gross)
+        SetAside(row=row, reason=_too_far(spelt, value, what, gross), gross=gross)
         for row, value in zip(rows.row[bad].tolist(), values[bad].tolist(), strict=True)
     )
+
+
+def _no_value(name: str, value: float) -> Message:
+    if np.isfinite(value):
+        return Message("overload: {name} is {value:g}", name=name, value=value)
+    return Message("{name} is {value}", name=name, value=value)
+
+
+def _too_far(name: str, value: float, what: str, gross: bool) -> Message:
+    if gross:
+        return Message("gross error: {name} is {value:g}, beyond {what}", name=name, value=value, what=what)
+    return Message("{name} is {value:g}, beyond {what}", name=name, value=value, what=what)
 
 
 def with_likely_temperatures(rows: _R, name: str = "temperature_degc") -> _R:

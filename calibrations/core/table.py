@@ -11,7 +11,7 @@ from tumble.calibrations.core.cells import Line, TableError, is_missing, number,
 from tumble.calibrations.core.files import read_text
 from tumble.calibrations.core.rows import Column, Kind, Rows, SetAside
 from tumble.calibrations.core.sentences import series
-from tumble.messages import Message, translatable
+from tumble.messages import Message
 
 _R = TypeVar("_R", bound=Rows)
 _MOST = 2**53
@@ -155,15 +155,16 @@ def _column(name: str, cells: list[str], kind: type[Rows], lines: list[int], pat
         if column is None:
             return np.array(cells, dtype=np.str_)
         line, cell = next((line, cell) for line, cell in zip(lines, cells, strict=True) if not _is_number(cell))
-        template = (
-            translatable("{path}, line {line}, column {name}: {cell} is not a number; write it as a whole number")
+        fields = {"path": path, "line": line, "name": name, "cell": shown(cell)}
+        raise TableError(
+            Message("{path}, line {line}, column {name}: {cell} is not a number; write it as a whole number", **fields)
             if column.kind is Kind.WHOLE
-            else translatable(
-                "{path}, line {line}, column {name}: {cell} is not a number; write it with a decimal point, or nan "
-                "where there is none"
+            else Message(
+                "{path}, line {line}, column {name}: {cell} is not a number; write it with a decimal point, "
+                "or nan where there is none",
+                **fields,
             )
-        )
-        raise TableError(Message(template, path=path, line=line, name=name, cell=shown(cell))) from None
+        ) from None
     return _whole(name, values, column, lines, path) if column is not None and column.kind is Kind.WHOLE else values
 
 

@@ -8,7 +8,7 @@ from tumble.calibrations.methods.head_reference.adequacy import AngleError, Side
 from tumble.calibrations.methods.head_reference.changes import Change, Comparison
 from tumble.calibrations.methods.head_reference.loop import ReferenceLoop
 from tumble.calibrations.methods.head_reference.map_difference import Difference
-from tumble.messages import Message, translatable
+from tumble.messages import Message
 
 SETTINGS_HEADINGS = (
     Message("Angle"),
@@ -95,30 +95,31 @@ def sentences(comparison: Comparison, first: str, second: str) -> list[str]:
             highest_deg=highest,
             basis=difference.basis,
         ),
-        *_verdict(comparison, difference, test),
+        _verdict(comparison, difference, test),
         *_slopes(comparison, first, second),
         *comparison.limits,
     ]
 
 
-def _verdict(comparison: Comparison, difference: Difference, test: str) -> list[str]:
+def _verdict(comparison: Comparison, difference: Difference, test: str) -> Message:
     offset = Message(
         "{offset_deg:.3g}° (standard uncertainty {uncertainty_deg:.2g}°)",
         offset_deg=difference.constant_deg,
         uncertainty_deg=difference.constant_uncertainty_deg,
     )
-    template = (
-        translatable(
+    if comparison.changed:
+        return Message(
             "The difference is no constant ({test}): the error of the head changed. Its mean, {offset}, could be the "
-            "set-up's or the head's."
+            "set-up's or the head's.",
+            test=test,
+            offset=offset,
         )
-        if comparison.changed
-        else translatable(
-            "Nothing changed beyond its uncertainty but a constant ({test}): the set-up moved by {offset}, which is no "
-            "change of the head."
-        )
+    return Message(
+        "Nothing changed beyond its uncertainty but a constant ({test}): the set-up moved by {offset}, which is no "
+        "change of the head.",
+        test=test,
+        offset=offset,
     )
-    return [Message(template, test=test, offset=offset)]
 
 
 def _slopes(comparison: Comparison, first: str, second: str) -> list[str]:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.gross import gross_sigmas
 from tumble.calibrations.methods.head_reference.settings import Settings
-from tumble.messages import Message, translatable
+from tumble.messages import Message
 
 _NEIGHBOURS_FAR = 6.0
 """A dwell so many times as far from its neighbours as all but one of twenty are is a gross error."""
@@ -75,12 +75,13 @@ def _unlike_repeats(
         others = settings.others(row)
         if len(others) + 1 == _PAIR and away_deg[others[0]] > away_deg[row]:
             continue
-        template = (
-            translatable("gross error: {apart_deg:.3g}° more than the repeats of its setting")
-            if apart_deg[row] > 0
-            else translatable("gross error: {apart_deg:.3g}° less than the repeats of its setting")
-        )
-        yield row, Message(template, apart_deg=abs(apart_deg[row]))
+        yield row, _apart(float(apart_deg[row]))
+
+
+def _apart(apart_deg: float) -> Message:
+    if apart_deg > 0:
+        return Message("gross error: {apart_deg:.3g}° more than the repeats of its setting", apart_deg=apart_deg)
+    return Message("gross error: {apart_deg:.3g}° less than the repeats of its setting", apart_deg=-apart_deg)
 
 
 def _median_of_others(values: FloatArray, settings: Settings) -> FloatArray:
