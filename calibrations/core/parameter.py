@@ -4,8 +4,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from tumble.messages import Message
-
 
 @dataclass(frozen=True, kw_only=True)
 class Parameter:
@@ -14,7 +12,7 @@ class Parameter:
     name: str
     unit: str
     value: float | None
-    """None where it is not identifiable."""
+    """None where the data cannot tell it."""
     standard_uncertainty: float | None = None
     """Combined (GUM 5.1.2): type A from the data, type B from the stand."""
     type_a: float | None = None
@@ -25,9 +23,9 @@ class Parameter:
     reason: str = ""
     """Why there is no value; empty where there is one."""
     given_alpha0_deg: float | None = None
-    """The alpha0 for which the value stands where alpha0 is not identifiable."""
+    """The alpha0 for which the value stands where the data does not tell alpha0."""
     rests_on: str = ""
-    """A parameter without which this one would not be identifiable."""
+    """A parameter without which this one could not be told."""
     remark: str = ""
     settled_by: tuple[str, ...] = ()
     """Mounts that would settle it, each alone."""
@@ -41,8 +39,8 @@ class Parameter:
     def condition(self) -> str:
         """On what the value stands though that was not measured; empty where it stands by itself."""
         if self.given_alpha0_deg is not None:
-            return Message("given alpha0 = {angle_deg:g}°", angle_deg=self.given_alpha0_deg)
-        return Message("rests on {name} alone", name=self.rests_on) if self.rests_on else ""
+            return f"given alpha0 = {self.given_alpha0_deg:g}°"
+        return f"rests on {self.rests_on} alone" if self.rests_on else ""
 
     def withheld(self, reason: str) -> "Parameter":
         """The parameter without a value, for a reason."""
