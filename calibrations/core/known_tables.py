@@ -45,7 +45,7 @@ def recognised(path: Path, methods: Sequence[Method]) -> Method:
     """
     if method := _reader(methods, read_header(path), None):
         return method
-    header, lines = read_lines(path)  # a malformed table is told of as such
+    header, lines = read_lines(path)  # a malformed table is refused as such
     numbers = [name for place, name in enumerate(header) if holds_numbers(place, lines)]
     if method := _reader(methods, header, None):
         return method

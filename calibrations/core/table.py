@@ -44,7 +44,7 @@ def read_rows(path: Path, kind: type[_R]) -> _R:
         row=np.arange(1, len(rows) + 1),
         extra={name: values for name, values in read.items() if name not in spelt},
         source=str(path),
-        warnings=(*warnings, *_told(header, empty, rows, kind, path)),
+        warnings=(*warnings, *_missing_warnings(header, empty, rows, kind, path)),
         **known,
     ).without(_without_a_value(header, empty, rows, kind))
 
@@ -101,9 +101,9 @@ def _hint(wanted: str, header: list[str]) -> str:
     return Message("the columns are {columns}", columns=shown(", ".join(header))[1:-1])
 
 
-def _told(header: list[str], empty: list[str], rows: list[Line], kind: type[Rows], path: Path) -> list[str]:
+def _missing_warnings(header: list[str], empty: list[str], rows: list[Line], kind: type[Rows], path: Path) -> list[str]:
     """Sentences on declared columns that are empty, and on rows that are used although a value is missing."""
-    told: list[str] = [
+    warnings: list[str] = [
         Message("{path}: column {name} holds no value and is left out", path=path, name=name)
         for name in empty
         if _declared(name, kind)
@@ -115,7 +115,7 @@ def _told(header: list[str], empty: list[str], rows: list[Line], kind: type[Rows
         lines = [line for line, cells in rows if is_missing(cells[header.index(name)])]
         if lines:
             some = ", ".join(map(str, lines[:_LISTED])) + (", …" if len(lines) > _LISTED else "")
-            told.append(
+            warnings.append(
                 Message.counted(
                     "{path}: line {lines} has no {name}; it is used without it",
                     "{path}: {count} rows (lines {lines}) have no {name}; they are used without it",
@@ -125,7 +125,7 @@ def _told(header: list[str], empty: list[str], rows: list[Line], kind: type[Rows
                     name=name,
                 )
             )
-    return told
+    return warnings
 
 
 def _without_a_value(header: list[str], empty: list[str], rows: list[Line], kind: type[Rows]) -> tuple[SetAside, ...]:

@@ -16,7 +16,7 @@ from tumble.calibrations.tracing.table import Extensible
 from tumble.messages import Message
 
 FUTILE = 2
-"""After so many experiments in a row that told nothing apart, none is run any more."""
+"""After so many experiments in a row that separated nothing, none is run any more."""
 _MOST_NEAR = 8
 """Of explanations that are not quite rivals only the nearest are planned for, where there are many."""
 
@@ -114,7 +114,7 @@ class Link(Generic[L]):
 
     @property
     def futile(self) -> bool:
-        """Whether it told nothing apart, though it was to do so by itself."""
+        """Whether it separated nothing, though it was to do so by itself."""
         return not (self.separated or self.experiment.together or self.experiment.runs > 1)
 
     @property
@@ -191,7 +191,7 @@ class Chain(Generic[L]):
 
     @property
     def futile(self) -> int:
-        """How many experiments in a row have told nothing apart, though each was to do so by itself."""
+        """How many experiments in a row have separated nothing, though each was to do so by itself."""
         count = 0
         for link in reversed(self.links):
             if not link.futile:

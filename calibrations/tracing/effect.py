@@ -69,7 +69,7 @@ class Effect(Generic[Seen]):
     at: Callable[[Seen, float], Form] | None = None
     """The form for any value of what is scanned, where that is a continuous quantity."""
     random: bool = False
-    """Whether the coefficients are levels drawn at random, as many as there are seats or turn-ons."""
+    """Whether it is a random effect: a level for every seat or turn-on."""
     additive: bool = False
     """Whether coefficients of two forms add up to one reported coefficient; otherwise the larger is reported."""
     depends_on: Variable = "acceleration"

@@ -30,7 +30,7 @@ class LinearExplained(Explained[_T, LinearFit]):
 
     @property
     def withheld(self) -> tuple[str, ...]:
-        """What would fit the rows and does not stand, in sentences; shapes without a name are not told of."""
+        """What would fit the rows and does not stand, in sentences; shapes without a name are left out."""
         return tuple(
             Message("{name} is not stated: {reason}.", name=each.name, reason=each.reason)
             for each in self.judged.withheld

@@ -1,4 +1,4 @@
-"""What changes between two visits to one setting: seen free of whatever the settings differ by."""
+"""What changes between two visits to one setting, free of whatever the settings differ by."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""What a head table cannot tell, whatever is found in it, each with what would."""
+"""What is not identifiable from a head table, whatever is found in it, each with the measurement that would help."""
 
 from collections.abc import Iterator
 
@@ -9,7 +9,7 @@ from tumble.calibrations.methods.head_reference.settings import Settings
 from tumble.messages import Message
 
 SHORT_DEG = 170.0
-"""On a shorter arc what happens once a turn is not told from a slope and a bend."""
+"""On a shorter arc what happens once a turn is not distinguishable from a slope and a bend."""
 
 _SIDE = 0.2
 """Part of the rows that must come from either side: single moves back to the start are none."""
@@ -21,7 +21,7 @@ def limits(scene: HeadScene, settings: Settings) -> tuple[str, ...]:
 
 
 def confounded(scene: HeadScene) -> tuple[str, ...]:
-    """What the angles and directions that were visited cannot part."""
+    """What the angles and directions that were visited do not separate."""
     return (*_sides(scene), *_arc(scene))
 
 

@@ -1,4 +1,4 @@
-"""What a table of runs cannot tell, in sentences, each with the experiment that would."""
+"""What is not identifiable from a table of runs, in sentences, each with the experiment that would help."""
 
 from collections.abc import Iterator, Mapping, Sequence
 
@@ -19,7 +19,7 @@ _FEW = 2
 def limits(
     runs: Runs, explained: Mapping[str, LinearExplained[RunTable]], shared: Sequence[SharedCause]
 ) -> tuple[str, ...]:
-    """All of it, the most general first."""
+    """Sentences on what is not identifiable, the most general first."""
     return (
         *_order(runs),
         *_repeats(runs),

@@ -89,7 +89,7 @@ class TemperatureLoop:
     """How many different ones were visited."""
     shared: tuple[SharedCause, ...]
     limits: tuple[str, ...]
-    """What these runs cannot tell, in sentences, each with the experiment that would."""
+    """What is not identifiable from these runs, in sentences, each with the experiment that would help."""
 
 
 @one_blas_thread
