@@ -27,6 +27,9 @@ _NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?")
 _SHOWN: Final = 40
 """Characters of a cell that a message repeats."""
 
+_UNFINISHED: Final = Message("unexpected end of data")
+_QUOTED_IN_PART: Final = Message("a value goes on after a closing quotation mark")
+
 Line = tuple[int, list[str]]
 """Number of a line in the file, from 1, and its cells."""
 
@@ -119,10 +122,17 @@ def _split(line: tuple[int, str], delimiter: str, path: Path) -> Line:
                 "{path}, line {line}: {error}; expected plain values between {between}",
                 path=path,
                 line=count,
-                error=error,
+                error=_csv_reason(error),
                 between=between,
             )
         ) from error
+
+
+def _csv_reason(error: csv.Error) -> str:
+    """What is wrong with quotation marks, as a message."""
+    if str(error) == _UNFINISHED:
+        return _UNFINISHED
+    return _QUOTED_IN_PART if "expected after" in str(error) else str(error)
 
 
 def _named(header: list[str], rows: list[Line], header_line: int, path: Path) -> tuple[list[str], list[Line]]:

@@ -6,6 +6,7 @@ from typing import Final
 from tumble.calibrations.core.bounded import MOST_ROWS, check_bounded, read_bounded
 from tumble.calibrations.core.cells import Line, TableError, header_cells, read_cells
 from tumble.messages import Message
+from tumble.system_errors import reason
 
 _BEGINNING_BYTES: Final = 1 << 16
 """A header is shorter."""
@@ -33,9 +34,7 @@ def read_text(path: Path) -> tuple[str, tuple[str, ...]]:
         raw = read_bounded(path)
     except OSError as error:
         raise TableError(
-            Message(
-                "{path}: cannot be read ({reason}); check the name and the rights", path=path, reason=error.strerror
-            )
+            Message("{path}: cannot be read ({reason}); check the name and the rights", path=path, reason=reason(error))
         ) from error
     if (rows := raw.count(b"\n")) > MOST_ROWS:
         raise TableError(

@@ -17,6 +17,7 @@ from tumble.calibrations.records.errors import StoreError
 from tumble.calibrations.records.schema import METADATA, STORE, STORE_VERSION
 from tumble.calibrations.records.transactions import BEGIN, immediately
 from tumble.messages import Message
+from tumble.system_errors import reason
 
 _CAUSES = (
     ("database or disk is full", Message("the disk is full"), Message("free some space and try again")),
@@ -123,9 +124,8 @@ def storage_errors(path: Path) -> Iterator[None]:
             path, Message("a record is damaged ({error})", error=error), Message("restore the file from a backup")
         ) from error
     except OSError as error:
-        happened = (error.strerror or str(error)).lower()
         remedy = Message("check the folder of the store and its rights, or choose another")
-        raise StoreError(path, happened, remedy) from error
+        raise StoreError(path, reason(error), remedy) from error
 
 
 def _store_error(path: Path, message: str) -> StoreError:

@@ -5,7 +5,7 @@ from html import unescape
 
 from tumble.messages import Message
 
-WORDS = re.compile(r"[A-Za-z]{2,}[ ,;:]+[A-Za-z]{2,}")
+WORDS = re.compile(r"(?<!\w)[A-Za-z]{2,} [A-Za-z]{2,}(?!\w)")
 """Two words in a row; numbers with units, symbols and names of columns have none."""
 
 
