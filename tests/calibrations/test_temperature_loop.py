@@ -64,11 +64,11 @@ def test_a_break_is_found_where_it_is_and_predicts_runs_that_were_left_out():
     assert parameter.augmented.held_out_rms < 0.5 * parameter.polynomials[3].held_out_rms
 
 
-def test_ageing_from_run_to_run_is_told_from_temperature_where_the_order_was_shuffled():
+def test_ageing_from_run_to_run_is_distinguished_from_temperature_where_the_order_was_shuffled():
     assert names(close_temperature_loop(runs(a_mV=lambda at, order: 0.4 * order))) == ["run_drift"]
 
 
-def test_where_every_run_was_warmer_it_is_said_that_ageing_cannot_be_told():
+def test_where_every_run_was_warmer_it_is_said_that_ageing_is_not_distinguishable():
     loop = close_temperature_loop(runs(order=np.arange(1.0, 16.0), a_mV=lambda at, order: 0.4 * order))
     assert loop.limits[0].startswith("Every run was warmer than the one before it")
 
