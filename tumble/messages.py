@@ -62,7 +62,8 @@ class Message(str):
 
         The string is the name itself, so that it compares, sorts and is written as that.
         """
-        return cls._spelt(name, wording, "", fields)
+        _NAMED[name] = made = cls._spelt(name, wording, "", fields)
+        return made
 
     @classmethod
     def capitalised(cls, part: str, /) -> "Message":
@@ -85,7 +86,11 @@ class Message(str):
         return self
 
     def in_language(self, language: Language) -> str:
-        """The text in a language; in English where the catalogue lacks the template."""
+        """The text in a language; in English, and where the catalogue lacks the template, as it is."""
+        return self[:] if language is Language.ENGLISH else self.worded(language)
+
+    def worded(self, language: Language) -> str:
+        """The same, but in English too a name of a document in its wording."""
         if self.plural:
             count = self.fields["count"]
             assert isinstance(count, int), "`counted` takes a whole number"
@@ -111,6 +116,14 @@ def translate(text: str, language: Language) -> str:
     return text.in_language(language) if isinstance(text, Message) else _looked_up(text, language)
 
 
+def with_wording(name: str) -> str:
+    """The name of a document as `Message.named` declared it; any other text as it is.
+
+    What comes out of an array or a document has lost its wording.
+    """
+    return _NAMED.get(name, name)
+
+
 def translatable(template: str) -> str:
     """The template itself, marked for the catalogue; for tables of templates that are put into words later."""
     return template
@@ -131,6 +144,10 @@ def _looked_up(template: str, language: Language) -> str:
 
 def _restored(kind: type[Message], text: str, template: str, plural: str, fields: Mapping[str, object]) -> Message:
     return kind._spelt(text, template, plural, fields)
+
+
+_NAMED: Final[dict[str, Message]] = {}
+"""Every name of a document that was given a wording."""
 
 
 @cache
