@@ -34,8 +34,6 @@ def say(text: str) -> str:
 
     In English it is the text itself: names of documents (`head_scale`) stay what they are on the terminal.
     """
-    if language() is Language.ENGLISH:
-        return str(text)
     return localised(text.in_language(language()) if isinstance(text, Message) else text, language())
 
 
