@@ -125,7 +125,7 @@ def test_rounding_is_tolerated(store, record):
     assert verify(record, store, lambda *_: shifted("kx", -5e-7), "0.1.0").verified
 
 
-def test_a_value_that_the_refit_cannot_tell_does_not_come_back(store, record):
+def test_a_value_that_the_refit_does_not_identify_does_not_come_back(store, record):
     assert "kz" in failing(verify(record, store, lambda *_: entry(sweep_only()), "0.1.0"))
 
 
