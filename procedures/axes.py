@@ -4,6 +4,7 @@ from collections.abc import Callable, Generator, Mapping
 
 from tumble.drivers.errors import DeviceError
 from tumble.drivers.protocols import PositionerStatus, Stand
+from tumble.messages import Message
 from tumble.procedures.acquisition import Acquisition
 from tumble.procedures.approach import Place
 from tumble.procedures.errors import ProcedureError
@@ -93,7 +94,7 @@ class Axes:
         self.brake()
         if not self.standstill():
             titles = " or ".join(motion.title for motion in self.motions.values())
-            raise DeviceError(titles, "cannot be brought to rest", "switch it off and look at it")
+            raise DeviceError(titles, Message("cannot be brought to rest"), Message("switch it off and look at it"))
 
     def standstill(self) -> bool:
         """Read the rest of all back, see `Motion.standstill`; a stand without positioners is at rest."""
@@ -102,7 +103,11 @@ class Axes:
     def _motion(self, name: str) -> Motion:
         if name not in self.motions:
             there = ", ".join(self.motions) or "none"
-            raise ProcedureError(f"a dwell was asked for at a position of {name}; the positioners are {there}")
+            raise ProcedureError(
+                Message(
+                    "a dwell was asked for at a position of {name}; the positioners are {there}", name=name, there=there
+                )
+            )
         return self.motions[name]
 
     def _made(self, journeys: Mapping[str, Journey], checkpoint: Callable[[], bool]) -> dict[str, float]:

@@ -9,6 +9,7 @@ from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
 from tumble.calibrations.core.bounded import check_bounded
+from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.toml_text import read_toml, without_mark
 
@@ -47,13 +48,21 @@ def read_text(path: Path) -> str:
             content = stream.read(MOST_BYTES + 1)
     except (OSError, ValueError) as error:  # the latter where the name itself is impossible
         reason = error.strerror if isinstance(error, OSError) else error
-        raise InputError(f"{path}: {reason}; give a file that can be read") from error
+        raise InputError(Message("{path}: {reason}; give a file that can be read", path=path, reason=reason)) from error
     if len(content) > MOST_BYTES:
-        raise InputError(f"{path}: more than {MOST_BYTES:,} bytes are no such file; give the right one")
+        raise InputError(
+            Message(
+                "{path}: more than {most_bytes:,} bytes are no such file; give the right one",
+                path=path,
+                most_bytes=MOST_BYTES,
+            )
+        )
     try:
         return content.decode("utf-8")
     except UnicodeDecodeError as error:
-        raise InputError(f"{path}: byte {error.start} is not UTF-8; save the file as UTF-8") from error
+        raise InputError(
+            Message("{path}: byte {start} is not UTF-8; save the file as UTF-8", path=path, start=error.start)
+        ) from error
 
 
 def parse_toml(text: str, model: type[Model], source: str) -> Model:
@@ -68,7 +77,7 @@ def parse_toml(text: str, model: type[Model], source: str) -> Model:
 def place_of(source: str, text: str, location: Location) -> str:
     """Where the value at `location` is written, as messages say it: `bench.toml, line 7`."""
     line = line_of(text, location)
-    return source if line is None else f"{source}, line {line}"
+    return source if line is None else Message("{source}, line {line}", source=source, line=line)
 
 
 def line_of(text: str, location: Location) -> int | None:
