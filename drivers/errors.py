@@ -3,6 +3,8 @@
 import signal
 import threading
 
+from tumble.messages import Message
+
 
 class DeviceError(Exception):
     """An instrument failed or answered nonsense.
@@ -11,7 +13,7 @@ class DeviceError(Exception):
     """
 
     def __init__(self, device: str, happened: str, remedy: str) -> None:
-        super().__init__(f"{device}: {happened}; {remedy}")
+        super().__init__(Message("{device}: {happened}; {remedy}", device=device, happened=happened, remedy=remedy))
         self.device = device
         self.happened = happened
         self.remedy = remedy

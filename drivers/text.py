@@ -3,6 +3,8 @@
 import re
 from typing import Final
 
+from tumble.messages import Message
+
 LONGEST_NAME: Final = 100
 """Characters of a serial number or a name that a person can still read."""
 
@@ -38,8 +40,8 @@ def reason_of(error: BaseException) -> str:
     try:
         text = str(error)
     except Exception:
-        text = "it cannot say why"
-    return visible(f"{type(error).__name__}: {text}", _LONGEST_REASON)
+        text = Message("it cannot say why")
+    return visible(Message("{kind}: {text}", kind=type(error).__name__, text=text), _LONGEST_REASON)
 
 
 def _shortened(text: str, most: int | None) -> str:
@@ -52,9 +54,21 @@ def _shortened(text: str, most: int | None) -> str:
 def check_name(text: str) -> str:
     """Give `text` back where it can serve as a name. Raises `ValueError` with what is wrong with it."""
     if len(text) > LONGEST_NAME:
-        raise ValueError(f"{len(text)} characters are no name; give {LONGEST_NAME} at most")
+        raise ValueError(
+            Message(
+                "{count} characters are no name; give {longest_name} at most",
+                count=len(text),
+                longest_name=LONGEST_NAME,
+            )
+        )
     if found := _UNSEEN.search(text):
-        raise ValueError(f"{_escape(found)} at character {found.start() + 1} cannot be seen; give plain text")
+        raise ValueError(
+            Message(
+                "{escape} at character {start} cannot be seen; give plain text",
+                escape=_escape(found),
+                start=found.start() + 1,
+            )
+        )
     return text
 
 

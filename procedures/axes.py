@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Generator, Mapping
 
+from tumble.calibrations.core.sentences import series
 from tumble.drivers.errors import DeviceError
 from tumble.drivers.protocols import PositionerStatus, Stand
 from tumble.messages import Message
@@ -93,7 +94,7 @@ class Axes:
         """Tell all to stop and read their rest back. Raises `DeviceError` where one does not come to rest."""
         self.brake()
         if not self.standstill():
-            titles = " or ".join(motion.title for motion in self.motions.values())
+            titles = series([motion.title for motion in self.motions.values()], "or")
             raise DeviceError(titles, Message("cannot be brought to rest"), Message("switch it off and look at it"))
 
     def standstill(self) -> bool:
@@ -103,11 +104,7 @@ class Axes:
     def _motion(self, name: str) -> Motion:
         if name not in self.motions:
             there = ", ".join(self.motions) or "none"
-            raise ProcedureError(
-                Message(
-                    "a dwell was asked for at a position of {name}; the positioners are {there}", name=name, there=there
-                )
-            )
+            raise ProcedureError(f"a dwell was asked for at a position of {name}; the positioners are {there}")
         return self.motions[name]
 
     def _made(self, journeys: Mapping[str, Journey], checkpoint: Callable[[], bool]) -> dict[str, float]:

@@ -3,7 +3,6 @@
 from collections.abc import Callable, Generator, Iterable
 from typing import Protocol, TypeAlias, TypeVar
 
-from tumble.messages import Message
 from tumble.procedures.errors import ProcedureError
 from tumble.procedures.steps import Ask, Dwell, Point, Procedure, Reply, Step
 
@@ -58,5 +57,5 @@ def advance(steps: Generator[Yielded, Sent, None], reply: Sent) -> Yielded | Non
 def _require_point(reply: Reply) -> Point:
     """Return a reply that can only be a point. Raises `ProcedureError` where it is not."""
     if not isinstance(reply, Point):
-        raise ProcedureError(Message("a dwell was answered with {reply!r} in place of a point", reply=reply))
+        raise ProcedureError(f"a dwell was answered with {reply!r} in place of a point")
     return reply

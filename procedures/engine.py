@@ -193,7 +193,9 @@ class Engine:
             ConditionAnswered(condition=ask.condition, value=ask.value, answer=answer.text, confirmed=answer.confirmed)
         )
         if not answer.confirmed:
-            said = Message("was answered {text!r}", text=answer.text) if answer.text else Message("was not answered")
+            said = (
+                Message("was answered {answer!r}", answer=answer.text) if answer.text else Message("was not answered")
+            )
             raise UnansweredError(
                 Message(
                     "the request to {task} {said}; {remedy} and resume the run",
@@ -229,28 +231,22 @@ class Engine:
     def _check_conditions(self, dwell: Dwell) -> None:
         for condition, value in dwell.conditions.items():
             if (standing := self._conditions.get(condition)) != value:
-                raise ProcedureError(
-                    Message(
-                        "a dwell was asked for with the {condition} {value} while it is {standing}",
-                        condition=condition,
-                        value=value,
-                        standing=standing,
-                    )
-                )
+                raise ProcedureError(f"a dwell was asked for with the {condition} {value} while it is {standing}")
 
     def _warn_of(self, taken: Taken, dwell: Dwell) -> None:
         if taken.unusable:
             bad = Message(
-                "{unusable} of {samples} samples are overloads or no numbers",
+                "{unusable} of {samples} samples are overloads or no numbers; the point will be set aside",
                 unusable=taken.unusable,
                 samples=taken.samples,
             )
-            self._warn(dwell, Message("{bad}; the point will be set aside", bad=bad))
+            self._warn(dwell, bad)
         if not taken.settled:
-            waited = Message("{settle_timeout_s:g} s", settle_timeout_s=self._acquisition.settle_timeout_s)
-            self._warn(
-                dwell, Message("the output had not settled after {waited}; the point is kept and marked", waited=waited)
+            late = Message(
+                "the output had not settled after {waited_s:g} s; the point is kept and marked",
+                waited_s=self._acquisition.settle_timeout_s,
             )
+            self._warn(dwell, late)
 
     def _verify(self, last: Point, asks: Iterable[Ask], tolerance_v: float | None) -> None:
         """Bring everything back to where `last` was taken, and see whether a point gives there what it gave."""
@@ -307,7 +303,10 @@ class Engine:
         self._announcer.announce_anyway(StateChanged(state=state, reason=reason))
 
     def _warn(self, dwell: Dwell, message: str) -> None:
-        where = Message(
-            "point {count} ({pose})", count=len(self._points), pose=pose(dwell.conditions, dwell.targets_deg)
+        said = Message(
+            "point {index} ({pose}): {message}",
+            index=len(self._points),
+            pose=pose(dwell.conditions, dwell.targets_deg),
+            message=message,
         )
-        self._announcer.announce(WarningRaised(message=Message("{where}: {message}", where=where, message=message)))
+        self._announcer.announce(WarningRaised(message=said))

@@ -120,9 +120,9 @@ class Motion:
             raise DeviceError(
                 self.title,
                 Message(
-                    "was to stand at {angle_deg:g} deg for a dwell, and is at {angle_deg2:.4f} deg after it",
+                    "was to stand at {angle_deg:g} deg for a dwell, and is at {reported_deg:.4f} deg after it",
                     angle_deg=angle_deg,
-                    angle_deg2=status.angle_deg,
+                    reported_deg=status.angle_deg,
                 ),
                 Message("look for what turns it, then resume the run"),
             )

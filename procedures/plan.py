@@ -97,7 +97,7 @@ def _planned(
 ) -> PlannedStep:
     """A dwell whose positioners stand `here` before it. Raises `ProgrammeError` where the stand has no such one."""
     if missing := sorted(dwell.targets_deg.keys() - here.keys()):
-        there = ", ".join(here) or "none"
+        there = ", ".join(here) or Message("none")
         raise ProgrammeError(
             Message(
                 "the {procedure} needs the positioner {missing}; the stand has {there}",

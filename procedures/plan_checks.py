@@ -23,19 +23,20 @@ def check_limits(plan: Plan, positioner: str, limits_deg: tuple[float, float]) -
         beyond_deg = [angle for angle in waypoints_deg if not lowest_deg <= angle <= highest_deg]
         target_deg = dwell.targets_deg[positioner]
         if beyond_deg:
-            way = (
-                ""
-                if beyond_deg[-1] == target_deg
-                else Message(" on its way to {target_deg:g} deg", target_deg=target_deg)
-            )
+            beyond = Message("{angle_deg:g} deg", angle_deg=beyond_deg[-1])
+            if beyond_deg[-1] != target_deg:
+                beyond = Message(
+                    "{angle_deg:g} deg on its way to {target_deg:g} deg",
+                    angle_deg=beyond_deg[-1],
+                    target_deg=target_deg,
+                )
             raise ProgrammeError(
                 Message(
-                    "{origin}: the {procedure} goes to {beyond_deg:g} deg{way}, outside the {positioner}'s limits "
+                    "{origin}: the {procedure} goes to {beyond}, outside the {positioner}'s limits "
                     "of {lowest_deg:g} to {highest_deg:g} deg; change the angles, or the limits of the stand",
                     origin=_origin(plan.programme, dwell),
                     procedure=dwell.procedure,
-                    beyond_deg=beyond_deg[-1],
-                    way=way,
+                    beyond=beyond,
                     positioner=positioner,
                     lowest_deg=lowest_deg,
                     highest_deg=highest_deg,
@@ -55,11 +56,11 @@ def check_cable(plan: Plan, positioner: str, turns: float) -> None:
         if max(map(abs, waypoints_deg)) / 360.0 > turns:
             raise ProgrammeError(
                 Message(
-                    "{origin}: the {procedure} goes to {targets_deg:g} deg, and the cable allows {turns:g} turns "
+                    "{origin}: the {procedure} goes to {angle_deg:g} deg, and the cable allows {turns:g} turns "
                     "to either side of zero; change the angles, or cable_turns of the stand",
                     origin=_origin(plan.programme, dwell),
                     procedure=dwell.procedure,
-                    targets_deg=dwell.targets_deg[positioner],
+                    angle_deg=dwell.targets_deg[positioner],
                     turns=turns,
                 )
             )
@@ -80,12 +81,12 @@ def check_condition(plan: Plan, condition: str, allowed: Collection[str] | None)
         if isinstance(step, Dwell) and step.conditions.get(condition, "") not in {*allowed, ""}:
             raise ProgrammeError(
                 Message(
-                    "{origin}: the {procedure} needs the {condition} {conditions}, and the seat allows {allowed} "
+                    "{origin}: the {procedure} needs the {condition} {value}, and the seat allows {allowed} "
                     "only; change the {condition}, or {condition}s of the stand",
                     origin=_origin(plan.programme, step),
                     procedure=step.procedure,
                     condition=condition,
-                    conditions=step.conditions[condition],
+                    value=step.conditions[condition],
                     allowed=", ".join(allowed),
                 )
             )
@@ -107,4 +108,4 @@ def _origin(programme: Programme, dwell: Dwell) -> str:
             step = advance(dwells, nominal_point(programme, step, 0))
         if step == dwell:
             return programme.where(number)
-    raise AssertionError(Message("{dwell} is in no procedure of its own programme", dwell=dwell))
+    raise AssertionError(f"{dwell} is in no procedure of its own programme")

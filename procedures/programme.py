@@ -19,7 +19,7 @@ from tumble.procedures.errors import InputError, ProgrammeError
 from tumble.procedures.layout import Layout
 from tumble.procedures.registry import FIRST, find_method, method_names
 from tumble.procedures.steps import Direction, Dwell, Procedure
-from tumble.procedures.toml_lines import line_of, parse_toml, place_of, read_text
+from tumble.procedures.toml_lines import parse_toml, place_of, read_text
 from tumble.procedures.toml_text import read_toml
 
 MOST_DWELLS = 200_000
@@ -121,8 +121,7 @@ class Programme(BaseModel, ABC):
 
     def where(self, procedure: int) -> str:
         """File and line of a procedure, counted from 0, for a message."""
-        line = line_of(self._text, ("procedure", procedure))
-        return self._source if line is None else Message("{source}, line {line}", source=self._source, line=line)
+        return place_of(self._source, self._text, ("procedure", procedure))
 
 
 def shipped_programmes() -> list[str]:
@@ -173,7 +172,8 @@ def _schema(text: str, source: str) -> type[Programme]:
     try:
         return find_method(str(name)).procedure_part.programme
     except ValueError as error:
-        raise InputError(f"{place_of(source, text, ('method',))}: method: {error}; correct it") from error
+        where = place_of(source, text, ("method",))
+        raise InputError(Message("{where}: method: {error}; correct it", where=where, error=error)) from error
 
 
 def _shipped() -> dict[str, Traversable]:

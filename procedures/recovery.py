@@ -81,13 +81,14 @@ class Recovery:
         turns = abs(round(angle_deg / 360.0))
         if turns and not self._stand.positioners[name].status().referenced:
             self._warn(
-                Message(
-                    "{title}: has lost its reference at {angle_deg:g} deg; look whether its cable is wound by "
-                    "{turns} turn{value}, and stop the run to unwind it by hand if it is",
+                Message.counted(
+                    "{title}: has lost its reference at {angle_deg:g} deg; look whether its cable is wound by {count} "
+                    "turn, and stop the run to unwind it by hand if it is",
+                    "{title}: has lost its reference at {angle_deg:g} deg; look whether its cable is wound by {count} "
+                    "turns, and stop the run to unwind it by hand if it is",
+                    count=turns,
                     title=self._stand.title(name),
                     angle_deg=angle_deg,
-                    turns=turns,
-                    value="s" if turns > 1 else "",
                 )
             )
 
@@ -124,8 +125,8 @@ class Recovery:
         raise DeviceError(
             interruption.device,
             Message(
-                "was lost {losses} times in one step, the last time so: {happened}",
-                losses=_LOSSES,
+                "was lost {times} times in one step, the last time so: {happened}",
+                times=_LOSSES,
                 happened=interruption.happened,
             ),
             interruption.remedy,
@@ -168,9 +169,9 @@ class Recovery:
         self._losses.names.clear()
         self._warn(
             Message(
-                "{device}: is back after {monotonic_s:.1f} s; the step is repeated",
+                "{device}: is back after {away_s:.1f} s; the step is repeated",
                 device=interruption.device,
-                monotonic_s=self._clock.monotonic_s() - began_s,
+                away_s=self._clock.monotonic_s() - began_s,
             )
         )
 
@@ -203,9 +204,9 @@ class Recovery:
                     raise DeviceError(
                         away.device,
                         Message(
-                            "{happened}, and did not come back within {reconnecting_s:g} s",
+                            "{happened}, and did not come back within {patience_s:g} s",
                             happened=away.happened,
-                            reconnecting_s=RECONNECTING_S,
+                            patience_s=RECONNECTING_S,
                         ),
                         Message("check its power and its cable, then resume the run"),
                     ) from away
@@ -219,7 +220,7 @@ class Recovery:
                 title,
                 Message(
                     "has the serial number {serial}, and the stand file says {demanded}",
-                    serial=identity.serial or "(none)",
+                    serial=identity.serial or Message("(none)"),
                     demanded=demanded,
                 ),
                 Message("connect the right one, or correct the stand file"),
@@ -229,9 +230,9 @@ class Recovery:
             raise DeviceError(
                 title,
                 Message(
-                    "is {called}, and the run was begun with {called2}",
-                    called=_called(identity),
-                    called2=_called(known),
+                    "is {found}, and the run was begun with {known}",
+                    found=_called(identity),
+                    known=_called(known),
                 ),
                 Message("connect that one again, then resume the run"),
             )

@@ -22,7 +22,9 @@ def find_method(name: str) -> "Method":
     if name not in known:
         raise ValueError(
             Message(
-                "no method is called {name!r}; known are {sorted}", name=name, sorted=", ".join(sorted(known)) or "none"
+                "no method is called {name!r}; known are {known}",
+                name=name,
+                known=", ".join(sorted(known)) or Message("none"),
             )
         )
     method: Method = known[name].load()

@@ -45,11 +45,11 @@ def replay(procedure: Procedure, journal: Iterable[Reply], tolerance_deg: float)
 
 def _compare(number: int, point: Point, dwell: Dwell | None, tolerance_deg: float) -> None:
     if dwell is None:
-        raise _mismatch(number, point, Message("is over"))
+        raise _mismatch(number, point, Message("the programme is over"))
     expected = (number, dict(dwell.conditions), dwell.procedure, dwell.realisation)
     recorded = (point.index, dict(point.conditions), point.procedure, point.realisation)
     if recorded != expected or not _near(point, dwell, tolerance_deg):
-        raise _mismatch(number, point, Message("has {pose}", pose=_pose(number, dwell)))
+        raise _mismatch(number, point, Message("the programme has {pose}", pose=_pose(number, dwell)))
 
 
 def _near(point: Point, dwell: Dwell, tolerance_deg: float) -> bool:
@@ -63,7 +63,7 @@ def _near(point: Point, dwell: Dwell, tolerance_deg: float) -> bool:
 def _mismatch(number: int, point: Point, programme_says: str) -> JournalError:
     return JournalError(
         Message(
-            "the recorded run does not belong to this programme: where it has {pose}, the programme "
+            "the recorded run does not belong to this programme: where it has {pose}, "
             "{programme_says} after {number} points; resume it with the programme that it was begun with",
             pose=_pose(point.index, point),
             programme_says=programme_says,

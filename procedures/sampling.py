@@ -36,7 +36,7 @@ def acquire(sampler: Sampler, samples: int, rate_hz: float, title: str) -> Block
     block = sampler.acquire(samples, rate_hz)
     for values in block.channels.values():
         if len(values) != samples:
-            happened = Message("gave {count} of {samples} samples", count=len(values), samples=samples)
+            happened = Message("gave {given} of {samples} samples", given=len(values), samples=samples)
             raise DeviceError(title, happened, Message("check its trigger and its connection, then resume the run"))
     return block
 
@@ -45,7 +45,7 @@ def renamed(block: Block, names: Sequence[str], title: str) -> Block:
     """The block with other names for its channels, in their order. Raises `DeviceError` where it has more or fewer."""
     if len(names) != len(block.channels):
         happened = Message(
-            "gives {count} channels, and the stand file names {count2}", count=len(block.channels), count2=len(names)
+            "gives {given} channels, and the stand file names {named}", given=len(block.channels), named=len(names)
         )
         raise DeviceError(title, happened, Message("correct channels of the stand file"))
     return ChannelBlock(
@@ -62,7 +62,7 @@ def channels_of(blocks: Iterable[Block]) -> dict[str, FloatArray]:
     for block in blocks:
         if twice := sorted(channels.keys() & block.channels.keys()):
             raise DeviceError(
-                "stand",
+                Message("stand"),
                 Message("has two samplers with a channel {twice}", twice=twice[0]),
                 Message("give one of them another name"),
             )
@@ -75,9 +75,9 @@ def wanted(channels: Mapping[str, FloatArray], names: Iterable[str]) -> dict[str
     try:
         return {name: channels[name] for name in names}
     except KeyError as missing:
-        there = ", ".join(channels) or "none"
+        there = ", ".join(channels) or Message("none")
         raise DeviceError(
-            "stand",
+            Message("stand"),
             Message("gives no channel {missing}, only {there}", missing=missing, there=there),
             Message("name it in the stand file"),
         ) from missing

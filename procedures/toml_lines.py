@@ -12,6 +12,7 @@ from tumble.calibrations.core.bounded import check_bounded
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.toml_text import read_toml, without_mark
+from tumble.procedures.validation import problem_of, remedy_of
 
 Location: TypeAlias = tuple[str | int, ...]
 """Where a value stands: keys, and places in an array counted from 0, as in `("procedure", 1, "step_deg")`."""
@@ -25,8 +26,6 @@ _PART = r"""[A-Za-z0-9_-]+|"[^"]*"|'[^']*'"""
 _NAME = rf"(?:{_PART})(?:\s*\.\s*(?:{_PART}))*"
 _HEADER = re.compile(rf"^\s*(\[\[?)\s*({_NAME})\s*\]")
 _KEY = re.compile(rf"^\s*({_NAME})\s*=")
-
-_REMEDY = {"missing": "add it", "extra_forbidden": "correct its spelling or take it out"}
 
 
 def load_toml(path: Path, model: type[Model]) -> Model:
@@ -52,9 +51,9 @@ def read_text(path: Path) -> str:
     if len(content) > MOST_BYTES:
         raise InputError(
             Message(
-                "{path}: more than {most_bytes:,} bytes are no such file; give the right one",
+                "{path}: more than {most:,} bytes are no such file; give the right one",
                 path=path,
-                most_bytes=MOST_BYTES,
+                most=MOST_BYTES,
             )
         )
     try:
@@ -127,14 +126,16 @@ def _parts(name: str) -> list[str]:
 
 def _complaint(errors: Sequence[ErrorDetails], text: str, data: dict[str, Any], source: str) -> str:
     first = errors[0]
-    where = place_of(source, text, first["loc"])
-    named = "".join(f"{word}: " for word in _words(first, data))
-    problem = first["msg"].removeprefix("Value error, ")
-    remedy = _REMEDY.get(first["type"], "correct it")
+    place = [place_of(source, text, first["loc"]), *_words(first, data)]
     # A list whose items are wrong is also complained of as too short: what surrounds the first fault follows from it.
     others = sum(first["loc"][: len(error["loc"])] != error["loc"] for error in errors)
-    more = f" (and {others} more)" if others else ""
-    return f"{where}: {named}{problem}; {remedy}{more}"
+    complaint = Message(
+        "{place}: {problem}; {remedy}",
+        place=Message.joined(": ", place),
+        problem=problem_of(first),
+        remedy=remedy_of(first),
+    )
+    return Message("{complaint} (and {others} more)", complaint=complaint, others=others) if others else complaint
 
 
 def _words(error: ErrorDetails, data: object) -> list[str]:

@@ -65,15 +65,15 @@ def _beyond_measure(text: str) -> Iterator[tuple[int, str]]:
         depth += (kind == "opening") - (kind == "closing")
         dots = 0 if kind == "end" else dots + (kind == "dot")
         if depth > MOST_NESTED:
-            yield token.start(), Message("more than {most_nested} brackets within each other", most_nested=MOST_NESTED)
+            yield token.start(), Message("more than {most} brackets within each other", most=MOST_NESTED)
         if dots > MOST_NESTED:
-            yield token.start(), Message("a key of more than {most_nested} parts", most_nested=MOST_NESTED)
+            yield token.start(), Message("a key of more than {most} parts", most=MOST_NESTED)
         if kind == "number" and len(token[0]) > LONGEST_NUMBER:
-            yield token.start(), Message("a number of {count} characters", count=len(token[0]))
+            yield token.start(), Message("a number of {length} characters", length=len(token[0]))
 
 
 def _syntax_complaint(message: str, text: str, source: str) -> str:
     place = _PLACE.search(message)
     last = text.rstrip("\n").count("\n") + 1
-    where = Message("{source}, line {place}", source=source, place=place[1] or last) if place else source
-    return Message("{where}: not TOML: {sub}; correct it", where=where, sub=_PLACE.sub("", message))
+    where = Message("{source}, line {line}", source=source, line=place[1] or last) if place else source
+    return Message("{where}: not TOML: {reason}; correct it", where=where, reason=_PLACE.sub("", message))

@@ -57,7 +57,7 @@ def check_agreement(seen: PointVerified) -> None:
     unit = unit_of(seen.channel)
     if not abs(seen.now - seen.recorded) <= seen.allowed:
         raise DeviceError(
-            "stand",
+            Message("stand"),
             Message(
                 "point {point} gives {now:.6f} {unit} now and gave {recorded:.6f} {unit} before the "
                 "interruption, where {allowed:.2g} {unit} is the most that noise explains",

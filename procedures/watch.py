@@ -52,10 +52,10 @@ class Watch:
             raise DeviceError(
                 self._title,
                 Message(
-                    "is at {angle_deg:.4f} deg on its way from {start_deg:g} to {angle_deg2:g} deg",
-                    angle_deg=status.angle_deg,
+                    "is at {reported_deg:.4f} deg on its way from {start_deg:g} to {target_deg:g} deg",
+                    reported_deg=status.angle_deg,
                     start_deg=self._start_deg,
-                    angle_deg2=self._angle_deg,
+                    target_deg=self._angle_deg,
                 ),
                 Message("check steps_per_deg with its sign, and what else turns it, then resume the run"),
             )
@@ -64,17 +64,19 @@ class Watch:
             raise self._late(status)
 
     def _late(self, status: PositionerStatus) -> DeviceError:
-        doing = Message("still moves") if status.moving else "stands"
-        return DeviceError(
-            self._title,
-            Message(
-                "{doing} at {angle_deg:.4f} deg when it should long have stood at {angle_deg2:g} deg",
-                doing=doing,
-                angle_deg=status.angle_deg,
-                angle_deg2=self._angle_deg,
-            ),
-            Message("look for what blocks it, check its drive and speed, then resume the run"),
+        reported_deg, target_deg = status.angle_deg, self._angle_deg
+        moves = Message(
+            "still moves at {reported_deg:.4f} deg when it should long have stood at {target_deg:g} deg",
+            reported_deg=reported_deg,
+            target_deg=target_deg,
         )
+        stands = Message(
+            "stands at {reported_deg:.4f} deg when it should long have stood at {target_deg:g} deg",
+            reported_deg=reported_deg,
+            target_deg=target_deg,
+        )
+        remedy = Message("look for what blocks it, check its drive and speed, then resume the run")
+        return DeviceError(self._title, moves if status.moving else stands, remedy)
 
 
 def allowed_s(way_deg: float, speed_deg_s: float) -> float:

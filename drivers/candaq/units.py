@@ -5,6 +5,8 @@ from typing import Final
 
 from cantools.database.can import Signal
 
+from tumble.messages import Message
+
 
 @dataclass(frozen=True)
 class Unit:
@@ -43,6 +45,11 @@ def unit_of(what: str, signal: Signal) -> Unit:
         return OURS
     if unit not in known:
         raise ValueError(
-            f"signal {signal.name} of the DBC file is in {signal.unit}, which is no unit of a {what.lower()}"
+            Message(
+                "signal {signal_name} of the DBC file is in {unit}, which is no unit of a {what}",
+                signal_name=signal.name,
+                unit=signal.unit,
+                what=what.lower(),
+            )
         )
     return known[unit]

@@ -7,6 +7,8 @@ from typing import Any, Final
 import can
 from can.interfaces.slcan import slcanBus
 
+from tumble.messages import Message
+
 MOST_LINE_BYTES: Final = 256
 """More without the end of a line is noise; the longest line, of CAN FD, has 138 bytes and a time stamp."""
 LINE_ENDS: Final = re.compile(rb"[\r\a]")
@@ -44,7 +46,9 @@ class SlcanBus(slcanBus):
         while not (end := LINE_ENDS.search(self._heard)):
             if len(self._heard) > MOST_LINE_BYTES:
                 self._heard.clear()
-                raise ValueError(f"{MOST_LINE_BYTES} bytes without the end of a line")
+                raise ValueError(
+                    Message("{most_line_bytes} bytes without the end of a line", most_line_bytes=MOST_LINE_BYTES)
+                )
             came = self.serialPortOrig.read(1)
             self._heard += came + self.serialPortOrig.read(self.serialPortOrig.in_waiting)
             if not came and deadline_s is not None and time.monotonic() > deadline_s:

@@ -9,6 +9,8 @@ from typing import Final
 
 import can
 
+from tumble.messages import Message
+
 CONNECT_TIMEOUT_S: Final = 2.0
 """For the connection, each answer of the server, and whatever is sent."""
 MOST_MESSAGE_BYTES: Final = 256
@@ -85,17 +87,21 @@ class SocketcandBus(can.BusABC):
             return
         data = self._socket.recv(_CHUNK_BYTES)
         if not data:
-            raise ConnectionAbortedError("the server has closed the connection")
+            raise ConnectionAbortedError(Message("the server has closed the connection"))
         self._heard += data
         if len(self._heard) > MOST_MESSAGE_BYTES and b">" not in self._heard:
             self._heard.clear()
-            raise ValueError(f"{MOST_MESSAGE_BYTES} bytes without the end of a message")
+            raise ValueError(
+                Message(
+                    "{most_message_bytes} bytes without the end of a message", most_message_bytes=MOST_MESSAGE_BYTES
+                )
+            )
 
     def _say(self, text: str) -> None:
         try:
             self._socket.sendall(text.encode())
         except TimeoutError as error:  # who knows how much of it has gone
-            raise ConnectionAbortedError("the server does not take what is sent") from error
+            raise ConnectionAbortedError(Message("the server does not take what is sent")) from error
 
     def _expect(self, answer: bytes) -> None:
         deadline_s = time.monotonic() + CONNECT_TIMEOUT_S
@@ -104,8 +110,10 @@ class SocketcandBus(can.BusABC):
             if text == answer:
                 return
             if text is not None:
-                raise ConnectionRefusedError(f"the server answered {text!r}, where {answer!r} was expected")
-        raise TimeoutError(f"the server gave no answer where {answer!r} was expected")
+                raise ConnectionRefusedError(
+                    Message("the server answered {text!r}, where {answer!r} was expected", text=text, answer=answer)
+                )
+        raise TimeoutError(Message("the server gave no answer where {answer!r} was expected", answer=answer))
 
 
 def message_of(text: bytes) -> can.Message | None:

@@ -5,6 +5,7 @@ from typing import Protocol
 from tumble.drivers.clock import Clock
 from tumble.drivers.limits import check_limits
 from tumble.drivers.protocols import Identity, PositionerStatus
+from tumble.messages import Message
 
 
 class Eyepiece(Protocol):
@@ -73,14 +74,14 @@ class ManualHead:
 
     def identify(self) -> Identity:
         """Say what the stand file says: nobody else knows."""
-        return Identity(model="manual dividing head", serial=self._serial)
+        return Identity(model=Message("manual dividing head"), serial=self._serial)
 
     def home(self) -> None:
         """Nothing to do: the circle is its own reference."""
 
     def start_move(self, angle_deg: float) -> None:
         """Ask for a setting. Raises `LimitError` outside the limits, or for what is no angle."""
-        check_limits("manual head", angle_deg, self._limits_deg)
+        check_limits(Message("manual head"), angle_deg, self._limits_deg)
         if angle_deg == self._setting_deg and not self._awaited:
             return
         self._setting_deg, self._awaited = angle_deg, True

@@ -45,7 +45,9 @@ def _decompressed(chunk: Chunk) -> bytes:
     if size > LARGEST_CHUNK:
         raise TooLargeError(
             Message(
-                "holds a chunk of {size:.0f} MiB, packed into {count} bytes", size=size / 2**20, count=len(chunk.data)
+                "holds a chunk of {size_mib:.0f} MiB, packed into {packed} bytes",
+                size_mib=size / 2**20,
+                packed=len(chunk.data),
             )
         )
     return zstandard.ZstdDecompressor().decompress(chunk.data)

@@ -9,8 +9,10 @@ from pathlib import Path
 from typing import Final, TypeAlias
 
 from mcap.opcode import Opcode
-from mcap.records import Attachment, Channel, Chunk, DataEnd, Footer, Message, Metadata, Statistics
+from mcap.records import Attachment, Channel, Chunk, DataEnd, Footer, Metadata, Statistics
+from mcap.records import Message as McapMessage
 
+from tumble.messages import Message
 from tumble.procedures.recording.chunks import TooLargeError, unpacked
 from tumble.procedures.recording.errors import RecordingError
 from tumble.procedures.recording.frames import UNREADABLE, BrokenOff, Frame, frames, parsed
@@ -174,10 +176,10 @@ class _Reading:
         for record in records:
             if isinstance(record, Channel):
                 self._topics[record.id] = record.topic
-            elif isinstance(record, Message):
+            elif isinstance(record, McapMessage):
                 yield from self._message(record)
 
-    def _message(self, message: Message) -> Iterator[Content]:
+    def _message(self, message: McapMessage) -> Iterator[Content]:
         """A message; they are numbered from 1."""
         if message.sequence != self._messages + 1:
             yield self._damage(_gap(self._messages + 1, message.sequence))
@@ -204,9 +206,9 @@ class _Reading:
         if counted != self._messages:
             yield self._damage(
                 Message(
-                    "{counted} messages were written to it, and the last that is there is {messages}",
+                    "{counted} messages were written to it, and the last that is there is {present}",
                     counted=counted,
-                    messages=self._messages,
+                    present=self._messages,
                 )
             )
 
@@ -219,11 +221,9 @@ class _Reading:
 def _gap(expected: int, found: int) -> str:
     if found <= expected:
         return Message("message {found} stands where message {expected} belongs", found=found, expected=expected)
-    return (
-        Message("messages {expected} to {found} are missing", expected=expected, found=found - 1)
-        if found > expected + 1
-        else Message("message {expected} is missing", expected=expected)
-    )
+    if found == expected + 1:
+        return Message("message {expected} is missing", expected=expected)
+    return Message("messages {expected} to {last} are missing", expected=expected, last=found - 1)
 
 
 def _header(path: Path, strings: dict[str, str], programme: bytes) -> Header:
@@ -232,9 +232,9 @@ def _header(path: Path, strings: dict[str, str], programme: bytes) -> Header:
         header = header_from_strings(strings, text)
     if header.format_version > NEWEST_VERSION:
         happened = Message(
-            "has format version {format_version}, this program reads up to {newest_version}",
+            "has format version {format_version}, this program reads up to {newest}",
             format_version=header.format_version,
-            newest_version=NEWEST_VERSION,
+            newest=NEWEST_VERSION,
         )
         raise RecordingError(
             path,

@@ -31,17 +31,21 @@ def warnings(recording: Recording) -> Iterator[str]:
         yield Message(
             "{path} holds a run that ended early ({reason}); {kept}",
             path=recording.path,
-            reason=recording.ending.reason,
+            reason=Message(recording.ending.reason),
             kept=kept,
         )
 
 
 def _listed(missing: Sequence[int]) -> str:
-    points = "point" if len(missing) == 1 else Message("{count} points,", count=len(missing))
-    return Message("{points} {some} (counted from 0)", points=points, some=_some([str(index) for index in missing]))
+    return Message.counted(
+        "point {points} (counted from 0)",
+        "{count} points, {points} (counted from 0)",
+        count=len(missing),
+        points=_some([str(index) for index in missing]),
+    )
 
 
 def _some(clauses: Sequence[str]) -> str:
     """The first few, and how many more there are."""
     more = [Message("and {count} more", count=len(clauses) - _TOLD)] if len(clauses) > _TOLD else []
-    return ", ".join([*clauses[:_TOLD], *more])
+    return Message.joined(", ", [*clauses[:_TOLD], *more])

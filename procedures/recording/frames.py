@@ -96,6 +96,6 @@ def parsed(kind: Readable[_Record], frame: Frame) -> _Record:
     record = kind.read(stream)
     if stream.count != len(frame.body):
         raise ValueError(
-            Message("a record of {count} bytes has content of {count2}", count=len(frame.body), count2=stream.count)
+            Message("a record of {count} bytes has content of {stated}", count=len(frame.body), stated=stream.count)
         )
     return record

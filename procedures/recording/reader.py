@@ -124,8 +124,8 @@ def _bounded(path: Path, found: Iterator[Content]) -> Iterator[Content]:
         size += len(entry.data) if isinstance(entry, Said) else 0
         if size > _LARGEST_JOURNAL:
             happened = Message(
-                "says more than {largest_journal:.0f} MiB of its run, samples left out",
-                largest_journal=_LARGEST_JOURNAL / 2**20,
+                "says more than {most_mib:.0f} MiB of its run, samples left out",
+                most_mib=_LARGEST_JOURNAL / 2**20,
             )
             raise RecordingError(path, happened, Message("no run of this program does: leave the file alone"))
         yield entry

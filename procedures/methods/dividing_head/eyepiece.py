@@ -55,8 +55,8 @@ class OperatorEyepiece:
         self._setting_deg, self._doubted_deg = setting_deg, math.nan
         self._ask(
             Message(
-                "Set the head to {on_the_circle}; Enter when it reads so, or type the reading.",
-                on_the_circle=on_the_circle(setting_deg),
+                "Set the head to {setting}; Enter when it reads so, or type the reading.",
+                setting=on_the_circle(setting_deg),
             )
         )
 
@@ -103,10 +103,10 @@ class OperatorEyepiece:
         self._doubted_deg = reading_deg
         self._ask(
             Message(
-                "You read {on_the_circle}, the setting was {on_the_circle2}: type it again to keep it, or set "
+                "You read {reading}, the setting was {setting}: type it again to keep it, or set "
                 "the head right and press Enter.",
-                on_the_circle=on_the_circle(reading_deg),
-                on_the_circle2=on_the_circle(self._setting_deg),
+                reading=on_the_circle(reading_deg),
+                setting=on_the_circle(self._setting_deg),
             )
         )
         return None
@@ -116,7 +116,7 @@ class OperatorEyepiece:
         if not answer.confirmed:
             self._note(answer, math.nan)
             raise self._unanswered(
-                Message("was answered {text!r}", text=answer.text) if answer.text else Message("was not answered")
+                Message("was answered {answer!r}", answer=answer.text) if answer.text else Message("was not answered")
             )
         try:
             reading_deg = self._unwrapped(parse_reading(answer.text)) if answer.text else self._setting_deg
@@ -126,8 +126,8 @@ class OperatorEyepiece:
             if self._refused >= _MOST_REFUSED:
                 raise self._unanswered(
                     Message(
-                        "was answered {refused} times in a row with no angle: {error}",
-                        refused=self._refused,
+                        "was answered {times} times in a row with no angle: {error}",
+                        times=self._refused,
                         error=error,
                     )
                 ) from error
@@ -140,8 +140,8 @@ class OperatorEyepiece:
     def _unanswered(self, said: str) -> UnansweredError:
         return UnansweredError(
             Message(
-                "the request to set the head to {on_the_circle} {said}; set it and resume the run",
-                on_the_circle=on_the_circle(self._setting_deg),
+                "the request to set the head to {setting} {said}; set it and resume the run",
+                setting=on_the_circle(self._setting_deg),
                 said=said,
             )
         )
@@ -169,17 +169,19 @@ def on_the_circle(angle_deg: float) -> str:
 
 
 def _contradiction(angle_deg: float, against: Doubt) -> str:
-    said = Message(
-        "The voltage is {off_v:+.6f} V off at {on_the_circle}",
-        off_v=against.off_v,
-        on_the_circle=on_the_circle(angle_deg),
-    )
-    if against.likely_deg is not None:
-        said += Message(
-            " and would fit {on_the_circle}: a wrong {slip}?",
-            on_the_circle=on_the_circle(against.likely_deg),
-            slip=against.slip,
+    angle = on_the_circle(angle_deg)
+    if against.likely_deg is None:
+        return Message(
+            "The voltage is {off_v:+.6f} V off at {angle}, which no single wrong digit explains. Read again and type "
+            "what you read; Enter keeps it.",
+            off_v=against.off_v,
+            angle=angle,
         )
-    else:
-        said += Message(", which no single wrong digit explains.")
-    return Message("{said} Read again and type what you read; Enter keeps it.", said=said)
+    return Message(
+        "The voltage is {off_v:+.6f} V off at {angle} and would fit {likely}: a wrong {slip}? Read again and type "
+        "what you read; Enter keeps it.",
+        off_v=against.off_v,
+        angle=angle,
+        likely=on_the_circle(against.likely_deg),
+        slip=against.slip,
+    )

@@ -37,9 +37,9 @@ class DividingHeadProgramme(Programme):
         if dwells > MOST_DWELLS:
             raise ValueError(
                 Message(
-                    "{dwells:,} dwells or more, where {most_dwells:,} are the most: ask for fewer",
+                    "{dwells:,} dwells or more, where {most:,} are the most: ask for fewer",
                     dwells=dwells,
-                    most_dwells=MOST_DWELLS,
+                    most=MOST_DWELLS,
                 )
             )
         return self
