@@ -92,4 +92,4 @@ def _not_loaded(path: Path, error: BaseException) -> str:
             path=path,
             former=former,
         )
-    return Message("{path} could not be loaded ({reason_of})", path=path, reason_of=reason_of(error))
+    return Message("{path} could not be loaded ({reason})", path=path, reason=reason_of(error))

@@ -19,7 +19,7 @@ from tumble.messages import Message
 HEAD: Final = "head"
 DAQ: Final = "daq"
 """Tables of a stand file, and the names of these instruments at the stand."""
-TITLES: Final = {HEAD: Message("dividing head"), DAQ: "DAQ"}
+TITLES: Final = {HEAD: Message("dividing head"), DAQ: Message("DAQ")}
 """What sentences call them."""
 MOST_SAMPLES: Final = 10_000_000
 """More in one dwell is a slip of the pen."""

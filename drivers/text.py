@@ -40,8 +40,8 @@ def reason_of(error: BaseException) -> str:
     try:
         text = str(error)
     except Exception:
-        text = Message("it cannot say why")
-    return visible(Message("{kind}: {text}", kind=type(error).__name__, text=text), _LONGEST_REASON)
+        text = "it cannot say why"
+    return visible(f"{type(error).__name__}: {text}", _LONGEST_REASON)
 
 
 def _shortened(text: str, most: int | None) -> str:
@@ -56,17 +56,17 @@ def check_name(text: str) -> str:
     if len(text) > LONGEST_NAME:
         raise ValueError(
             Message(
-                "{count} characters are no name; give {longest_name} at most",
-                count=len(text),
-                longest_name=LONGEST_NAME,
+                "{length} characters are no name; give {most} at most",
+                length=len(text),
+                most=LONGEST_NAME,
             )
         )
     if found := _UNSEEN.search(text):
         raise ValueError(
             Message(
-                "{escape} at character {start} cannot be seen; give plain text",
-                escape=_escape(found),
-                start=found.start() + 1,
+                "{found} at character {place} cannot be seen; give plain text",
+                found=_escape(found),
+                place=found.start() + 1,
             )
         )
     return text

@@ -125,7 +125,7 @@ class Backstage:
         if answer not in (_DONE, _TURNING):
             raise DeviceError(
                 Message("emulated stand"),
-                Message("{line}: {answer}", line=line, answer=answer or "no answer"),
+                Message("{line}: {answer}", line=line, answer=answer or Message("no answer")),
                 Message("look at what is asked of it"),
             )
         return answer

@@ -52,7 +52,7 @@ class Announcer:
 
     def tell(self, event: Event) -> list[str]:
         """Call every listener; drop those that fail and return a sentence on each."""
-        failures = []
+        failures: list[str] = []
         for listener in tuple(self._listeners):
             try:
                 listener(event)

@@ -75,10 +75,10 @@ class Layout:
         return Ask(
             condition=condition,
             value=value,
-            task=Message(words.task, value=value),
-            remedy=Message(words.remedy, value=value),
-            prompt=Message(words.prompt, value=value),
-            hint=Message(words.hint, value=value),
+            task=Message.marked(words.task, value=value),
+            remedy=Message.marked(words.remedy, value=value),
+            prompt=Message.marked(words.prompt, value=value),
+            hint=Message.marked(words.hint, value=value),
         )
 
     def point_fields(self, point: Point) -> Fields:

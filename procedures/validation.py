@@ -31,13 +31,9 @@ _PROBLEMS: Final[Mapping[str, str]] = {
     "bool_type": translatable("Input should be a valid boolean"),
     "bool_parsing": translatable("Input should be a valid boolean, unable to interpret input"),
     "string_type": translatable("Input should be a valid string"),
-    "string_too_short": translatable("String should have at least {min_length} character{s}"),
-    "string_too_long": translatable("String should have at most {max_length} character{s}"),
     "string_pattern_mismatch": translatable("String should match pattern '{pattern}'"),
     "literal_error": translatable("Input should be {expected}"),
     "enum": translatable("Input should be {expected}"),
-    "too_short": translatable("{kind} should have at least {min_length} item{s} after validation, not {actual_length}"),
-    "too_long": translatable("{kind} should have at most {max_length} item{s} after validation, not {actual_length}"),
     "list_type": translatable("Input should be a valid list"),
     "tuple_type": translatable("Input should be a valid tuple"),
     "dict_type": translatable("Input should be a valid dictionary"),
@@ -53,38 +49,60 @@ _PROBLEMS: Final[Mapping[str, str]] = {
 """Templates of what pydantic says, by its kind of error: https://docs.pydantic.dev/latest/errors/validation_errors/"""
 
 
-_KINDS: Final = (translatable("List"), translatable("Tuple"), translatable("Dictionary"))
-"""What pydantic calls a sequence that is too short or too long."""
-
-
 def problem_of(error: ErrorDetails) -> str:
     """What is wrong: what a validator has said, or what pydantic says, as a message where it is a common one."""
-    values = dict(error.get("ctx", {}))
+    values = error.get("ctx", {})
     if isinstance(raised := values.get("error"), ValueError):
         return str(raised)
-    if (template := _PROBLEMS.get(error["type"])) is None:
-        return error["msg"]
-    said = Message(template, **_fields(values))
+    if error["type"] in _PROBLEMS:
+        said = Message.marked(_PROBLEMS[error["type"]], **{name: _written(value) for name, value in values.items()})
+    else:
+        said = _of_length(error["type"], values)
     return said if said == error["msg"] else error["msg"]
 
 
 def remedy_of(error: ErrorDetails) -> str:
     """What to do about it."""
-    return Message(_REMEDY.get(error["type"], _CORRECT))
+    return Message.marked(_REMEDY.get(error["type"], _CORRECT))
 
 
-def _fields(values: Mapping[str, Any]) -> dict[str, object]:
-    """The values as pydantic writes them."""
-    fields = {name: f"{value:g}" if isinstance(value, float) else value for name, value in values.items()}
-    length = values.get("min_length", values.get("max_length"))
-    return {
-        **fields,
-        "expected": _alternatives(str(values.get("expected", ""))),
-        "kind": Message(str(values.get("field_type", ""))),
-        "s": "" if length == 1 else "s",
-    }
+def _of_length(kind: str, values: Mapping[str, Any]) -> Message:
+    """What pydantic says of text or a list that is too short or too long; empty for any other kind of error."""
+    found = {"kind": values.get("field_type", ""), "found": values.get("actual_length", 0)}
+    match kind:
+        case "string_too_short":
+            return Message.counted(
+                "String should have at least {count} character",
+                "String should have at least {count} characters",
+                count=values["min_length"],
+            )
+        case "string_too_long":
+            return Message.counted(
+                "String should have at most {count} character",
+                "String should have at most {count} characters",
+                count=values["max_length"],
+            )
+        case "too_short":
+            return Message.counted(
+                "{kind} should have at least {count} item after validation, not {found}",
+                "{kind} should have at least {count} items after validation, not {found}",
+                count=values["min_length"],
+                **found,
+            )
+        case "too_long":
+            return Message.counted(
+                "{kind} should have at most {count} item after validation, not {found}",
+                "{kind} should have at most {count} items after validation, not {found}",
+                count=values["max_length"],
+                **found,
+            )
+        case _:
+            return Message("")
 
 
-def _alternatives(expected: str) -> str:
-    first, either, last = expected.rpartition(" or ")
-    return Message("{first} or {last}", first=first, last=last) if either else expected
+def _written(value: object) -> object:
+    """A value as pydantic writes it: no end of zeros, and alternatives as a list."""
+    if isinstance(value, float):
+        return f"{value:g}"
+    first, either, last = str(value).rpartition(" or ")
+    return Message("{first} or {last}", first=first, last=last) if either else value

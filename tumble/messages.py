@@ -51,6 +51,11 @@ class Message(str):
         return cls._made(singular, plural, {"count": count, **fields})
 
     @classmethod
+    def marked(cls, template: str, /, **fields: object) -> Self:
+        """A message of a template out of a table, where `translatable` has marked it for the catalogue."""
+        return cls._made(template, "", fields)
+
+    @classmethod
     def joined(cls, separator: str, parts: Iterable[str]) -> Self:
         """Several messages or texts as one, each put into the language by itself."""
         fields = {f"part{place}": part for place, part in enumerate(parts)}

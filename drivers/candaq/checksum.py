@@ -29,9 +29,9 @@ class Checksum:
         if signal.length != _BITS or signal.start % 8 != first:
             raise ValueError(
                 Message(
-                    "signal {signal_name} of message {message_name} is not two whole bytes",
-                    signal_name=signal.name,
-                    message_name=message.name,
+                    "signal {signal} of message {message} is not two whole bytes",
+                    signal=signal.name,
+                    message=message.name,
                 )
             )
         self._at = signal.start // 8

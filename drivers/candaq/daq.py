@@ -90,7 +90,7 @@ class CanDaq:
             raise DeviceError(
                 DEVICE,
                 Message("{samples} samples at {rate_hz:g} Hz cannot be taken", samples=samples, rate_hz=rate_hz),
-                Message("ask for 1 to {most_samples} samples at a positive rate", most_samples=MOST_SAMPLES),
+                Message("ask for 1 to {most} samples at a positive rate", most=MOST_SAMPLES),
             )
         complaint = ""
         for _ in range(2):
@@ -105,7 +105,7 @@ class CanDaq:
                     temperature_degc=collection.temperature_degc,
                 )
             self._send(0, 0.0)
-        happened = Message("{complaint}, twice in a row{words}", complaint=complaint, words=self._inbox.words)
+        happened = Message("{complaint}, twice in a row{dropped}", complaint=complaint, dropped=self._inbox.words)
         raise DeviceError(DEVICE, happened, Message("check the load of the bus, cable and termination"))
 
     def _complaint(self, collection: Collection, samples: int) -> str:
@@ -141,7 +141,7 @@ class CanDaq:
                     return frame
         raise NoReplyError(
             DEVICE,
-            Message("gave no answer in {tries} tries{words}", tries=TRIES, words=self._inbox.words),
+            Message("gave no answer in {tries} tries{dropped}", tries=TRIES, dropped=self._inbox.words),
             Message("check its power and the DBC file, then resume"),
         )
 

@@ -109,7 +109,7 @@ class FreeRunningDaq:
         moments_s: list[float] = []
         while len(voltages_v) < samples:
             frame = self._next(
-                deadline_s, Message("sent {count} of {samples} voltages", count=len(voltages_v), samples=samples)
+                deadline_s, Message("sent {given} of {samples} voltages", given=len(voltages_v), samples=samples)
             )
             if frame.name == "Voltage":
                 voltages_v.append(frame.number("Voltage"))
@@ -131,10 +131,10 @@ class FreeRunningDaq:
             return ""
         steps = np.diff(counters) % self._frames.counts
         wrong = int(np.count_nonzero(steps != 1))
-        return (
-            Message("{wrong} of {count} voltage frames did not follow the one before", wrong=wrong, count=len(counters))
-            if wrong
-            else ""
+        if not wrong:
+            return ""
+        return Message(
+            "{wrong} of {frames} voltage frames did not follow the one before", wrong=wrong, frames=len(counters)
         )
 
     def _check_rate(self, moments_s: list[float], rate_hz: float) -> None:
@@ -144,8 +144,8 @@ class FreeRunningDaq:
         ratio = max(taken_s, planned_s) / max(min(taken_s, planned_s), 1e-9)
         if ratio > _RATE_RATIO and abs(taken_s - planned_s) > _RATE_S:
             happened = Message(
-                "sends {steps:.3g} samples a second by itself, and {rate_hz:g} were asked for",
-                steps=steps / max(taken_s, 1e-09),
+                "sends {found_hz:.3g} samples a second by itself, and {rate_hz:g} were asked for",
+                found_hz=steps / max(taken_s, 1e-09),
                 rate_hz=rate_hz,
             )
             raise DeviceError(
@@ -154,9 +154,9 @@ class FreeRunningDaq:
 
     def _await(self, name: str, deadline_s: float) -> Frame:
         happened = Message(
-            "sent no {place_of} within {first_frame_s:g} s",
-            place_of=self._frames.place_of(name),
-            first_frame_s=FIRST_FRAME_S,
+            "sent no {frame} within {patience_s:g} s",
+            frame=self._frames.place_of(name),
+            patience_s=FIRST_FRAME_S,
         )
         while (frame := self._next(deadline_s, happened)).name != name:
             pass
@@ -167,5 +167,7 @@ class FreeRunningDaq:
         frame = self._inbox.next(deadline_s)
         if frame is None:
             remedy = Message("check its power, and whether the DBC file is its own")
-            raise NoReplyError(DEVICE, Message("{happened}{words}", happened=happened, words=self._inbox.words), remedy)
+            raise NoReplyError(
+                DEVICE, Message("{happened}{dropped}", happened=happened, dropped=self._inbox.words), remedy
+            )
         return frame

@@ -57,8 +57,8 @@ class Inbox:
     @property
     def words(self) -> str:
         """The same within a sentence about frames that did not come; empty where nothing was dropped."""
-        counts = ", ".join(filter(None, (self._tally.words, self._link.tally.words)))
-        return Message(" ({counts})", counts=counts) if counts else ""
+        counts = [tally.words for tally in (self._tally, self._link.tally) if tally.words]
+        return Message(" ({counts})", counts=Message.joined(", ", counts)) if counts else ""
 
     def _hear(self, message: can.Message) -> None:
         try:
@@ -66,7 +66,7 @@ class Inbox:
         except SpoiltFrameError as error:
             self._tally.count(
                 Message("{error} dropped", error=error),
-                Message("{arbitration_id:X}h {data}", arbitration_id=message.arbitration_id, data=message.data.hex()),
+                f"{message.arbitration_id:X}h {message.data.hex()}",
             )
             return
         for frame in frames:

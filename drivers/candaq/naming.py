@@ -120,7 +120,7 @@ def _named_part(name: str, signals: Mapping[str, str], messages: Mapping[str, Db
     places = {signal: place.rpartition(".")[::2] for signal, place in signals.items()}
     for signal, (message, _) in places.items():
         if message not in messages:
-            said = Message("{name}.{signal} = {signals!r}", name=name, signal=signal, signals=signals[signal])
+            said = f"{name}.{signal} = {signals[signal]!r}"
             raise ValueError(
                 Message(
                     "[daq.signals] {said}: the DBC file has no such message; it has {offered}",
@@ -133,7 +133,7 @@ def _named_part(name: str, signals: Mapping[str, str], messages: Mapping[str, Db
             Message(
                 "[daq.signals] {name} is in the messages {found}; it must be in one",
                 name=name,
-                found=" and ".join(found),
+                found=Message("{first} and {last}", first=", ".join(found[:-1]), last=found[-1]),
             )
         )
     if not found:
@@ -151,9 +151,9 @@ def _part(message: DbcMessage, names: Mapping[str, str], name: str) -> Part:
         if there not in present:
             raise ValueError(
                 Message(
-                    "message {message_name} of the DBC file has no signal {there}; it has {offered}",
-                    message_name=message.name,
-                    there=there,
+                    "message {message} of the DBC file has no signal {signal}; it has {offered}",
+                    message=message.name,
+                    signal=there,
                     offered=_offered(present),
                 )
             )

@@ -46,8 +46,8 @@ def unit_of(what: str, signal: Signal) -> Unit:
     if unit not in known:
         raise ValueError(
             Message(
-                "signal {signal_name} of the DBC file is in {unit}, which is no unit of a {what}",
-                signal_name=signal.name,
+                "signal {signal} of the DBC file is in {unit}, which is no unit of a {what}",
+                signal=signal.name,
                 unit=signal.unit,
                 what=what.lower(),
             )

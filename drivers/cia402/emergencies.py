@@ -35,13 +35,13 @@ CODES: Final = {
 
 GROUPS: Final = {
     0x1000: Message("generic error"),
-    0x2000: "current",
-    0x3000: "voltage",
-    0x4000: "temperature",
+    0x2000: Message("current"),
+    0x3000: Message("voltage"),
+    0x4000: Message("temperature"),
     0x5000: Message("device hardware"),
     0x6000: Message("device software"),
     0x7000: Message("additional modules"),
-    0x8000: "monitoring",
+    0x8000: Message("monitoring"),
     0x9000: Message("external error"),
     0xF000: Message("additional functions or specific to the device"),
 }
@@ -50,10 +50,11 @@ GROUPS: Final = {
 def emergency_words(code: int) -> str:
     """An emergency code in words, with its number: of the code itself, or of the group to which it belongs."""
     words = CODES.get(code) or GROUPS.get(code & 0xF000, Message("unknown error"))
-    return Message("{words} (code {code:04X}h)", words=words, code=code)
+    return Message("{reason} (code {code:04X}h)", reason=words, code=code)
 
 
 def abort_words(code: int) -> str:
     """An SDO abort code in words, with its number."""
-    words = SdoAbortedError.CODES.get(code, Message("unknown reason"))
-    return Message("{words}{words2} (SDO abort {code:08X}h)", words=words[:1].lower(), words2=words[1:], code=code)
+    words = SdoAbortedError.CODES.get(code)
+    reason = f"{words[:1].lower()}{words[1:]}" if words else Message("unknown reason")
+    return Message("{reason} (SDO abort {code:08X}h)", reason=reason, code=code)

@@ -150,9 +150,8 @@ class Cia402Head:
         self._enable(Mode.PROFILE_POSITION)
         self._node.write(objects.PROFILE_VELOCITY, max(1, round(abs(self._speed_deg_s * self._steps_per_deg))))
         self._node.write(objects.TARGET_POSITION, counts)
-        self._await(
-            Message("be ready for a set-point"), states.ACKNOWLEDGED, 0
-        )  # this bit says "homed" in the mode before
+        # This bit says "homed" in the mode before.
+        self._await(Message("be ready for a set-point"), states.ACKNOWLEDGED, 0)
         self._set_out(target=counts)
         self._control(states.ENABLE | states.START | states.AT_ONCE)
         self._await(Message("take the set-point"), states.ACKNOWLEDGED, states.ACKNOWLEDGED)
@@ -247,7 +246,7 @@ class Cia402Head:
             self._pause(deadline_s, Message("become enabled"))
         if not modes.shows(self._node, mode, ANSWER_S):
             self._refuse_fault()
-            raise self._did_not(Message("enter the mode {replace}", replace=mode.name.lower().replace("_", " ")))
+            raise self._did_not(Message("enter the mode {mode}", mode=mode.name.lower().replace("_", " ")))
 
     def _error_code(self) -> int:
         """What the drive says of its fault; 0 where it does not (603Fh is optional in CiA 402)."""

@@ -103,7 +103,7 @@ class DriveNode:
         """The error that says what the drive complains of."""
         return DeviceError(
             self.device,
-            Message("reports {emergency_words}", emergency_words=emergency_words(code)),
+            Message("reports {emergency}", emergency=emergency_words(code)),
             Message("remove the cause, make sure that the head is free to turn, then resume the run"),
         )
 
@@ -164,11 +164,7 @@ class DriveNode:
             except SdoAbortedError as error:
                 raise self._refused(variable, error) from error
             except Exception as error:  # canopen raises several kinds for an answer that is none
-                reason = (
-                    ""
-                    if isinstance(error, SdoCommunicationError)
-                    else Message(" that can be read ({in_words})", in_words=in_words(error))
-                )
+                reason = "" if isinstance(error, SdoCommunicationError) else in_words(error)
                 time.sleep(_LATE_S)
         raise self._silent(reason)
 
@@ -181,10 +177,10 @@ class DriveNode:
         return DeviceError(
             self.device,
             Message(
-                "refused object {index:04X}h ({variable_name}): {abort_words}",
+                "refused object {index:04X}h ({name}): {reason}",
                 index=variable.index,
-                variable_name=variable.name.lower(),
-                abort_words=abort_words(error.code),
+                name=variable.name.lower(),
+                reason=abort_words(error.code),
             ),
             Message("check that it is a CiA 402 drive with profile position and homing, and its parameters"),
         )
@@ -195,7 +191,11 @@ class DriveNode:
     def _silent(self, reason: str) -> DeviceError:
         """The error for a node that does not answer: is it there at all?"""
         self._link.check()
-        happened = Message("gave no SDO answer{reason} in {tries} tries", reason=reason, tries=TRIES)
+        happened = Message("gave no SDO answer in {tries} tries", tries=TRIES)
+        if reason:
+            happened = Message(
+                "gave no SDO answer that can be read ({reason}) in {tries} tries", reason=reason, tries=TRIES
+            )
         if self._alive():
             return NoReplyError(self.device, happened, Message("switch it off and on, then resume the run"))
         return LinkLostError(
@@ -244,5 +244,5 @@ class _LinkNetwork(canopen.Network):
             if can_id & _NODE == self._node_id:
                 self._tally.count(
                     Message("messages dropped that cannot be read"),
-                    Message("{can_id:X}h {data}: {in_words}", can_id=can_id, data=data.hex(), in_words=in_words(error)),
+                    f"{can_id:X}h {data.hex()}: {in_words(error)}",
                 )

@@ -59,7 +59,7 @@ class CanLink:
         """What was dropped, and what was tried again."""
         self._lock = threading.Lock()
         self._listeners: list[Listener] = []
-        self._trouble = Message("it is closed")
+        self._trouble: str = Message("it is closed")
         self._bus: can.BusABC | None = None
         self._thread: threading.Thread | None = None
         self.reopen(self.generation)
@@ -165,7 +165,7 @@ class CanLink:
         if unusable := _unusable(message):
             self.tally.count(
                 Message("{unusable} dropped", unusable=unusable),
-                Message("identifier {arbitration_id:X}h", arbitration_id=message.arbitration_id),
+                Message("identifier {can_id:X}h", can_id=message.arbitration_id),
             )
             return
         for listener in list(self._listeners):

@@ -62,11 +62,9 @@ def patiently(action: Callable[[], Result], granted_s: float, bearable: Callable
 def in_words(error: BaseException) -> str:
     """Why something failed; the kind of error too, where that says more than its text."""
     text = str(error)
-    return (
-        text
-        if text and isinstance(error, OSError)
-        else Message("{kind}: {text}", kind=type(error).__name__, text=text).removesuffix(": ")
-    )
+    if text and isinstance(error, OSError):
+        return text
+    return Message("{kind}: {text}", kind=type(error).__name__, text=text) if text else type(error).__name__
 
 
 def _causes(error: BaseException | None) -> Iterator[BaseException]:

@@ -87,11 +87,11 @@ def check_server(bus: CanAddress) -> None:
     if unknown := [name for name in bus.options if name not in _OF_SERVERS]:
         raise ValueError(
             Message(
-                "{url!r}: socketcand has no option {unknown}, only {of_servers}; leave it out (the bit rate "
+                "{url!r}: socketcand has no option {unknown}, only {known}; leave it out (the bit rate "
                 "is set at the server)",
                 url=bus.url,
                 unknown=", ".join(unknown),
-                of_servers=", ".join(_OF_SERVERS),
+                known=", ".join(_OF_SERVERS),
             )
         )
 

@@ -102,8 +102,8 @@ class SerialLink:
                 self._waiting.clear()
                 raise self._chatters(
                     Message(
-                        "sent {most_line_bytes} bytes at {url} without the end of a line",
-                        most_line_bytes=MOST_LINE_BYTES,
+                        "sent {most} bytes at {url} without the end of a line",
+                        most=MOST_LINE_BYTES,
                         url=self.url,
                     )
                 )
@@ -145,7 +145,7 @@ class SerialLink:
         except Exception as error:  # pyserial lets through what the system's terminals raise
             raise LinkLostError(
                 self.device,
-                Message("cannot be reached at {url} ({in_words})", url=self.url, in_words=in_words(error)),
+                Message("cannot be reached at {url} ({reason})", url=self.url, reason=in_words(error)),
                 Message("check cable, power and port, and the url in the stand file"),
             ) from error
 

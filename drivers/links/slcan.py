@@ -46,9 +46,7 @@ class SlcanBus(slcanBus):
         while not (end := LINE_ENDS.search(self._heard)):
             if len(self._heard) > MOST_LINE_BYTES:
                 self._heard.clear()
-                raise ValueError(
-                    Message("{most_line_bytes} bytes without the end of a line", most_line_bytes=MOST_LINE_BYTES)
-                )
+                raise ValueError(Message("{most} bytes without the end of a line", most=MOST_LINE_BYTES))
             came = self.serialPortOrig.read(1)
             self._heard += came + self.serialPortOrig.read(self.serialPortOrig.in_waiting)
             if not came and deadline_s is not None and time.monotonic() > deadline_s:

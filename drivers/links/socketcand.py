@@ -91,11 +91,7 @@ class SocketcandBus(can.BusABC):
         self._heard += data
         if len(self._heard) > MOST_MESSAGE_BYTES and b">" not in self._heard:
             self._heard.clear()
-            raise ValueError(
-                Message(
-                    "{most_message_bytes} bytes without the end of a message", most_message_bytes=MOST_MESSAGE_BYTES
-                )
-            )
+            raise ValueError(Message("{most} bytes without the end of a message", most=MOST_MESSAGE_BYTES))
 
     def _say(self, text: str) -> None:
         try:

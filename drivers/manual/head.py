@@ -74,7 +74,7 @@ class ManualHead:
 
     def identify(self) -> Identity:
         """Say what the stand file says: nobody else knows."""
-        return Identity(model=Message("manual dividing head"), serial=self._serial)
+        return Identity(model="manual dividing head", serial=self._serial)
 
     def home(self) -> None:
         """Nothing to do: the circle is its own reference."""

@@ -15,7 +15,7 @@ from tumble.drivers.scpi.plain import PlainExchange, answered
 from tumble.drivers.scpi.taking import same
 from tumble.messages import Message
 
-DEVICE: Final = "multimeter"
+DEVICE: Final = Message("multimeter")
 USUAL_LINE_HZ: Final = 50.0
 """Where the frequency of the power line cannot be asked: at 60 Hz integration is shorter, and of whole cycles, too."""
 TRIAL_PATIENCE: Final = 2
@@ -93,7 +93,7 @@ def _line_hz(exchange: Exchange, dialect: Dialect) -> float:
     try:
         return parse_number(field)
     except CorruptReplyError as error:
-        happened = Message("says that its power line has {field} Hz", field=field)
+        happened = Message("says that its power line has {answer} Hz", answer=field)
         raise DeviceError(DEVICE, happened, Message("check that it speaks SCPI as a 34461A does")) from error
 
 
@@ -155,7 +155,7 @@ class _Trial:
                     DEVICE,
                     Message(
                         "speaks {answer} and not {value} ({header})",
-                        answer=answer or "an unknown language",
+                        answer=answer or Message("an unknown language"),
                         value=value,
                         header=header,
                     ),
@@ -197,8 +197,9 @@ class _Trial:
     def _do_without(self, header: str, answer: str | None) -> None:
         kept = tuple(text for text in self._dialect.settings if text.split(" ")[0] != header)
         self._leave_out(settings=kept)
-        how = Message("does not know") if answer is None else Message("answers {answer} to", answer=answer)
-        self._remarks.append(Message("{how} {header}, which is left as it is", how=how, header=header))
+        unknown = Message("does not know {header}, which is left as it is", header=header)
+        other = Message("answers {answer} to {header}, which is left as it is", answer=answer, header=header)
+        self._remarks.append(unknown if answer is None else other)
 
     def _try_reading(self, line_hz: float, checksummed: bool) -> None:
         """Whether readings can be asked for twice."""

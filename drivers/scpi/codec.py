@@ -90,7 +90,9 @@ def parse_reply(line: bytes, tag: int, queries: int) -> tuple[str, ...]:
     if parse_integer(first) != tag:
         raise StaleReplyError(Message("answer number {first} instead of {tag}", first=first, tag=tag))
     if len(answers) != queries:
-        raise CorruptReplyError(Message("{count} answers to {queries} questions", count=len(answers), queries=queries))
+        raise CorruptReplyError(
+            Message("{answers} answers to {queries} questions", answers=len(answers), queries=queries)
+        )
     return tuple(answers)
 
 
@@ -183,7 +185,7 @@ def _fields(line: bytes, *, at_least: int, at_most: int | None = None) -> list[s
     if ";".join(fields) != text:
         raise CorruptReplyError(Message("a quotation mark without its other half"))
     if not at_least <= len(fields) <= (at_most or len(fields)):
-        raise CorruptReplyError(Message("{count} answers in a line", count=len(fields)))
+        raise CorruptReplyError(Message("{answers} answers in a line", answers=len(fields)))
     return fields
 
 

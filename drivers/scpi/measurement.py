@@ -84,8 +84,8 @@ def temperature(dialect: Dialect, sensor: str) -> Measurement:
     """
     if not dialect.temperature:
         raise DeviceError(
-            "multimeter",
-            Message("is not known to measure temperature ({dialect_name} dialect)", dialect_name=dialect.name),
+            Message("multimeter"),
+            Message("is not known to measure temperature ({dialect} dialect)", dialect=dialect.name),
             Message("leave temperature_sensor out of the stand file"),
         )
     command, *settings = dialect.temperature
@@ -127,7 +127,7 @@ def _values(model: Model, line_hz: float, range_v: float | None, count: int, rat
     most_hz = model.most_hz or (line_hz / model.nplc[0] if model.nplc else rate_hz)
     if rate_hz > most_hz * (1.0 + TOLERANCE) or (model.nplc and not fitting):
         raise DeviceError(
-            "multimeter",
+            Message("multimeter"),
             Message("cannot take {rate_hz:g} samples a second", rate_hz=rate_hz),
             Message("ask for {most_hz:g} at most", most_hz=most_hz),
         )

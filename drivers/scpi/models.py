@@ -96,7 +96,7 @@ def known(identity: Identity) -> Model:
     model = MODELS.get(name.upper())
     if model is None or not maker.casefold().startswith(model.makers):
         raise DeviceError(
-            "multimeter",
+            Message("multimeter"),
             Message(
                 "says that it is {model!r}, which is not among the meters that are known by name", model=identity.model
             ),

@@ -65,7 +65,7 @@ def _insisted(exchange: Exchange, measurement: Measurement, take: Callable[[], T
         except DeviceError as error:
             happened = error.happened
     raise DeviceError(
-        "multimeter",
+        Message("multimeter"),
         Message("failed to measure {attempts} times: {happened}", attempts=ATTEMPTS, happened=happened),
         Message("look at its display, then resume the run"),
     )
@@ -126,7 +126,7 @@ def _set_up(exchange: Exchange, measurement: Measurement, commands: Sequence[str
 
 def _complain(complaints: Iterable[str]) -> None:
     if said := ", ".join(complaints):
-        raise DeviceError("multimeter", said, REMEDY)
+        raise DeviceError(Message("multimeter"), said, REMEDY)
 
 
 def _fetched(exchange: Exchange, measurement: Measurement, transfer_s: float) -> str:
@@ -137,7 +137,9 @@ def _fetched(exchange: Exchange, measurement: Measurement, transfer_s: float) ->
         return exchange.ask_once(measurement.fetch, extra_s)
     except CorruptReplyError as error:
         raise DeviceError(
-            "multimeter", Message("gave readings that came to harm ({error})", error=error), Message("check the cable")
+            Message("multimeter"),
+            Message("gave readings that came to harm ({error})", error=error),
+            Message("check the cable"),
         ) from error
 
 
@@ -146,9 +148,11 @@ def _readings(field: str, count: int) -> NDArray[np.float64]:
         readings = parse_readings(field)
     except CorruptReplyError as error:
         raise DeviceError(
-            "multimeter", Message("gave readings that are none ({error})", error=error), Message("check its language")
+            Message("multimeter"),
+            Message("gave readings that are none ({error})", error=error),
+            Message("check its language"),
         ) from error
     if len(readings) != count:
-        happened = Message("gave {count} of {count2} readings", count=len(readings), count2=count)
-        raise DeviceError("multimeter", happened, Message("check that nobody else talks to it"))
+        happened = Message("gave {given} of {count} readings", given=len(readings), count=count)
+        raise DeviceError(Message("multimeter"), happened, Message("check that nobody else talks to it"))
     return readings

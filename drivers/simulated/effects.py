@@ -44,10 +44,9 @@ class Misreading(Table):
         if isinstance(self.error_deg, tuple) and len(self.error_deg) != len(self.rows):
             raise ValueError(
                 Message(
-                    "misreading names {count} rows but {count2} errors; give one error_deg for all, or one for "
-                    "each row",
-                    count=len(self.rows),
-                    count2=len(self.error_deg),
+                    "misreading names {rows} rows but {errors} errors; give one error_deg for all, or one for each row",
+                    rows=len(self.rows),
+                    errors=len(self.error_deg),
                 )
             )
         return self
@@ -135,9 +134,9 @@ class Effects(UnitEffects):
         if unknown:
             raise ValueError(
                 Message(
-                    "unknown effect {map}; known are {sorted}",
-                    map=", ".join(map(repr, unknown)),
-                    sorted=", ".join(sorted(cls.model_fields)),
+                    "unknown effect {unknown}; known are {known}",
+                    unknown=", ".join(map(repr, unknown)),
+                    known=", ".join(sorted(cls.model_fields)),
                 )
             )
         return table

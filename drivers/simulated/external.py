@@ -34,7 +34,7 @@ def load_function(reference: str, base_path: Path) -> Callable[..., float]:
         except BaseException as error:
             if is_of_the_user(error):
                 raise
-            failed = Message("{reference} failed ({reason_of})", reference=reference, reason_of=reason_of(error))
+            failed = Message("{reference} failed ({reason})", reference=reference, reason=reason_of(error))
             raise DeviceError(Message("simulated stand"), failed, Message("correct it, then resume")) from error
 
     return call

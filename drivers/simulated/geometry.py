@@ -46,7 +46,7 @@ SEATS: Final = MappingProxyType(
 def seat(mount: str) -> FloatArray:
     """Look up a mount in `SEATS`. Raises `ValueError` for one that does not exist."""
     if mount not in SEATS:
-        raise ValueError(Message("there is no mount {mount!r}; known are {seats}", mount=mount, seats=", ".join(SEATS)))
+        raise ValueError(Message("there is no mount {mount!r}; known are {known}", mount=mount, known=", ".join(SEATS)))
     return SEATS[mount]
 
 

@@ -58,7 +58,7 @@ class Simulated(Table):
     def _known_preset(cls, name: str) -> str:
         if name not in PRESETS:
             raise ValueError(
-                Message("unknown preset {name!r}; known are {sorted}", name=name, sorted=", ".join(sorted(PRESETS)))
+                Message("unknown preset {name!r}; known are {known}", name=name, known=", ".join(sorted(PRESETS)))
             )
         return name
 

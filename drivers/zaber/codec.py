@@ -1,4 +1,4 @@
-r"""Lines of the Zaber ASCII protocol (Zaber, ASCII Protocol Manual, firmware 7, "DeviceMessage Format").
+r"""Lines of the Zaber ASCII protocol (Zaber, ASCII Protocol Manual, firmware 7, "Message Format").
 
     /1 1 06 move abs 50000:B6     request: device, axis, message id, command, checksum
     @01 1 06 OK IDLE -- 0:06      reply: the same, then flag, state, warning, data

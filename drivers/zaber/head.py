@@ -162,7 +162,7 @@ class ZaberHead:
             happened, remedy = STOPPING[met[0]]
             raise DeviceError(
                 self._conversation.name,
-                Message("{happened} (flag {met})", happened=happened, met=met[0]),
+                Message("{happened} (flag {flag})", happened=happened, flag=met[0]),
                 Message("{remedy}, then resume the run; it homes first", remedy=remedy),
             )
         try:
@@ -198,9 +198,9 @@ class ZaberHead:
         raise DeviceError(
             self._conversation.name,
             Message(
-                "gave no list of warnings that can be believed in {attempts} attempts ({garbled})",
+                "gave no list of warnings that can be believed in {attempts} attempts ({reason})",
                 attempts=ATTEMPTS,
-                garbled=garbled,
+                reason=garbled,
             ),
             Message("check model and firmware, and what else talks on this line"),
         ) from garbled

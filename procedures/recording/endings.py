@@ -31,7 +31,7 @@ def warnings(recording: Recording) -> Iterator[str]:
         yield Message(
             "{path} holds a run that ended early ({reason}); {kept}",
             path=recording.path,
-            reason=Message(recording.ending.reason),
+            reason=Message.marked(recording.ending.reason),
             kept=kept,
         )
 
