@@ -11,7 +11,6 @@ from typing import Final, Self
 from tumble.emulators.faults import Faults
 from tumble.emulators.ports import Channel, Port, PtyPort, TcpPort
 from tumble.emulators.wire import Session, Wire
-from tumble.messages import Message
 
 __all__ = ["Server", "Session", "serve_pty", "serve_tcp"]
 
@@ -59,7 +58,7 @@ class Server:
     def port(self) -> int:
         """Number of the TCP port. Raises `AttributeError` for a terminal, which has none."""
         if not isinstance(self._port, TcpPort):
-            raise AttributeError(Message("{url} is no TCP port", url=self.url))
+            raise AttributeError(f"{self.url} is no TCP port")
         return self._port.number
 
     def close(self) -> None:

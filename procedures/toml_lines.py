@@ -9,6 +9,7 @@ from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
 from tumble.calibrations.core.bounded import check_bounded
+from tumble.drivers.system_errors import reason_of_system
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.toml_text import read_toml, without_mark
@@ -46,7 +47,7 @@ def read_text(path: Path) -> str:
         with path.open("rb") as stream:
             content = stream.read(MOST_BYTES + 1)
     except (OSError, ValueError) as error:  # the latter where the name itself is impossible
-        reason = error.strerror if isinstance(error, OSError) else error
+        reason = reason_of_system(error) if isinstance(error, OSError) else error
         raise InputError(Message("{path}: {reason}; give a file that can be read", path=path, reason=reason)) from error
     if len(content) > MOST_BYTES:
         raise InputError(

@@ -12,6 +12,7 @@ from mcap.opcode import Opcode
 from mcap.records import Attachment, Channel, Chunk, DataEnd, Footer, Metadata, Statistics
 from mcap.records import Message as McapMessage
 
+from tumble.drivers.system_errors import reason_of_system
 from tumble.messages import Message
 from tumble.procedures.recording.chunks import TooLargeError, unpacked
 from tumble.procedures.recording.errors import RecordingError
@@ -81,7 +82,7 @@ def contents(path: Path, wanted: Collection[str]) -> Iterator[Content]:
             yield from reading.end()
     except OSError as error:
         raise RecordingError(
-            path, Message("cannot be read ({error})", error=error.strerror or error), Message("check the name")
+            path, Message("cannot be read ({reason})", reason=reason_of_system(error)), Message("check the name")
         ) from error
     if not reading.begun:
         happened = Message("is not a recording, or was cut off before its header was complete")

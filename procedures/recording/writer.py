@@ -10,6 +10,7 @@ from typing import Final, Self
 from mcap.writer import LIBRARY_IDENTIFIER, Writer
 
 from tumble.drivers.clock import Clock
+from tumble.drivers.system_errors import reason_of_system
 from tumble.messages import Message
 from tumble.procedures.events import ConditionAnswered, Event, PointCompleted, ReadingAnswered, RunFinished
 from tumble.procedures.recording.contents import Said
@@ -150,5 +151,5 @@ class Recorder:
 
 
 def _storage_error(path: Path, error: OSError) -> RecordingError:
-    happened = Message("cannot be written ({error})", error=error.strerror or error)
+    happened = Message("cannot be written ({reason})", reason=reason_of_system(error))
     return RecordingError(path, happened, Message("make sure that the folder exists, is writable and has room"))
