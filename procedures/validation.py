@@ -54,6 +54,7 @@ def problem_of(error: ErrorDetails) -> str:
     values = error.get("ctx", {})
     if isinstance(raised := values.get("error"), ValueError):
         return str(raised)
+    said: Message | None
     if error["type"] in _PROBLEMS:
         said = Message.marked(_PROBLEMS[error["type"]], **{name: _written(value) for name, value in values.items()})
     else:
@@ -66,8 +67,8 @@ def remedy_of(error: ErrorDetails) -> str:
     return Message.marked(_REMEDY.get(error["type"], _CORRECT))
 
 
-def _of_length(kind: str, values: Mapping[str, Any]) -> Message:
-    """What pydantic says of text or a list that is too short or too long; empty for any other kind of error."""
+def _of_length(kind: str, values: Mapping[str, Any]) -> Message | None:
+    """What pydantic says of text or a list that is too short or too long; None for any other kind of error."""
     found = {"kind": values.get("field_type", ""), "found": values.get("actual_length", 0)}
     match kind:
         case "string_too_short":
@@ -97,7 +98,7 @@ def _of_length(kind: str, values: Mapping[str, Any]) -> Message:
                 **found,
             )
         case _:
-            return Message("")
+            return None
 
 
 def _written(value: object) -> object:
