@@ -2,8 +2,13 @@
 
 import signal
 import threading
+from typing import Final
 
 from tumble.messages import Message
+
+NO_ANSWER: Final = Message("does not answer")
+CHECK_CABLE: Final = Message("check its cable, then resume the run")
+"""What a driver of one's own may say too: the catalogues hold both."""
 
 
 class DeviceError(Exception):

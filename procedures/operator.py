@@ -20,8 +20,9 @@ from tumble.procedures.errors import UnansweredError
 from tumble.procedures.steps import Ask
 from tumble.procedures.toml_lines import load_toml
 
-_YES: Final = frozenset({"yes", "done", "seated"})
-_NO: Final = frozenset({"no", "abort", "cancel"})
+_YES: Final = frozenset({"yes", "done", "seated", "так", "готово", "ja", "fertig"})
+_NO: Final = frozenset({"no", "abort", "cancel", "ні", "скасувати", "nein", "abbrechen"})
+"""In every language of `tumble.messages.Language`."""
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -33,7 +33,7 @@ class Message(str):
 
     `Message("{rows} rows are too few", rows=3)` is the string `3 rows are too few`. The template is written as for
     `str.format`, its fields named; a field that is a message itself, or an exception that was given one, is put into
-    the language with the whole.
+    the language with the whole. Of an exception only what it says is kept.
     """
 
     template: str
@@ -63,6 +63,7 @@ class Message(str):
 
     @classmethod
     def _made(cls, template: str, plural: str, fields: Mapping[str, object]) -> Self:
+        fields = {name: str(value) if isinstance(value, Exception) else value for name, value in fields.items()}
         chosen = plural if plural and fields["count"] != 1 else template
         made = super().__new__(cls, chosen.format(**fields))
         made.template, made.plural, made.fields = template, plural, fields
@@ -97,8 +98,7 @@ def translatable(template: str) -> str:
 
 
 def _field(value: object, language: Language) -> object:
-    said = str(value) if isinstance(value, Exception) else value
-    return said.in_language(language) if isinstance(said, Message) else said
+    return value.in_language(language) if isinstance(value, Message) else value
 
 
 def _looked_up(template: str, language: Language) -> str:

@@ -1,11 +1,16 @@
 import re
+from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QCoreApplication, QSettings, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QAbstractButton, QLabel, QWidget
 
+from tumble.app.running import failure
+from tumble.drivers.errors import CHECK_CABLE, NO_ANSWER, DeviceError
 from tumble.messages import Language, Message, translate
+from tumble.procedures.errors import StopRequestedError
+from tumble.procedures.outcome import outcome_of
 from tumble.window.look.language import speak
 from tumble.window.look.numbers import local, minutes, parse_number
 from tumble.window.look.sentences import in_language
@@ -77,7 +82,7 @@ def test_dialogs_of_qt_speak_german(german):
 
 
 def test_what_the_engine_says_is_said_in_german(german):
-    said = in_language("dividing head: does not answer; check its cable, then resume the run")
+    said = in_language(str(DeviceError(Message("dividing head"), NO_ANSWER, CHECK_CABLE)))
     assert said == "Teilkopf: antwortet nicht; Kabel prüfen, dann den Lauf fortsetzen"
 
 
@@ -92,10 +97,11 @@ def test_a_message_needs_no_clauses(german):
 
 
 def test_what_the_engine_says_is_said_in_the_language(ukrainian):
-    said = in_language("the operator stopped the run; 3 complete points kept in x.mcap; tumble resume goes on")
-    assert (
-        said
-        == "оператор зупинив прогін; повних точок збережено: 3, у x.mcap; прогін можна продовжити на екрані «Записи»"
+    stopped = outcome_of(StopRequestedError(Message("the operator stopped the run")), [], True, "head")
+    said = in_language(str(failure(stopped, Path("x.mcap"))))
+    assert said == (
+        "оператор зупинив прогін; 0 повних точок збережено в x.mcap; "
+        "прогін можна продовжити на екрані «Записи» або командою tumble resume"
     )
 
 
