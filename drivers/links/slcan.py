@@ -67,14 +67,16 @@ def message_of(line: bytes) -> can.Message | None:
         return can.Message(is_fd=True)
     if _ANSWER.fullmatch(line):
         return None
-    raise ValueError(f"{line!r} is no frame")
+    raise ValueError(Message("{line!r} is no frame", line=line))
 
 
 def _data_frame(line: bytes, standard: bytes | None, extended: bytes | None, length: bytes, _: bytes) -> can.Message:
     digits = line[(4 if standard else 9) + 1 :]
     wanted = 2 * int(length)
     if len(digits) - wanted not in (0, 4, 8):
-        raise ValueError(f"{line!r} does not have the {int(length)} bytes that it says")
+        raise ValueError(
+            Message("{line!r} does not have the {length} bytes that it says", line=line, length=int(length))
+        )
     return can.Message(
         arbitration_id=int(standard or extended or b"", 16),
         is_extended_id=standard is None,

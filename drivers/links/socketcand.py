@@ -76,7 +76,7 @@ class SocketcandBus(can.BusABC):
         start = max(self._heard.rfind(b"<", 0, end), 0)
         if junk := bytes(self._heard[:start]).strip():
             del self._heard[:start]
-            raise ValueError(f"{junk!r} is no message")
+            raise ValueError(Message("{text!r} is no message", text=junk))
         text = bytes(self._heard[start:end])
         del self._heard[:end]
         return text
@@ -127,4 +127,4 @@ def message_of(text: bytes) -> can.Message | None:
         return can.Message(arbitration_id=int(error[1], 16) & 0x1FFFFFFF, is_error_frame=True)
     if text in _ANSWERS:
         return None
-    raise ValueError(f"{text!r} is no message")
+    raise ValueError(Message("{text!r} is no message", text=text))

@@ -45,6 +45,6 @@ def _from_json(value: Any) -> Any:  # noqa: ANN401  # whatever stands in a file
         return value
     template, plural = value["template"], value["plural"]
     if not _TEMPLATE.fullmatch(template) or not _TEMPLATE.fullmatch(plural):
-        raise ValueError("no template of this program")
+        raise ValueError(template)
     fields = {name: _from_json(field) for name, field in value["fields"].items()}
     return Message.counted(template, plural, **fields) if plural else Message.marked(template, **fields)
