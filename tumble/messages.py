@@ -43,17 +43,17 @@ class Message(str):
 
     def __new__(cls, template: str, /, **fields: object) -> Self:
         """A message; `KeyError` where the template names a field that is not given."""
-        return cls._made(template, "", fields)
+        return cls.of_parts(template, "", fields)
 
     @classmethod
     def counted(cls, singular: str, plural: str, /, *, count: int, **fields: object) -> Self:
         """A message whose wording depends on a number, which is its field `count`."""
-        return cls._made(singular, plural, {"count": count, **fields})
+        return cls.of_parts(singular, plural, {"count": count, **fields})
 
     @classmethod
     def marked(cls, template: str, /, **fields: object) -> Self:
         """A message of a template out of a table, where `translatable` has marked it for the catalogue."""
-        return cls._made(template, "", fields)
+        return cls.of_parts(template, "", fields)
 
     @classmethod
     def joined(cls, separator: str, parts: Iterable[str]) -> Self:
@@ -62,7 +62,8 @@ class Message(str):
         return cls(separator.join(f"{{{name}}}" for name in fields), **fields)
 
     @classmethod
-    def _made(cls, template: str, plural: str, fields: Mapping[str, object]) -> Self:
+    def of_parts(cls, template: str, plural: str, fields: Mapping[str, object]) -> Self:
+        """A message of the parts that it keeps; its `plural` is empty where number makes no difference."""
         fields = {name: str(value) if isinstance(value, Exception) else value for name, value in fields.items()}
         chosen = plural if plural and fields["count"] != 1 else template
         made = super().__new__(cls, chosen.format(**fields))
@@ -106,7 +107,7 @@ def _looked_up(template: str, language: Language) -> str:
 
 
 def _restored(kind: type[Message], template: str, plural: str, fields: Mapping[str, object]) -> Message:
-    return kind._made(template, plural, fields)
+    return kind.of_parts(template, plural, fields)
 
 
 @cache

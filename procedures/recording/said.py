@@ -47,4 +47,4 @@ def _from_json(value: Any) -> Any:  # noqa: ANN401  # whatever stands in a file
     if not _TEMPLATE.fullmatch(template) or not _TEMPLATE.fullmatch(plural):
         raise ValueError(template)
     fields = {name: _from_json(field) for name, field in value["fields"].items()}
-    return Message.counted(template, plural, **fields) if plural else Message.marked(template, **fields)
+    return Message.of_parts(template, plural, fields)
