@@ -31,6 +31,8 @@ _VOLTS: Final = {"v": OURS, "volt": OURS, "volts": OURS, "mv": Unit(1e-3), "uv":
 _SECONDS: Final = {"s": OURS, "sec": OURS, "ms": Unit(1e-3), "us": _MICRO, "µs": _MICRO, "μs": _MICRO}
 _TEMPERATURES: Final = {"k": Unit(1.0, -273.15), "°f": _FAHRENHEIT, "degf": _FAHRENHEIT}
 
+_WORDS: Final = {"Voltage": Message("voltage"), "Time": Message("time")}
+
 
 def unit_of(what: str, signal: Signal) -> Unit:
     """Unit of a signal that tells `what`; ours where it says none, and °C where its unit of temperature is no other.
@@ -49,7 +51,7 @@ def unit_of(what: str, signal: Signal) -> Unit:
                 "signal {signal} of the DBC file is in {unit}, which is no unit of a {what}",
                 signal=signal.name,
                 unit=signal.unit,
-                what=what.lower(),
+                what=_WORDS[what],
             )
         )
     return known[unit]

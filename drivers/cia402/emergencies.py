@@ -2,8 +2,7 @@
 
 from typing import Final
 
-from canopen import SdoAbortedError
-
+from tumble.drivers.cia402.aborts import ABORTS
 from tumble.messages import Message
 
 CODES: Final = {
@@ -55,6 +54,4 @@ def emergency_words(code: int) -> str:
 
 def abort_words(code: int) -> str:
     """An SDO abort code in words, with its number."""
-    words = SdoAbortedError.CODES.get(code)
-    reason = f"{words[:1].lower()}{words[1:]}" if words else Message("unknown reason")
-    return Message("{reason} (SDO abort {code:08X}h)", reason=reason, code=code)
+    return Message("{reason} (SDO abort {code:08X}h)", reason=ABORTS.get(code, Message("unknown reason")), code=code)

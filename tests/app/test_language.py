@@ -13,7 +13,7 @@ from tumble.drivers.simulated.head import SimulatedHead
 from tumble.messages import Language, Message
 from tumble.procedures.recording.reader import read_recording
 
-ENGLISH = re.compile(r"\b(the|is|are|not|and|has|have|then|check|after|of|to|it|its|no|with|where|give|cannot)\b")
+ENGLISH = re.compile(r"\b(the|is|are|not|and|has|have|then|check|after|at|of|to|it|its|no|with|where|give|cannot)\b")
 """Words without which hardly an English sentence is made, and which are none in German or Ukrainian."""
 TITLE = Message("dividing head")
 

@@ -132,7 +132,7 @@ def test_keys_reach_every_screen(driver):
         driver.wait(screen.isVisible)
 
 
-ENGLISH = re.compile(r"\b(the|is|are|not|and|has|have|then|check|after|of|to|it|its|no|with|where|give|cannot)\b")
+ENGLISH = re.compile(r"\b(the|is|are|not|and|has|have|then|check|after|at|of|to|it|its|no|with|where|give|cannot)\b")
 """Words without which hardly an English sentence is made, and which are none in German or Ukrainian."""
 
 
