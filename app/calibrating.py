@@ -18,7 +18,9 @@ from tumble.calibrations.methods.dividing_head.loop.loop import Loop
 from tumble.calibrations.records.errors import StoreError
 from tumble.calibrations.records.record import Record
 from tumble.calibrations.tracing.chain import Chain
+from tumble.messages import Message
 from tumble.procedures.announcer import Listener
+from tumble.system_errors import reason
 
 if TYPE_CHECKING:
     pass
@@ -34,7 +36,9 @@ def store(traced: Traced, folder: Path) -> Record:
         before = standing_record(records, origin.serial_number, origin.source_hashes, entry.method)
         return records.add(entry, origin, supersedes=before.id if before else None)
     except StoreError as error:
-        raise JobError(f"{error}; the recording is kept in {traced.measurement.path}", Exit.STORAGE) from error
+        raise JobError(
+            Message("{error}; the recording is kept in {path}", error=error, path=traced.measurement.path), Exit.STORAGE
+        ) from error
 
 
 def make_ready(folder: Path) -> None:
@@ -45,9 +49,13 @@ def make_ready(folder: Path) -> None:
         Store(folder).migrate()
         (folder / "reports").mkdir(exist_ok=True)
     except StoreError as error:
-        raise JobError(f"{error}; nothing was measured", Exit.STORAGE) from error
+        raise JobError(Message("{error}; nothing was measured", error=error), Exit.STORAGE) from error
     except OSError as error:
-        sentence = f"{folder / 'reports'}: cannot be made ({error.strerror}); nothing was measured"
+        sentence = Message(
+            "{folder}: cannot be made ({reason}); nothing was measured",
+            folder=folder / "reports",
+            reason=reason(error),
+        )
         raise JobError(sentence, Exit.STORAGE) from error
 
 
@@ -148,5 +156,10 @@ def conclude(recording: Path, folder: Path, tell: Callable[[str], None] = lambda
     try:
         write_report(traced, report, record.id, record.revision)
     except JobError as error:
-        raise JobError(f"{error}; record {record.id} of {recording} is stored", error.status) from error
+        raise JobError(
+            Message(
+                "{error}; record {record} of {recording} is stored", error=error, record=record.id, recording=recording
+            ),
+            error.status,
+        ) from error
     return Calibrated(analysed=traced, record=record, recording=recording, report=report, learned=learned)

@@ -11,7 +11,7 @@ from rich.table import Table
 from rich.text import Text
 
 from tumble.app.analysing import Analysed, Traced
-from tumble.app.terminal import LONGEST_LINE, lead_nowhere
+from tumble.app.terminal import lead_nowhere, shown
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.quantities import (
     format_concise,
@@ -26,7 +26,7 @@ from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.calibrations.methods.dividing_head.significance import Kind, support
 from tumble.drivers.clock import Clock
-from tumble.drivers.text import visible
+from tumble.messages import Message
 from tumble.procedures.announcer import Listener
 from tumble.procedures.events import (
     ConditionAnswered,
@@ -63,7 +63,7 @@ class _Console(Console):
 
     def render_str(self, text: str, **how: Any) -> Text:  # noqa: ANN401  # as rich has them
         """Everything that is printed comes through here, the cells and titles of tables too."""
-        return super().render_str(visible(text, LONGEST_LINE), **how | {"markup": False, "emoji": False})
+        return super().render_str(shown(text), **how | {"markup": False, "emoji": False})
 
     def on_broken_pipe(self) -> None:
         """Say nothing more; rich itself would exit with status 1, which says that a unit is outside its limits."""
@@ -84,7 +84,11 @@ def messages() -> Console:
 def warn(sentences: Iterable[str]) -> None:
     """Print warnings on standard error."""
     for sentence in sentences:
-        messages().print(f"warning: {sentence}", markup=False, soft_wrap=True)
+        messages().print(_warning(sentence), markup=False, soft_wrap=True)
+
+
+def _warning(sentence: str) -> Message:
+    return Message("warning: {sentence}", sentence=sentence)
 
 
 @contextmanager
@@ -96,23 +100,26 @@ def run_display(plan: Plan, clock: Clock, console: Console, points_done: int = 0
     counted = RunProgress(plan, clock, points_done)
     columns = (SpinnerColumn(), _text("{task.description}"), BarColumn(), _text("{task.fields[left]}"))
     with Progress(*columns, console=console, disable=not console.is_terminal) as bar:
-        task = bar.add_task("measuring", total=counted.total, left="")
+        task = bar.add_task(shown(Message("measuring")), total=counted.total, left="")
 
         def listen(event: Event) -> None:
             counted(event)
             if isinstance(event, PointCompleted):
                 left = counted.time_left()
-                text = (
-                    f"{counted.done}/{counted.total}, {_minutes(left.time_s)} ± {_minutes(left.standard_error_s)} left"
+                text = Message(
+                    "{done}/{total}, {time_left} ± {standard_error} left",
+                    done=counted.done,
+                    total=counted.total,
+                    time_left=_minutes(left.time_s),
+                    standard_error=_minutes(left.standard_error_s),
                 )
-                description = _place(event.point)
-                bar.update(task, completed=counted.done, description=description, left=text)
+                bar.update(task, completed=counted.done, description=_place(event.point), left=shown(text))
             elif isinstance(event, ConditionRequested | ReadingRequested):
                 _take_away(bar)
             elif isinstance(event, ConditionAnswered | ReadingAnswered):
                 bar.start()
             elif isinstance(event, WarningRaised):
-                bar.console.print(f"warning: {event.message}", markup=False, soft_wrap=True)
+                bar.console.print(_warning(event.message), markup=False, soft_wrap=True)
 
         yield listen
 

@@ -24,6 +24,7 @@ from tumble.app.terminal import lead_nowhere
 from tumble.app.wiring import Connected
 from tumble.drivers.clock import Clock
 from tumble.drivers.errors import Interrupted
+from tumble.messages import Message
 from tumble.procedures.acquisition import Acquisition
 from tumble.procedures.announcer import Announcer, Listener
 from tumble.procedures.engine import Engine
@@ -159,7 +160,7 @@ def carry_out(
             _warn_of_what_is_due(job, connected.stand.clock, Announcer(recorder, heard))
             return action(engine)
     except RecordingError as error:  # from closing it: what fails during the run is in the outcome
-        raise JobError(f"{error}; its complete points can be read", Exit.STORAGE) from error
+        raise JobError(Message("{error}; its complete points can be read", error=error), Exit.STORAGE) from error
 
 
 def _warn_of_what_is_due(job: Job, clock: Clock, announcer: Announcer) -> None:
@@ -174,10 +175,16 @@ def failure(outcome: Outcome, recording: Path) -> JobError | None:
     status = FINISHED[outcome.reason]
     if status is Exit.GOOD:
         return None
-    kept = len(outcome.points)
-    points = f"{kept} complete point{'s' if kept != 1 else ''} kept in {recording}"
-    remedy = "; tumble resume goes on" if status is Exit.STOPPED else ""  # all others say what to do first
-    return JobError(f"{outcome.message}; {points}{remedy}", status)
+    kept = Message.counted(
+        "{happened}; {count} complete point kept in {recording}",
+        "{happened}; {count} complete points kept in {recording}",
+        count=len(outcome.points),
+        happened=outcome.message,
+        recording=recording,
+    )
+    if status is Exit.STOPPED:  # all others say what to do first
+        kept = Message("{kept}; tumble resume goes on", kept=kept)
+    return JobError(kept, status)
 
 
 def recording_path(folder: Path, serial_number: str, programme: str, clock: Clock) -> Path:

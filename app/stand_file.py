@@ -15,6 +15,7 @@ from tumble.drivers.names import GivenName
 from tumble.drivers.simulated import Simulated
 from tumble.drivers.tables import DAQ, HEAD, DaqTable, HeadTable
 from tumble.drivers.text import check_name
+from tumble.messages import Message
 from tumble.procedures.errors import InputError
 
 _STRICT = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
@@ -137,7 +138,12 @@ class StandFile(BaseModel):
     def expired(self, on: date) -> list[str]:
         """A sentence for every instrument whose calibration is overdue on a day, see `Instrument.overdue`."""
         return [
-            f"stand {self.name}: the calibration of the {name} was due on {table.calibration_due}; have it done"
+            Message(
+                "stand {stand}: the calibration of the {instrument} was due on {date}; have it done",
+                stand=self.name,
+                instrument=name,
+                date=table.calibration_due,
+            )
             for name, table in self.instruments.items()
             if table.overdue(on)
         ]

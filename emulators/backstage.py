@@ -23,6 +23,7 @@ from tumble.emulators.faults import Faults
 from tumble.emulators.serving import serve_tcp
 from tumble.emulators.speed import FasterClock
 from tumble.emulators.world import SharedWorld
+from tumble.messages import Message
 
 _TIMEOUT_S: Final = 5.0
 _FOLDER: Final = "emulated"
@@ -71,7 +72,7 @@ class BackstageSession:
             case "look", "":
                 return _TURNING if self._shared.head.status().moving else _DONE
             case _:
-                raise ValueError(f"{verb} {what} is nothing that is done backstage")
+                raise ValueError(Message("{verb} {what} is nothing that is done backstage", verb=verb, what=what))
         return _DONE
 
 
@@ -116,9 +117,17 @@ class Backstage:
                 connection.sendall(f"{line}\n".encode())
                 answer = connection.makefile("rb").readline().decode().strip()
         except OSError as error:
-            raise DeviceError("emulated stand", f"{line}: nobody heard it ({error})", "start it again") from error
+            raise DeviceError(
+                Message("emulated stand"),
+                Message("{line}: nobody heard it ({error})", line=line, error=error),
+                Message("start it again"),
+            ) from error
         if answer not in (_DONE, _TURNING):
-            raise DeviceError("emulated stand", f"{line}: {answer or 'no answer'}", "look at what is asked of it")
+            raise DeviceError(
+                Message("emulated stand"),
+                Message("{line}: {answer}", line=line, answer=answer or Message("no answer")),
+                Message("look at what is asked of it"),
+            )
         return answer
 
 

@@ -4,8 +4,10 @@ from collections.abc import Callable, Generator, Mapping
 from functools import partial
 from typing import TypeAlias
 
+from tumble.calibrations.core.sentences import series
 from tumble.drivers.errors import DeviceError
 from tumble.drivers.protocols import PositionerStatus, Stand
+from tumble.messages import Message
 from tumble.procedures.acquisition import Acquisition
 from tumble.procedures.approach import Place
 from tumble.procedures.errors import ProcedureError
@@ -101,8 +103,8 @@ class Axes:
         """Tell all to stop and read their rest back. Raises `DeviceError` where one does not come to rest."""
         self.brake()
         if not self.standstill():
-            titles = " or ".join(motion.title for motion in self.motions.values())
-            raise DeviceError(titles, "cannot be brought to rest", "switch it off and look at it")
+            titles = series([motion.title for motion in self.motions.values()], "or")
+            raise DeviceError(titles, Message("cannot be brought to rest"), Message("switch it off and look at it"))
 
     def standstill(self) -> bool:
         """Read the rest of all back, see `Motion.standstill`; a stand without positioners is at rest."""

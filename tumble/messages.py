@@ -33,7 +33,7 @@ class Message(str):
 
     `Message("{rows} rows are too few", rows=3)` is the string `3 rows are too few`. The template is written as for
     `str.format`, its fields named; a field that is a message itself, or an exception that was given one, is put into
-    the language with the whole.
+    the language with the whole. Of an exception only what it says is kept.
     """
 
     template: str
@@ -43,12 +43,17 @@ class Message(str):
 
     def __new__(cls, template: str, /, **fields: object) -> Self:
         """A message; `KeyError` where the template names a field that is not given."""
-        return cls._made(template, "", fields)
+        return cls.of_parts(template, "", fields)
 
     @classmethod
     def counted(cls, singular: str, plural: str, /, *, count: int, **fields: object) -> Self:
         """A message whose wording depends on a number, which is its field `count`."""
-        return cls._made(singular, plural, {"count": count, **fields})
+        return cls.of_parts(singular, plural, {"count": count, **fields})
+
+    @classmethod
+    def marked(cls, template: str, /, **fields: object) -> Self:
+        """A message of a template out of a table, where `translatable` has marked it for the catalogue."""
+        return cls.of_parts(template, "", fields)
 
     @classmethod
     def joined(cls, separator: str, parts: Iterable[str]) -> Self:
@@ -71,7 +76,9 @@ class Message(str):
         return _Capitalised._spelt(_with_capital(part), "{part}", "", {"part": part})
 
     @classmethod
-    def _made(cls, template: str, plural: str, fields: Mapping[str, object]) -> Self:
+    def of_parts(cls, template: str, plural: str, fields: Mapping[str, object]) -> Self:
+        """A message of the parts that it keeps; its `plural` is empty where number makes no difference."""
+        fields = {name: str(value) if isinstance(value, Exception) else value for name, value in fields.items()}
         chosen = plural if plural and fields["count"] != 1 else template
         return cls._spelt(chosen.format(**fields), template, plural, fields)
 
@@ -130,8 +137,7 @@ def translatable(template: str) -> str:
 
 
 def _field(value: object, language: Language) -> object:
-    said = str(value) if isinstance(value, Exception) else value
-    return said.in_language(language) if isinstance(said, Message) else said
+    return value.in_language(language) if isinstance(value, Message) else value
 
 
 def _with_capital(text: str) -> str:

@@ -1,7 +1,7 @@
-"""Translation of what comes as English text alone, clause by clause.
+"""Translation of what the analysis says as English text alone, clause by clause.
 
-It stands in until every message of the engine, the drivers and the analysis carries its template and fields, and goes
-then with `clauses` and `analysis_clauses`.
+It stands in until every message of the analysis carries its template and fields. Then this file and `analysis_clauses`
+go, and `tumble.window.look.sentences.in_language`, the only one that asks here, gives plain text back as it is.
 """
 
 import re
@@ -10,7 +10,6 @@ from typing import Final
 
 from tumble.messages import translatable, translate
 from tumble.window.look.analysis_clauses import ANALYSIS_CLAUSES
-from tumble.window.look.clauses import CLAUSES
 from tumble.window.look.language import spoken
 from tumble.window.look.names import EFFECT_NAMES, effect_name
 
@@ -44,5 +43,4 @@ def _clause(text: str) -> str | None:
 
 @cache
 def _patterns() -> list[tuple[str, re.Pattern[str]]]:
-    templates = (*CLAUSES, *ANALYSIS_CLAUSES)
-    return [(template, re.compile(re.escape(template).replace(r"\{\}", _BRACES))) for template in templates]
+    return [(template, re.compile(re.escape(template).replace(r"\{\}", _BRACES))) for template in ANALYSIS_CLAUSES]

@@ -1,7 +1,7 @@
 """What happens in a run as sentences in the language of the window."""
 
 from tumble.drivers.manual import format_dms
-from tumble.messages import Message
+from tumble.messages import translate
 from tumble.procedures.events import (
     ConditionAnswered,
     ConditionRequested,
@@ -87,4 +87,5 @@ def state_name(state: State) -> str:
 
 def in_language(text: str) -> str:
     """What was said in English in the language of the window, as far as it is known there."""
-    return local(text.in_language(spoken()) if isinstance(text, Message) else by_clauses(text))
+    said = translate(text, spoken())
+    return local(by_clauses(text) if said == text else said)

@@ -12,6 +12,7 @@ from tumble.app.stand_lock import holding
 from tumble.app.wiring import Attendant, Connected, connect
 from tumble.drivers.errors import DeviceError
 from tumble.drivers.protocols import Identity, Positioner, PositionerStatus, Sampler
+from tumble.messages import Message
 from tumble.procedures.axes import Look
 from tumble.procedures.motion import Motion, standstill
 
@@ -56,7 +57,7 @@ class StandSession:
     def connected(self) -> Connected:
         """The instruments. Raises `DeviceError` where there are none."""
         if self._connected is None:
-            raise DeviceError("stand", "is not connected", "connect it first")
+            raise DeviceError(Message("stand"), Message("is not connected"), Message("connect it first"))
         return self._connected
 
     @property

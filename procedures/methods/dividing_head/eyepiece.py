@@ -11,6 +11,7 @@ from typing import Final
 
 from tumble.drivers.clock import Clock
 from tumble.drivers.manual.reading import on_the_circle, parse_reading
+from tumble.messages import Message
 from tumble.procedures.errors import UnansweredError
 from tumble.procedures.events import Event, ReadingAnswered, ReadingRequested
 from tumble.procedures.journeys import POLL_S
@@ -52,7 +53,12 @@ class OperatorEyepiece:
     def show(self, setting_deg: float) -> None:
         """Ask for a setting and its reading."""
         self._setting_deg, self._doubted_deg = setting_deg, math.nan
-        self._ask(f"Set the head to {on_the_circle(setting_deg)}; Enter when it reads so, or type the reading.")
+        self._ask(
+            Message(
+                "Set the head to {setting}; Enter when it reads so, or type the reading.",
+                setting=on_the_circle(setting_deg),
+            )
+        )
 
     def reading_deg(self) -> float | None:
         """The reading, in the revolution of the setting; None as long as there is none that stands.
@@ -96,8 +102,12 @@ class OperatorEyepiece:
             return reading_deg
         self._doubted_deg = reading_deg
         self._ask(
-            f"You read {on_the_circle(reading_deg)}, the setting was {on_the_circle(self._setting_deg)}: type it again "
-            "to keep it, or set the head right and press Enter."
+            Message(
+                "You read {reading}, the setting was {setting}: type it again to keep it, or set "
+                "the head right and press Enter.",
+                reading=on_the_circle(reading_deg),
+                setting=on_the_circle(self._setting_deg),
+            )
         )
         return None
 
@@ -105,15 +115,23 @@ class OperatorEyepiece:
         """The angle that was typed, the setting for Enter alone; None, and asked again, for what is no angle."""
         if not answer.confirmed:
             self._note(answer, math.nan)
-            raise self._unanswered(f"was answered {answer.text!r}" if answer.text else "was not answered")
+            raise self._unanswered(
+                Message("was answered {answer!r}", answer=answer.text) if answer.text else Message("was not answered")
+            )
         try:
             reading_deg = self._unwrapped(parse_reading(answer.text)) if answer.text else self._setting_deg
         except ValueError as error:
             self._note(answer, math.nan)
             self._refused += 1
             if self._refused >= _MOST_REFUSED:
-                raise self._unanswered(f"was answered {self._refused} times in a row with no angle: {error}") from error
-            self._ask(f"{error}.")
+                raise self._unanswered(
+                    Message(
+                        "was answered {times} times in a row with no angle: {error}",
+                        times=self._refused,
+                        error=error,
+                    )
+                ) from error
+            self._ask(Message("{error}.", error=error))
             return None
         self._refused = 0
         self._note(answer, reading_deg)
@@ -121,7 +139,11 @@ class OperatorEyepiece:
 
     def _unanswered(self, said: str) -> UnansweredError:
         return UnansweredError(
-            f"the request to set the head to {on_the_circle(self._setting_deg)} {said}; set it and resume the run"
+            Message(
+                "the request to set the head to {setting} {said}; set it and resume the run",
+                setting=on_the_circle(self._setting_deg),
+                said=said,
+            )
         )
 
     def _unwrapped(self, reading_deg: float) -> float:
@@ -141,9 +163,19 @@ def _unheard(_event: Event) -> None:
 
 
 def _contradiction(angle_deg: float, against: Doubt) -> str:
-    said = f"The voltage is {against.off_v:+.6f} V off at {on_the_circle(angle_deg)}"
-    if against.likely_deg is not None:
-        said += f" and would fit {on_the_circle(against.likely_deg)}: a wrong {against.slip}?"
-    else:
-        said += ", which no single wrong digit explains."
-    return f"{said} Read again and type what you read; Enter keeps it."
+    angle = on_the_circle(angle_deg)
+    if against.likely_deg is None:
+        return Message(
+            "The voltage is {off_v:+.6f} V off at {angle}, which no single wrong digit explains. Read again and type "
+            "what you read; Enter keeps it.",
+            off_v=against.off_v,
+            angle=angle,
+        )
+    return Message(
+        "The voltage is {off_v:+.6f} V off at {angle} and would fit {likely}: a wrong {slip}? Read again and type "
+        "what you read; Enter keeps it.",
+        off_v=against.off_v,
+        angle=angle,
+        likely=on_the_circle(against.likely_deg),
+        slip=against.slip,
+    )

@@ -3,6 +3,7 @@
 from typing import Final
 
 from tumble.drivers.protocols import VOLTAGE
+from tumble.messages import translatable
 from tumble.procedures.layout import ChannelColumns, Column, Condition, Layout, PositionColumns
 from tumble.procedures.steps import Ask, Dwell
 
@@ -29,10 +30,10 @@ LAYOUT: Final = Layout(
         MOUNT: Condition(
             meaning="how the unit sits on the head",
             step="mounting",
-            task="seat the unit in {value}",
-            remedy="seat it",
-            prompt="Seat the unit in the mount {value}; answer {value} or yes when it sits there.",
-            hint="Type {value} or yes when the unit sits there, or no to end the run.",
+            task=translatable("seat the unit in {value}"),
+            remedy=translatable("seat it"),
+            prompt=translatable("Seat the unit in the mount {value}; answer {value} or yes when it sits there."),
+            hint=translatable("Type {value} or yes when the unit sits there, or no to end the run."),
         )
     },
 )
