@@ -81,6 +81,40 @@ class Message(str):
         return _restored, (type(self), self.template, self.plural, dict(self.fields))
 
 
+class Term(Message):
+    """A word of a contract, such as `k_xx`, which an operator knows by a name.
+
+    It is the word, and stays the word in English sentences, as in documents; in another language it is the name.
+    """
+
+    def __new__(cls, word: str, name: str, /) -> Self:
+        """A word with its name in English, which is the key of the catalogue."""
+        made = str.__new__(cls, word)
+        made.template, made.plural, made.fields = name, "", {}
+        _TERMS[word] = made
+        return made
+
+    def in_language(self, language: Language) -> str:
+        """The word in English, the name in any other language."""
+        return str.__str__(self) if language is Language.ENGLISH else self.named(language)
+
+    def named(self, language: Language) -> str:
+        """The name in a language, in English too."""
+        return _looked_up(self.template, language)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return type(self), (str.__str__(self), self.template)
+
+
+def term(word: str) -> str:
+    """The term that a word of a contract is; the word itself where none was declared, as one of the user's own."""
+    return _TERMS.get(word, word)
+
+
+_TERMS: Final[dict[str, Term]] = {}
+"""Every term that was declared, by its word: what comes from an array or a document has lost its name."""
+
+
 def translate(text: str, language: Language) -> str:
     """Text in a language: a message with its fields, any other as a key of the catalogue; English where unknown."""
     return text.in_language(language) if isinstance(text, Message) else _looked_up(text, language)

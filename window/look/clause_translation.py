@@ -12,7 +12,7 @@ from tumble.messages import translatable, translate
 from tumble.window.look.analysis_clauses import ANALYSIS_CLAUSES
 from tumble.window.look.clauses import CLAUSES
 from tumble.window.look.language import spoken
-from tumble.window.look.names import EFFECT_NAMES, effect_name
+from tumble.window.look.names import effect_name, has_name
 
 _BRACES: Final = "((?:(?!; ).)+?)"
 """Anything but the border of two clauses."""
@@ -25,7 +25,7 @@ def by_clauses(text: str) -> str:
     for clause, end in ((text.removesuffix("."), "." * text.endswith(".")), (text, "")):
         if (whole := _clause(clause)) is not None:
             return whole + end
-    if set((names := _BORDER.split(text))[::2]) <= EFFECT_NAMES.keys():
+    if all(map(has_name, (names := _BORDER.split(text))[::2])):
         return "".join(translate(_BETWEEN[part], spoken()) if part in _BETWEEN else effect_name(part) for part in names)
     for separator in (". ", "; "):
         if separator in text:

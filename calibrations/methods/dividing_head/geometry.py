@@ -13,18 +13,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tumble.calibrations.core.arrays import FloatArray
+from tumble.messages import Term
 
 _X, _Y, _Z = np.eye(3)
 
 MOUNTS: Final = MappingProxyType(
     {
         # Rows: the unit's axes Ox, Oy, Oz in the frame that turns with the head.
-        "face-up": np.array([_X, _Y, _Z]),
-        "face-up-90": np.array([_Y, -_X, _Z]),  # +90° about Oz
-        "face-down": np.array([_X, -_Y, -_Z]),  # 180° about Ox
-        "edge": np.array([_X, -_Z, _Y]),  # -90° about Ox, Oy against Z
-        "edge-back": np.array([_X, _Z, -_Y]),  # +90° about Ox, Oy along Z
-        "end": np.array([_Z, _X, _Y]),  # Ox along Z, Oy along X
+        Term("face-up", "face up"): np.array([_X, _Y, _Z]),
+        Term("face-up-90", "face up, turned by 90°"): np.array([_Y, -_X, _Z]),  # +90° about Oz
+        Term("face-down", "face down"): np.array([_X, -_Y, -_Z]),  # 180° about Ox
+        Term("edge", "on edge"): np.array([_X, -_Z, _Y]),  # -90° about Ox, Oy against Z
+        Term("edge-back", "on the other edge"): np.array([_X, _Z, -_Y]),  # +90° about Ox, Oy along Z
+        Term("end", "on end"): np.array([_Z, _X, _Y]),  # Ox along Z, Oy along X
     }
 )
 """Every mount by name: an orthonormal, right-handed 3 by 3 matrix."""

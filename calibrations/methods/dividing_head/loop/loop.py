@@ -18,7 +18,7 @@ from tumble.calibrations.methods.dividing_head.gross import unlike_repeats
 from tumble.calibrations.methods.dividing_head.held_out import held_out_parts
 from tumble.calibrations.methods.dividing_head.joint import Joint, fit_jointly, fit_without
 from tumble.calibrations.methods.dividing_head.loop.augmented import Augmented, augment
-from tumble.calibrations.methods.dividing_head.loop.misreading import Misreading, misreadings
+from tumble.calibrations.methods.dividing_head.loop.misreading import MISREADING, Misreading, misreadings
 from tumble.calibrations.methods.dividing_head.loop.more_settings import more_settings
 from tumble.calibrations.methods.dividing_head.loop.reach import Reach, reach
 from tumble.calibrations.methods.dividing_head.loop.still import ONE_POSE, Still, in_one_pose, stillness
@@ -241,7 +241,7 @@ def _effects(
 def _misreading() -> EffectFound:
     """Misread rows; the chance is that of one good row so far off, which bounds theirs from above."""
     return EffectFound(
-        name="misreading",
+        name=MISREADING,
         also_possible=(),
         belongs_to="stand",
         coefficients={},
