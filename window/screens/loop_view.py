@@ -40,7 +40,7 @@ class LoopView(QWidget):
             )
         )
         self.comparisons = Table(("", tr("declared model"), tr("with what was found"), tr("change")))
-        self.untold = _wrapped()
+        self.not_identifiable = _wrapped()
         self.experiments = QListWidget()
         self.experiments.setWordWrap(True)
         self.experiments.setMinimumHeight(70)
@@ -59,7 +59,7 @@ class LoopView(QWidget):
             layout.addWidget(title)
             layout.addWidget(part)
         layout.addWidget(self.run_button)
-        layout.addWidget(self.untold)
+        layout.addWidget(self.not_identifiable)
         layout.addStretch(1)
 
     def show_presentation(self, presentation: Presentation) -> None:
@@ -86,11 +86,12 @@ class LoopView(QWidget):
         )
         self.findings.show_whole()
         self.comparisons.show_whole()
-        told = [
-            tr("{name} cannot be told: {reason}", name=n, reason=in_language(why)) for n, why in presentation.untold
+        reasons = [
+            tr("{name} is not identifiable: {reason}", name=n, reason=in_language(why))
+            for n, why in presentation.not_identifiable
         ]
-        self.untold.setText(
-            local("\n".join([*told, *([in_language(presentation.leaning)] if presentation.leaning else [])]))
+        self.not_identifiable.setText(
+            local("\n".join([*reasons, *([in_language(presentation.dependence)] if presentation.dependence else [])]))
         )
         self._list_experiments(self._experiments)
         shown = {

@@ -52,18 +52,18 @@ class Presentation:
     headline: str
     findings: "tuple[Finding, ...]"
     comparisons: "tuple[Comparison, ...]"
-    untold: tuple[tuple[str, str], ...]
-    leaning: str
+    not_identifiable: tuple[tuple[str, str], ...]
+    dependence: str
 
 
 def present(concluded: Concluded) -> Presentation:
     """Work out what there is to show."""
     from tumble.calibrations.methods.dividing_head.loop.sentences import (
         comparisons,
+        dependence,
         findings_of,
         headline,
-        leaning,
-        untold,
+        not_identifiable,
     )
     from tumble.calibrations.methods.dividing_head.report.results import notices, results
     from tumble.calibrations.methods.dividing_head.report.subject import Subject
@@ -93,8 +93,8 @@ def present(concluded: Concluded) -> Presentation:
         headline=headline(loop),
         findings=tuple(findings_of(loop)),
         comparisons=tuple(comparisons(loop)),
-        untold=tuple(untold(loop)),
-        leaning=leaning(loop),
+        not_identifiable=tuple(not_identifiable(loop)),
+        dependence=dependence(loop),
     )
 
 

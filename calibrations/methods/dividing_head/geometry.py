@@ -5,7 +5,7 @@ In the frame that turns with the head, Z lies along the head's horizontal axis a
 positive where a unit axis points down: minus the specific force of IEEE 1293.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import Final
 
@@ -17,7 +17,7 @@ from tumble.messages import Term
 
 _X, _Y, _Z = np.eye(3)
 
-MOUNTS: Final = MappingProxyType(
+MOUNTS: Final[Mapping[str, FloatArray]] = MappingProxyType(
     {
         # Rows: the unit's axes Ox, Oy, Oz in the frame that turns with the head.
         Term("face-up", "face up"): np.array([_X, _Y, _Z]),

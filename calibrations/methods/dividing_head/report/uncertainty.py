@@ -19,15 +19,18 @@ from tumble.calibrations.core.quantities import (
 from tumble.calibrations.methods.dividing_head.montecarlo import TRIALS
 from tumble.calibrations.methods.dividing_head.report.results import freedom
 from tumble.calibrations.methods.dividing_head.report.subject import Subject
+from tumble.messages import Message
 
 FEW_DEGREES_OF_FREEDOM = 30
 _RESOLVED = 3 * math.sqrt(0.025 * 0.975 / TRIALS) / 0.0584
 """Three standard deviations of an end of a simulated interval, in units of u; 0.0584 is the normal density there."""
-_FEW, _CURVED = "few degrees of freedom", "not linear"
+_FEW, _CURVED = Message("differ: few degrees of freedom"), Message("differ: not linear")
 _WHY = {
-    _FEW: "With few degrees of freedom the ends of both intervals are themselves uncertain.",
-    _CURVED: "Where the model is not linear over the width of the uncertainty, the stated interval already integrates "
-    "over alpha0 and takes its wider side for both; the simulated one shows how lopsided the estimates are.",
+    _FEW: Message("With few degrees of freedom the ends of both intervals are themselves uncertain."),
+    _CURVED: Message(
+        "Where the model is not linear over the width of the uncertainty, the stated interval already integrates "
+        "over alpha0 and takes its wider side for both; the simulated one shows how lopsided the estimates are."
+    ),
 }
 """Why the intervals of budget and simulation may differ, and what to do then."""
 
@@ -49,7 +52,7 @@ def budget(subject: Subject) -> dict[str, Any]:
         "coverage": [f"{coverage_factor(_freedom(parameter)):.2f}" for parameter in told],
         "expanded": [column.cell(column.expanded) for column in columns],
         "monte_carlo": checks,
-        "reasons": [text for why, text in _WHY.items() if any(check["verdict"].endswith(why) for check in checks)],
+        "reasons": [text for why, text in _WHY.items() if any(check["verdict"] == why for check in checks)],
     }  # fmt: skip
 
 
@@ -102,7 +105,7 @@ def _comparison(parameter: Parameter, spread: float, simulated: tuple[float, flo
         "simulated_interval": format_interval(*simulated, parameter.unit),
         "difference": format_number(difference, parameter.unit, 2),
         "tolerance": format_number(tolerance, parameter.unit, 1),
-        "verdict": "agree" if difference <= tolerance else f"differ: {_why(parameter)}",
+        "verdict": Message("agree") if difference <= tolerance else _why(parameter),
     }
 
 
@@ -110,7 +113,7 @@ def _freedom(parameter: Parameter) -> float:
     return math.inf if parameter.degrees_of_freedom is None else parameter.degrees_of_freedom
 
 
-def _why(parameter: Parameter) -> str:
+def _why(parameter: Parameter) -> Message:
     return _FEW if _freedom(parameter) < FEW_DEGREES_OF_FREEDOM else _CURVED
 
 
@@ -134,7 +137,7 @@ def published(subject: Subject) -> dict[str, Any]:
         "rows": [
             (
                 parameter.name,
-                "cannot be told" if parameter.value is None
+                Message("not identifiable") if parameter.value is None
                 else format_concise(parameter.value, parameter.standard_uncertainty, parameter.unit),
                 other.reason if other.value is None
                 else format_concise(other.value, other.standard_uncertainty, parameter.unit),
@@ -164,5 +167,13 @@ def _what_flips_leave_out(subject: Subject) -> str:
         return ""
     reach_deg = 1.0 if angle is None else max(abs(angle[0]), abs(angle[1]))
     amount = format_number(abs(scale) * math.sin(math.radians(reach_deg)), "V/g", 2)
-    known = "for each degree of alpha0" if angle is None else f"for alpha0 at the end of its interval, {reach_deg:.2g}°"
-    return f"The z flip of the published method takes alpha0 as 0: its kz is off by kx sin(alpha0), {amount} {known}."
+    known = (
+        Message("for each degree of alpha0")
+        if angle is None
+        else Message("for alpha0 at the end of its interval, {reach_deg:.2g}°", reach_deg=reach_deg)
+    )
+    return Message(
+        "The z flip of the published method takes alpha0 as 0: its kz is off by kx sin(alpha0), {amount} {known}.",
+        amount=amount,
+        known=known,
+    )
