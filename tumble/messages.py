@@ -57,9 +57,27 @@ class Message(str):
         return cls(separator.join(f"{{{name}}}" for name in fields), **fields)
 
     @classmethod
+    def named(cls, name: str, wording: str, /, **fields: object) -> Self:
+        """A name of a document, which a reader is shown in words: the template `wording`, with its fields.
+
+        The string is the name itself, so that it compares, sorts and is written as that.
+        """
+        _NAMED[name] = made = cls._spelt(name, wording, "", fields)
+        return made
+
+    @classmethod
+    def capitalised(cls, part: str, /) -> "Message":
+        """A message or text with a capital at its beginning, in whatever language it is put."""
+        return _Capitalised._spelt(_with_capital(part), "{part}", "", {"part": part})
+
+    @classmethod
     def _made(cls, template: str, plural: str, fields: Mapping[str, object]) -> Self:
         chosen = plural if plural and fields["count"] != 1 else template
-        made = super().__new__(cls, chosen.format(**fields))
+        return cls._spelt(chosen.format(**fields), template, plural, fields)
+
+    @classmethod
+    def _spelt(cls, text: str, template: str, plural: str, fields: Mapping[str, object]) -> Self:
+        made = super().__new__(cls, text)
         made.template, made.plural, made.fields = template, plural, fields
         return made
 
@@ -68,7 +86,11 @@ class Message(str):
         return self
 
     def in_language(self, language: Language) -> str:
-        """The text in a language; in English where the catalogue lacks the template."""
+        """The text in a language; in English, and where the catalogue lacks the template, as it is."""
+        return self[:] if language is Language.ENGLISH else self.worded(language)
+
+    def worded(self, language: Language) -> str:
+        """The same, but in English too a name of a document in its wording."""
         if self.plural:
             count = self.fields["count"]
             assert isinstance(count, int), "`counted` takes a whole number"
@@ -78,46 +100,28 @@ class Message(str):
         return template.format(**{name: _field(value, language) for name, value in self.fields.items()})
 
     def __reduce__(self) -> tuple[object, ...]:
-        return _restored, (type(self), self.template, self.plural, dict(self.fields))
+        return _restored, (type(self), self[:], self.template, self.plural, dict(self.fields))
 
 
-class Term(Message):
-    """A word of a contract, such as `k_xx`, which an operator knows by a name.
-
-    It is the word, and stays the word in English sentences, as in documents; in another language it is the name.
-    """
-
-    def __new__(cls, word: str, name: str, /) -> Self:
-        """A word with its name in English, which is the key of the catalogue."""
-        made = str.__new__(cls, word)
-        made.template, made.plural, made.fields = name, "", {}
-        _TERMS[word] = made
-        return made
+class _Capitalised(Message):
+    """A message that begins with a capital."""
 
     def in_language(self, language: Language) -> str:
-        """The word in English, the name in any other language."""
-        return str.__str__(self) if language is Language.ENGLISH else self.named(language)
-
-    def named(self, language: Language) -> str:
-        """The name in a language, in English too."""
-        return _looked_up(self.template, language)
-
-    def __reduce__(self) -> tuple[object, ...]:
-        return type(self), (str.__str__(self), self.template)
-
-
-def term(word: str) -> str:
-    """The term that a word of a contract is; the word itself where none was declared, as one of the user's own."""
-    return _TERMS.get(word, word)
-
-
-_TERMS: Final[dict[str, Term]] = {}
-"""Every term that was declared, by its word: what comes from an array or a document has lost its name."""
+        """The text in a language, with a capital at its beginning."""
+        return _with_capital(super().in_language(language))
 
 
 def translate(text: str, language: Language) -> str:
     """Text in a language: a message with its fields, any other as a key of the catalogue; English where unknown."""
     return text.in_language(language) if isinstance(text, Message) else _looked_up(text, language)
+
+
+def named(name: str) -> str:
+    """The name of a document as `Message.named` declared it; any other text as it is.
+
+    What comes out of an array or a document has lost its wording.
+    """
+    return _NAMED.get(name, name)
 
 
 def translatable(template: str) -> str:
@@ -130,12 +134,20 @@ def _field(value: object, language: Language) -> object:
     return said.in_language(language) if isinstance(said, Message) else said
 
 
+def _with_capital(text: str) -> str:
+    return text[:1].upper() + text[1:]
+
+
 def _looked_up(template: str, language: Language) -> str:
     return _catalogue(language).gettext(template) if template else ""  # the empty key holds the catalogue's header
 
 
-def _restored(kind: type[Message], template: str, plural: str, fields: Mapping[str, object]) -> Message:
-    return kind._made(template, plural, fields)
+def _restored(kind: type[Message], text: str, template: str, plural: str, fields: Mapping[str, object]) -> Message:
+    return kind._spelt(text, template, plural, fields)
+
+
+_NAMED: Final[dict[str, Message]] = {}
+"""Every name of a document that was given a wording."""
 
 
 @cache

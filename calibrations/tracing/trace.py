@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from copy import copy
 from dataclasses import dataclass, replace
-from typing import Any, Final, Generic, Self, TypeVar
+from typing import Any, Generic, Self, TypeVar
 
 from tumble.calibrations.tracing.candidates import Candidate, all_columns, candidates
 from tumble.calibrations.tracing.effect import Effect, Form, Structure
@@ -19,10 +19,10 @@ from tumble.calibrations.tracing.noise import SETTINGS, WHITE, NoiseModel
 from tumble.calibrations.tracing.problem import Explanation, Problem
 from tumble.calibrations.tracing.search import penalties, search, settled
 from tumble.calibrations.tracing.table import Table
-from tumble.messages import Term
+from tumble.messages import Message
 
 _NOTICED = 3.84
-WALK: Final = Term("bias_random_walk", "random walk of the bias")
+WALK = Message.named("bias_random_walk", "random walk of the bias")
 
 
 @dataclass(frozen=True, kw_only=True)

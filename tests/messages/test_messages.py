@@ -3,7 +3,7 @@ import pickle
 
 import pytest
 
-from tumble.messages import Language, Message, Term, term, translatable, translate
+from tumble.messages import Language, Message, named, translatable, translate
 
 
 def test_a_message_is_its_english_text():
@@ -90,24 +90,19 @@ def test_a_copy_can_still_be_put_into_a_language(again):
 
 @pytest.fixture
 def scale_drift():
-    return Term("scale_drift", "scale factor drift")
+    return Message.named("scale_drift", "scale factor drift")
 
 
-def test_a_word_of_a_contract_stays_itself_in_english_and_is_named_in_another_language(scale_drift):
+def test_a_name_of_a_document_stays_itself_in_english_and_is_worded_in_another_language(scale_drift):
     said = Message("none of {names}", names=scale_drift)
     assert said == said.in_language(Language.ENGLISH) == "none of scale_drift"
     assert scale_drift.in_language(Language.GERMAN) == "Drift des Skalenfaktors"
-    assert scale_drift.named(Language.ENGLISH) == "scale factor drift"
+    assert scale_drift.worded(Language.ENGLISH) == "scale factor drift"
 
 
-def test_a_word_that_lost_its_name_finds_it_again(scale_drift):
-    assert term("scale_" + "drift").in_language(Language.GERMAN) == "Drift des Skalenfaktors"
-    assert term("magnet") == translate(term("magnet"), Language.GERMAN) == "magnet"
-
-
-@pytest.mark.parametrize("again", [copy.copy, copy.deepcopy, lambda message: pickle.loads(pickle.dumps(message))])
-def test_a_copy_of_a_word_has_its_name(again, scale_drift):
-    assert again(scale_drift).in_language(Language.GERMAN) == "Drift des Skalenfaktors"
+def test_a_name_that_lost_its_wording_finds_it_again(scale_drift):
+    assert translate(named("scale_" + "drift"), Language.GERMAN) == "Drift des Skalenfaktors"
+    assert named("magnet") == translate(named("magnet"), Language.GERMAN) == "magnet"
 
 
 def test_a_template_is_only_marked():

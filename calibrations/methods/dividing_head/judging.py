@@ -19,7 +19,7 @@ from tumble.calibrations.methods.dividing_head.doubts import Doubt, condition, c
 from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.calibrations.methods.dividing_head.unseen import MATERIAL, Unseen, unseen
 from tumble.calibrations.methods.dividing_head.usable import usable
-from tumble.messages import Message, term
+from tumble.messages import Message, named
 
 if TYPE_CHECKING:
     from tumble.calibrations.methods.dividing_head.loop.loop import Loop
@@ -114,7 +114,7 @@ def _carried_over(calibration: Calibration, limits: LimitCheck, hidden: Sequence
                 reason=Message(
                     "it rests on the absence of {effect}, which these data cannot show: the largest that they "
                     "could hide would carry it over the limits, {limits}",
-                    effect=term(each.effect),
+                    effect=named(each.effect),
                     limits=_text(parameter, limits),
                 ),
                 remedy=Message("measure in more mounts, as the programme reversal does, which separates the two"),

@@ -7,7 +7,7 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.dividing_head.effects.scene import Scene
 from tumble.calibrations.tracing.effect import Effect, Form, Quantity, plain, scan, single, with_scanned
-from tumble.messages import Term
+from tumble.messages import Message
 
 
 def _sine(scene: Scene, period_v: float) -> Form:
@@ -59,7 +59,7 @@ def _latency(scene: Scene) -> Sequence[Form]:
 
 DAQ_EFFECTS: tuple[Effect[Scene], ...] = (
     Effect(
-        name=Term("settling", "incomplete settling"),
+        name=Message.named("settling", "incomplete settling"),
         belongs_to="daq",
         symbol="f (u_previous - u)",
         source="dwell begun before the reading has settled",
@@ -67,7 +67,7 @@ DAQ_EFFECTS: tuple[Effect[Scene], ...] = (
         report=plain("settling", "fraction"),
     ),
     Effect(
-        name=Term("daq_nonlinearity", "nonlinearity of the DAQ"),
+        name=Message.named("daq_nonlinearity", "nonlinearity of the DAQ"),
         belongs_to="daq",
         symbol="A sin(2π u/P + p)",
         source="integral nonlinearity of the converter",
@@ -76,7 +76,7 @@ DAQ_EFFECTS: tuple[Effect[Scene], ...] = (
         at=_sine,
     ),
     Effect(
-        name=Term("range_step", "step between ranges"),
+        name=Message.named("range_step", "step between ranges"),
         belongs_to="daq",
         symbol="s where u > u_t",
         source="autoranging",
@@ -85,7 +85,7 @@ DAQ_EFFECTS: tuple[Effect[Scene], ...] = (
         at=_step,
     ),
     Effect(
-        name=Term("latency", "latency"),
+        name=Message.named("latency", "latency"),
         belongs_to="daq",
         symbol="angle error -ω t_l",
         source="reading late by a fixed time while the head moves",

@@ -10,9 +10,9 @@ from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.dividing_head.joint import Joint
 from tumble.calibrations.methods.dividing_head.model import BASIS_SIZE, PARAMETERS, basis, coefficients
 from tumble.calibrations.methods.dividing_head.observations import Observations
-from tumble.messages import Term
+from tumble.messages import Message
 
-MISREADING: Final = Term("misreading", "misreading")
+MISREADING: Final = Message.named("misreading", "misreading")
 _AGREES = 4.0
 """A row agrees with a misreading if what is left is below so many standard deviations of a dwell."""
 _BEYOND_TAILS = 20.0

@@ -7,9 +7,9 @@ from tumble.calibrations.methods.dividing_head.loop.reach import ENOUGH, Reach
 from tumble.calibrations.methods.dividing_head.probes import PROBES
 from tumble.calibrations.tracing.experiments import Experiment
 from tumble.calibrations.tracing.findings import Unexplained, Withheld
-from tumble.messages import Message, Term
+from tumble.messages import Message
 
-_ANYTHING = Term("lack_of_fit", "lack of fit")
+_ANYTHING = Message.named("lack_of_fit", "lack of fit")
 """What is to be explained where nothing that has a name came up."""
 
 _SHAPE = Message("of what shape it is")

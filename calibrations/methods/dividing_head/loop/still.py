@@ -9,9 +9,9 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.quantities import format_concise, format_number
 from tumble.calibrations.core.repeats import SAME_ANGLE_DEG
-from tumble.calibrations.methods.dividing_head.effects.variables import VARIABLE_NAMES
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.tracing.effect import Variable
+from tumble.calibrations.tracing.variables import VARIABLE_WORDS
 from tumble.messages import Message
 
 PROCEDURE: Final = "still"
@@ -48,7 +48,7 @@ class Slope:
     def sentence(self) -> str:
         """What it says."""
         value = format_concise(self.value, self.standard_uncertainty, self.unit)
-        variable = VARIABLE_NAMES[self.variable]
+        variable = VARIABLE_WORDS[self.variable]
         if not self.clear:
             return Message(
                 "The output does not follow the {variable} by more than it scatters: {value}.",

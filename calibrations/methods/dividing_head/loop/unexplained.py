@@ -3,11 +3,11 @@
 from typing import Any
 
 from tumble.calibrations.core.quantities import format_number
-from tumble.calibrations.methods.dividing_head.effects.variables import VARIABLE_NAMES
 from tumble.calibrations.methods.dividing_head.loop.reach import Reach
 from tumble.calibrations.tracing.effect import Structure
 from tumble.calibrations.tracing.findings import SHAPELESS_P, Unexplained
 from tumble.calibrations.tracing.judged import Judged
+from tumble.calibrations.tracing.variables import VARIABLE_WORDS
 from tumble.messages import Message
 
 
@@ -20,7 +20,7 @@ def unexplained(found: Judged[Any], reach: Reach) -> Unexplained | None:
     first = structures[0]
     assert isinstance(first.effect, Structure)
     return Unexplained(
-        depends_on=VARIABLE_NAMES[first.effect.depends_on], description=first.effect.describe(first.form)
+        depends_on=VARIABLE_WORDS[first.effect.depends_on], description=first.effect.describe(first.form)
     )
 
 
@@ -28,7 +28,7 @@ def _shapeless(reach: Reach) -> Unexplained:
     """Settings that differ from the model by more than their repeats, too few to show in what shape."""
     differ_by, scatter = (format_number(each, reach.unit, 2) for each in (reach.differ_by, reach.scatter))
     return Unexplained(
-        depends_on=VARIABLE_NAMES["acceleration" if reach.mounts > 1 else "angle"],
+        depends_on=VARIABLE_WORDS["acceleration" if reach.mounts > 1 else "angle"],
         shaped=False,
         description=Message(
             "{settings} differ from the model by {differ_by} where repeats scatter by {scatter}, in no shape "

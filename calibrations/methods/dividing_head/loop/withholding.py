@@ -6,7 +6,6 @@ from dataclasses import replace
 import numpy as np
 
 from tumble.calibrations.methods.dividing_head.effects.unnamed import withheld_by
-from tumble.calibrations.methods.dividing_head.effects.variables import VARIABLE_NAMES
 from tumble.calibrations.methods.dividing_head.loop.augmented import Augmented, augment
 from tumble.calibrations.methods.dividing_head.loop.table import DividingHeadTable
 from tumble.calibrations.methods.dividing_head.model import PARAMETERS
@@ -14,6 +13,7 @@ from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.calibrations.tracing.effect import Structure
 from tumble.calibrations.tracing.explained import RIVALS_APART, unless_rivals_differ
 from tumble.calibrations.tracing.rivals import Rival
+from tumble.calibrations.tracing.variables import VARIABLE_WORDS
 from tumble.messages import Message
 
 _COURSES = ("time", "temperature", "order", "realisation", "direction")
@@ -33,7 +33,7 @@ def without_courses(calibration: Calibration, best: Augmented) -> Calibration:
             if abs(mean_v) > RIVALS_APART * u0.standard_uncertainty:
                 reason = Message(
                     "it depends on where the unexplained course with {variable} is taken as absent",
-                    variable=VARIABLE_NAMES[item.effect.depends_on],
+                    variable=VARIABLE_WORDS[item.effect.depends_on],
                 )
                 return _without(calibration, ("u0",), reason)
     return calibration

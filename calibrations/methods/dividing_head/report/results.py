@@ -51,12 +51,16 @@ def header(subject: Subject) -> dict[str, Any]:
         "verdict": headline(verdict),
         "mark": _MARKS.get(verdict.outcome, ""),
         "outcome": str(verdict.outcome),
-        "judged": str(verdict.judged),
+        "judged": _JUDGED[verdict.judged],
         "decided": [judgement.sentence for judgement in verdict.parameters],
         "notices": notices(subject),
     }
 
 
+_JUDGED = {
+    Model.DECLARED: Message("Judged: the declared model, by simple acceptance."),
+    Model.AUGMENTED: Message("Judged: the augmented model, by simple acceptance."),
+}
 _MARKS = {Outcome.PASS: "✓", Outcome.FAIL: "✗", Outcome.NOT_DECIDED: "?"}
 
 

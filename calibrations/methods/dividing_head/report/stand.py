@@ -1,7 +1,7 @@
 """The section on the stand record that was applied: what was corrected, how well it is known, what contradicts it."""
 
 from collections.abc import Iterator, Sequence
-from typing import Any
+from typing import Any, Final
 
 from tumble.calibrations.core.sentences import equals, series
 from tumble.calibrations.methods.dividing_head.report.subject import Subject
@@ -18,13 +18,31 @@ def corrections_of_the_stand(subject: Subject) -> dict[str, Any]:
     head_map = record.corrections.head_map
     return {
         "record": record,
-        "units": series(record.units),
-        "agreement": "" if record.agreement_p is None else equals(record.agreement_p),
+        "applied": _applied(record),
         "terms": [record.corrections.text(term) for term in record.corrections.terms],
         "contradictions": subject.contradictions,
         "validity": _validity(record),
         "figure": head_map_figure(head_map) if head_map else None,
     }
+
+
+def _applied(record: StandRecord) -> Message:
+    """Which record corrected the rows, and on what it rests."""
+    said = Message(
+        "Angles and voltages were corrected by stand record {version} of {stand} (head {head}, DAQ {daq}), which rests "
+        "on {units}",
+        version=record.version,
+        stand=record.identity.stand,
+        head=record.identity.head or _UNNAMED,
+        daq=record.identity.daq or _UNNAMED,
+        units=series(record.units),
+    )
+    if record.agreement_p is None:
+        return Message("{said}.", said=said)
+    return Message("{said}; the units agree (p {p_value}).", said=said, p_value=equals(record.agreement_p))
+
+
+_UNNAMED: Final = Message("unnamed")
 
 
 def _validity(record: StandRecord) -> str:
