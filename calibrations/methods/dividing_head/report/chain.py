@@ -1,4 +1,4 @@
-"""The part of the report on how rivals were told apart: what was run, what it decided, the error before and after."""
+"""The part of the report on how rivals were distinguished: what was run, what it decided, the error then."""
 
 from typing import Any
 

@@ -15,10 +15,9 @@ from tumble.calibrations.methods.dividing_head.report.results import header, res
 from tumble.calibrations.methods.dividing_head.report.stand import corrections_of_the_stand
 from tumble.calibrations.methods.dividing_head.report.subject import Subject
 from tumble.calibrations.methods.dividing_head.result import Calibration
-from tumble.calibrations.report.language import written_in
 from tumble.calibrations.report.templates import templates
 from tumble.calibrations.tracing.chain import Chain
-from tumble.messages import Language, Message
+from tumble.messages import Message
 
 _PACKAGE = "tumble.calibrations.methods.dividing_head"
 
@@ -63,11 +62,10 @@ def render_report(
     loop: Loop | None = None,
     chain: Chain[Loop] | None = None,
     contradictions: Sequence[str] = (),
-    language: Language = Language.ENGLISH,
 ) -> str:
     """One HTML page that needs nothing else: style and plots are inside, there is no script.
 
-    The same input gives the same text.
+    The same input gives the same text; within `written_in` it is in that language.
 
     Parameters
     ----------
@@ -87,8 +85,6 @@ def render_report(
         The experiments that were run for that; None where it was closed on what was there.
     contradictions
         Where the loop contradicts the stand record that was applied, in words.
-    language
-        In which the page is written.
     """
     subject = Subject(
         calibration=calibration,
@@ -100,7 +96,5 @@ def render_report(
         chain=chain,
         contradictions=tuple(contradictions),
     )
-    with written_in(language):
-        bodies = [(section, section.render(subject)) for section in SECTIONS]
-        page = templates(_PACKAGE).get_template("page.html.j2")
-        return page.render(subject=subject, sections=bodies, **header(subject))
+    bodies = [(section, section.render(subject)) for section in SECTIONS]
+    return templates(_PACKAGE).get_template("page.html.j2").render(subject=subject, sections=bodies, **header(subject))

@@ -37,9 +37,9 @@ _WHY = {
 
 def budget(subject: Subject) -> dict[str, Any]:
     """Sources by parameters, what they come to, and the Monte Carlo check beside it."""
-    calibration, told = subject.use.calibration, subject.told
-    columns = [_Column(parameter) for parameter in told]
-    checks = [_comparison(p, *calibration.monte_carlo[p.name]) for p in told if p.name in calibration.monte_carlo]
+    calibration, stated = subject.use.calibration, subject.stated
+    columns = [_Column(parameter) for parameter in stated]
+    checks = [_comparison(p, *calibration.monte_carlo[p.name]) for p in stated if p.name in calibration.monte_carlo]
     return {
         "heads": [(column.parameter.name, column.unit) for column in columns],
         "lines": [
@@ -48,8 +48,8 @@ def budget(subject: Subject) -> dict[str, Any]:
             for line in calibration.budget
         ],
         "combined": [column.cell(column.combined) for column in columns],
-        "freedom": [freedom(parameter.degrees_of_freedom) for parameter in told],
-        "coverage": [f"{coverage_factor(_freedom(parameter)):.2f}" for parameter in told],
+        "freedom": [freedom(parameter.degrees_of_freedom) for parameter in stated],
+        "coverage": [f"{coverage_factor(_freedom(parameter)):.2f}" for parameter in stated],
         "expanded": [column.cell(column.expanded) for column in columns],
         "monte_carlo": checks,
         "reasons": [text for why, text in _WHY.items() if any(check["verdict"] == why for check in checks)],
@@ -120,14 +120,14 @@ def _why(parameter: Parameter) -> Message:
 def correlation(subject: Subject) -> dict[str, Any]:
     """The lower triangle of the correlation matrix of the parameters that have a value."""
     names = list(subject.use.calibration.parameters)
-    told = [names.index(parameter.name) for parameter in subject.told]
+    stated = [names.index(parameter.name) for parameter in subject.stated]
     matrix = subject.use.calibration.correlation
     rows = [
         (names[i], [(format_correlation(float(matrix[i, j])), bool(abs(matrix[i, j]) > 0.9 and i != j))
-                    for j in told[: place + 1]])
-        for place, i in enumerate(told)
+                    for j in stated[: place + 1]])
+        for place, i in enumerate(stated)
     ]  # fmt: skip
-    return {"names": [names[i] for i in told], "rows": rows}
+    return {"names": [names[i] for i in stated], "rows": rows}
 
 
 def published(subject: Subject) -> dict[str, Any]:
