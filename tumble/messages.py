@@ -116,7 +116,7 @@ def translate(text: str, language: Language) -> str:
     return text.in_language(language) if isinstance(text, Message) else _looked_up(text, language)
 
 
-def named(name: str) -> str:
+def with_wording(name: str) -> str:
     """The name of a document as `Message.named` declared it; any other text as it is.
 
     What comes out of an array or a document has lost its wording.

@@ -3,7 +3,7 @@ import pickle
 
 import pytest
 
-from tumble.messages import Language, Message, named, translatable, translate
+from tumble.messages import Language, Message, translatable, translate, with_wording
 
 
 def test_a_message_is_its_english_text():
@@ -101,8 +101,8 @@ def test_a_name_of_a_document_stays_itself_in_english_and_is_worded_in_another_l
 
 
 def test_a_name_that_lost_its_wording_finds_it_again(scale_drift):
-    assert translate(named("scale_" + "drift"), Language.GERMAN) == "Drift des Skalenfaktors"
-    assert named("magnet") == translate(named("magnet"), Language.GERMAN) == "magnet"
+    assert translate(with_wording("scale_" + "drift"), Language.GERMAN) == "Drift des Skalenfaktors"
+    assert with_wording("magnet") == translate(with_wording("magnet"), Language.GERMAN) == "magnet"
 
 
 def test_a_template_is_only_marked():

@@ -5,7 +5,7 @@ The words of the contracts (`face-down`, `scale_drift`) stay what they are in pr
 
 from typing import Final
 
-from tumble.messages import Message, named, translatable, translate
+from tumble.messages import Message, translatable, translate, with_wording
 from tumble.window.look.language import spoken
 
 _OTHER_EFFECTS: Final = {
@@ -36,9 +36,9 @@ def effect_name(effect: str) -> str:
 
 def has_name(word: str) -> bool:
     """Whether a word is one of a contract that has a name."""
-    return word in _OTHER_EFFECTS or isinstance(named(word), Message)
+    return word in _OTHER_EFFECTS or isinstance(with_wording(word), Message)
 
 
 def _named(word: str) -> str:
-    known = named(_OTHER_EFFECTS.get(word, word))
+    known = with_wording(_OTHER_EFFECTS.get(word, word))
     return known.worded(spoken()) if isinstance(known, Message) else translate(known, spoken())

@@ -19,7 +19,7 @@ from tumble.calibrations.methods.dividing_head.doubts import Doubt, condition, c
 from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.calibrations.methods.dividing_head.unseen import MATERIAL, Unseen, unseen
 from tumble.calibrations.methods.dividing_head.usable import usable
-from tumble.messages import Message, named
+from tumble.messages import Message, with_wording
 
 if TYPE_CHECKING:
     from tumble.calibrations.methods.dividing_head.loop.loop import Loop
@@ -114,7 +114,7 @@ def _carried_over(calibration: Calibration, limits: LimitCheck, hidden: Sequence
                 reason=Message(
                     "it rests on the absence of {effect}, which these data cannot show: the largest that they "
                     "could hide would carry it over the limits, {limits}",
-                    effect=named(each.effect),
+                    effect=with_wording(each.effect),
                     limits=_text(parameter, limits),
                 ),
                 remedy=Message("measure in more mounts, as the programme reversal does, which separates the two"),

@@ -20,7 +20,7 @@ from tumble.calibrations.methods.dividing_head.poses import pose_groups
 from tumble.calibrations.methods.dividing_head.realisations import with_passes
 from tumble.calibrations.methods.dividing_head.screening import MOST_V
 from tumble.calibrations.methods.dividing_head.unit_questions import fahrenheit, kelvin
-from tumble.messages import Message, named
+from tumble.messages import Message, with_wording
 
 _FEWEST_ROWS = 8
 """Fewer rows contradict nothing."""
@@ -153,7 +153,7 @@ def _mounts(observations: Observations) -> str:
         "{mounts}; add the column",
         source=observations.source,
         row=observations.row[first],
-        mounts=series([named(mount) for mount in others]) if others else other_seat,
+        mounts=series([with_wording(mount) for mount in others]) if others else other_seat,
     )
 
 

@@ -21,7 +21,7 @@ from tumble.calibrations.methods.dividing_head.geometry import MOUNTS
 from tumble.calibrations.methods.dividing_head.model import PARAMETERS, basis
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.poses import mountings
-from tumble.messages import Message, named
+from tumble.messages import Message, with_wording
 
 _REJECTED_P: Final = 1e-6
 _ACCEPTED_P: Final = 1e-3
@@ -156,8 +156,8 @@ def _question(table: Mountings, mounts: tuple[str, ...]) -> str:
                 "rows {first} to {last} are said to be in {said} and fit {fits}",
                 first=first,
                 last=last,
-                said=named(said),
-                fits=named(fits),
+                said=with_wording(said),
+                fits=with_wording(fits),
             )
             unmoved = number and fits == mounts[number - 1]
             rows.append(Message("{found}, where the unit sat before", found=found) if unmoved else found)

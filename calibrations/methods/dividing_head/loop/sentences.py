@@ -38,10 +38,10 @@ def headline(loop: Loop) -> str:
 
 def found_sentences(loop: Loop) -> list[str]:
     """What was found; empty where nothing was."""
-    named = [effect.name for effect in loop.effects if effect.name != MISREADING]
+    names = [effect.name for effect in loop.effects if effect.name != MISREADING]
     sentences: list[str] = []
-    if named:
-        sentences.append(Message("What the declared model leaves was traced to {effects}.", effects=series(named)))
+    if names:
+        sentences.append(Message("What the declared model leaves was traced to {effects}.", effects=series(names)))
     if loop.unexplained:
         sentences.append(unexplained_sentence(loop.unexplained))
     if loop.misread:

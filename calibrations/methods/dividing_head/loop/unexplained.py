@@ -15,8 +15,8 @@ def unexplained(found: Judged[Any], reach: Reach) -> Unexplained | None:
     """Structure that no effect of the catalogue explains; None where there is none."""
     structures = [item for item in found.trace.unnamed if isinstance(item.effect, Structure)]
     if not structures:
-        named = found.trace.names and not found.withheld
-        return None if named or reach.alike > SHAPELESS_P else _shapeless(reach)
+        has_name = found.trace.names and not found.withheld
+        return None if has_name or reach.alike > SHAPELESS_P else _shapeless(reach)
     first = structures[0]
     assert isinstance(first.effect, Structure)
     return Unexplained(

@@ -10,7 +10,7 @@ from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.report.subject import mounts_of
 from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.calibrations.report.drawing import COLOURS, HALF_IN, MICRO, PALE, WIDE_IN, cloud, sheet, styled, to_svg
-from tumble.messages import Message, named
+from tumble.messages import Message, with_wording
 
 
 @styled
@@ -29,7 +29,7 @@ def fit_figure(calibration: Calibration) -> Markup:
         curve = model_curve(calibration, mount)
         if curve is not None:
             panel.plot(*curve, color=PALE, linewidth=1.1, zorder=1.5)
-        panel.set_title(Message("{mount} ({dwells} dwells)", mount=named(mount), dwells=np.count_nonzero(at)))
+        panel.set_title(Message("{mount} ({dwells} dwells)", mount=with_wording(mount), dwells=np.count_nonzero(at)))
         panel.set_xlabel(Message("head angle as reported (°)"))
         panel.xaxis.set_tick_params(labelbottom=True)
     for panel in axes[: len(mounts) : columns]:
@@ -39,7 +39,7 @@ def fit_figure(calibration: Calibration) -> Markup:
         "fit",
         Message(
             "Output against head angle with the fitted model, for {mounts}",
-            mounts=Message.joined(", ", map(named, mounts)),
+            mounts=Message.joined(", ", map(with_wording, mounts)),
         ),
     )
 

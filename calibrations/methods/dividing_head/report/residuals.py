@@ -25,7 +25,7 @@ from tumble.calibrations.report.drawing import (
     styled,
     to_svg,
 )
-from tumble.messages import Message, named
+from tumble.messages import Message, with_wording
 
 BINS = 30
 """Groups of equally many rows whose means are shown against a quantity that never repeats."""
@@ -43,7 +43,7 @@ def angle_figure(calibration: Calibration) -> Markup:
         at = observations.mounts == mount
         band(panel, scatter_uv(calibration))
         mark_residuals(panel, angles[at], residual_uv[at], poses[at], scatter_uv(calibration), index)
-        panel.set_title(named(mount))
+        panel.set_title(with_wording(mount))
         panel.set_ylabel(Message("residual (µV)"))
     axes[-1].set_xlabel(Message("head angle within the turn (°)"))
     axes[-1].set_xticks(range(0, 361, 45))

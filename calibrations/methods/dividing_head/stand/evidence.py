@@ -117,9 +117,9 @@ class Run:
 
     def _without(self, terms: Sequence[Term]) -> Trace:
         """The trace without what the terms stand for."""
-        trace, named = self.explained.trace, {term.effect for term in terms}
-        rivals = {effect.name for effect in self.loop.effects if named & set(effect.also_possible)}
-        for name in rivals - named:
+        trace, names = self.explained.trace, {term.effect for term in terms}
+        rivals = {effect.name for effect in self.loop.effects if names & set(effect.also_possible)}
+        for name in rivals - names:
             trace = trace.without(name)
         return replace(trace, found=tuple(item for item in trace.found if not _stands_for(terms, item)))
 
