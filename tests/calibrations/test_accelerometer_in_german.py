@@ -74,7 +74,7 @@ def test_significance_identifiability_and_closure(calibration):
 
 
 @pytest.mark.parametrize("calibration", [face_up, reversed_, flips_only], ids=lambda made: made.__name__)
-@pytest.mark.parametrize("limits", [(0.0, 10.0), (100.0, 101.0)])
+@pytest.mark.parametrize("limits", [(0.0, 10.0), (100.0, 101.0), (None, 1e-12)])
 def test_a_verdict(calibration, limits):
     low, high = limits
     checks = [LimitCheck(name=name, minimum=low, maximum=high, inside=True) for name in calibration().parameters]
@@ -146,7 +146,7 @@ def test_a_page(calibration):
         LimitCheck(name="kxy", minimum=0.0, maximum=1.0, inside=True),
     )
     with written_in(Language.GERMAN):
-        page = render_report(calibration(), provenance())
+        page = render_report(calibration(), provenance(), limits=limits)
     assert '<html lang="de">' in page
     assert [text for text in spoken_of(page) if ENGLISH.search(text)] == []
 

@@ -1,4 +1,4 @@
-"""The closed loop: what was found, what cannot be told, before and after, and the next experiment."""
+"""The closed loop: what was found, what is not identifiable, before and after, and the next experiment."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
