@@ -24,7 +24,7 @@ from tumble.calibrations.core.sentences import series
 from tumble.calibrations.core.verdict import Model, Outcome, Verdict
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.result import Calibration
-from tumble.calibrations.methods.dividing_head.significance import Kind, support
+from tumble.calibrations.methods.dividing_head.significance import Kind, statements
 from tumble.drivers.clock import Clock
 from tumble.messages import Message
 from tumble.procedures.announcer import Listener
@@ -231,7 +231,7 @@ def _details(analysed: Analysed, calibration: Calibration) -> Iterator[str]:
     """Rows, noise and adequacy, then what the experiment supports; on what values rest, the loop says where closed."""
     yield from _adequacy_lines(calibration)
     said_by_loop = {Kind.DEPENDENCE} if isinstance(analysed, Traced) else set()
-    yield from (f"- {each.text}" for each in support(calibration) if each.kind not in said_by_loop)
+    yield from (f"- {each.text}" for each in statements(calibration) if each.kind not in said_by_loop)
 
 
 def _lack_of_fit(calibration: Calibration) -> Iterator[str]:

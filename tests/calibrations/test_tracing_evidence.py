@@ -41,7 +41,7 @@ def test_nine_settings_in_four_pieces_name_no_effect():
 def test_what_nine_settings_leave_is_said_with_its_size():
     assert nine().unexplained.description == (
         "9 settings over 180° differ from the model by 17 mV where repeats scatter by 510 µV, in no shape that so many "
-        "can tell"
+        "can show"
     )
 
 

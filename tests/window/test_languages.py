@@ -87,13 +87,7 @@ def test_what_the_engine_says_is_said_in_german(german):
     assert said == "Teilkopf: antwortet nicht; Kabel prüfen, dann den Lauf fortsetzen"
 
 
-def test_effects_within_a_clause_are_named_in_the_language(german):
-    said = in_language("What the declared model leaves was traced to k_xx, backlash and axis_tilt.")
-    effects = "Nichtlinearität zweiter Ordnung k_xx, Umkehrspiel und Neigung der Teilkopfachse"
-    assert said == f"Die Residuen des angegebenen Modells wurden zurückgeführt auf: {effects}."
-
-
-def test_a_message_needs_no_clauses(german):
+def test_a_message_is_put_into_the_language_with_its_numbers(german):
     assert in_language(Message("The run is over: {message}.", message="1.5")) == "Der Lauf ist beendet: 1,5."
 
 

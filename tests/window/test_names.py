@@ -2,16 +2,16 @@ import pytest
 
 from tumble.calibrations.methods.dividing_head.effects import CATALOGUE
 from tumble.calibrations.methods.dividing_head.geometry import MOUNTS
-from tumble.calibrations.methods.dividing_head.loop.sentences import MISREADING
+from tumble.calibrations.methods.dividing_head.loop.misreading import MISREADING
 from tumble.calibrations.methods.head_reference.effects import HEAD_EFFECTS
 from tumble.calibrations.methods.temperature.effects import run_effects
-from tumble.messages import Language
+from tumble.messages import Language, Message, with_wording
 from tumble.procedures.events import PointVerified
 from tumble.window.look.conditions import ConditionWords
 from tumble.window.look.language import speak
-from tumble.window.look.names import EFFECT_NAMES, effect_name
+from tumble.window.look.names import effect_name
 from tumble.window.look.sentences import sentence_of
-from tumble.window.methods.dividing_head.mounts import MOUNT_NAMES, mount_name
+from tumble.window.methods.dividing_head.mounts import mount_name
 from tumble.window.widgets.run_plots import SamplesPlot
 
 
@@ -23,12 +23,12 @@ def german(qapp):
 
 
 def test_every_mount_has_a_name_for_the_operator():
-    assert MOUNT_NAMES.keys() == MOUNTS.keys()
+    assert all(isinstance(with_wording(mount), Message) for mount in MOUNTS)
 
 
 def test_every_effect_has_a_name_for_the_operator():
     effects = (*CATALOGUE, *HEAD_EFFECTS, *run_effects("mV/g"))
-    assert EFFECT_NAMES.keys() == {MISREADING, *(effect.word for effect in effects)}
+    assert all(isinstance(with_wording(word), Message) for word in (MISREADING, *(effect.word for effect in effects)))
 
 
 def test_names_are_those_of_the_language(german):

@@ -15,7 +15,6 @@ from tumble.procedures.events import (
     StateChanged,
     WarningRaised,
 )
-from tumble.window.look.clause_translation import by_clauses
 from tumble.window.look.conditions import ConditionWords
 from tumble.window.look.language import spoken, tr
 from tumble.window.look.names import instrument_name
@@ -86,6 +85,5 @@ def state_name(state: State) -> str:
 
 
 def in_language(text: str) -> str:
-    """What was said in English in the language of the window, as far as it is known there."""
-    said = translate(text, spoken())
-    return local(by_clauses(text) if said == text else said)
+    """A message, or a text that is a key of the catalogue, in the language of the window; any other as it is."""
+    return local(translate(text, spoken()))

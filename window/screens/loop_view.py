@@ -1,4 +1,4 @@
-"""The closed loop: what was found, what cannot be told, before and after, and the next experiment."""
+"""The closed loop: what was found, what is not identifiable, before and after, and the next experiment."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
@@ -40,7 +40,7 @@ class LoopView(QWidget):
             )
         )
         self.comparisons = Table(("", tr("declared model"), tr("with what was found"), tr("change")))
-        self.untold = _wrapped()
+        self.not_identifiable = _wrapped()
         self.experiments = QListWidget()
         self.experiments.setWordWrap(True)
         self.experiments.setMinimumHeight(70)
@@ -59,7 +59,7 @@ class LoopView(QWidget):
             layout.addWidget(title)
             layout.addWidget(part)
         layout.addWidget(self.run_button)
-        layout.addWidget(self.untold)
+        layout.addWidget(self.not_identifiable)
         layout.addStretch(1)
 
     def show_loop(self, loop: LoopSummary) -> None:
@@ -81,10 +81,13 @@ class LoopView(QWidget):
         self.comparisons.fill([tuple(map(in_language, line)) for line in loop.comparisons])
         self.findings.show_whole()
         self.comparisons.show_whole()
-        told = [
-            tr("{name} cannot be told: {reason}", name=n, reason=in_language(why)) for n, why in loop.unidentifiable
+        reasons = [
+            tr("{name} is not identifiable: {reason}", name=n, reason=in_language(why))
+            for n, why in loop.not_identifiable
         ]
-        self.untold.setText(local("\n".join([*told, *([in_language(loop.leaning)] if loop.leaning else [])])))
+        self.not_identifiable.setText(
+            local("\n".join([*reasons, *([in_language(loop.dependence)] if loop.dependence else [])]))
+        )
         self._list_experiments(self._experiments)
         shown = {
             self.findings: bool(loop.findings),

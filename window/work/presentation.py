@@ -54,10 +54,10 @@ class LoopSummary:
     findings: "Sequence[Finding]" = ()
     comparisons: Sequence[tuple[str, str, str, str]] = ()
     """Name, declared model, with what was found, change."""
-    unidentifiable: Sequence[tuple[str, str]] = ()
+    not_identifiable: Sequence[tuple[str, str]] = ()
     """Names, and why."""
-    leaning: str = ""
-    """On what found effects lean."""
+    dependence: str = ""
+    """Which parameters rest on another one alone."""
 
 
 @dataclass(frozen=True, kw_only=True)

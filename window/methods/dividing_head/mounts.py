@@ -3,26 +3,15 @@
 The words of the contracts (`face-down`) stay what they are in programmes, tables and documents.
 """
 
-from typing import Final
-
-from tumble.messages import translatable, translate
+from tumble.calibrations.methods.dividing_head.geometry import MOUNTS
 from tumble.window.look.conditions import ConditionWords
-from tumble.window.look.language import spoken, tr
-
-MOUNT_NAMES: Final = {
-    "face-up": translatable("face up"),
-    "face-up-90": translatable("face up, turned by 90°"),
-    "face-down": translatable("face down"),
-    "edge": translatable("on edge"),
-    "edge-back": translatable("on the other edge"),
-    "end": translatable("on end"),
-}
-"""Every mount of the catalogue."""
+from tumble.window.look.language import tr
+from tumble.window.look.names import in_words
 
 
 def mount_name(mount: str) -> str:
-    """A mount as an operator reads it."""
-    return translate(MOUNT_NAMES.get(mount, mount), spoken())
+    """A mount as an operator reads it; one that nobody declared by its own word."""
+    return in_words(mount) if mount in MOUNTS else mount
 
 
 class MountWords(ConditionWords):

@@ -101,8 +101,8 @@ def _summary(loop: "Loop") -> LoopSummary:
         headline=sentences.headline(loop),
         findings=sentences.findings_of(loop),
         comparisons=[(line.name, line.declared, line.augmented, line.change) for line in sentences.comparisons(loop)],
-        unidentifiable=sentences.untold(loop),
-        leaning=sentences.leaning(loop),
+        not_identifiable=sentences.not_identifiable(loop),
+        dependence=sentences.dependence(loop),
         experiments=loop.next_experiment,
     )
 
