@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Generic, Protocol, TypeVar
 
 from tumble.procedures.layout import Layout
 from tumble.procedures.programme import Programme
+from tumble.procedures.second_look import Contradicted, nothing_contradicts
 
 if TYPE_CHECKING:
     from tumble.procedures.recording.reader import Recording
@@ -24,6 +25,8 @@ class ProcedurePart(Generic[Table]):
     """Folder of the programmes that come along, `NAME.toml` each."""
     table: Callable[["Recording"], Table]
     """The table of a recording: a row for every complete point."""
+    contradicted: Contradicted = nothing_contradicts
+    """What speaks against a position that a person read."""
 
     @property
     def layout(self) -> Layout:

@@ -14,7 +14,6 @@ from tumble.app.sections import show_sections
 from tumble.app.stand import read_stand
 from tumble.app.stand_records import with_stand_record
 from tumble.app.terminal import say
-from tumble.calibrations.methods.dividing_head.loop.sections import sections
 
 
 @click.command("fit")
@@ -37,13 +36,13 @@ def command(
     analysed = fit(measurement, serial_number, folder=folder)
     traced = trace(analysed) if analysed.limits or folder is not None else None
     result = traced or analysed
-    warn(result.calibration.warnings)
+    warn(result.warnings)
     if str(json_path) != "-":
         show_result(result, verbose=verbose)
         if traced is None:
             results().print("the values are those of the declared model alone; tumble close-loop traces what it leaves")
         else:
-            show_sections(sections(traced.loop))
+            show_sections(traced.sections())
     document = result.as_json()
     if traced is not None and folder is not None:
         document["record"] = store(traced, folder).id

@@ -10,7 +10,6 @@ from tumble.app.recall import report_again
 from tumble.app.sections import show_sections
 from tumble.app.terminal import say
 from tumble.calibrations.core.verdict import Verdict
-from tumble.calibrations.methods.dividing_head.loop.sections import sections
 from tumble.calibrations.records.record import Record
 
 
@@ -22,10 +21,10 @@ def tell_run(recording: Path, points: int, json_path: Path | None) -> None:
 
 def tell_calibrated(done: Calibrated, json_path: Path | None, *, verbose: bool = False) -> None:
     """Show what a calibration gave. Raises `SystemExit` where limits are not met, or nothing is decided of them."""
-    warn(done.analysed.calibration.warnings)
+    warn(done.analysed.warnings)
     if str(json_path) != "-":
         show_result(done.analysed, verbose=verbose)
-        show_sections(sections(done.analysed.loop))
+        show_sections(done.analysed.sections())
     say(f"recording {done.recording}", f"record    {done.record.id}", f"report    {done.report}", err=True)
     say(*done.learned.sentences, err=True)
     left = {"record": done.record.id, "recording": str(done.recording), "report": str(done.report)}

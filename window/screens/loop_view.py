@@ -64,7 +64,7 @@ class LoopView(QWidget):
 
     def show_presentation(self, presentation: Presentation) -> None:
         """Show another result."""
-        self._experiments = presentation.concluded.traced.loop.next_experiment
+        self._experiments = presentation.concluded.traced.next_experiment
         self.headline.setText(in_language(presentation.headline))
         self.findings.fill(
             [

@@ -3,7 +3,7 @@
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QLineEdit, QVBoxLayout, QWidget
 
-from tumble.procedures.methods.dividing_head.eyepiece import on_the_circle
+from tumble.procedures.eyepiece import on_the_circle
 from tumble.window.look.language import tr
 from tumble.window.look.names import mount_name
 from tumble.window.look.numbers import local

@@ -13,8 +13,8 @@ from tumble.procedures.announcer import Listener
 from tumble.procedures.progress import Progress
 
 if TYPE_CHECKING:  # the analysis and the store take half a second: a window is up before that
-    from tumble.app.analysing import Traced
     from tumble.app.calibrating import Calibrated
+    from tumble.app.job_part import Traced
     from tumble.app.resuming import Unfinished
 
 Tell = Callable[[str], None]
@@ -132,9 +132,9 @@ class FurtherExperiment:
         )
         closing, began_s = begin(self.before, at), clock.monotonic_s()
         asked = next(each for each in closing.planned if each.programme == job.programme.name)
-        probe = closing.available.probe(asked.programme)
-        prepare(at, probe, connected.control.stop_wanted)
-        recording = run_experiment(at, probe, listeners)
+        offer = closing.available.offer(asked.programme)
+        prepare(at, offer, connected.control.stop_wanted)
+        recording = run_experiment(at, offer, listeners)
         tell("tracing")
         closing = follow(closing, asked, recording, clock.monotonic_s() - began_s, at)
         return Concluded(traced=closing.traced, recordings=closing.files)

@@ -58,6 +58,7 @@ class Presentation:
 
 def present(concluded: Concluded) -> Presentation:
     """Work out what there is to show."""
+    from tumble.app.methods.dividing_head.analysed import DividingHeadTraced
     from tumble.calibrations.methods.dividing_head.loop.sentences import (
         comparisons,
         findings_of,
@@ -69,6 +70,7 @@ def present(concluded: Concluded) -> Presentation:
     from tumble.calibrations.methods.dividing_head.report.subject import Subject
 
     traced = concluded.traced
+    assert isinstance(traced, DividingHeadTraced), "the only method that has a screen"
     use, loop = traced.usable, traced.loop
     subject = Subject(
         calibration=traced.calibration,

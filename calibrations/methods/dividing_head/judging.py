@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from tumble.calibrations.core.parameter import Parameter
-from tumble.calibrations.core.provenance import LimitCheck
+from tumble.calibrations.core.provenance import LimitCheck, inside
 from tumble.calibrations.core.quantities import format_interval, format_limits, format_number
 from tumble.calibrations.core.verdict import Judgement, Outcome, Verdict
 from tumble.calibrations.methods.dividing_head.doubts import Doubt, condition, contradiction, missing
@@ -66,12 +66,6 @@ def _judged(parameter: Parameter, limits: LimitCheck, doubt: Doubt | None) -> Ju
     where = "inside" if outcome is Outcome.PASS else "outside"
     value = format_number(parameter.value, parameter.unit, 6)
     return Judgement(name=parameter.name, outcome=outcome, reason=f"{value} lies {where} {_text(parameter, limits)}")
-
-
-def inside(value: float, limits: LimitCheck) -> bool:
-    """Whether a value lies inside its limits; a limit itself does."""
-    above = limits.minimum is None or value >= limits.minimum
-    return above and (limits.maximum is None or value <= limits.maximum)
 
 
 def _incapable(parameter: Parameter, limits: LimitCheck) -> Doubt | None:

@@ -1,12 +1,11 @@
 """The person who turns the head by hand: asked for a setting, and asked again where something does not fit.
 
 Enter alone says that the head stands as asked. Whatever else is typed is the reading: one that is not an angle is
-asked for again, and so is one that differs from the setting, or that the voltage contradicts afterwards.
+asked for again, and so is one that differs from the setting, or that what was measured contradicts afterwards.
 """
 
 import math
-from collections.abc import Callable, Sequence
-from dataclasses import replace
+from collections.abc import Callable
 from typing import Final
 
 from tumble.drivers.clock import Clock
@@ -14,17 +13,14 @@ from tumble.drivers.manual.reading import format_dms, parse_reading
 from tumble.procedures.errors import UnansweredError
 from tumble.procedures.events import Event, ReadingAnswered, ReadingRequested
 from tumble.procedures.journeys import POLL_S
-from tumble.procedures.methods.dividing_head.doubt import Doubt, doubt
-from tumble.procedures.methods.dividing_head.rows import row_of
 from tumble.procedures.operator import Answer, Operator
-from tumble.procedures.steps import Point
 
 _MOST_REFUSED: Final = 10
 """Answers in a row that are no angles; more is nobody who reads the head."""
 
 
 class OperatorEyepiece:
-    """Has an operator set and read the head. Fits `tumble.drivers.manual.Eyepiece` and asks on behalf of the engine.
+    """Has an operator set and read the head. Fits `tumble.drivers.manual.Eyepiece` and `second_look.Reader`.
 
     Parameters
     ----------
@@ -68,24 +64,20 @@ class OperatorEyepiece:
     def withdraw(self) -> None:
         """Nothing is taken back from a person; an answer that comes late is passed over with the next request."""
 
-    def reconsidered(self, point: Point, points: Sequence[Point], check: Callable[[], object]) -> Point:
-        """The point, with the angle that the person reads when told that the voltage contradicts the first.
+    def read_again(self, angle_deg: float, prompt: str, check: Callable[[], object]) -> float:
+        """What the person reads when told what speaks against `angle_deg`, in degrees.
 
         Raises
         ------
         UnansweredError
             Where nobody answers.
         """
-        row = row_of(point)
-        against = doubt(row, [row_of(other) for other in points])
-        if against is None:
-            return point
-        self._setting_deg = self._doubted_deg = row.angle_deg
-        self._ask(_contradiction(row.angle_deg, against))
-        while (answer := self._operator.poll()) is None or (angle_deg := self._read(answer)) is None:
+        self._setting_deg = self._doubted_deg = angle_deg
+        self._ask(prompt)
+        while (answer := self._operator.poll()) is None or (again_deg := self._read(answer)) is None:
             check()
             self._clock.sleep(POLL_S)
-        return replace(row, angle_deg=angle_deg).point
+        return again_deg
 
     def _understood(self, answer: Answer) -> float | None:
         reading_deg = self._read(answer)
@@ -144,12 +136,3 @@ def on_the_circle(angle_deg: float) -> str:
     """An angle as the circle of a head shows it, from 0° to 360°: `35° 00′ 00″` for 395 degrees."""
     tenths = round(angle_deg * 36000.0) % (360 * 36000)
     return format_dms(tenths / 36000.0)
-
-
-def _contradiction(angle_deg: float, against: Doubt) -> str:
-    said = f"The voltage is {against.off_v:+.6f} V off at {on_the_circle(angle_deg)}"
-    if against.likely_deg is not None:
-        said += f" and would fit {on_the_circle(against.likely_deg)}: a wrong {against.slip}?"
-    else:
-        said += ", which no single wrong digit explains."
-    return f"{said} Read again and type what you read; Enter keeps it."
