@@ -177,11 +177,11 @@ def parameter_table(analysed: Analysed) -> Table:
 
 
 def _cells(parameter: Parameter) -> tuple[str, str, str]:
-    if parameter.value is None or parameter.interval_95 is None:
+    if parameter.value is None:
         return "not identifiable", "", ""
     return (
         format_concise(parameter.value, parameter.standard_uncertainty, parameter.unit),
-        format_interval(*parameter.interval_95, parameter.unit),
+        "" if parameter.interval_95 is None else format_interval(*parameter.interval_95, parameter.unit),
         format_freedom(parameter.degrees_of_freedom),
     )
 

@@ -39,6 +39,7 @@ def _contradicted(point: Point, points: Sequence[Point]) -> Contradiction | None
 PROCEDURE_PART: Final = ProcedurePart(
     programme=DividingHeadProgramme,
     shipped=files(__package__) / "programmes",
+    rows=Observations,
     table=_table,
     contradicted=_contradicted,
 )
