@@ -9,6 +9,7 @@ from tumble.app.exits import Exit, JobError
 from tumble.app.running import Job, failure, recording_path, run
 from tumble.app.stand import LoadedStand
 from tumble.app.wiring import Connected
+from tumble.messages import Message
 from tumble.procedures.announcer import Listener
 from tumble.procedures.events import ConditionAnswered, Event
 from tumble.procedures.programme import Programme
@@ -22,7 +23,7 @@ class DeclinedError(Exception):
     """The operator will not do what an experiment needs: set `condition` to `value`."""
 
     def __init__(self, ask: Ask) -> None:
-        super().__init__(f"the operator does not {ask.task}")
+        super().__init__(Message("the operator does not {task}", task=ask.task))
         self.condition, self.value = ask.condition, ask.value
 
     def concerns(self, offer: Offer) -> bool:

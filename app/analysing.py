@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from tumble.app.job_part import Analysed, Traced
+from tumble.app.analysed import Analysed, Traced
 from tumble.app.jobs import find_job
 from tumble.app.measurements import Measurement, provenance
 from tumble.procedures.errors import InputError

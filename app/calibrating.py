@@ -5,10 +5,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from tumble.app.analysed import Traced
 from tumble.app.analysing import fit, trace
 from tumble.app.exits import Exit, JobError
 from tumble.app.files import write_text
-from tumble.app.job_part import Traced
+from tumble.app.jobs import find_job
 from tumble.app.learning import Learned, contradictions_of, learn
 from tumble.app.measurements import read_measurement
 from tumble.app.running import Job, failure, recording_path, run
@@ -104,6 +105,7 @@ def calibrate(
     InputError, JobError
         What went wrong; the recording is kept whenever there is one.
     """
+    find_job(job.programme.method)
     job.plan()
     make_ready(folder)
     recording = recording_path(folder, job.serial_number, job.programme.name, connected.stand.clock)

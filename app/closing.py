@@ -10,9 +10,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from tumble.app.acting import AtStand, DeclinedError, prepare, run_experiment
+from tumble.app.analysed import Traced
 from tumble.app.analysing import fit
 from tumble.app.available import Available
-from tumble.app.job_part import Traced
 from tumble.app.jobs import find_job
 from tumble.app.joining import read_together
 from tumble.app.measurements import Measurement, read_measurement

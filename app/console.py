@@ -10,7 +10,7 @@ from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn
 from rich.table import Table
 from rich.text import Text
 
-from tumble.app.job_part import Analysed
+from tumble.app.analysed import Analysed
 from tumble.app.terminal import LONGEST_LINE, lead_nowhere
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.quantities import (

@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING, Final
 
 from tumble.app.methods import method_called
 from tumble.calibrations.core.files import read_header
+from tumble.messages import Message
+from tumble.procedures.errors import InputError
 from tumble.procedures.registry import FIRST
 
 if TYPE_CHECKING:
@@ -26,8 +28,16 @@ def has_job(method: str) -> bool:
 
 
 def find_job(method: str) -> "JobPart":
-    """What a method brings to the job, see `has_job`."""
-    part: JobPart = _named(tuple(sys.path))[method].load()
+    """What a method brings to the job. Raises `InputError` where none is installed, see `has_job`."""
+    known = _named(tuple(sys.path))
+    if method not in known:
+        raise InputError(
+            Message(
+                "the method {method} can be run, but no analysis of its recordings is installed; use tumble run",
+                method=method,
+            )
+        )
+    part: JobPart = known[method].load()
     return part
 
 

@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from tumble.app.analysed import Traced
 from tumble.app.identity import program_identity
-from tumble.app.job_part import Traced
 from tumble.app.rederiving import Source, run_of, source_again, source_of
 from tumble.app.stand_records import identity_of
 from tumble.calibrations.core.blas_threads import one_blas_thread

@@ -17,8 +17,10 @@ from tumble.calibrations.core.cells import TableError
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.provenance import LimitCheck, Provenance, Source, inside
 from tumble.calibrations.core.rows import Rows
+from tumble.calibrations.core.sentences import series
 from tumble.calibrations.records.raw import file_sha256, stored_path
 from tumble.calibrations.stand_records.record import StandRecord
+from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.events import Identified
 from tumble.procedures.programme import Programme, programme_from_text
@@ -170,8 +172,13 @@ def check_limits(parameters: Mapping[str, Parameter], programme: Programme | Non
     """
     limits = programme.limits if programme else {}
     if unknown := sorted(set(limits) - set(parameters)):
-        known = ", ".join(parameters)
-        raise InputError(f"the programme limits {unknown[0]}, and the parameters are {known}; correct it")
+        raise InputError(
+            Message(
+                "the programme limits {name}, and the parameters are {parameters}; correct it",
+                name=unknown[0],
+                parameters=series(list(parameters)),
+            )
+        )
     checks = (LimitCheck(name=name, minimum=each.min, maximum=each.max, inside=False) for name, each in limits.items())
     return tuple(_held(check, parameters[check.name].value) for check in checks)
 

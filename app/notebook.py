@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 from markupsafe import Markup
 
+from tumble.app.analysed import Analysed
 from tumble.app.analysing import fit as analyse
 from tumble.app.analysing import trace
 from tumble.app.calibrating import calibrate as carry_out
-from tumble.app.job_part import Analysed
 from tumble.app.jobs import has_job
 from tumble.app.joining import read_together
 from tumble.app.measurements import read_measurement

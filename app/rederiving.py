@@ -7,8 +7,9 @@ from typing import Protocol
 
 import numpy as np
 
+from tumble.app.analysed import Traced
 from tumble.app.analysing import fit, trace
-from tumble.app.job_part import StandRun, Traced
+from tumble.app.job_part import StandRun
 from tumble.app.jobs import find_job
 from tumble.app.joining import read_together
 from tumble.app.measurements import Measurement

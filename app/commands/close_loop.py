@@ -9,6 +9,7 @@ from typing import Any
 import click
 
 from tumble.app.acting import AtStand, measure
+from tumble.app.analysed import Traced
 from tumble.app.analysing import fit, trace
 from tumble.app.calibrating import store, write_report
 from tumble.app.closing import MOST_EXPERIMENTS, Closing, act, begin
@@ -17,8 +18,7 @@ from tumble.app.commands.measuring import Wanted, may_measure
 from tumble.app.commands.telling import leave_by
 from tumble.app.console import messages, parameter_table, results, run_display, show_verdict, warn
 from tumble.app.files import is_recording, write_text
-from tumble.app.job_part import Traced
-from tumble.app.jobs import has_job
+from tumble.app.jobs import find_job, has_job
 from tumble.app.joining import read_together
 from tumble.app.learning import contradictions_of, learn
 from tumble.app.loop_console import tell_closing
@@ -124,6 +124,7 @@ def _traced(files: tuple[Path, ...], wanted: Wanted, folder: Path, *, budget: bo
 def _closed(wanted: Wanted, files: tuple[Path, ...], most: int, folder: Path) -> Closing:
     """What files, or else a first measurement, say together with the experiments that it takes."""
     loaded, programme = wanted.stand(), load_programme(wanted.programme)
+    find_job(programme.method)
     with wanted.connected(loaded, [path for path in files if is_recording(path)]) as connected:
         at = AtStand(
             stand=loaded,

@@ -13,8 +13,8 @@ from tumble.procedures.announcer import Listener
 from tumble.procedures.progress import Progress
 
 if TYPE_CHECKING:  # the analysis and the store take half a second: a window is up before that
+    from tumble.app.analysed import Traced
     from tumble.app.calibrating import Calibrated
-    from tumble.app.job_part import Traced
     from tumble.app.resuming import Unfinished
 
 Tell = Callable[[str], None]

@@ -30,7 +30,7 @@ from tumble.calibrations.tracing.experiments import Experiment
 
 @dataclass(frozen=True, kw_only=True)
 class DividingHeadAnalysed:
-    """A raw file and what the analysis says of it. Fits `tumble.app.job_part.Analysed`."""
+    """A raw file and what the analysis says of it. Fits `tumble.app.analysed.Analysed`."""
 
     measurement: Measurement
     calibration: Calibration
@@ -89,7 +89,7 @@ class DividingHeadAnalysed:
 
 @dataclass(frozen=True, kw_only=True)
 class DividingHeadTraced(DividingHeadAnalysed):
-    """The same with the loop closed. Fits `tumble.app.job_part.Traced`."""
+    """The same with the loop closed. Fits `tumble.app.analysed.Traced`."""
 
     loop: Loop
     explained: Explained | None
