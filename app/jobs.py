@@ -48,9 +48,11 @@ def job_names() -> list[str]:
 
 def method_of_table(path: Path) -> str:
     """The method whose unit a table is of; of a table of none of them the first, which says what is wrong with it."""
-    names = job_names()
+    first, *others = names = job_names()
+    if not others:
+        return first
     header = read_header(path)
-    return next((name for name in names if method_called(name).reads(header, None)), FIRST)
+    return next((name for name in names if method_called(name).reads(header, None)), first)
 
 
 @lru_cache(maxsize=8)
