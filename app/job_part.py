@@ -6,7 +6,7 @@
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import Any, Protocol
 
 from tumble.app.analysed import Analysed, Traced
 from tumble.app.available import Available
@@ -17,9 +17,6 @@ from tumble.calibrations.core.rows import Rows
 from tumble.calibrations.stand_records.agreement import Run
 from tumble.calibrations.stand_records.record import StandRecord, Validity
 from tumble.calibrations.tracing.experiments import Experiment
-
-if TYPE_CHECKING:
-    pass
 
 
 class StandRun(Run, Protocol):

@@ -42,8 +42,13 @@ def find_job(method: str) -> "JobPart":
 
 
 def job_names() -> list[str]:
-    """Names of all methods that are measured at a stand, the first of all at the beginning."""
-    return sorted(_named(tuple(sys.path)), key=lambda name: (name != FIRST, name))
+    """Names of all methods that are measured at a stand, the first of all at the beginning. Raises `InputError`."""
+    known = _named(tuple(sys.path))
+    if not known:
+        raise InputError(
+            Message("no job of a method is installed: this installation is older than its files; repeat it")
+        )
+    return sorted(known, key=lambda name: (name != FIRST, name))
 
 
 def method_of_table(path: Path) -> str:

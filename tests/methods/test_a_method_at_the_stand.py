@@ -7,7 +7,8 @@ import pytest
 from app_jobs import tumble
 
 import tumble as package
-from tumble.app import methods
+from tumble.app import jobs, methods
+from tumble.procedures.errors import InputError
 from tumble.procedures.recording.reader import read_recording
 
 PROGRAMMES = Path(__file__).parent / "lever_programmes"
@@ -176,3 +177,9 @@ def test_without_its_job_nothing_is_measured_that_would_not_be_analysed(bench, m
 def test_a_notebook_fits_and_traces_it(recording):
     assert package.fit(recording).values[1]["name"] == "k"
     assert package.close_loop(recording).to_dict()["loop"]["effects"]
+
+
+def test_an_installation_that_knows_no_job_says_so(monkeypatch):
+    monkeypatch.setattr(jobs, "_named", lambda _: {})
+    with pytest.raises(InputError, match="install tumble again"):
+        jobs.job_names()
