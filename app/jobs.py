@@ -46,7 +46,7 @@ def job_names() -> list[str]:
     known = _named(tuple(sys.path))
     if not known:
         raise InputError(
-            Message("no job of a method is installed: this installation is older than its files; repeat it")
+            Message("no job of a method is installed: this installation is older than its files; install tumble again")
         )
     return sorted(known, key=lambda name: (name != FIRST, name))
 
