@@ -14,8 +14,8 @@ from tumble.app.analysing import fit, trace
 from tumble.app.calibrating import store, write_report
 from tumble.app.closing import MOST_EXPERIMENTS, Closing, act, begin
 from tumble.app.commands import options
+from tumble.app.commands.leaving import leave_by
 from tumble.app.commands.measuring import Wanted, may_measure
-from tumble.app.commands.telling import leave_by
 from tumble.app.console import messages, parameter_table, results, run_display, show_verdict, warn
 from tumble.app.files import is_recording, write_text
 from tumble.app.jobs import find_job, has_job

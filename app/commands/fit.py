@@ -5,9 +5,8 @@ from pathlib import Path
 import click
 
 from tumble.app.analysing import fit, trace
-from tumble.app.calibrating import store
 from tumble.app.commands import options
-from tumble.app.commands.telling import leave_by
+from tumble.app.commands.leaving import leave_by
 from tumble.app.console import results, show_result, warn
 from tumble.app.measurements import read_measurement
 from tumble.app.sections import show_sections
@@ -45,6 +44,8 @@ def command(
             show_sections(traced.sections())
     document = result.as_json()
     if traced is not None and folder is not None:
+        from tumble.app.calibrating import store  # what drives a stand comes with it
+
         document["record"] = store(traced, folder).id
         say(f"record {document['record']}", err=True)
     options.write_json(document, json_path)

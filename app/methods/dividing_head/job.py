@@ -8,7 +8,6 @@ from tumble.app.available import Available
 from tumble.app.job_part import JobPart
 from tumble.app.measurements import Measurement, check_limits
 from tumble.app.methods.dividing_head.analysed import DividingHeadAnalysed, DividingHeadTraced, traced_with
-from tumble.app.methods.dividing_head.experiments import available
 from tumble.app.methods.dividing_head.stand_part import STAND, DividingHeadStand
 from tumble.app.methods.dividing_head.uncertainty import uncertainty_of
 from tumble.app.stand import LoadedStand
@@ -64,6 +63,8 @@ class DividingHeadJob:
 
     def available(self, stand: LoadedStand, rows: Observations, attended: bool) -> Available:
         """Which probes a stand can run."""
+        from tumble.app.methods.dividing_head.experiments import available  # the engine comes with it
+
         return available(stand, rows, attended)
 
 
