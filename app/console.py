@@ -10,21 +10,16 @@ from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn
 from rich.table import Table
 from rich.text import Text
 
-from tumble.app.analysing import Analysed, Traced
+from tumble.app.analysed import Analysed
 from tumble.app.terminal import lead_nowhere, shown
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.quantities import (
     format_concise,
     format_freedom,
     format_interval,
-    format_number,
-    format_probability,
 )
 from tumble.calibrations.core.sentences import series
 from tumble.calibrations.core.verdict import Model, Outcome, Verdict
-from tumble.calibrations.methods.dividing_head.observations import Observations
-from tumble.calibrations.methods.dividing_head.result import Calibration
-from tumble.calibrations.methods.dividing_head.significance import Kind, statements
 from tumble.drivers.clock import Clock
 from tumble.messages import Message
 from tumble.procedures.announcer import Listener
@@ -41,8 +36,6 @@ from tumble.procedures.plan import Plan
 from tumble.procedures.progress import Progress as RunProgress
 from tumble.procedures.steps import Point
 
-_LISTED = 20
-"""Rows set aside that are listed on the terminal."""
 _DECIDED = {
     Outcome.PASS: "inside limits",
     Outcome.FAIL: "OUTSIDE LIMITS",
@@ -155,17 +148,14 @@ def show_result(analysed: Analysed, console: Console | None = None, *, verbose: 
     With `verbose` the rows, the noise and what the experiment supports are told one by one.
     """
     console = console or results()
-    use = analysed.usable
-    calibration = use.calibration
     show_verdict(analysed.verdict, console)
     console.print(parameter_table(analysed))
-    if use.model is Model.AUGMENTED:
+    if analysed.model is Model.AUGMENTED:
         console.print("values with what was found taken into account; the declared model's stand below", markup=False)
-    if record := calibration.stand_record:
+    if record := analysed.measurement.stand_record:
         on = f"{record.identity.stand}, learned from {series(record.units)}"
         console.print(f"corrected by stand record {record.version} of {on}", markup=False)
-    lines = _details(analysed, calibration) if verbose else _in_short(calibration)
-    for line in lines:
+    for line in analysed.details() if verbose else analysed.in_short():
         console.print(line, markup=False)
 
 
@@ -186,7 +176,7 @@ def parameter_table(analysed: Analysed) -> Table:
     for heading in ("parameter", "value (standard uncertainty)", "95% interval", "dof", "remark"):
         table.add_column(heading, overflow="fold", no_wrap=heading != "remark")
     verdict = analysed.verdict
-    for name, parameter in analysed.usable.calibration.parameters.items():
+    for name, parameter in analysed.parameters.items():
         judgement = verdict.of(name)
         decided = "" if judgement is None else _DECIDED[judgement.outcome]
         table.add_row(name, *_cells(parameter), "; ".join(filter(None, (decided, _remark(parameter)))))
@@ -194,64 +184,14 @@ def parameter_table(analysed: Analysed) -> Table:
 
 
 def _cells(parameter: Parameter) -> tuple[str, str, str]:
-    if parameter.value is None or parameter.interval_95 is None:
+    if parameter.value is None:
         return "not identifiable", "", ""
     return (
         format_concise(parameter.value, parameter.standard_uncertainty, parameter.unit),
-        format_interval(*parameter.interval_95, parameter.unit),
+        "" if parameter.interval_95 is None else format_interval(*parameter.interval_95, parameter.unit),
         format_freedom(parameter.degrees_of_freedom),
     )
 
 
 def _remark(parameter: Parameter) -> str:
     return parameter.reason if parameter.value is None else parameter.condition
-
-
-def row_lines(observations: Observations) -> Iterator[str]:
-    """How many rows were used, and which were set aside, why."""
-    yield f"rows: {observations.rows_read} read, {len(observations)} used, {len(observations.set_aside)} set aside"
-    for entry in observations.set_aside[:_LISTED]:
-        yield f"  row {entry.row}: {entry.reason}"
-    if len(observations.set_aside) > _LISTED:
-        yield f"  and {len(observations.set_aside) - _LISTED} more; --json lists all"
-
-
-def _in_short(calibration: Calibration) -> Iterator[str]:
-    """One line, and the rows that were set aside where there are any."""
-    observations = calibration.observations
-    parts = [f"{len(observations)} of {observations.rows_read} rows used", *_lack_of_fit(calibration)]
-    if calibration.held_out_rms_v is not None:
-        parts.append(f"held-out error {format_number(calibration.held_out_rms_v, 'V')} rms")
-    yield "; ".join(parts)
-    if observations.set_aside:
-        yield from list(row_lines(observations))[1:]
-
-
-def _details(analysed: Analysed, calibration: Calibration) -> Iterator[str]:
-    """Rows, noise and adequacy, then what the experiment supports; on what values rest, the loop says where closed."""
-    yield from _adequacy_lines(calibration)
-    said_by_loop = {Kind.DEPENDENCE} if isinstance(analysed, Traced) else set()
-    yield from (f"- {each.text}" for each in statements(calibration) if each.kind not in said_by_loop)
-
-
-def _lack_of_fit(calibration: Calibration) -> Iterator[str]:
-    if calibration.lack_of_fit_p is not None:
-        probability = format_probability(calibration.lack_of_fit_p)
-        yield f"lack of fit: p {probability if probability.startswith('<') else f'= {probability}'}"
-
-
-def _adequacy_lines(calibration: Calibration) -> Iterator[str]:
-    noise = calibration.noise
-    yield from row_lines(calibration.observations)
-    if noise.pure_error_v is not None:
-        yield f"pure error of a dwell: {format_number(noise.pure_error_v, 'V')} ({noise.degrees_of_freedom} dof)"
-    used = format_number(noise.used_v, "V")
-    yield f"uncertainties rest on the {noise.basis}: {used} ({noise.used_degrees_of_freedom} dof)"
-    yield f"residual: {format_number(calibration.residual_rms_v, 'V')} rms"
-    if calibration.held_out_rms_v is not None:
-        yield f"held-out error: {format_number(calibration.held_out_rms_v, 'V')} rms"
-    yield from _lack_of_fit(calibration)
-    if calibration.closure and calibration.closure.worst:
-        first, second, difference, sigmas = calibration.closure.worst
-        size = f"{format_number(abs(difference), 'V', 2)}, {sigmas:.1f} standard uncertainties"
-        yield f"flip closure: u0 of the {first} and {second} flips differ by {size}"

@@ -37,6 +37,7 @@ from tumble.procedures.recording.errors import RecordingError
 from tumble.procedures.recording.header import Header, written_version
 from tumble.procedures.registry import find_method
 from tumble.procedures.replay import replay
+from tumble.procedures.second_look import ReadAgain, SecondLook
 from tumble.procedures.steps import Point
 
 if TYPE_CHECKING:
@@ -151,7 +152,7 @@ def carry_out(
         recorder,
         job.acquisition,
         heard,
-        connected.eyepiece,
+        _second_look(job, connected),
         control=connected.control,
         look=connected.look,
     )
@@ -161,6 +162,13 @@ def carry_out(
             return action(engine)
     except RecordingError as error:  # from closing it: what fails during the run is in the outcome
         raise JobError(Message("{error}; its complete points can be read", error=error), Exit.STORAGE) from error
+
+
+def _second_look(job: Job, connected: Connected) -> SecondLook | None:
+    """Whoever reads a positioner by eye, asked again where the method of the programme doubts a reading."""
+    if connected.eyepiece is None:
+        return None
+    return ReadAgain(connected.eyepiece, find_method(job.programme.method).procedure_part.contradicted)
 
 
 def _warn_of_what_is_due(job: Job, clock: Clock, announcer: Announcer) -> None:

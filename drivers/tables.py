@@ -21,6 +21,8 @@ DAQ: Final = "daq"
 """Tables of a stand file, and the names of these instruments at the stand."""
 TITLES: Final = {HEAD: Message("dividing head"), DAQ: Message("DAQ")}
 """What sentences call them."""
+MOUNT: Final = "mount"
+"""The condition of a dwell that the seat on the head limits: how the unit sits there."""
 MOST_SAMPLES: Final = 10_000_000
 """More in one dwell is a slip of the pen."""
 
@@ -153,7 +155,7 @@ class HeadTable(Instrument):
     @property
     def allowed(self) -> Mapping[str, tuple[str, ...] | None]:
         """What the seat on it allows, by condition; None allows everything."""
-        return {"mount": self.mounts}
+        return {MOUNT: self.mounts}
 
     @property
     def turns(self) -> float:

@@ -9,7 +9,7 @@ process is gone, is no backstage.
 import json
 import os
 import socket
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from hashlib import sha256
 from typing import Final
@@ -19,6 +19,7 @@ from tumble.drivers.errors import DeviceError
 from tumble.drivers.links.places import one_name
 from tumble.drivers.private_files import private_folder, read_private, write_private
 from tumble.drivers.processes import started
+from tumble.drivers.tables import MOUNT
 from tumble.emulators.faults import Faults
 from tumble.emulators.serving import serve_tcp
 from tumble.emulators.speed import FasterClock
@@ -82,6 +83,11 @@ class Backstage:
     def __init__(self, port: int, clock: Clock) -> None:
         self._port = port
         self.clock = clock
+
+    @property
+    def setters(self) -> Mapping[str, Callable[[str], None]]:
+        """What a person may set here between dwells, by condition; each raises `DeviceError`."""
+        return {MOUNT: self.seat}
 
     def seat(self, mount: str) -> None:
         """Seat the unit. Raises `DeviceError`."""

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from tumble.calibrations.core.parameter import Parameter
-from tumble.calibrations.core.provenance import LimitCheck
+from tumble.calibrations.core.provenance import LimitCheck, inside
 from tumble.calibrations.core.quantities import format_interval, format_limits, format_number
 from tumble.calibrations.core.verdict import Judgement, Outcome, Verdict
 from tumble.calibrations.methods.dividing_head.doubts import Doubt, condition, contradiction, missing
@@ -73,12 +73,6 @@ def _where(parameter: Parameter, limits: LimitCheck, outcome: Outcome) -> Messag
     if outcome is Outcome.PASS:
         return Message("{value} lies inside {limits}", value=value, limits=text)
     return Message("{value} lies outside {limits}", value=value, limits=text)
-
-
-def inside(value: float, limits: LimitCheck) -> bool:
-    """Whether a value lies inside its limits; a limit itself does."""
-    above = limits.minimum is None or value >= limits.minimum
-    return above and (limits.maximum is None or value <= limits.maximum)
 
 
 def _incapable(parameter: Parameter, limits: LimitCheck) -> Doubt | None:

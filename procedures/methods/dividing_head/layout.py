@@ -3,15 +3,13 @@
 from typing import Final
 
 from tumble.drivers.protocols import VOLTAGE
+from tumble.drivers.tables import MOUNT as MOUNT
 from tumble.messages import translatable
 from tumble.procedures.layout import ChannelColumns, Column, Condition, Layout, PositionColumns
 from tumble.procedures.steps import Ask, Dwell
 
 HEAD: Final = "head"
 """Name of the positioner."""
-MOUNT: Final = "mount"
-"""Name of the condition that the operator sets."""
-
 LAYOUT: Final = Layout(
     positions={
         HEAD: PositionColumns(

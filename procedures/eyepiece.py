@@ -1,12 +1,11 @@
 """The person who turns the head by hand: asked for a setting, and asked again where something does not fit.
 
 Enter alone says that the head stands as asked. Whatever else is typed is the reading: one that is not an angle is
-asked for again, and so is one that differs from the setting, or that the voltage contradicts afterwards.
+asked for again, and so is one that differs from the setting, or that what was measured contradicts afterwards.
 """
 
 import math
-from collections.abc import Callable, Sequence
-from dataclasses import replace
+from collections.abc import Callable
 from typing import Final
 
 from tumble.drivers.clock import Clock
@@ -15,17 +14,14 @@ from tumble.messages import Message
 from tumble.procedures.errors import UnansweredError
 from tumble.procedures.events import Event, ReadingAnswered, ReadingRequested
 from tumble.procedures.journeys import POLL_S
-from tumble.procedures.methods.dividing_head.doubt import Doubt, doubt
-from tumble.procedures.methods.dividing_head.rows import row_of
 from tumble.procedures.operator import Answer, Operator
-from tumble.procedures.steps import Point
 
 _MOST_REFUSED: Final = 10
 """Answers in a row that are no angles; more is nobody who reads the head."""
 
 
 class OperatorEyepiece:
-    """Has an operator set and read the head. Fits `tumble.drivers.manual.Eyepiece` and asks on behalf of the engine.
+    """Has an operator set and read the head. Fits `tumble.drivers.manual.Eyepiece` and `second_look.Reader`.
 
     Parameters
     ----------
@@ -74,24 +70,20 @@ class OperatorEyepiece:
     def withdraw(self) -> None:
         """Nothing is taken back from a person; an answer that comes late is passed over with the next request."""
 
-    def reconsidered(self, point: Point, points: Sequence[Point], check: Callable[[], object]) -> Point:
-        """The point, with the angle that the person reads when told that the voltage contradicts the first.
+    def read_again(self, angle_deg: float, prompt: str, check: Callable[[], object]) -> float:
+        """What the person reads when told what speaks against `angle_deg`, in degrees.
 
         Raises
         ------
         UnansweredError
             Where nobody answers.
         """
-        row = row_of(point)
-        against = doubt(row, [row_of(other) for other in points])
-        if against is None:
-            return point
-        self._setting_deg = self._doubted_deg = row.angle_deg
-        self._ask(_contradiction(row.angle_deg, against))
-        while (answer := self._operator.poll()) is None or (angle_deg := self._read(answer)) is None:
+        self._setting_deg = self._doubted_deg = angle_deg
+        self._ask(prompt)
+        while (answer := self._operator.poll()) is None or (again_deg := self._read(answer)) is None:
             check()
             self._clock.sleep(POLL_S)
-        return replace(row, angle_deg=angle_deg).point
+        return again_deg
 
     def _understood(self, answer: Answer) -> float | None:
         reading_deg = self._read(answer)
@@ -160,22 +152,3 @@ class OperatorEyepiece:
 
 def _unheard(_event: Event) -> None:
     """Nobody is attached."""
-
-
-def _contradiction(angle_deg: float, against: Doubt) -> str:
-    angle = on_the_circle(angle_deg)
-    if against.likely_deg is None:
-        return Message(
-            "The voltage is {off_v:+.6f} V off at {angle}, which no single wrong digit explains. Read again and type "
-            "what you read; Enter keeps it.",
-            off_v=against.off_v,
-            angle=angle,
-        )
-    return Message(
-        "The voltage is {off_v:+.6f} V off at {angle} and would fit {likely}: a wrong {slip}? Read again and type "
-        "what you read; Enter keeps it.",
-        off_v=against.off_v,
-        angle=angle,
-        likely=on_the_circle(against.likely_deg),
-        slip=against.slip,
-    )
