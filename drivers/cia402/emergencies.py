@@ -54,4 +54,5 @@ def emergency_words(code: int) -> str:
 
 def abort_words(code: int) -> str:
     """An SDO abort code in words, with its number."""
-    return Message("{reason} (SDO abort {code:08X}h)", reason=ABORTS.get(code, Message("unknown reason")), code=code)
+    reason = ABORTS.get(code) or Message("unknown reason")
+    return Message("{reason} (SDO abort {code:08X}h)", reason=reason, code=code)
