@@ -51,7 +51,9 @@ class Dwells:
         base = Rotation.from_euler("y", (ARCSEC * self.level_y)[:, None])
         arm = Rotation.from_rotvec(ARCSEC * self.arm)
         square = Rotation.from_euler("y", ARCSEC * self.square)
-        whole = base * Rotation.from_euler("x", outer[:, None]) * arm * square * Rotation.from_euler("z", inner[:, None])
+        whole = (
+            base * Rotation.from_euler("x", outer[:, None]) * arm * square * Rotation.from_euler("z", inner[:, None])
+        )
         return np.asarray(whole.inv().apply(np.array([0.0, 0.0, -1.0])))
 
 

@@ -18,7 +18,7 @@ def held_out_rms(tracer: Tracer[Any], trace: Trace, parts: Iterable[NDArray[np.b
     """Root mean square error of predicting each of the parts, rows held out, after a search among the others.
 
     Effects are chosen anew from the other rows, from their scans as they stand, in the noise of the whole table. What
-    is drawn at random (levels, a walk) cannot be predicted and counts as error. Parts without which the others do not
+    is random (levels, a walk) cannot be predicted and counts as error. Parts without which the others do not
     tell the declared model are passed over; None where that is every one.
     """
     table = tracer.table

@@ -62,7 +62,6 @@ class TriadMethod:
     version: int = VERSION
     title: str = "A triad of accelerometers on a two-axis stand"
     columns: str = "a triad on a two-axis stand (outer_deg, inner_deg, u_x_V, u_y_V, u_z_V), or its log by hand (u_x_…)"
-    at_stand: bool = False
 
     def reads(self, header: Sequence[str], numbers: Sequence[str] | None) -> bool:  # noqa: ARG002  # by names alone
         """Whether a table holds three outputs, and both angles or none."""

@@ -12,9 +12,9 @@ _MOST_SETTINGS = 80
 _BELL_WIDTHS_DEG = (3.0, 8.0, 18.0)
 _BUMP_WIDTHS_G = (0.05, 0.08, 0.12, 0.18)
 _ANY_COURSE = 20.0
-"""Doubt in a course of any shape: one that has a shape is the better guess."""
+"""Penalty of a course of any shape: one that has a shape is the better guess."""
 _WANDERING = 40.0
-"""Doubt in a course of any shape in time: a bias that wanders is the better guess."""
+"""Penalty of a course of any shape in time: a bias that wanders is the better guess."""
 
 
 def _column(values: FloatArray, **where: float) -> Form:

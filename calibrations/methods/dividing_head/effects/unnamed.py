@@ -9,13 +9,14 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from tumble.calibrations.methods.dividing_head.effects import shapes
 from tumble.calibrations.methods.dividing_head.effects.scene import Scene
 from tumble.calibrations.tracing.effect import Form, Structure, Variable, plain
+from tumble.messages import Message
 
 
 def _structure(
     depends_on: Variable,
     kind: str,
     forms: Callable[[Scene], Iterator[Form]],
-    describe: Callable[[Mapping[str, float]], str],
+    describe: Callable[[Mapping[str, float]], Message],
 ) -> Structure[Scene]:
     def listed(scene: Scene) -> Sequence[Form]:
         return tuple(forms(scene))
@@ -32,25 +33,40 @@ def _structure(
     )
 
 
-def _bend_of(at: Mapping[str, float]) -> str:
-    axis = "xyz"[int(at["axis"])]
-    return f"a bend of the response to a{axis}, like its power {at.get('order', at.get('power')):g}"
-
-
-def _since(at: Mapping[str, float]) -> str:
-    ((group, dwells),) = at.items()
-    if group == "table":
-        return "a steady course with the number of dwells over the table, which has no time"
-    since = "realisation" if group == "realisation" else "mounting"
-    return (
-        f"a steady course since the start of each {since}"
-        if dwells == 1.0
-        else (f"something that dies out within some {dwells:g} dwells of the start of each {since}")
+def _bend_of(at: Mapping[str, float]) -> Message:
+    return Message(
+        "a bend of the response to a{axis}, like its power {power:g}",
+        axis="xyz"[int(at["axis"])],
+        power=at["order"] if "order" in at else at["power"],
     )
 
 
+def _since(at: Mapping[str, float]) -> Message:
+    ((group, dwells),) = at.items()
+    if group == "table":
+        return Message("a steady course with the number of dwells over the table, which has no time")
+    since = (
+        Message("the start of each realisation") if group == "realisation" else Message("the start of each mounting")
+    )
+    if dwells == 1.0:
+        return Message("a steady course since {since}", since=since)
+    return Message("something that dies out within some {dwells:g} dwells of {since}", dwells=dwells, since=since)
+
+
+def _after_moves(at: Mapping[str, float]) -> Message:
+    if "bias" in at:
+        return Message("another bias after moves in - direction")
+    return Message("another response after moves in - direction")
+
+
+def _against_temperature(at: Mapping[str, float]) -> Message:
+    if "rate" in at:
+        return Message("a dependence on how fast the temperature changes")
+    return Message("a course against temperature of no simple shape")
+
+
 def withheld_by(name: str, at: Mapping[str, float]) -> tuple[str, ...]:
-    """Parameters that have no meaning beside a shape that could be them as well.
+    """Parameters that are not identifiable with a shape that could be them as well.
 
     A bend has a slope or a mean of its own, and of two realisations nobody knows which is the odd one.
     """
@@ -70,68 +86,89 @@ STRUCTURES: tuple[Structure[Scene], ...] = (
         "angle",
         "bell",
         shapes.head_bells,
-        lambda at: f"a bump of the head's error near {at['centre_deg']:g}°, some {2 * at['width_deg']:g}° wide",
+        lambda at: Message(
+            "a bump of the head's error near {centre_deg:g}°, some {width_deg:g}° wide",
+            centre_deg=at["centre_deg"],
+            width_deg=2 * at["width_deg"],
+        ),
     ),
     _structure(
-        "angle", "course", shapes.head_course, lambda _: "an error of the head of no simple shape round the circle"
+        "angle",
+        "course",
+        shapes.head_course,
+        lambda _: Message("an error of the head of no simple shape round the circle"),
     ),
     _structure("acceleration", "bend", shapes.polynomials, _bend_of),
     _structure(
         "acceleration",
         "zone",
         shapes.zones,
-        lambda at: f"another slope of the response within {at['width_g']:g} g of ax = 0",
+        lambda at: Message("another slope of the response within {width_g:g} g of ax = 0", width_g=at["width_g"]),
     ),
     _structure(
         "acceleration",
         "bump",
         shapes.bumps,
-        lambda at: f"a bump of the output near ax = {at['centre_g']:.2f} g, some {2 * at['width_g']:.2g} g wide",
+        lambda at: Message(
+            "a bump of the output near ax = {centre_g:.2f} g, some {width_g:.2g} g wide",
+            centre_g=at["centre_g"],
+            width_g=2 * at["width_g"],
+        ),
     ),
     _structure(
-        "acceleration", "course", shapes.response_course, lambda _: "a bend of the response to ax of no simple shape"
+        "acceleration",
+        "course",
+        shapes.response_course,
+        lambda _: Message("a bend of the response to ax of no simple shape"),
     ),
     _structure(
-        "time", "bend", shapes.time_bends, lambda at: f"a drift that bends, like the power {at['power']:g} of the time"
+        "time",
+        "bend",
+        shapes.time_bends,
+        lambda at: Message("a drift that bends, like the power {power:g} of the time", power=at["power"]),
     ),
     _structure(
-        "time", "period", shapes.time_periods, lambda at: f"a wave in time with a period of {at['period_s']:.0f} s"
+        "time",
+        "period",
+        shapes.time_periods,
+        lambda at: Message("a wave in time with a period of {period_s:.0f} s", period_s=at["period_s"]),
     ),
-    _structure("time", "step", shapes.time_steps, lambda at: f"a step some {at['step_s']:.0f} s after the first row"),
-    _structure("time", "course", shapes.time_course, lambda _: "a course in time of no simple shape"),
+    _structure(
+        "time",
+        "step",
+        shapes.time_steps,
+        lambda at: Message("a step some {step_s:.0f} s after the first row", step_s=at["step_s"]),
+    ),
+    _structure("time", "course", shapes.time_course, lambda _: Message("a course in time of no simple shape")),
     _structure(
         "temperature",
         "bend",
         shapes.temperature_bends,
-        lambda at: f"a bend against temperature, like the power {at['power']:g}",
+        lambda at: Message("a bend against temperature, like the power {power:g}", power=at["power"]),
     ),
     _structure(
         "temperature",
         "step",
         shapes.temperature_steps,
-        lambda at: f"a transition near a temperature of {at['at_degc']:.1f} °C",
+        lambda at: Message("a transition near a temperature of {at_degc:.1f} °C", at_degc=at["at_degc"]),
     ),
     _structure(
         "temperature",
         "course",
         shapes.temperature_course,
-        lambda at: (
-            "a dependence on how fast the temperature changes"
-            if "rate" in at
-            else "a course against temperature of no simple shape"
-        ),
+        _against_temperature,
     ),
     _structure(
         "direction",
         "of approach",
         shapes.directions,
-        lambda at: f"another {'bias' if 'bias' in at else 'response'} after moves in - direction",
+        _after_moves,
     ),
     _structure(
         "realisation",
         "alone",
         shapes.realisations,
-        lambda at: f"realisation {at['realisation']:g} responds differently",
+        lambda at: Message("realisation {realisation:g} responds differently", realisation=at["realisation"]),
     ),
     _structure("order", "of dwells", shapes.orders, _since),
 )
