@@ -7,6 +7,7 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.triad.scene import TriadScene
 from tumble.calibrations.tracing.effect import Effect, Form, Quantity, plain, scan, single, with_scanned
+from tumble.messages import Message
 
 _MOST_THRESHOLDS = 100
 
@@ -51,7 +52,7 @@ def _thresholds_v(scene: TriadScene) -> Sequence[float]:
 
 DAQ_EFFECTS: tuple[Effect[TriadScene], ...] = (
     Effect(
-        name="settling",
+        name=Message.named("settling", "incomplete settling"),
         belongs_to="daq",
         symbol="f (u_previous - u)",
         source="dwell begun before the reading has settled",
@@ -59,7 +60,7 @@ DAQ_EFFECTS: tuple[Effect[TriadScene], ...] = (
         report=plain("value", "fraction"),
     ),
     Effect(
-        name="daq_nonlinearity",
+        name=Message.named("daq_nonlinearity", "nonlinearity of the DAQ"),
         belongs_to="daq",
         symbol="A sin(2π u/P + p)",
         source="integral nonlinearity of the converter",
@@ -68,7 +69,7 @@ DAQ_EFFECTS: tuple[Effect[TriadScene], ...] = (
         at=_sine,
     ),
     Effect(
-        name="range_step",
+        name=Message.named("range_step", "step between ranges"),
         belongs_to="daq",
         symbol="s where u > u_t",
         source="autoranging",

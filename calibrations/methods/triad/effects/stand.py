@@ -8,7 +8,8 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.triad.geometry import ARCSEC_PER_RAD, square_change, wobble_changes
 from tumble.calibrations.methods.triad.scene import TriadScene
-from tumble.calibrations.tracing.effect import Effect, Form, Quantity, Reported, plain
+from tumble.calibrations.tracing.effect import Effect, Form, Quantity, Reported, Variable, plain
+from tumble.messages import Message
 
 _AXIS = Literal["outer", "inner"]
 
@@ -94,30 +95,39 @@ def _drifts(_form: Form, coefficients: FloatArray, covariance: FloatArray) -> di
 
 
 def _of_axis(
-    axis: _AXIS, name: str, symbol: str, forms: Callable[[TriadScene], Sequence[Form]], report: Reported
+    name: str, depends_on: Variable, symbol: str, forms: Callable[[TriadScene], Sequence[Form]], report: Reported
 ) -> Effect[TriadScene]:
     return Effect(
-        name=f"{axis}_{name}",
+        name=name,
         belongs_to="stand",
-        depends_on="direction" if name == "backlash" else "angle",
+        depends_on=depends_on,
         symbol=symbol,
-        source=f"error of the {axis} axis",
+        source="error of an axis",
         forms=forms,
         report=report,
     )
 
 
+_OUTER, _INNER = Message("outer"), Message("inner")
+
+
 def _axis_effects(axis: _AXIS) -> tuple[Effect[TriadScene], ...]:
+    said = _OUTER if axis == "outer" else _INNER
+    eccentricity = Message.named(f"{axis}_eccentricity", "eccentricity of the {axis} axis", axis=said)
+    second = Message.named(f"{axis}_second_harmonic", "second harmonic of the {axis} axis", axis=said)
+    backlash = Message.named(f"{axis}_backlash", "backlash of the {axis} axis", axis=said)
     return (
-        _of_axis(axis, "eccentricity", "A sin(φ + p)", _periods(axis, 1), _harmonic),
-        _of_axis(axis, "second_harmonic", "A sin(2φ + p)", _periods(axis, 2), _harmonic),
-        _of_axis(axis, "backlash", "e after a move in - direction", _backlash(axis), plain("value_arcsec", "arcsec")),
+        _of_axis(eccentricity, "angle", "A sin(φ + p)", _periods(axis, 1), _harmonic),
+        _of_axis(second, "angle", "A sin(2φ + p)", _periods(axis, 2), _harmonic),
+        _of_axis(
+            backlash, "direction", "e after a move in - direction", _backlash(axis), plain("value_arcsec", "arcsec")
+        ),
     )
 
 
 STAND_EFFECTS: tuple[Effect[TriadScene], ...] = (
     Effect(
-        name="axes_orthogonality",
+        name=Message.named("axes_orthogonality", "axes of the stand not square"),
         belongs_to="stand",
         depends_on="angle",
         symbol="κ: the axes are not square",
@@ -128,7 +138,7 @@ STAND_EFFECTS: tuple[Effect[TriadScene], ...] = (
     *_axis_effects("outer"),
     *_axis_effects("inner"),
     Effect(
-        name="outer_wobble",
+        name=Message.named("outer_wobble", "wobble of the outer axis"),
         belongs_to="stand",
         depends_on="angle",
         symbol="level_y + w sin(2A + p)",
@@ -137,7 +147,7 @@ STAND_EFFECTS: tuple[Effect[TriadScene], ...] = (
         report=_harmonic,
     ),
     Effect(
-        name="inner_wobble",
+        name=Message.named("inner_wobble", "wobble of the inner axis"),
         belongs_to="stand",
         depends_on="angle",
         symbol="inner axis turned by w (cos(2B + p), sin(2B + p), 0)",
@@ -146,7 +156,7 @@ STAND_EFFECTS: tuple[Effect[TriadScene], ...] = (
         report=_harmonic,
     ),
     Effect(
-        name="level_drift",
+        name=Message.named("level_drift", "drift of the stand's levels"),
         belongs_to="stand",
         depends_on="time",
         symbol="levels linear in time",

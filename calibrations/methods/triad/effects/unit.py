@@ -19,6 +19,7 @@ from tumble.calibrations.tracing.effect import (
     single,
     with_scanned,
 )
+from tumble.messages import Message
 
 _LEAST_EXCITED = 0.01
 """Of the largest value that a product of projections can have."""
@@ -65,7 +66,9 @@ def in_each(scene: TriadScene, values: FloatArray | None) -> tuple[Form, ...]:
 def _product(channel: str, axes: str) -> Effect[TriadScene]:
     """A product of projections, in one channel."""
     powers = np.array([axes.count(axis) for axis in CHANNELS])
-    name = f"{channel}.k_{axes}"
+    name = Message.named(
+        f"{channel}.k_{axes}", "nonlinearity k_{axes} of channel {channel}", axes=axes, channel=channel
+    )
 
     def forms(scene: TriadScene) -> Sequence[Form]:
         product = np.prod(scene.gravity_g**powers, axis=1)
@@ -86,7 +89,9 @@ def _product(channel: str, axes: str) -> Effect[TriadScene]:
 def _asymmetry(channel: str) -> Effect[TriadScene]:
     place = _AXES[channel]
     return Effect(
-        name=f"{channel}.scale_asymmetry",
+        name=Message.named(
+            f"{channel}.scale_asymmetry", "scale factor asymmetry of channel {channel}", channel=channel
+        ),
         belongs_to="unit",
         symbol=f"k |a_{channel}| in channel {channel}",
         source=_IEEE,
@@ -174,18 +179,26 @@ UNIT_EFFECTS: tuple[Effect[TriadScene], ...] = (
     *(_product(channel, axes) for channel in CHANNELS for axes in ("xx", "yy", "zz", "xy", "xz", "yz")),
     *(_product(channel, channel * 3) for channel in CHANNELS),
     *(_asymmetry(channel) for channel in CHANNELS),
-    _slow("bias_temperature", "V/K", "temperature", "IEEE Std 1293-2018, bias temperature sensitivity", _temperature),
     _slow(
-        "scale_temperature",
+        Message.named("bias_temperature", "bias temperature sensitivity"),
+        "V/K",
+        "temperature",
+        "IEEE Std 1293-2018, bias temperature sensitivity",
+        _temperature,
+    ),
+    _slow(
+        Message.named("scale_temperature", "scale factor temperature sensitivity"),
         "V/g/K",
         "temperature",
         "IEEE Std 1293-2018, scale factor temperature sensitivity",
         _times_felt(_temperature),
     ),
-    _slow("bias_drift", "V/h", "time", "IEEE Std 528, drift", _time),
-    _slow("scale_drift", "V/g/h", "time", "IEEE Std 528, drift", _times_felt(_time)),
+    _slow(Message.named("bias_drift", "bias drift"), "V/h", "time", "IEEE Std 528, drift", _time),
+    _slow(
+        Message.named("scale_drift", "scale factor drift"), "V/g/h", "time", "IEEE Std 528, drift", _times_felt(_time)
+    ),
     Effect(
-        name="warm_up",
+        name=Message.named("warm_up", "warm-up"),
         belongs_to="unit",
         depends_on="time",
         symbol="w exp(-t/τ)",
@@ -196,7 +209,7 @@ UNIT_EFFECTS: tuple[Effect[TriadScene], ...] = (
         additive=True,
     ),
     Effect(
-        name="realisation_bias",
+        name=Message.named("realisation_bias", "turn-on to turn-on bias"),
         belongs_to="unit",
         depends_on="realisation",
         symbol="b_r",
@@ -206,7 +219,7 @@ UNIT_EFFECTS: tuple[Effect[TriadScene], ...] = (
         random=True,
     ),
     Effect(
-        name="bias_random_walk",
+        name=Message.named("bias_random_walk", "random walk of the bias"),
         belongs_to="unit",
         depends_on="time",
         symbol="w(t)",
