@@ -17,8 +17,8 @@ FALSE_ALARM = 0.001
 
 ANOTHER_SHAPE = 0.02
 """Chance that an effect with one of the shapes of the catalogue is given a second one."""
-UNNAMED = 6.0
-"""Penalty of a shape without a name beyond that of a named one: a known cause is the better guess."""
+UNNAMED = 3.84
+"""By so much what has no name must explain more than the best set of names: a known cause is the better guess."""
 
 _NARROW = 2
 _REST = 0.02

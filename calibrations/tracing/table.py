@@ -2,14 +2,15 @@
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, Protocol
+from typing import Any, Protocol, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.tracing.components import Axis, Component
 from tumble.calibrations.tracing.declared import Declared
 from tumble.calibrations.tracing.effect import Effect, Form, Structure, Variable
 from tumble.calibrations.tracing.noise import Memory, NoiseModel, scaled_levels, slow_modes
@@ -50,6 +51,8 @@ class Table:
     structures: tuple[Structure[Any], ...]
     """Shapes without a name that compete with it."""
     memory: Memory
+    axes: tuple[Axis, ...] = ()
+    """Along what there may be components without a name."""
     most_effects: int = 5
     """How many are looked for at most."""
 
@@ -116,6 +119,11 @@ class Table:
         """The declared model with these forms in this noise."""
         whitened_fit = self.whole.whitened_fit(noise)
         return whitened_fit.fit(whitened_fit.split(self.whole.turned(self._columns(forms))))
+
+    def with_components(self, components: Sequence[Component]) -> Self:
+        """The same where components may be noise too."""
+        levels = {each.name: scaled_levels(each.columns, self.weights) for each in components}
+        return replace(self, memory=replace(self.memory, levels={**self.memory.levels, **levels}))
 
     def _columns(self, forms: Sequence[Form]) -> FloatArray:
         return np.column_stack([np.empty((self.rows, 0)), *(form.columns for form in forms)])

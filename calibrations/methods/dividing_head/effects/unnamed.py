@@ -1,137 +1,126 @@
-"""Structure without a name: shapes that no effect of the catalogue has, by the variable on which they depend.
+"""On what structure without a name may depend in the table of an accelerometer: channels, and variables for each.
 
-They compete with the catalogue on the same terms. Where one wins, the residual is reported as unexplained, located on
-its variable, and the shape stays in the model only to keep the parameters honest.
+A scale that follows ax, or an angle that follows it, is an offset that does: those pairs are left out. Jumps of the
+offset between realisations and of the angle between mountings have names.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator
+from typing import Final
 
-from tumble.calibrations.methods.dividing_head.effects import shapes
+import numpy as np
+
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.repeats import labels
 from tumble.calibrations.methods.dividing_head.effects.scene import Scene
-from tumble.calibrations.tracing.effect import Form, Structure, Variable, plain
+from tumble.calibrations.tracing.components import Axis, Channel, Coordinate, axes
+from tumble.messages import Message
+
+_SMOOTHED: Final = 8
+"""Degree of the polynomial in time from which the rate of the temperature is taken."""
 
 
-def _structure(
-    depends_on: Variable,
-    kind: str,
-    forms: Callable[[Scene], Iterator[Form]],
-    describe: Callable[[Mapping[str, float]], str],
-) -> Structure[Scene]:
-    def listed(scene: Scene) -> Sequence[Form]:
-        return tuple(forms(scene))
+def unnamed(scene: Scene) -> tuple[Axis, ...]:
+    """Everything along which a table could show structure without a name."""
+    angle, response = tuple(_of_the_head(scene)), tuple(_of_the_input(scene))
+    passing = (*_of_the_time(scene), *_of_the_warmth(scene), *_of_the_order(scene))
+    offset = Channel(word="offset", gain=np.ones(scene.rows), phrase=Message("the output is off"))
+    scale = Channel(word="scale", gain=scene.ax_g, phrase=Message("the response to ax changes"))
+    error = Channel(word="angle", gain=scene.slope_v_per_deg, phrase=Message("the angle is off"))
+    return axes((error, (*angle, *passing)), (offset, (*response, *angle, *passing)), (scale, passing))
 
-    return Structure(
-        name=f"?{depends_on} {kind}",
-        belongs_to="unit",
-        symbol="",
-        source="",
-        forms=listed,
-        report=plain("amplitude", "V"),
-        depends_on=depends_on,
-        describe=lambda form: describe(form.scanned),
+
+def _of_the_head(scene: Scene) -> Iterator[Coordinate]:
+    turned_deg = scene.angle_deg % 360.0
+    yield Coordinate(
+        word="angle", depends_on="angle", values=turned_deg, period=360.0, phrase=Message("by the angle of the head")
+    )
+    if np.ptp(scene.angle_deg) > 360.0:
+        yield Coordinate(
+            word="unwrapped_angle",
+            depends_on="angle",
+            values=scene.angle_deg,
+            waves=True,
+            phrase=Message("by the angle of the head, whole turns counted"),
+        )
+
+
+def _of_the_input(scene: Scene) -> Iterator[Coordinate]:
+    for axis, name in enumerate("xyz"):
+        yield Coordinate(
+            word="acceleration",
+            depends_on="acceleration",
+            values=scene.gravity_g[:, axis],
+            phrase=Message("by the acceleration a{axis}", axis=name),
+        )
+    yield Coordinate(
+        word="pose", depends_on="acceleration", values=scene.gravity_g, phrase=Message("by the pose of the unit")
     )
 
 
-def _bend_of(at: Mapping[str, float]) -> str:
-    axis = "xyz"[int(at["axis"])]
-    return f"a bend of the response to a{axis}, like its power {at.get('order', at.get('power')):g}"
+def _of_the_time(scene: Scene) -> Iterator[Coordinate]:
+    if scene.hours is not None:
+        yield Coordinate(
+            word="time",
+            depends_on="time",
+            values=scene.hours,
+            waves=True,
+            steps=True,
+            phrase=Message("by the time"),
+        )
+        yield Coordinate(
+            word="time_since_seating",
+            depends_on="time",
+            values=_since(scene.mounting, scene.hours),
+            phrase=Message("by the time since the unit was seated"),
+        )
 
 
-def _since(at: Mapping[str, float]) -> str:
-    ((group, dwells),) = at.items()
-    if group == "table":
-        return "a steady course with the number of dwells over the table, which has no time"
-    since = "realisation" if group == "realisation" else "mounting"
-    return (
-        f"a steady course since the start of each {since}"
-        if dwells == 1.0
-        else (f"something that dies out within some {dwells:g} dwells of the start of each {since}")
+def _of_the_warmth(scene: Scene) -> Iterator[Coordinate]:
+    if scene.temperature_k is None or not np.ptp(scene.temperature_k):
+        return
+    yield Coordinate(
+        word="temperature", depends_on="temperature", values=scene.temperature_k, phrase=Message("by the temperature")
+    )
+    if scene.hours is not None and np.ptp(scene.hours):
+        smooth = np.polynomial.Polynomial.fit(scene.hours, scene.temperature_k, min(_SMOOTHED, scene.rows // 20 + 1))
+        yield Coordinate(
+            word="temperature",
+            depends_on="temperature",
+            values=np.asarray(smooth.deriv()(scene.hours)),
+            phrase=Message("by how fast the temperature changes"),
+        )
+
+
+def _of_the_order(scene: Scene) -> Iterator[Coordinate]:
+    count = np.arange(scene.rows, dtype=float)
+    yield Coordinate(
+        word="order",
+        depends_on="order",
+        values=_since(scene.realisation, count),
+        phrase=Message("by the number of dwells since the start of the realisation"),
+    )
+    if scene.hours is None:
+        yield Coordinate(
+            word="order", depends_on="order", values=count, phrase=Message("by the number of dwells in the table")
+        )
+    yield Coordinate(
+        word="direction",
+        depends_on="direction",
+        values=scene.direction.astype(float),
+        ordered=False,
+        phrase=Message("by the direction of the last move"),
+    )
+    yield Coordinate(
+        word="realisation",
+        depends_on="realisation",
+        values=scene.realisation.astype(float),
+        ordered=False,
+        phrase=Message("from realisation to realisation"),
     )
 
 
-def withheld_by(name: str, at: Mapping[str, float]) -> tuple[str, ...]:
-    """Parameters that have no meaning beside a shape that could be them as well.
-
-    A bend has a slope or a mean of its own, and of two realisations nobody knows which is the odd one.
-    """
-    if name == "?acceleration bend" and "order" in at:
-        return (f"k{'xyz'[int(at['axis'])]}",) if at["order"] % 2 else ("u0",)
-    around_zero = ("u0", "kx")
-    return {
-        "?angle course": ("alpha0",),
-        "?acceleration bend": around_zero,
-        "?acceleration course": around_zero,
-        "?realisation alone": ("kx",),
-    }.get(name, ())
-
-
-STRUCTURES: tuple[Structure[Scene], ...] = (
-    _structure(
-        "angle",
-        "bell",
-        shapes.head_bells,
-        lambda at: f"a bump of the head's error near {at['centre_deg']:g}°, some {2 * at['width_deg']:g}° wide",
-    ),
-    _structure(
-        "angle", "course", shapes.head_course, lambda _: "an error of the head of no simple shape round the circle"
-    ),
-    _structure("acceleration", "bend", shapes.polynomials, _bend_of),
-    _structure(
-        "acceleration",
-        "zone",
-        shapes.zones,
-        lambda at: f"another slope of the response within {at['width_g']:g} g of ax = 0",
-    ),
-    _structure(
-        "acceleration",
-        "bump",
-        shapes.bumps,
-        lambda at: f"a bump of the output near ax = {at['centre_g']:.2f} g, some {2 * at['width_g']:.2g} g wide",
-    ),
-    _structure(
-        "acceleration", "course", shapes.response_course, lambda _: "a bend of the response to ax of no simple shape"
-    ),
-    _structure(
-        "time", "bend", shapes.time_bends, lambda at: f"a drift that bends, like the power {at['power']:g} of the time"
-    ),
-    _structure(
-        "time", "period", shapes.time_periods, lambda at: f"a wave in time with a period of {at['period_s']:.0f} s"
-    ),
-    _structure("time", "step", shapes.time_steps, lambda at: f"a step some {at['step_s']:.0f} s after the first row"),
-    _structure("time", "course", shapes.time_course, lambda _: "a course in time of no simple shape"),
-    _structure(
-        "temperature",
-        "bend",
-        shapes.temperature_bends,
-        lambda at: f"a bend against temperature, like the power {at['power']:g}",
-    ),
-    _structure(
-        "temperature",
-        "step",
-        shapes.temperature_steps,
-        lambda at: f"a transition near a temperature of {at['at_degc']:.1f} °C",
-    ),
-    _structure(
-        "temperature",
-        "course",
-        shapes.temperature_course,
-        lambda at: (
-            "a dependence on how fast the temperature changes"
-            if "rate" in at
-            else "a course against temperature of no simple shape"
-        ),
-    ),
-    _structure(
-        "direction",
-        "of approach",
-        shapes.directions,
-        lambda at: f"another {'bias' if 'bias' in at else 'response'} after moves in - direction",
-    ),
-    _structure(
-        "realisation",
-        "alone",
-        shapes.realisations,
-        lambda at: f"realisation {at['realisation']:g} responds differently",
-    ),
-    _structure("order", "of dwells", shapes.orders, _since),
-)
+def _since(group: FloatArray, values: FloatArray) -> FloatArray:
+    """Values less the first one of each unbroken run of a group."""
+    run = np.cumsum(np.diff(labels(group), prepend=-1) != 0) - 1
+    first = np.unique(run, return_index=True)[1]
+    return np.asarray(values - values[first][run])

@@ -29,7 +29,7 @@ from tumble.calibrations.methods.dividing_head.loop.table import (
     scene_of,
 )
 from tumble.calibrations.methods.dividing_head.loop.unexplained import unexplained
-from tumble.calibrations.methods.dividing_head.loop.withholding import without_courses, without_rivals
+from tumble.calibrations.methods.dividing_head.loop.withholding import without_rivals
 from tumble.calibrations.methods.dividing_head.model import ALPHA0
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.poses import pose_groups
@@ -134,8 +134,8 @@ def explain(
         explained = _explained(fit_without(observations, rejected), effects, reference_temperature_degc)
     trace, close, best = explained.trace, explained.close, explained.best
     misread = misreadings(observations, best.joint)
-    stated = without_courses(assess(best.joint, uncertainty, trials=0), best)
-    if trace.found or trace.names:
+    stated = assess(best.joint, uncertainty, trials=0)
+    if trace.found or trace.names or trace.components:
         stated = replace(
             stated,
             held_out_rms_v=held_out_rms(explained.tracer, trace, held_out_parts(explained.table.joint.observations)),
@@ -201,8 +201,8 @@ def _explained(joint: Joint, effects: Sequence[Effect[Scene]], reference_tempera
     looks: list[Explained] = []
     for _ in range(_ROUNDS):
         found = judged(base)
-        trace = found.trace
-        best = augment(base, replace(trace, noise=with_likely_flicker(base, trace.forms, trace.noise)))
+        table, trace = found.tracer.table, found.trace
+        best = augment(table, replace(trace, noise=with_likely_flicker(table, trace.forms, trace.noise)))
         looks.append(Explained(judged=found, best=best))
         alpha0_deg = float(best.joint.fit.theta[ALPHA0])
         moved_deg = abs(alpha0_deg - base.scene.alpha0_deg)

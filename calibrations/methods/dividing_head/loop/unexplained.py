@@ -4,20 +4,19 @@ from typing import Any
 
 from tumble.calibrations.core.quantities import format_number
 from tumble.calibrations.methods.dividing_head.loop.reach import Reach
-from tumble.calibrations.tracing.effect import Structure
 from tumble.calibrations.tracing.findings import SHAPELESS_P, Unexplained
 from tumble.calibrations.tracing.judged import Judged
 
 
 def unexplained(found: Judged[Any], reach: Reach) -> Unexplained | None:
     """Structure that no effect of the catalogue explains; None where there is none."""
-    structures = [item for item in found.trace.unnamed if isinstance(item.effect, Structure)]
-    if not structures:
+    components = found.trace.components
+    if not components:
         told = found.trace.names and not found.withheld
         return None if told or reach.alike > SHAPELESS_P else _shapeless(reach)
-    first = structures[0]
-    assert isinstance(first.effect, Structure)
-    return Unexplained(depends_on=first.effect.depends_on, description=first.effect.describe(first.form))
+    first = components[0]
+    channel, variable = first.place
+    return Unexplained(depends_on=first.depends_on, description=first.described, channel=channel, variable=variable)
 
 
 def _shapeless(reach: Reach) -> Unexplained:

@@ -3,42 +3,12 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-import numpy as np
-
-from tumble.calibrations.methods.dividing_head.effects.unnamed import withheld_by
-from tumble.calibrations.methods.dividing_head.loop.augmented import Augmented, augment
+from tumble.calibrations.methods.dividing_head.loop.augmented import augment
 from tumble.calibrations.methods.dividing_head.loop.table import DividingHeadTable
 from tumble.calibrations.methods.dividing_head.model import PARAMETERS
 from tumble.calibrations.methods.dividing_head.result import Calibration
-from tumble.calibrations.tracing.effect import Structure
-from tumble.calibrations.tracing.explained import RIVALS_APART, unless_rivals_differ
+from tumble.calibrations.tracing.explained import unless_rivals_differ
 from tumble.calibrations.tracing.rivals import Rival
-
-_COURSES = ("time", "temperature", "order", "realisation", "direction")
-
-
-def without_courses(calibration: Calibration, best: Augmented) -> Calibration:
-    """Take back parameters of which structure without a name has a part of its own: nobody knows where it is absent."""
-    for item in best.found:
-        taken = withheld_by(item.effect.name, item.form.scanned)
-        calibration = _without(calibration, taken, "it depends on where an unexplained course is zero")
-    u0 = calibration.parameters["u0"]
-    if u0.value is None or u0.standard_uncertainty is None:
-        return calibration
-    for item, columns in zip(best.found, best.columns, strict=True):
-        if isinstance(item.effect, Structure) and item.effect.depends_on in _COURSES:
-            mean_v = float(np.mean(item.form.columns @ best.coefficients[columns]))
-            if abs(mean_v) > RIVALS_APART * u0.standard_uncertainty:
-                reason = f"it depends on where the unexplained course with {item.effect.depends_on} is taken as absent"
-                return _without(calibration, ("u0",), reason)
-    return calibration
-
-
-def _without(calibration: Calibration, names: Sequence[str], reason: str) -> Calibration:
-    """Take parameters back, for a reason."""
-    told = {name: parameter for name in names if (parameter := calibration.parameters[name]).value is not None}
-    taken = {name: parameter.withheld(reason) for name, parameter in told.items()}
-    return replace(calibration, parameters={**calibration.parameters, **taken})
 
 
 def without_rivals(

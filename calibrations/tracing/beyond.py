@@ -1,0 +1,88 @@
+"""Beyond the catalogue: structure without a name, where no set of named effects explains a table as well.
+
+Components are looked for beside what the catalogue explains, beside nothing, and beside that with one effect away: what
+has no name may have been taken for several that have one. After each the named effects are searched again beside it.
+"""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any, Final, TypeVar
+
+from tumble.calibrations.tracing.candidates import FALSE_ALARM, UNNAMED
+from tumble.calibrations.tracing.fitting_noise import golden_section
+from tumble.calibrations.tracing.scan import Proposal, Scan, seen_beside
+from tumble.calibrations.tracing.table import Table
+from tumble.calibrations.tracing.trace import Trace, Tracer, penalised_deviance, refined
+
+MOST: Final = 2
+"""So many components are looked for at most."""
+_TRIED: Final = 3
+"""So many of the most promising ones are searched beside."""
+_WORTH_A_LOOK: Final = 30.0
+"""What promises to be worse by more than this is not."""
+_T = TypeVar("_T", bound=Table)
+
+
+def traced(tracer: Tracer[_T]) -> tuple[Tracer[_T], Trace]:
+    """What a table is traced to; with it the tracer in which that is at home."""
+    trace = tracer.trace()
+    if tracer.table.not_traced or not tracer.table.axes:
+        return tracer, trace
+    scan = Scan(tracer.table, tracer.table.axes, FALSE_ALARM)
+    for _ in range(MOST):
+        further = min(_with_one_more(tracer, scan, trace), key=penalised_deviance, default=trace)
+        if penalised_deviance(further) >= penalised_deviance(trace):
+            break
+        trace = further
+    return tracer.beside(trace.components), trace
+
+
+def _with_one_more(tracer: Tracer[Any], scan: Scan, trace: Trace) -> Iterator[Trace]:
+    """The trace with one component more, what it names searched again beside it."""
+    promised = sorted(
+        ((penalised_deviance(start) - proposal.worth + UNNAMED, number, start, proposal)
+         for number, (start, proposal) in enumerate(_proposed(tracer, scan, trace))),
+    )  # fmt: skip
+    limit = penalised_deviance(trace) + _WORTH_A_LOOK
+    for expected, _, start, proposal in promised[:_TRIED]:
+        if expected < limit:
+            yield _beside(tracer, start, proposal)
+
+
+def _proposed(tracer: Tracer[Any], scan: Scan, trace: Trace) -> Iterator[tuple[Trace, Proposal]]:
+    """Every start with the component that promises most beside it."""
+    for start in _starts(tracer, trace):
+        table = tracer.beside(start.components).table
+        for proposal in scan.proposals(seen_beside(table, start.forms, start.noise))[:1]:
+            yield start, proposal
+
+
+def _starts(tracer: Tracer[Any], trace: Trace) -> Iterator[Trace]:
+    """A trace, nothing, and the trace without each of what it names."""
+    yield trace
+    nothing = replace(trace, found=(), noise=tracer.noise)
+    for each in trace.components:
+        nothing = replace(nothing, noise=nothing.noise.with_level(each.name, dict(trace.noise.levels)[each.name]))
+    alone = {name: trace.without(name) for name in trace.names}
+    rests = [nothing, *alone.values()] if trace.names or trace.noise != nothing.noise else []
+    for rest in rests:
+        table = tracer.beside(rest.components).table
+        yield replace(rest, deviance=table.deviance(rest.forms, rest.noise))
+
+
+def _beside(tracer: Tracer[Any], start: Trace, proposal: Proposal) -> Trace:
+    """What a start turns into beside one component more."""
+    component = proposal.component
+    inside = tracer.beside((*start.components, component))
+    noise = start.noise.with_level(component.name, proposal.variance)
+    trial = replace(start, components=(*start.components, component))
+    settled = inside.settled(noise, trial) if start.found else inside.searched(noise)
+    return refined(inside.table, _fitted(inside.table, settled, component.name))
+
+
+def _fitted(table: Table, trace: Trace, name: str) -> Trace:
+    """A trace with the variance of one of its components as it fits best."""
+    deviance, variance = table.deviance_by_noise(trace.forms), dict(trace.noise.levels)[name]
+    ratio = golden_section(lambda ratio: deviance(trace.noise.with_level(name, variance * 10.0**ratio)), -1.0, 1.0, 8)
+    noise = trace.noise.with_level(name, variance * 10.0**ratio)
+    return replace(trace, noise=noise, deviance=deviance(noise))
