@@ -63,8 +63,8 @@ def _starts(tracer: Tracer[Any], trace: Trace) -> Iterator[Trace]:
     nothing = replace(trace, found=(), noise=tracer.noise)
     for each in trace.components:
         nothing = replace(nothing, noise=nothing.noise.with_level(each.name, dict(trace.noise.levels)[each.name]))
-    alone = {name: trace.without(name) for name in trace.names}
-    rests = [nothing, *alone.values()] if trace.names or trace.noise != nothing.noise else []
+    alone = [] if trace.components else [trace.without(name) for name in trace.names]
+    rests = [nothing, *alone] if trace.names or trace.noise != nothing.noise else []
     for rest in rests:
         table = tracer.beside(rest.components).table
         yield replace(rest, deviance=table.deviance(rest.forms, rest.noise))

@@ -6,9 +6,8 @@ wave of any phase, or a step. All are the same thing to a fit: columns whose coe
 variance. The method declares its channels and variables; which of them a table shows is found in `scan`.
 """
 
-from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 from typing import Final
 
 import numpy as np
@@ -27,8 +26,10 @@ _KEPT: Final = 1e-3
 """Directions in which a process varies by less than this part of its largest are left out."""
 _ROUGH: Final = (0.03, 0.3, 3.0)
 """Lengths of the exponential kernel, in ranges of the variable: broken courses."""
-_SMOOTH: Final = (0.15, 0.5, 2.0)
-"""Lengths of the Matérn kernel of order 3/2: smooth courses."""
+_SMOOTH: Final = (0.05, 0.15, 0.5, 1.5)
+"""Lengths of the squared exponential kernel: smooth courses."""
+_WIDTHS: Final = (0.02, 0.04, 0.08, 0.16)
+"""Widths of bumps, in ranges of the variable."""
 IntArray = NDArray[np.int64]
 
 
@@ -63,6 +64,8 @@ class Coordinate:
     """Whether something may swing along it, up to the Nyquist limit of its values."""
     steps: bool = False
     """Whether something may step along it."""
+    bumps: bool = False
+    """Whether something may be at one place of it only."""
 
     @cached_property
     def bins(self) -> IntArray:
@@ -75,6 +78,11 @@ class Coordinate:
             return np.asarray(number, dtype=np.int64)
         rank = np.argsort(np.argsort(self.values, kind="stable"), kind="stable")
         return np.asarray(rank * MOST_VALUES // len(rank), dtype=np.int64)
+
+    @property
+    def bends_tried(self) -> bool:
+        """Whether polynomials of it make sense."""
+        return self.ordered and self.period is None and self.values.ndim == 1
 
     @property
     def varies(self) -> bool:
@@ -96,7 +104,7 @@ class Coordinate:
             return (("levels", np.eye(int(self.bins.max()) + 1)),)
         away = _distances(self.centres, self.period)
         rough = [(f"course {length:g}", np.exp(-away / length)) for length in _ROUGH]
-        smooth = [(f"smooth course {length:g}", _matern(away / length)) for length in _SMOOTH]
+        smooth = [(f"smooth course {length:g}", np.exp(-0.5 * (away / length) ** 2)) for length in _SMOOTH]
         return tuple((word, _root(kernel)) for word, kernel in (*rough, *smooth))
 
     @cached_property
@@ -106,17 +114,68 @@ class Coordinate:
         limit = min(0.5 / float(np.median(apart)), len(self._part) / 2) if len(apart) else 0.0
         return np.arange(_TURNS_APART, limit, _TURNS_APART)
 
-    @cached_property
-    def swing(self) -> tuple[FloatArray, FloatArray]:
-        """Sines and cosines of waves with those turns, shape (rows, waves)."""
-        phase = 2.0 * np.pi * np.outer(self._part, self.turns)
+    def swung(self, turns: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Sines and cosines of waves with so many turns over the range, shape (rows, waves)."""
+        phase = 2.0 * np.pi * np.outer(self._part, turns)
         return np.sin(phase), np.cos(phase)
 
     @cached_property
-    def stepping(self) -> tuple[FloatArray, FloatArray]:
-        """Places of steps as parts of the range, and a column for each, shape (rows, steps)."""
-        places = np.linspace(0.01, 0.99, _STEPS)
-        return places, (self._part[:, None] > places).astype(float)
+    def swing(self) -> tuple[FloatArray, FloatArray]:
+        """The same for all turns."""
+        return self.swung(self.turns)
+
+    @cached_property
+    def bumps_tried(self) -> FloatArray:
+        """Centre and width of every bump that is tried, shape (bumps, 2)."""
+        span = self.period or float(np.ptp(self.values))
+        low = float(self.values.min())
+        tried = [
+            (centre, width * span) for width in _WIDTHS for centre in np.arange(low, low + span, width * span).tolist()
+        ]
+        return self._several_rows(np.array(tried))
+
+    def bumps_near(self, centre: float, width: float) -> FloatArray:
+        """The same closer about one of them."""
+        tried = [(centre + part * width, width * ratio) for part in _PARTS for ratio in _TIMES]
+        return self._several_rows(np.array(tried))
+
+    def bells(self, bumps: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """A bell for each bump, and its slope, shape (rows, bumps)."""
+        away = self.values[:, None] - bumps[:, 0]
+        if self.period is not None:
+            away = (away + self.period / 2) % self.period - self.period / 2
+        away = away / bumps[:, 1]
+        bell = np.exp(-0.5 * away**2)
+        return bell, away * bell
+
+    def _several_rows(self, bumps: FloatArray) -> FloatArray:
+        """Those in whose middle are several rows."""
+        bell, _ = self.bells(bumps)
+        return np.asarray(bumps[np.count_nonzero(bell > _MIDDLE, axis=0) >= _FEWEST])
+
+    @cached_property
+    def bends(self) -> FloatArray:
+        """Chebyshev's polynomials over the range, shape (rows, polynomials)."""
+        return np.polynomial.chebyshev.chebvander(2.0 * self._part - 1.0, _BENDS[-1])[:, _BENDS]
+
+    @cached_property
+    def places(self) -> FloatArray:
+        """Where steps are tried, as parts of the range: between any two rows, or between so many of them."""
+        between = np.unique(self._part)
+        between = (between[1:] + between[:-1]) / 2.0
+        return between[np.unique(np.linspace(0, len(between) - 1, _STEPS).round().astype(int))]
+
+    def nearby(self, place: float) -> FloatArray:
+        """Every place between two rows that is nearer to one of the places than the next of them."""
+        between = np.unique(self._part)
+        between = (between[1:] + between[:-1]) / 2.0
+        number = int(np.searchsorted(self.places, place))
+        low, high = self.places[max(number - 1, 0)], self.places[min(number + 1, len(self.places) - 1)]
+        return between[(between >= low) & (between <= high)]
+
+    def stepped(self, places: FloatArray) -> FloatArray:
+        """A step at each of the places, shape (rows, places)."""
+        return (self._part[:, None] > places).astype(float)
 
     @cached_property
     def _part(self) -> FloatArray:
@@ -124,7 +183,14 @@ class Coordinate:
         return np.asarray((self.values - self.values.min()) / np.ptp(self.values))
 
 
-_STEPS: Final = 150
+_PARTS: Final = (-0.6, -0.3, 0.0, 0.3, 0.6)
+_TIMES: Final = (0.6, 0.8, 1.0, 1.25, 1.6)
+_BENDS: Final = [2, 3, 4, 5]
+"""Orders of the polynomials that are tried."""
+_MIDDLE: Final = 0.6
+_FEWEST: Final = 4
+"""Fewer rows than this in its middle make no bump: they could be gross errors."""
+_STEPS: Final = 120
 """Places at which a step is tried."""
 _TURNS_APART: Final = 0.5
 """Waves are tried so many turns over the range apart: half of what parts two of them."""
@@ -139,11 +205,6 @@ def _distances(centres: FloatArray, period: float | None) -> FloatArray:
         return np.asarray(np.abs(2.0 * np.sin(np.pi * apart[..., 0] / period)) / 2.0)
     away = np.linalg.norm(apart, axis=-1)
     return np.asarray(away / max(float(away.max()), 1e-300))
-
-
-def _matern(distance: FloatArray) -> FloatArray:
-    scaled = np.sqrt(3.0) * distance
-    return np.asarray((1.0 + scaled) * np.exp(-scaled))
 
 
 def _root(kernel: FloatArray) -> FloatArray:
@@ -188,20 +249,21 @@ class Axis:
 
     channel: Channel
     coordinate: Coordinate
+    expected: bool = False
+    """Whether something of the kind is there more often than not."""
 
 
-def axes(*pairs: tuple[Channel, tuple[Coordinate, ...]]) -> tuple[Axis, ...]:
-    """Every channel with every variable of its list that varies in the table."""
-    return tuple(_axes(pairs))
+def axes(*pairs: tuple[Channel, tuple[Coordinate, ...]], expected: tuple[str, str] = ("", "")) -> tuple[Axis, ...]:
+    """Every channel with every variable of its list that varies in the table; one channel and variable is expected."""
+    return tuple(
+        Axis(channel=channel, coordinate=coordinate, expected=(channel.word, coordinate.word) == expected)
+        for channel, coordinates in pairs
+        for coordinate in coordinates
+        if coordinate.varies and channel.gain.any()
+    )
 
 
-def _axes(pairs: tuple[tuple[Channel, tuple[Coordinate, ...]], ...]) -> Iterator[Axis]:
-    for channel, coordinates in pairs:
-        for coordinate in coordinates:
-            if coordinate.varies and np.ptp(coordinate.values, axis=0).any() and channel.gain.any():
-                yield Axis(channel=channel, coordinate=coordinate)
-
-
+@cache
 def penalty(chance: float) -> float:
     """Fall of -2 ln L that a variance without meaning reaches with this chance.
 

@@ -4,29 +4,40 @@ Whitened rows beside the columns of the model are split once. With F the columns
 decomposition of F'F gives the likelihood for every ratio of its variance to that of a dwell.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Final
 
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
-from tumble.calibrations.tracing.components import Axis, Component, penalty
+from tumble.calibrations.tracing.components import Axis, Component, IntArray, penalty
 from tumble.calibrations.tracing.effect import Form
 from tumble.calibrations.tracing.noise import NoiseModel
 from tumble.calibrations.tracing.seen import beside, directions
 from tumble.calibrations.tracing.table import Table
 from tumble.messages import Message
 
-_RATIOS: Final = 10.0 ** np.arange(-4.0, 5.1, 0.25)
+_RATIOS: Final = 10.0 ** np.arange(-3.5, 4.6, 0.4)
 """Of the variance of a row by the component to that of a dwell."""
+
+_SEEN: Final = 1e-6
+"""What is left of a column beside the others, in parts of the longest, is seen if it is more than this."""
+_FEWEST_PLACES: Final = 10
+"""With fewer values, a step between them is any difference between them."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Proposal:
     """A component that the table shows."""
 
-    component: Component
+    axis: Axis
+    shape: str
+    columns: Callable[[], FloatArray]
+    """For a channel of one, shape (rows, n)."""
+    penalty: float
+    """By how much -2 ln L must fall for it to be believed, everything that is tried counted."""
     gain: float
     """Fall of -2 ln L."""
     variance: float
@@ -34,8 +45,21 @@ class Proposal:
 
     @property
     def worth(self) -> float:
-        """The same beyond the penalty."""
-        return self.gain - self.component.penalty
+        """The gain beyond the penalty."""
+        return self.gain - self.penalty
+
+    @cached_property
+    def component(self) -> Component:
+        """The component itself."""
+        channel, coordinate = self.axis.channel, self.axis.coordinate
+        return Component(
+            channel=channel,
+            coordinate=coordinate,
+            shape=self.shape,
+            columns=self.columns() * channel.gain[:, None],
+            penalty=self.penalty,
+            described=Message("{channel}, {variable}", channel=channel.phrase, variable=coordinate.phrase),
+        )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -78,7 +102,9 @@ class Scan:
 
     def __init__(self, table: Table, axes: Sequence[Axis], chance: float) -> None:
         self._rows = table.rows
-        self._families = [_Family(axis, chance / max(len(axes), 1)) for axis in axes]
+        share = chance / 2.0 / max(len(axes), 1)
+        expected = chance / 2.0 / max(sum(axis.expected for axis in axes), 1)
+        self._families = [_Family(axis, share + expected * axis.expected) for axis in axes]
 
     def proposals(self, beside_: Beside) -> list[Proposal]:
         """The best component of every axis that shows any, the best first."""
@@ -103,6 +129,10 @@ class _Family:
         yield from self._courses(seen, rows)
         if self._axis.coordinate.waves and len(self._axis.coordinate.turns):
             yield from self._wave(seen, rows)
+        if self._axis.coordinate.bends_tried:
+            yield from self._bend(seen, rows)
+        if self._axis.coordinate.bumps:
+            yield from self._bump(seen, rows)
         if self._axis.coordinate.steps:
             yield from self._step(seen, rows)
 
@@ -118,54 +148,136 @@ class _Family:
             scale = float(power @ np.sum(root**2, axis=1)) / rows
             power_along = (vectors.T @ (root.T @ with_output)) ** 2
             (gain,), (variance,) = _gains(values[None] / scale, power_along[None] / scale, seen.squares, rows)
-            yield self._proposed(shape, root[coordinate.bins], (gain, variance), len(coordinate.courses))
+            yield self._proposed(
+                shape, lambda root=root: root[coordinate.bins], (gain, variance), len(coordinate.courses)
+            )
 
     def _wave(self, seen: Beside, rows: int) -> Iterator[Proposal]:
         """Waves of any phase, up to the Nyquist limit."""
-        sines, cosines = self._axis.coordinate.swing
-        level = (self._axis.channel.gain * seen.root)[:, None]
-        pair = np.stack([sines * level, cosines * level], axis=-1)
-        taken = np.einsum("rwi,rt->wit", pair, seen.taken, optimize=True)
-        gram = np.einsum("rwi,rwj->wij", pair, pair, optimize=True) - taken @ np.swapaxes(taken, 1, 2)
-        with_output = np.einsum("rwi,r->wi", pair, seen.left, optimize=True)
-        values, vectors = np.linalg.eigh(gram)
-        scale = float(np.sum(level**2)) / rows
-        power = np.einsum("wji,wj->wi", vectors, with_output) ** 2
-        gains, variances = _gains(values / scale, power / scale, seen.squares, rows)
+        coordinate = self._axis.coordinate
+        gains, _ = self._pairs(seen, rows, coordinate.swing)
+        finer = coordinate.turns[np.argmax(gains)] + np.linspace(-0.5, 0.5, 11) * coordinate.turns[0]
+        swing = coordinate.swung(finer)
+        gains, variances = self._pairs(seen, rows, swing)
         best = int(np.argmax(gains))
-        columns = np.column_stack([sines[:, best], cosines[:, best]])
         yield self._proposed(
-            f"wave {self._axis.coordinate.turns[best]:g}",
-            columns,
+            f"wave {finer[best]:.4g}",
+            lambda: np.column_stack([part[:, best] for part in swing]),
             (gains[best], variances[best]),
-            len(self._axis.coordinate.turns),
+            len(coordinate.turns),
         )
+
+    def _bump(self, seen: Beside, rows: int) -> Iterator[Proposal]:
+        """Bumps, with their slope, so that they may stand between two of their places."""
+        coordinate = self._axis.coordinate
+        tried = coordinate.bumps_tried
+        if not len(tried):
+            return
+        gains, _ = self._pairs(seen, rows, coordinate.bells(tried))
+        finer = coordinate.bumps_near(*tried[np.argmax(gains)].tolist())
+        bells = coordinate.bells(finer)
+        gains, variances = self._pairs(seen, rows, bells)
+        best = int(np.argmax(gains))
+        centre, width = finer[best].tolist()
+        yield self._proposed(
+            f"bump {centre:.4g} {width:.4g}",
+            lambda: np.column_stack([part[:, best] for part in bells]),
+            (gains[best], variances[best]),
+            len(tried),
+        )
+
+    def _bend(self, seen: Beside, rows: int) -> Iterator[Proposal]:
+        """Polynomials of low order."""
+        bends, level = self._axis.coordinate.bends, self._axis.channel.gain * seen.root
+        columns = bends * level[:, None]
+        whole = np.sum(columns**2, axis=0)
+        left = whole - np.sum((seen.taken.T @ columns) ** 2, axis=0)
+        size = whole / rows
+        power = (seen.left @ columns) ** 2
+        gains, variances = _gains((left / size)[:, None], (power / size)[:, None], seen.squares, rows)
+        best = int(np.argmax(gains))
+        yield self._proposed(f"bend {best}", lambda: bends[:, [best]], (gains[best], variances[best]), bends.shape[1])
+
+    def _pairs(self, seen: Beside, rows: int, pair: tuple[FloatArray, FloatArray]) -> tuple[FloatArray, FloatArray]:
+        """Gains and variances of shapes of two columns each, given as all the first and all the second ones."""
+        level = self._axis.channel.gain * seen.root
+        weighted = np.column_stack([seen.taken, seen.left]) * level[:, None]
+        sums = [weighted.T @ part for part in pair]
+        square = level**2
+        lengths = [square @ part**2 for part in pair]
+        gram = np.empty((pair[0].shape[1], 2, 2))
+        for row, length in enumerate(lengths):
+            gram[:, row, row] = length - np.sum(sums[row][:-1] ** 2, axis=0)
+        mixed = square @ (pair[0] * pair[1]) - np.sum(sums[0][:-1] * sums[1][:-1], axis=0)
+        gram[:, 0, 1] = gram[:, 1, 0] = mixed
+        values, vectors = np.linalg.eigh(gram)
+        scale = (sum(lengths) / rows)[:, None]
+        power = np.einsum("wji,jw->wi", vectors, np.stack([each[-1] for each in sums])) ** 2
+        return _gains(values / scale, power / scale, seen.squares, rows)
 
     def _step(self, seen: Beside, rows: int) -> Iterator[Proposal]:
-        """A step between any two of its places."""
-        places, steps = self._axis.coordinate.stepping
-        level = (self._axis.channel.gain * seen.root)[:, None]
-        columns = steps * level
-        squares = np.sum(columns**2, axis=0) - np.sum((seen.taken.T @ columns) ** 2, axis=0)
-        scale = float(np.sum(level**2)) / rows
-        power = (seen.left @ columns) ** 2
-        gains, variances = _gains(squares[:, None] / scale, power[:, None] / scale, seen.squares, rows)
-        best = int(np.argmax(gains))
-        yield self._proposed(f"step {places[best]:g}", steps[:, [best]], (gains[best], variances[best]), len(places))
+        """A step at any place, or a pulse between any two."""
+        coordinate = self._axis.coordinate
+        places = coordinate.places
+        if len(places) < _FEWEST_PLACES:
+            return
+        for number, (name, kind) in enumerate((("step", 1), ("pulse", 2))):
+            (_, _), ends = self._steps(seen, rows, places)[number]
+            finer = np.unique(np.concatenate([coordinate.nearby(float(places[end])) for end in ends]))
+            gained, ends = self._steps(seen, rows, finer)[number]
+            at = finer[list(ends)]
+            signs = np.array([1.0, -1.0])[: len(at)]
+            yield self._proposed(
+                " ".join([name, *(f"{place:.4g}" for place in at)]),
+                lambda at=at, signs=signs: (coordinate.stepped(at) @ signs)[:, None],
+                gained,
+                len(places) ** kind // kind,
+            )
 
-    def _proposed(self, shape: str, columns: FloatArray, gained: tuple[float, float], tried: int) -> Proposal:
+    def _steps(self, seen: Beside, rows: int, places: FloatArray) -> list[tuple[tuple[float, float], tuple[int, ...]]]:
+        """Gain and variance of the best step, and where it is; then those of the best pulse, and where it begins and ends."""
+        level = self._axis.channel.gain * seen.root
+        columns = self._axis.coordinate.stepped(places) * level[:, None]
+        taken, along = seen.taken.T @ columns, seen.left @ columns
+        whole, first, last = columns.T @ columns, *np.triu_indices(len(places), 1)
+        gram = whole - taken.T @ taken
+        found = []
+        for (squares, scale), power, ends in (
+            ((np.diag(each) for each in (gram, whole)), along**2, np.arange(len(places))[:, None]),
+            (
+                (_between(each, first, last) for each in (gram, whole)),
+                (along[first] - along[last]) ** 2,
+                np.column_stack([first, last]),
+            ),
+        ):
+            size, told = scale / rows, squares > _SEEN * scale.max()
+            size = np.where(told, size, 1.0)
+            values, power = (np.where(told, each, 0.0) / size for each in (squares, power))
+            gains, variances = _gains(values[:, None], power[:, None], seen.squares, rows)
+            best = int(np.argmax(gains))
+            found.append(((float(gains[best]), float(variances[best])), tuple(ends[best].tolist())))
+        return found
+
+    def _proposed(
+        self, shape: str, columns: Callable[[], FloatArray], gained: tuple[float, float], tried: int
+    ) -> Proposal:
         """A shape with its gain and variance, one of so many of its kind; kinds share the chance of the axis."""
-        axis = self._axis
-        kinds = 1 + axis.coordinate.waves + axis.coordinate.steps
-        component = Component(
-            channel=axis.channel,
-            coordinate=axis.coordinate,
+        coordinate = self._axis.coordinate
+        kinds = 1 + coordinate.bends_tried + coordinate.waves + coordinate.bumps + 2 * coordinate.steps
+        return Proposal(
+            axis=self._axis,
             shape=shape,
-            columns=columns * axis.channel.gain[:, None],
+            columns=columns,
             penalty=penalty(self._chance / kinds / tried),
-            described=Message("{channel}, {variable}", channel=axis.channel.phrase, variable=axis.coordinate.phrase),
+            gain=float(gained[0]),
+            variance=float(gained[1]),
         )
-        return Proposal(component=component, gain=float(gained[0]), variance=float(gained[1]))
+
+
+def _between(gram: FloatArray, first: IntArray, last: IntArray) -> FloatArray:
+    """Squares of the differences of columns, from their Gram matrix."""
+    length = np.diag(gram)
+    return np.asarray(length[first] + length[last] - 2.0 * gram[first, last])
 
 
 def _gains(values: FloatArray, power: FloatArray, squares: float, rows: int) -> tuple[FloatArray, FloatArray]:

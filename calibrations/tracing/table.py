@@ -1,7 +1,7 @@
 """Any table that may be traced: outputs, a declared model of them, and what may be seen besides."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Protocol, Self
@@ -13,7 +13,7 @@ from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.tracing.components import Axis, Component
 from tumble.calibrations.tracing.declared import Declared
 from tumble.calibrations.tracing.effect import Effect, Form, Structure, Variable
-from tumble.calibrations.tracing.noise import Memory, NoiseModel, scaled_levels, slow_modes
+from tumble.calibrations.tracing.noise import WHITE, Memory, NoiseModel, scaled_levels, slow_modes
 from tumble.calibrations.tracing.sample import Sample, sample
 from tumble.calibrations.tracing.whitened import Fitted
 
@@ -122,8 +122,23 @@ class Table:
 
     def with_components(self, components: Sequence[Component]) -> Self:
         """The same where components may be noise too."""
-        levels = {each.name: scaled_levels(each.columns, self.weights) for each in components}
+        return self._with_levels({each.name: scaled_levels(each.columns, self.weights) for each in components})
+
+    def with_seen(self, components: Sequence[Component]) -> Self:
+        """The same where what is seen of components beside the declared model may be noise: by that they are judged."""
+        span = self._seen_directions
+        whole = {each.name: scaled_levels(each.columns, self.weights) for each in components}
+        return self._with_levels({name: level - span @ (span.T @ level) for name, level in whole.items()})
+
+    def _with_levels(self, levels: Mapping[str, FloatArray]) -> Self:
         return replace(self, memory=replace(self.memory, levels={**self.memory.levels, **levels}))
+
+    @cached_property
+    def _seen_directions(self) -> FloatArray:
+        """Orthonormal directions of the declared model, linearised at its fit, in weighted rows."""
+        theta = self.fit((), WHITE).declared
+        columns = (self.declared @ self.model.slopes(theta)) * np.sqrt(self.weights)[:, None]
+        return np.asarray(np.linalg.svd(columns / np.linalg.norm(columns, axis=0).clip(1e-300), full_matrices=False)[0])
 
     def _columns(self, forms: Sequence[Form]) -> FloatArray:
         return np.column_stack([np.empty((self.rows, 0)), *(form.columns for form in forms)])

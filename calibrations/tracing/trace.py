@@ -132,7 +132,7 @@ class Tracer(Generic[_T]):
         """The same where components may be noise."""
         if not components:
             return self
-        other = self.among(self.table.with_components(components), self.noise)
+        other = self.among(self.table.with_seen(components), self.noise)
         other.components = tuple(components)
         return other
 

@@ -19,6 +19,10 @@ _SMOOTHED: Final = 8
 """Degree of the polynomial in time from which the rate of the temperature is taken."""
 
 
+_DRIFT: Final = ("offset", "time")
+"""What wanders is commoner than all the others."""
+
+
 def unnamed(scene: Scene) -> tuple[Axis, ...]:
     """Everything along which a table could show structure without a name."""
     angle, response = tuple(_of_the_head(scene)), tuple(_of_the_input(scene))
@@ -26,13 +30,19 @@ def unnamed(scene: Scene) -> tuple[Axis, ...]:
     offset = Channel(word="offset", gain=np.ones(scene.rows), phrase=Message("the output is off"))
     scale = Channel(word="scale", gain=scene.ax_g, phrase=Message("the response to ax changes"))
     error = Channel(word="angle", gain=scene.slope_v_per_deg, phrase=Message("the angle is off"))
-    return axes((error, (*angle, *passing)), (offset, (*response, *angle, *passing)), (scale, passing))
+    return axes((error, (*angle, *passing)), (offset, (*response, *angle, *passing)), (scale, passing), expected=_DRIFT)
 
 
 def _of_the_head(scene: Scene) -> Iterator[Coordinate]:
     turned_deg = scene.angle_deg % 360.0
     yield Coordinate(
-        word="angle", depends_on="angle", values=turned_deg, period=360.0, phrase=Message("by the angle of the head")
+        word="angle",
+        depends_on="angle",
+        values=turned_deg,
+        period=360.0,
+        bumps=True,
+        steps=True,
+        phrase=Message("by the angle of the head"),
     )
     if np.ptp(scene.angle_deg) > 360.0:
         yield Coordinate(
@@ -50,6 +60,7 @@ def _of_the_input(scene: Scene) -> Iterator[Coordinate]:
             word="acceleration",
             depends_on="acceleration",
             values=scene.gravity_g[:, axis],
+            bumps=True,
             phrase=Message("by the acceleration a{axis}", axis=name),
         )
     yield Coordinate(
@@ -79,7 +90,11 @@ def _of_the_warmth(scene: Scene) -> Iterator[Coordinate]:
     if scene.temperature_k is None or not np.ptp(scene.temperature_k):
         return
     yield Coordinate(
-        word="temperature", depends_on="temperature", values=scene.temperature_k, phrase=Message("by the temperature")
+        word="temperature",
+        depends_on="temperature",
+        values=scene.temperature_k,
+        steps=True,
+        phrase=Message("by the temperature"),
     )
     if scene.hours is not None and np.ptp(scene.hours):
         smooth = np.polynomial.Polynomial.fit(scene.hours, scene.temperature_k, min(_SMOOTHED, scene.rows // 20 + 1))

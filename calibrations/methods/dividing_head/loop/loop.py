@@ -201,7 +201,8 @@ def _explained(joint: Joint, effects: Sequence[Effect[Scene]], reference_tempera
     looks: list[Explained] = []
     for _ in range(_ROUNDS):
         found = judged(base)
-        table, trace = found.tracer.table, found.trace
+        trace = found.trace
+        table = base.with_components(trace.components)
         best = augment(table, replace(trace, noise=with_likely_flicker(table, trace.forms, trace.noise)))
         looks.append(Explained(judged=found, best=best))
         alpha0_deg = float(best.joint.fit.theta[ALPHA0])
