@@ -18,6 +18,8 @@ MOST: Final = 2
 """So many components are looked for at most."""
 _TRIED: Final = 3
 """So many of the most promising ones are searched beside."""
+NEAR: Final = 9.0
+"""What explains less by no more than this, in -2 ln L, is not parted from the best."""
 _WORTH_A_LOOK: Final = 30.0
 """What promises to be worse by more than this is not."""
 _T = TypeVar("_T", bound=Table)
@@ -86,3 +88,13 @@ def _fitted(table: Table, trace: Trace, name: str) -> Trace:
     ratio = golden_section(lambda ratio: deviance(trace.noise.with_level(name, variance * 10.0**ratio)), -1.0, 1.0, 8)
     noise = trace.noise.with_level(name, variance * 10.0**ratio)
     return replace(trace, noise=noise, deviance=deviance(noise))
+
+
+def alike(tracer: Tracer[Any], trace: Trace) -> tuple[tuple[str, str], ...]:
+    """Channels and variables that the rows do not part from those of the first component, the likeliest first."""
+    first, *others = trace.components
+    table, rest = tracer.beside(others).table, trace.without(first.name)
+    scan = Scan(table, table.axes, FALSE_ALARM)
+    proposals = scan.proposals(seen_beside(table, rest.forms, rest.noise))
+    near = [each.axis.place for each in proposals if each.worth > proposals[0].worth - NEAR]
+    return tuple(dict.fromkeys(place for place in near if place != first.place))

@@ -6,6 +6,7 @@ wave of any phase, or a step. All are the same thing to a fit: columns whose coe
 variance. The method declares its channels and variables; which of them a table shows is found in `scan`.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache, cached_property
 from typing import Final
@@ -22,6 +23,8 @@ MARK: Final = "?"
 """With it begins the name of what is noise to a fit and no effect: levels of settings, components."""
 MOST_VALUES: Final = 90
 """Variables with more distinct values are cut into so many bins of equally many rows."""
+_ROWS_EACH: Final = 3
+"""So many rows each bin has at least, in the mean."""
 _KEPT: Final = 1e-3
 """Directions in which a process varies by less than this part of its largest are left out."""
 _ROUGH: Final = (0.03, 0.3, 3.0)
@@ -42,7 +45,7 @@ class Channel:
     gain: FloatArray
     """What one unit of it adds to the output, shape (rows,)."""
     phrase: Message
-    """What changes, for a reader."""
+    """What changes, for a reader: `an offset of the output`."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -55,7 +58,9 @@ class Coordinate:
     values: FloatArray
     """Shape (rows,), or (rows, n) where it is a place in space."""
     phrase: Message
-    """With what a channel changes, for a reader."""
+    """What it follows, for a reader: `that follows the time`."""
+    shown: Callable[[float], str] = "{:.3g}".format
+    """A value of it, for a reader."""
     period: float | None = None
     """Of a variable that comes back on itself."""
     ordered: bool = True
@@ -69,15 +74,19 @@ class Coordinate:
 
     @cached_property
     def bins(self) -> IntArray:
-        """Number of the value of each row, or of the bin that it is in."""
+        """Number of the value of each row, or of the bin that it is in: never many beside the rows.
+
+        With a number of its own for nearly every row, nothing would be left to tell a course from the noise of a dwell.
+        """
+        rows = len(self.values)
+        most = min(MOST_VALUES, rows // _ROWS_EACH)
         if self.values.ndim > 1:
-            _, number = np.unique(np.round(self.values / _CELL), axis=0, return_inverse=True)
-            return np.asarray(number, dtype=np.int64).ravel()
+            return _cells(self.values, most)
         distinct, number = np.unique(np.round(self.values, 6), return_inverse=True)
-        if len(distinct) <= MOST_VALUES:
+        if len(distinct) <= most or not self.ordered:
             return np.asarray(number, dtype=np.int64)
         rank = np.argsort(np.argsort(self.values, kind="stable"), kind="stable")
-        return np.asarray(rank * MOST_VALUES // len(rank), dtype=np.int64)
+        return np.asarray(rank * most // rows, dtype=np.int64)
 
     @property
     def bends_tried(self) -> bool:
@@ -103,8 +112,8 @@ class Coordinate:
         if not self.ordered:
             return (("levels", np.eye(int(self.bins.max()) + 1)),)
         away = _distances(self.centres, self.period)
-        rough = [(f"course {length:g}", np.exp(-away / length)) for length in _ROUGH]
-        smooth = [(f"smooth course {length:g}", np.exp(-0.5 * (away / length) ** 2)) for length in _SMOOTH]
+        rough = [(f"broken {length:g}", np.exp(-away / length)) for length in _ROUGH]
+        smooth = [(f"smooth {length:g}", np.exp(-0.5 * (away / length) ** 2)) for length in _SMOOTH]
         return tuple((word, _root(kernel)) for word, kernel in (*rough, *smooth))
 
     @cached_property
@@ -146,7 +155,7 @@ class Coordinate:
             away = (away + self.period / 2) % self.period - self.period / 2
         away = away / bumps[:, 1]
         bell = np.exp(-0.5 * away**2)
-        return bell, away * bell
+        return np.asarray(bell), np.asarray(away * bell)
 
     def _several_rows(self, bumps: FloatArray) -> FloatArray:
         """Those in whose middle are several rows."""
@@ -156,14 +165,14 @@ class Coordinate:
     @cached_property
     def bends(self) -> FloatArray:
         """Chebyshev's polynomials over the range, shape (rows, polynomials)."""
-        return np.polynomial.chebyshev.chebvander(2.0 * self._part - 1.0, _BENDS[-1])[:, _BENDS]
+        return np.asarray(np.polynomial.chebyshev.chebvander(2.0 * self._part - 1.0, _BENDS[-1])[:, _BENDS])
 
     @cached_property
     def places(self) -> FloatArray:
         """Where steps are tried, as parts of the range: between any two rows, or between so many of them."""
         between = np.unique(self._part)
         between = (between[1:] + between[:-1]) / 2.0
-        return between[np.unique(np.linspace(0, len(between) - 1, _STEPS).round().astype(int))]
+        return np.asarray(between[np.unique(np.linspace(0, len(between) - 1, _STEPS).round().astype(int))])
 
     def nearby(self, place: float) -> FloatArray:
         """Every place between two rows that is nearer to one of the places than the next of them."""
@@ -171,11 +180,21 @@ class Coordinate:
         between = (between[1:] + between[:-1]) / 2.0
         number = int(np.searchsorted(self.places, place))
         low, high = self.places[max(number - 1, 0)], self.places[min(number + 1, len(self.places) - 1)]
-        return between[(between >= low) & (between <= high)]
+        return np.asarray(between[(between >= low) & (between <= high)])
 
     def stepped(self, places: FloatArray) -> FloatArray:
         """A step at each of the places, shape (rows, places)."""
         return (self._part[:, None] > places).astype(float)
+
+    @property
+    def low(self) -> float:
+        """Its lowest value."""
+        return float(self.values.min())
+
+    @property
+    def range(self) -> float:
+        """Its highest value less its lowest."""
+        return float(np.ptp(self.values))
 
     @cached_property
     def _part(self) -> FloatArray:
@@ -196,6 +215,16 @@ _TURNS_APART: Final = 0.5
 """Waves are tried so many turns over the range apart: half of what parts two of them."""
 _CELL: Final = 0.15
 """Places closer than this are one."""
+
+
+def _cells(places: FloatArray, most: int) -> IntArray:
+    """Number of the cell of each place, cells as small as so many of them allow."""
+    cell = _CELL
+    while True:
+        distinct, number = np.unique(np.round(places / cell), axis=0, return_inverse=True)
+        if len(distinct) <= max(most, 2 ** places.shape[1]):
+            return np.asarray(number, dtype=np.int64).ravel()
+        cell *= 1.5
 
 
 def _distances(centres: FloatArray, period: float | None) -> FloatArray:
@@ -251,6 +280,11 @@ class Axis:
     coordinate: Coordinate
     expected: bool = False
     """Whether something of the kind is there more often than not."""
+
+    @property
+    def place(self) -> tuple[str, str]:
+        """Channel and variable, as the contract calls them."""
+        return self.channel.word, self.coordinate.word
 
 
 def axes(*pairs: tuple[Channel, tuple[Coordinate, ...]], expected: tuple[str, str] = ("", "")) -> tuple[Axis, ...]:

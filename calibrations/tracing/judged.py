@@ -115,7 +115,7 @@ def _all_smooth(table: Table, near: Mapping[str, Sequence[Rival]]) -> dict[str, 
     return {name: [replace(each, trace=_smooth(table, each.trace)) for each in listed] for name, listed in near.items()}
 
 
-def _with_levels(table: Table) -> Table:
+def _with_levels(table: _T) -> _T:
     """The table with a noise that repeats of a setting share."""
     block = table.blocks("angle")
     columns = (block[:, None] == np.arange(block.max() + 1)).astype(float)

@@ -6,7 +6,7 @@ decomposition of F'F gives the likelihood for every ratio of its variance to tha
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Final
 
 import numpy as np
@@ -28,12 +28,18 @@ _FEWEST_PLACES: Final = 10
 """With fewer values, a step between them is any difference between them."""
 
 
+_Placed = tuple[tuple[float, float], tuple[int, ...]]
+"""Gain and variance, and numbers of places."""
+
+
 @dataclass(frozen=True, kw_only=True)
 class Proposal:
     """A component that the table shows."""
 
     axis: Axis
     shape: str
+    described: Message
+    """The shape, for a reader."""
     columns: Callable[[], FloatArray]
     """For a channel of one, shape (rows, n)."""
     penalty: float
@@ -58,7 +64,9 @@ class Proposal:
             shape=self.shape,
             columns=self.columns() * channel.gain[:, None],
             penalty=self.penalty,
-            described=Message("{channel}, {variable}", channel=channel.phrase, variable=coordinate.phrase),
+            described=Message(
+                "{channel} {follows}, {shape}", channel=channel.phrase, follows=coordinate.phrase, shape=self.described
+            ),
         )
 
 
@@ -69,7 +77,7 @@ class Beside:
     root: FloatArray
     """Roots of the weights, shape (rows,)."""
     taken: FloatArray
-    """Directions that noise or model take, shape (rows, n): of columns F of weighted rows, F'F - (F'T)(F'T)' is left."""
+    """Directions T that noise or model take, shape (rows, n): of weighted columns F, F'F - (F'T)(F'T)' is left."""
     left: FloatArray
     """What is left of the output, made white twice, shape (rows,)."""
     squares: float
@@ -149,7 +157,11 @@ class _Family:
             power_along = (vectors.T @ (root.T @ with_output)) ** 2
             (gain,), (variance,) = _gains(values[None] / scale, power_along[None] / scale, seen.squares, rows)
             yield self._proposed(
-                shape, lambda root=root: root[coordinate.bins], (gain, variance), len(coordinate.courses)
+                shape,
+                _COURSES[shape.split()[0]],
+                partial(_of_rows, root, coordinate.bins),
+                (gain, variance),
+                len(coordinate.courses),
             )
 
     def _wave(self, seen: Beside, rows: int) -> Iterator[Proposal]:
@@ -162,7 +174,8 @@ class _Family:
         best = int(np.argmax(gains))
         yield self._proposed(
             f"wave {finer[best]:.4g}",
-            lambda: np.column_stack([part[:, best] for part in swing]),
+            Message("in waves of {period}", period=coordinate.shown(float(coordinate.range / finer[best]))),
+            partial(_columns, swing, best),
             (gains[best], variances[best]),
             len(coordinate.turns),
         )
@@ -181,22 +194,22 @@ class _Family:
         centre, width = finer[best].tolist()
         yield self._proposed(
             f"bump {centre:.4g} {width:.4g}",
-            lambda: np.column_stack([part[:, best] for part in bells]),
+            Message("near {place}, within some {width}", place=coordinate.shown(centre), width=coordinate.shown(width)),
+            partial(_columns, bells, best),
             (gains[best], variances[best]),
             len(tried),
         )
 
     def _bend(self, seen: Beside, rows: int) -> Iterator[Proposal]:
         """Polynomials of low order."""
-        bends, level = self._axis.coordinate.bends, self._axis.channel.gain * seen.root
-        columns = bends * level[:, None]
+        bends = self._axis.coordinate.bends
+        columns = bends * (self._axis.channel.gain * seen.root)[:, None]
         whole = np.sum(columns**2, axis=0)
         left = whole - np.sum((seen.taken.T @ columns) ** 2, axis=0)
-        size = whole / rows
-        power = (seen.left @ columns) ** 2
-        gains, variances = _gains((left / size)[:, None], (power / size)[:, None], seen.squares, rows)
-        best = int(np.argmax(gains))
-        yield self._proposed(f"bend {best}", lambda: bends[:, [best]], (gains[best], variances[best]), bends.shape[1])
+        best, gained = _best(left, whole, (seen.left @ columns) ** 2, seen.squares, rows)
+        yield self._proposed(
+            f"bend {best}", Message("in a bend"), partial(_columns, [bends], best), gained, bends.shape[1]
+        )
 
     def _pairs(self, seen: Beside, rows: int, pair: tuple[FloatArray, FloatArray]) -> tuple[FloatArray, FloatArray]:
         """Gains and variances of shapes of two columns each, given as all the first and all the second ones."""
@@ -211,7 +224,7 @@ class _Family:
         mixed = square @ (pair[0] * pair[1]) - np.sum(sums[0][:-1] * sums[1][:-1], axis=0)
         gram[:, 0, 1] = gram[:, 1, 0] = mixed
         values, vectors = np.linalg.eigh(gram)
-        scale = (sum(lengths) / rows)[:, None]
+        scale = (np.sum(lengths, axis=0) / rows)[:, None]
         power = np.einsum("wji,jw->wi", vectors, np.stack([each[-1] for each in sums])) ** 2
         return _gains(values / scale, power / scale, seen.squares, rows)
 
@@ -222,44 +235,37 @@ class _Family:
         if len(places) < _FEWEST_PLACES:
             return
         for number, (name, kind) in enumerate((("step", 1), ("pulse", 2))):
-            (_, _), ends = self._steps(seen, rows, places)[number]
+            _, ends = self._steps(seen, rows, places)[number]
             finer = np.unique(np.concatenate([coordinate.nearby(float(places[end])) for end in ends]))
             gained, ends = self._steps(seen, rows, finer)[number]
             at = finer[list(ends)]
-            signs = np.array([1.0, -1.0])[: len(at)]
             yield self._proposed(
                 " ".join([name, *(f"{place:.4g}" for place in at)]),
-                lambda at=at, signs=signs: (coordinate.stepped(at) @ signs)[:, None],
+                _stepped(*(coordinate.shown(float(value)) for value in coordinate.low + coordinate.range * at)),
+                partial(_risen, coordinate.stepped(at)),
                 gained,
                 len(places) ** kind // kind,
             )
 
-    def _steps(self, seen: Beside, rows: int, places: FloatArray) -> list[tuple[tuple[float, float], tuple[int, ...]]]:
-        """Gain and variance of the best step, and where it is; then those of the best pulse, and where it begins and ends."""
+    def _steps(self, seen: Beside, rows: int, places: FloatArray) -> tuple[_Placed, _Placed]:
+        """The best step, and the best pulse: gain and variance, and the numbers of the places."""
         level = self._axis.channel.gain * seen.root
         columns = self._axis.coordinate.stepped(places) * level[:, None]
         taken, along = seen.taken.T @ columns, seen.left @ columns
         whole, first, last = columns.T @ columns, *np.triu_indices(len(places), 1)
         gram = whole - taken.T @ taken
-        found = []
-        for (squares, scale), power, ends in (
-            ((np.diag(each) for each in (gram, whole)), along**2, np.arange(len(places))[:, None]),
-            (
-                (_between(each, first, last) for each in (gram, whole)),
-                (along[first] - along[last]) ** 2,
-                np.column_stack([first, last]),
-            ),
-        ):
-            size, told = scale / rows, squares > _SEEN * scale.max()
-            size = np.where(told, size, 1.0)
-            values, power = (np.where(told, each, 0.0) / size for each in (squares, power))
-            gains, variances = _gains(values[:, None], power[:, None], seen.squares, rows)
-            best = int(np.argmax(gains))
-            found.append(((float(gains[best]), float(variances[best])), tuple(ends[best].tolist())))
-        return found
+        steps = _best(np.diag(gram), np.diag(whole), along**2, seen.squares, rows)
+        between = (_between(gram, first, last), _between(whole, first, last))
+        pulses = _best(*between, (along[first] - along[last]) ** 2, seen.squares, rows)
+        return (steps[1], (steps[0],)), (pulses[1], (int(first[pulses[0]]), int(last[pulses[0]])))
 
     def _proposed(
-        self, shape: str, columns: Callable[[], FloatArray], gained: tuple[float, float], tried: int
+        self,
+        shape: str,
+        described: Message,
+        columns: Callable[[], FloatArray],
+        gained: tuple[float, float],
+        tried: int,
     ) -> Proposal:
         """A shape with its gain and variance, one of so many of its kind; kinds share the chance of the axis."""
         coordinate = self._axis.coordinate
@@ -267,11 +273,53 @@ class _Family:
         return Proposal(
             axis=self._axis,
             shape=shape,
+            described=described,
             columns=columns,
             penalty=penalty(self._chance / kinds / tried),
             gain=float(gained[0]),
             variance=float(gained[1]),
         )
+
+
+_COURSES: Final = {
+    "smooth": Message("in a smooth course"),
+    "broken": Message("in a broken course"),
+    "levels": Message("a level for each"),
+}
+
+
+def _stepped(start: str, stop: str = "") -> Message:
+    """A step, or a pulse, where it is."""
+    if stop:
+        return Message("from {start} to {stop}", start=start, stop=stop)
+    return Message("in a step at {start}", start=start)
+
+
+def _of_rows(bins: FloatArray, number: IntArray) -> FloatArray:
+    """What rows have of the values of bins."""
+    return np.asarray(bins[number])
+
+
+def _risen(steps: FloatArray) -> FloatArray:
+    """One step, or what is between two, shape (rows, 1)."""
+    return np.asarray(steps[:, :1] - (steps[:, 1:] if steps.shape[1] > 1 else 0.0))
+
+
+def _columns(sides: Sequence[FloatArray], number: int) -> FloatArray:
+    """The column of that number of each side."""
+    return np.column_stack([side[:, number] for side in sides])
+
+
+def _best(
+    left: FloatArray, whole: FloatArray, power: FloatArray, squares: float, rows: int
+) -> tuple[int, tuple[float, float]]:
+    """Which of single columns gains most, with gain and variance: `left` of the squares `whole` is seen of each."""
+    told = left > _SEEN * whole.max()
+    size = np.where(told, whole / rows, 1.0)
+    values, powers = (np.where(told, each, 0.0) / size for each in (left, power))
+    gains, variances = _gains(values[:, None], powers[:, None], squares, rows)
+    best = int(np.argmax(gains))
+    return best, (float(gains[best]), float(variances[best]))
 
 
 def _between(gram: FloatArray, first: IntArray, last: IntArray) -> FloatArray:
@@ -281,7 +329,7 @@ def _between(gram: FloatArray, first: IntArray, last: IntArray) -> FloatArray:
 
 
 def _gains(values: FloatArray, power: FloatArray, squares: float, rows: int) -> tuple[FloatArray, FloatArray]:
-    """Fall of -2 ln L of components with n columns each, and the ratio of variances at which it is; shape (components,).
+    """Fall of -2 ln L of components with n columns each, and the ratio of variances at which it is so large.
 
     `values` are the eigenvalues of F'F for columns with a mean square of one in a row, shape (components, n), `power`
     the squares of the output along its eigenvectors, `squares` what is left of the output without them.

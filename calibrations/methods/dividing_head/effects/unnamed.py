@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.repeats import labels
@@ -27,9 +28,9 @@ def unnamed(scene: Scene) -> tuple[Axis, ...]:
     """Everything along which a table could show structure without a name."""
     angle, response = tuple(_of_the_head(scene)), tuple(_of_the_input(scene))
     passing = (*_of_the_time(scene), *_of_the_warmth(scene), *_of_the_order(scene))
-    offset = Channel(word="offset", gain=np.ones(scene.rows), phrase=Message("the output is off"))
-    scale = Channel(word="scale", gain=scene.ax_g, phrase=Message("the response to ax changes"))
-    error = Channel(word="angle", gain=scene.slope_v_per_deg, phrase=Message("the angle is off"))
+    offset = Channel(word="offset", gain=np.ones(scene.rows), phrase=Message("an offset of the output"))
+    scale = Channel(word="scale", gain=scene.ax_g, phrase=Message("a change of the response to ax"))
+    error = Channel(word="angle", gain=scene.slope_v_per_deg, phrase=Message("an error of the angle"))
     return axes((error, (*angle, *passing)), (offset, (*response, *angle, *passing)), (scale, passing), expected=_DRIFT)
 
 
@@ -40,17 +41,19 @@ def _of_the_head(scene: Scene) -> Iterator[Coordinate]:
         depends_on="angle",
         values=turned_deg,
         period=360.0,
+        shown=_degrees,
         bumps=True,
         steps=True,
-        phrase=Message("by the angle of the head"),
+        phrase=Message("that follows the angle of the head"),
     )
     if np.ptp(scene.angle_deg) > 360.0:
         yield Coordinate(
             word="unwrapped_angle",
             depends_on="angle",
             values=scene.angle_deg,
+            shown=_degrees,
             waves=True,
-            phrase=Message("by the angle of the head, whole turns counted"),
+            phrase=Message("that follows the angle of the head over all turns"),
         )
 
 
@@ -60,11 +63,15 @@ def _of_the_input(scene: Scene) -> Iterator[Coordinate]:
             word="acceleration",
             depends_on="acceleration",
             values=scene.gravity_g[:, axis],
+            shown="{:.2f} g".format,
             bumps=True,
-            phrase=Message("by the acceleration a{axis}", axis=name),
+            phrase=Message("that follows a{axis}", axis=name),
         )
     yield Coordinate(
-        word="pose", depends_on="acceleration", values=scene.gravity_g, phrase=Message("by the pose of the unit")
+        word="pose",
+        depends_on="acceleration",
+        values=scene.gravity_g,
+        phrase=Message("that follows the pose of the unit"),
     )
 
 
@@ -74,15 +81,17 @@ def _of_the_time(scene: Scene) -> Iterator[Coordinate]:
             word="time",
             depends_on="time",
             values=scene.hours,
+            shown=_seconds,
             waves=True,
             steps=True,
-            phrase=Message("by the time"),
+            phrase=Message("that follows the time"),
         )
         yield Coordinate(
             word="time_since_seating",
             depends_on="time",
             values=_since(scene.mounting, scene.hours),
-            phrase=Message("by the time since the unit was seated"),
+            shown=_seconds,
+            phrase=Message("that follows the time since the unit was seated"),
         )
 
 
@@ -92,9 +101,10 @@ def _of_the_warmth(scene: Scene) -> Iterator[Coordinate]:
     yield Coordinate(
         word="temperature",
         depends_on="temperature",
-        values=scene.temperature_k,
+        values=scene.temperature_k + scene.reference_temperature_degc,
+        shown="{:.1f} °C".format,
         steps=True,
-        phrase=Message("by the temperature"),
+        phrase=Message("that follows the temperature"),
     )
     if scene.hours is not None and np.ptp(scene.hours):
         smooth = np.polynomial.Polynomial.fit(scene.hours, scene.temperature_k, min(_SMOOTHED, scene.rows // 20 + 1))
@@ -102,7 +112,7 @@ def _of_the_warmth(scene: Scene) -> Iterator[Coordinate]:
             word="temperature",
             depends_on="temperature",
             values=np.asarray(smooth.deriv()(scene.hours)),
-            phrase=Message("by how fast the temperature changes"),
+            phrase=Message("that follows how fast the temperature changes"),
         )
 
 
@@ -112,29 +122,40 @@ def _of_the_order(scene: Scene) -> Iterator[Coordinate]:
         word="order",
         depends_on="order",
         values=_since(scene.realisation, count),
-        phrase=Message("by the number of dwells since the start of the realisation"),
+        phrase=Message("that follows the number of dwells in the realisation"),
     )
     if scene.hours is None:
         yield Coordinate(
-            word="order", depends_on="order", values=count, phrase=Message("by the number of dwells in the table")
+            word="order",
+            depends_on="order",
+            values=count,
+            phrase=Message("that follows the number of dwells in the table"),
         )
     yield Coordinate(
         word="direction",
         depends_on="direction",
         values=scene.direction.astype(float),
         ordered=False,
-        phrase=Message("by the direction of the last move"),
+        phrase=Message("that follows the direction of the last move"),
     )
     yield Coordinate(
         word="realisation",
         depends_on="realisation",
         values=scene.realisation.astype(float),
         ordered=False,
-        phrase=Message("from realisation to realisation"),
+        phrase=Message("that differs between realisations"),
     )
 
 
-def _since(group: FloatArray, values: FloatArray) -> FloatArray:
+def _seconds(hours: float) -> str:
+    return f"{3600.0 * hours:.0f} s"
+
+
+def _degrees(angle_deg: float) -> str:
+    return f"{angle_deg:.0f}°"
+
+
+def _since(group: NDArray[np.int64], values: FloatArray) -> FloatArray:
     """Values less the first one of each unbroken run of a group."""
     run = np.cumsum(np.diff(labels(group), prepend=-1) != 0) - 1
     first = np.unique(run, return_index=True)[1]
