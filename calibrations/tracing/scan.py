@@ -12,7 +12,8 @@ from typing import Final
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
-from tumble.calibrations.tracing.components import Axis, Component, IntArray, penalty
+from tumble.calibrations.tracing.components import Axis, Component, penalty
+from tumble.calibrations.tracing.coordinate import IntArray
 from tumble.calibrations.tracing.effect import Form
 from tumble.calibrations.tracing.noise import NoiseModel
 from tumble.calibrations.tracing.seen import beside, directions

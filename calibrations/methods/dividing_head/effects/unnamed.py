@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.repeats import labels
 from tumble.calibrations.methods.dividing_head.effects.scene import Scene
-from tumble.calibrations.tracing.components import Axis, Channel, Coordinate, axes
+from tumble.calibrations.tracing.components import Axis, Channel, axes
+from tumble.calibrations.tracing.coordinate import Coordinate
 from tumble.messages import Message
 
 _SMOOTHED: Final = 8
