@@ -10,7 +10,8 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Final
 
-from scipy.stats import chi2
+import numpy as np
+from scipy.special import chdtri
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.tracing.coordinate import Coordinate
@@ -33,36 +34,6 @@ class Channel:
     """What changes, for a reader: `an offset of the output`."""
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Component:
-    """Structure without a name: its columns have independent coefficients of one variance."""
-
-    channel: Channel
-    coordinate: Coordinate
-    shape: str
-    columns: FloatArray
-    """Shape (rows, n)."""
-    penalty: float
-    """By how much -2 ln L must fall for it to be believed, everything that is tried counted."""
-    described: Message
-    """What it is, for a reader."""
-
-    @property
-    def name(self) -> str:
-        """No other component of the table has it."""
-        return f"{MARK}{self.channel.word} {self.coordinate.phrase} {self.shape}"
-
-    @property
-    def place(self) -> tuple[str, str]:
-        """Channel and variable, as the contract calls them."""
-        return self.channel.word, self.coordinate.word
-
-    @property
-    def depends_on(self) -> Variable:
-        """What it depends on."""
-        return self.coordinate.depends_on
-
-
 @dataclass(frozen=True, kw_only=True)
 class Axis:
     """A channel and a variable that it may follow."""
@@ -73,9 +44,57 @@ class Axis:
     """Whether something of the kind is there more often than not."""
 
     @property
+    def name(self) -> str:
+        """No other axis of a table has it."""
+        return f"{self.channel.word} {self.coordinate.phrase}"
+
+    @property
     def place(self) -> tuple[str, str]:
         """Channel and variable, as the contract calls them."""
         return self.channel.word, self.coordinate.word
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Component:
+    """Structure without a name: its columns have independent coefficients of one variance."""
+
+    axis: Axis
+    shape: str
+    columns: FloatArray
+    """Shape (rows, n)."""
+    penalty: float
+    """By how much -2 ln L must fall for it to be believed, everything that is tried counted."""
+    described: Message
+    """What it is, for a reader."""
+
+    @property
+    def name(self) -> str:
+        """No other component of a table has it."""
+        return f"{MARK}{self.axis.name} {self.shape}"
+
+    @property
+    def place(self) -> tuple[str, str]:
+        """Channel and variable, as the contract calls them."""
+        return self.axis.place
+
+    @property
+    def depends_on(self) -> Variable:
+        """What it depends on."""
+        return self.axis.coordinate.depends_on
+
+
+def carried(component: Component, part: FloatArray, axis: Axis) -> FloatArray:
+    """What a component adds to other rows of the same table, shape (rows,), along its axis there.
+
+    `part` is what it adds to its own rows. Each other row has what the nearest of those has in the variable.
+    """
+    from scipy.spatial import KDTree  # takes a tenth of a second, in which a window is half up
+
+    own, gain = component.axis.coordinate, component.axis.channel.gain
+    course = part / np.where(gain == 0.0, 1.0, gain)
+    tree = KDTree(own.values.reshape(len(own.values), -1)[gain != 0.0])
+    _, nearest = tree.query(axis.coordinate.values.reshape(len(axis.coordinate.values), -1))
+    return np.asarray(course[gain != 0.0][nearest] * axis.channel.gain)
 
 
 def axes(*pairs: tuple[Channel, tuple[Coordinate, ...]], expected: tuple[str, str] = ("", "")) -> tuple[Axis, ...]:
@@ -95,4 +114,4 @@ def penalty(chance: float) -> float:
     A variance is at its bound where there is nothing: half the chance of chi-square with one degree of freedom (Self
     and Liang 1987).
     """
-    return float(chi2.isf(min(2.0 * chance, 1.0), 1))
+    return float(chdtri(1, min(2.0 * chance, 1.0)))

@@ -25,6 +25,8 @@ _RATIOS: Final = 10.0 ** np.arange(-3.5, 4.6, 0.4)
 
 _SEEN: Final = 1e-6
 """What is left of a column beside the others, in parts of the longest, is seen if it is more than this."""
+_FEWEST_ROWS: Final = 4
+"""A pulse of fewer rows could be gross errors."""
 _FEWEST_PLACES: Final = 10
 """With fewer values, a step between them is any difference between them."""
 
@@ -60,8 +62,7 @@ class Proposal:
         """The component itself."""
         channel, coordinate = self.axis.channel, self.axis.coordinate
         return Component(
-            channel=channel,
-            coordinate=coordinate,
+            axis=self.axis,
             shape=self.shape,
             columns=self.columns() * channel.gain[:, None],
             penalty=self.penalty,
@@ -251,12 +252,14 @@ class _Family:
     def _steps(self, seen: Beside, rows: int, places: FloatArray) -> tuple[_Placed, _Placed]:
         """The best step, and the best pulse: gain and variance, and the numbers of the places."""
         level = self._axis.channel.gain * seen.root
-        columns = self._axis.coordinate.stepped(places) * level[:, None]
+        stepped = self._axis.coordinate.stepped(places)
+        columns = stepped * level[:, None]
         taken, along = seen.taken.T @ columns, seen.left @ columns
         whole, first, last = columns.T @ columns, *np.triu_indices(len(places), 1)
         gram = whole - taken.T @ taken
         steps = _best(np.diag(gram), np.diag(whole), along**2, seen.squares, rows)
-        between = (_between(gram, first, last), _between(whole, first, last))
+        long = np.diff(np.sum(stepped, axis=0)[np.array([last, first])], axis=0)[0] >= _FEWEST_ROWS
+        between = (_between(gram, first, last) * long, _between(whole, first, last))
         pulses = _best(*between, (along[first] - along[last]) ** 2, seen.squares, rows)
         return (steps[1], (steps[0],)), (pulses[1], (int(first[pulses[0]]), int(last[pulses[0]])))
 

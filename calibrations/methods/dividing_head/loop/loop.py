@@ -36,6 +36,7 @@ from tumble.calibrations.methods.dividing_head.poses import pose_groups
 from tumble.calibrations.methods.dividing_head.probes import PROBES
 from tumble.calibrations.methods.dividing_head.questions import Questioned, questioned
 from tumble.calibrations.methods.dividing_head.result import Calibration
+from tumble.calibrations.methods.dividing_head.weights import weights_of_all
 from tumble.calibrations.tracing import explained as tracing
 from tumble.calibrations.tracing.effect import Effect
 from tumble.calibrations.tracing.experiments import Experiment, next_experiments
@@ -227,6 +228,7 @@ def _gross_errors(observations: Observations, explained: Explained) -> tuple[Set
     residual = explained.best.residual_v(scene)
     residual[np.isin(observations.row, joint.observations.row)] = joint.residual_v
     spare = len(joint.observations) - joint.fit.fitted
+    residual *= np.sqrt(weights_of_all(observations, joint.observations, joint.weights))
     return unlike_repeats(observations, residual, pose_groups(observations), joint.noise.used_v, spare)
 
 

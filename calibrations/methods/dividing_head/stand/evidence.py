@@ -144,7 +144,7 @@ def _term(effect: EffectFound) -> Term:
 
 def _of_the_head(component: Component) -> bool:
     """Whether structure without a name is one of the circle."""
-    return component.coordinate.word == _ANGLE
+    return component.axis.coordinate.word == _ANGLE
 
 
 def _is_harmonic(item: Found) -> bool:
