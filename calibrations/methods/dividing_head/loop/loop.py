@@ -21,6 +21,7 @@ from tumble.calibrations.methods.dividing_head.loop.augmented import Augmented, 
 from tumble.calibrations.methods.dividing_head.loop.misreading import Misreading, misreadings
 from tumble.calibrations.methods.dividing_head.loop.more_settings import more_settings
 from tumble.calibrations.methods.dividing_head.loop.reach import Reach, reach
+from tumble.calibrations.methods.dividing_head.loop.scatter import scatter_and_wandering
 from tumble.calibrations.methods.dividing_head.loop.still import ONE_POSE, Still, in_one_pose, stillness
 from tumble.calibrations.methods.dividing_head.loop.table import (
     DividingHeadTable,
@@ -142,6 +143,8 @@ def explain(
             held_out_rms_v=held_out_rms(explained.tracer, trace, held_out_parts(explained.table.joint.observations)),
         )
     augmented = without_rivals(stated, explained.table, explained.near)
+    said = scatter_and_wandering(explained.table, trace, best.joint)
+    augmented = replace(augmented, warnings=(*augmented.warnings, *said))
     loop = Loop(
         declared=assess(declared, uncertainty, trials=0),
         augmented=augmented,
