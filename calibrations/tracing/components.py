@@ -62,6 +62,8 @@ class Component:
     shape: str
     columns: FloatArray
     """Shape (rows, n)."""
+    whole: FloatArray
+    """The same with what the declared model could as well be in it: a bend has a slope and a mean that no row shows."""
     penalty: float
     """By how much -2 ln L must fall for it to be believed, everything that is tried counted."""
     described: Message
@@ -97,10 +99,12 @@ def carried(component: Component, part: FloatArray, axis: Axis) -> FloatArray:
     return np.asarray(course[gain != 0.0][nearest] * axis.channel.gain)
 
 
-def axes(*pairs: tuple[Channel, tuple[Coordinate, ...]], expected: tuple[str, str] = ("", "")) -> tuple[Axis, ...]:
-    """Every channel with every variable of its list that varies in the table; one channel and variable is expected."""
+def axes(
+    *pairs: tuple[Channel, tuple[Coordinate, ...]], expected: tuple[tuple[str, str], ...] = ()
+) -> tuple[Axis, ...]:
+    """Every channel with every variable of its list that varies in the table; some are expected."""
     return tuple(
-        Axis(channel=channel, coordinate=coordinate, expected=(channel.word, coordinate.word) == expected)
+        Axis(channel=channel, coordinate=coordinate, expected=(channel.word, coordinate.word) in expected)
         for channel, coordinates in pairs
         for coordinate in coordinates
         if coordinate.varies and channel.gain.any()

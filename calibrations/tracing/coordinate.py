@@ -20,7 +20,7 @@ _KEPT: Final = 1e-3
 """Directions in which a process varies by less than this part of its largest are left out."""
 _ROUGH: Final = (0.03, 0.3, 3.0)
 """Lengths of the exponential kernel, in ranges of the variable: broken courses."""
-_SMOOTH: Final = (0.05, 0.15, 0.5, 1.5)
+_SMOOTH: Final = (0.017, 0.05, 0.15, 0.5, 1.5)
 """Lengths of the squared exponential kernel: smooth courses."""
 _WIDTHS: Final = (0.02, 0.04, 0.08, 0.16)
 """Widths of bumps, in ranges of the variable."""
@@ -143,8 +143,13 @@ class Coordinate:
 
     @cached_property
     def bends(self) -> FloatArray:
-        """Chebyshev's polynomials over the range, shape (rows, polynomials)."""
-        return np.asarray(np.polynomial.chebyshev.chebvander(2.0 * self._part - 1.0, _BENDS[-1])[:, _BENDS])
+        """Chebyshev's polynomials over the range that bend, shape (rows, polynomials)."""
+        return self.polynomials[:, _STRAIGHT:]
+
+    @cached_property
+    def polynomials(self) -> FloatArray:
+        """The same with those that do not."""
+        return np.asarray(np.polynomial.chebyshev.chebvander(2.0 * self._part - 1.0, _MOST_BENT))
 
     @cached_property
     def places(self) -> FloatArray:
@@ -183,8 +188,10 @@ class Coordinate:
 
 _PARTS: Final = (-0.6, -0.3, 0.0, 0.3, 0.6)
 _TIMES: Final = (0.6, 0.8, 1.0, 1.25, 1.6)
-_BENDS: Final = [2, 3, 4, 5]
-"""Orders of the polynomials that are tried."""
+_STRAIGHT: Final = 2
+"""A constant and a straight line are no bends."""
+_MOST_BENT: Final = 5
+"""Order of the highest polynomial that is tried."""
 _MIDDLE: Final = 0.6
 _FEWEST: Final = 4
 """Fewer rows than this in its middle make no bump: they could be gross errors."""

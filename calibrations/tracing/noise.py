@@ -168,7 +168,8 @@ def slow_modes(hours: FloatArray | None, weights: FloatArray) -> FloatArray:
     return np.column_stack([np.ones(rows), cosines]) * np.sqrt(weights)[:, None]
 
 
-def scaled_levels(columns: FloatArray, weights: FloatArray) -> FloatArray:
-    """Weighted level columns, scaled to a mean square of one row."""
-    weighted = columns * np.sqrt(weights)[:, None]
-    return np.asarray(weighted / np.sqrt(np.mean(np.sum(weighted**2, axis=1))))
+def scaled_levels(columns: FloatArray, weights: FloatArray, by: FloatArray | None = None) -> FloatArray:
+    """Weighted level columns, scaled to a mean square of one row; or by what so scales other columns, `by`."""
+    root = np.sqrt(weights)[:, None]
+    measured = (columns if by is None else by) * root
+    return np.asarray(columns * root / np.sqrt(np.mean(np.sum(measured**2, axis=1))))

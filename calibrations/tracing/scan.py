@@ -5,7 +5,7 @@ decomposition of F'F gives the likelihood for every ratio of its variance to tha
 """
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from typing import Final
 
@@ -51,6 +51,8 @@ class Proposal:
     """Fall of -2 ln L."""
     variance: float
     """Mean variance of a row by it, in units of the variance of a dwell."""
+    whole: Callable[[], FloatArray] | None = None
+    """The same as `columns` with what the declared model could as well be in it; None where that is all."""
 
     @property
     def worth(self) -> float:
@@ -65,6 +67,7 @@ class Proposal:
             axis=self.axis,
             shape=self.shape,
             columns=self.columns() * channel.gain[:, None],
+            whole=(self.whole or self.columns)() * channel.gain[:, None],
             penalty=self.penalty,
             described=Message(
                 "{channel} {follows}, {shape}", channel=channel.phrase, follows=coordinate.phrase, shape=self.described
@@ -209,9 +212,9 @@ class _Family:
         whole = np.sum(columns**2, axis=0)
         left = whole - np.sum((seen.taken.T @ columns) ** 2, axis=0)
         best, gained = _best(left, whole, (seen.left @ columns) ** 2, seen.squares, rows)
-        yield self._proposed(
-            f"bend {best}", Message("in a bend"), partial(_columns, [bends], best), gained, bends.shape[1]
-        )
+        said = Message("in a bend")
+        bend = self._proposed(f"bend {best}", said, partial(_columns, [bends], best), gained, bends.shape[1])
+        yield replace(bend, whole=lambda: self._axis.coordinate.polynomials)
 
     def _pairs(self, seen: Beside, rows: int, pair: tuple[FloatArray, FloatArray]) -> tuple[FloatArray, FloatArray]:
         """Gains and variances of shapes of two columns each, given as all the first and all the second ones."""

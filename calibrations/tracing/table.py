@@ -121,8 +121,10 @@ class Table:
         return whitened_fit.fit(whitened_fit.split(self.whole.turned(self._columns(forms))))
 
     def with_components(self, components: Sequence[Component]) -> Self:
-        """The same where components may be noise too."""
-        return self._with_levels({each.name: scaled_levels(each.columns, self.weights) for each in components})
+        """The same where components may be noise too, with all that the declared model could as well be in them."""
+        return self._with_levels(
+            {each.name: scaled_levels(each.whole, self.weights, by=each.columns) for each in components}
+        )
 
     def with_seen(self, components: Sequence[Component]) -> Self:
         """The same where what is seen of components beside the declared model may be noise: by that they are judged."""

@@ -21,8 +21,8 @@ _SMOOTHED: Final = 8
 """Degree of the polynomial in time from which the rate of the temperature is taken."""
 
 
-_DRIFT: Final = ("offset", "time")
-"""What wanders is commoner than all the others."""
+_DRIFTS: Final = (("offset", "time"), ("offset", "temperature"))
+"""A bias that drifts, or follows the temperature, is commoner than all the others."""
 
 
 def unnamed(scene: Scene) -> tuple[Axis, ...]:
@@ -32,7 +32,9 @@ def unnamed(scene: Scene) -> tuple[Axis, ...]:
     offset = Channel(word="offset", gain=np.ones(scene.rows), phrase=Message("an offset of the output"))
     scale = Channel(word="scale", gain=scene.ax_g, phrase=Message("a change of the response to ax"))
     error = Channel(word="angle", gain=scene.slope_v_per_deg, phrase=Message("an error of the angle"))
-    return axes((error, (*angle, *passing)), (offset, (*response, *angle, *passing)), (scale, passing), expected=_DRIFT)
+    return axes(
+        (error, (*angle, *passing)), (offset, (*response, *angle, *passing)), (scale, passing), expected=_DRIFTS
+    )
 
 
 def _of_the_head(scene: Scene) -> Iterator[Coordinate]:
