@@ -32,11 +32,23 @@ def traced(tracer: Tracer[_T]) -> tuple[Tracer[_T], Trace]:
         return tracer, trace
     scan = Scan(tracer.table, tracer.table.axes, FALSE_ALARM)
     for _ in range(MOST):
-        further = min(_with_one_more(tracer, scan, trace), key=penalised_deviance, default=trace)
-        if penalised_deviance(further) >= penalised_deviance(trace):
+        further = min(_with_one_more(tracer, scan, trace), key=_cost, default=trace)
+        if _cost(further) >= _cost(trace):
             break
         trace = further
     return tracer.beside(trace.components), trace
+
+
+def _cost(trace: Trace) -> float:
+    """Penalised deviance, more of it for what follows any slow course in time."""
+    courses = [each for each in trace.components if each.place == _WANDERING and each.is_course]
+    return penalised_deviance(trace) + _FOLLOWS_ANYTHING * (bool(trace.noise.walk) + len(courses))
+
+
+_WANDERING: Final = ("offset", "time")
+_FOLLOWS_ANYTHING: Final = 5.0
+"""Penalty of a course of the bias in time beside what follows another variable: in a run that is slow, it follows most
+of what that does."""
 
 
 def _with_one_more(tracer: Tracer[Any], scan: Scan, trace: Trace) -> Iterator[Trace]:

@@ -18,6 +18,12 @@ from tumble.calibrations.tracing.coordinate import Coordinate
 from tumble.calibrations.tracing.effect import Variable
 from tumble.messages import Message
 
+COURSES: Final = {
+    "smooth": Message("in a smooth course"),
+    "broken": Message("in a broken course"),
+    "levels": Message("a level for each"),
+}
+"""What the first word of the shape of a process stands for."""
 MARK: Final = "?"
 """With it begins the name of what is noise to a fit and no effect: levels of settings, components."""
 
@@ -78,6 +84,11 @@ class Component:
     def place(self) -> tuple[str, str]:
         """Channel and variable, as the contract calls them."""
         return self.axis.place
+
+    @property
+    def is_course(self) -> bool:
+        """Whether it is a process, which has no shape."""
+        return self.shape.split()[0] in COURSES
 
     @property
     def depends_on(self) -> Variable:

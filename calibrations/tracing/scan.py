@@ -12,7 +12,7 @@ from typing import Final
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
-from tumble.calibrations.tracing.components import Axis, Component, penalty
+from tumble.calibrations.tracing.components import COURSES, Axis, Component, penalty
 from tumble.calibrations.tracing.coordinate import IntArray
 from tumble.calibrations.tracing.effect import Form
 from tumble.calibrations.tracing.noise import NoiseModel
@@ -163,7 +163,7 @@ class _Family:
             (gain,), (variance,) = _gains(values[None] / scale, power_along[None] / scale, seen.squares, rows)
             yield self._proposed(
                 shape,
-                _COURSES[shape.split()[0]],
+                COURSES[shape.split()[0]],
                 partial(_of_rows, root, coordinate.bins),
                 (gain, variance),
                 len(coordinate.courses),
@@ -286,13 +286,6 @@ class _Family:
             gain=float(gained[0]),
             variance=float(gained[1]),
         )
-
-
-_COURSES: Final = {
-    "smooth": Message("in a smooth course"),
-    "broken": Message("in a broken course"),
-    "levels": Message("a level for each"),
-}
 
 
 def _stepped(start: str, stop: str = "") -> Message:
