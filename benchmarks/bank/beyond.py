@@ -177,8 +177,9 @@ def _after_move(_: Rng, run: Run) -> Form:
     return lambda _: np.sqrt(move_deg / 90.0)
 
 
-def _cross_after_move(_: Rng, run: Run) -> Form:
-    return lambda scene: scene.gravity[:, 1] * (run.dwells.direction < 0)
+def _second_order_after_move(_: Rng, run: Run) -> Form:
+    """A second order that is there after - moves only."""
+    return lambda scene: scene.gravity[:, 0] ** 2 * (run.dwells.direction < 0)
 
 
 def _tired(_: Rng, run: Run) -> Form:
@@ -206,10 +207,10 @@ def _bias_since_seating(rng: Rng, run: Run) -> Form:
     return lambda _: values / values.max()
 
 
-def _odd_cross(rng: Rng, run: Run) -> Form:
-    """One realisation with another cross-axis sensitivity: the unit sat on a grain."""
+def _strained(rng: Rng, run: Run) -> Form:
+    """One realisation with a second order of its own: the unit was strained."""
     odd = run.dwells.realisation == rng.integers(1, run.dwells.realisation[-1] + 1)
-    return lambda scene: scene.gravity[:, 1] * odd
+    return lambda scene: scene.gravity[:, 0] ** 2 * odd
 
 
 def _by_turns(_: Rng, run: Run) -> Form:
@@ -264,10 +265,10 @@ _OUTPUTS: Final[dict[str, tuple[str, Callable[[Rng, Run], Form]]]] = {
     "thermal_lag": ("temperature", _lag),
     "after_reversal": ("direction", _after_reversal),
     "after_move": ("direction", _after_move),
-    "cross_after_move": ("direction", _cross_after_move),
+    "second_order_after_move": ("direction", _second_order_after_move),
     "tired": ("order", _tired),
     "every_other": ("order", _every_other),
-    "odd_cross": ("realisation", _odd_cross),
+    "strained": ("realisation", _strained),
     "by_turns": ("realisation", _by_turns),
 }
 

@@ -16,7 +16,7 @@ from tumble.calibrations.tracing.fitting_noise import (
     is_slow,
     noise_penalty,
 )
-from tumble.calibrations.tracing.noise import SETTINGS, WHITE, NoiseModel
+from tumble.calibrations.tracing.noise import WHITE, NoiseModel
 from tumble.calibrations.tracing.problem import Explanation, Problem
 from tumble.calibrations.tracing.search import penalties, search, settled
 from tumble.calibrations.tracing.table import Table
@@ -187,7 +187,7 @@ class Tracer(Generic[_T]):
             return trace
         again = self._with_random_levels(self._settled(drawn.noise, drawn))
         best = min(drawn, again, key=penalised_deviance)
-        names = [name for name, _ in best.noise.levels if name != SETTINGS]
+        names = [name for name, _ in best.noise.levels if not name.startswith(MARK)]
         return min((best, *(self._without(best, name) for name in names)), key=penalised_deviance)
 
     def _without(self, trace: Trace, name: str) -> Trace:

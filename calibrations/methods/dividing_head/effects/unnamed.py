@@ -142,12 +142,44 @@ def _of_the_order(scene: Scene) -> Iterator[Coordinate]:
         phrase=Message("that follows the direction of the last move"),
     )
     yield Coordinate(
+        word="direction",
+        depends_on="direction",
+        values=_last_move_deg(scene),
+        phrase=Message("that follows the size of the last move"),
+    )
+    yield Coordinate(
+        word="direction",
+        depends_on="direction",
+        values=_since_reversal(scene),
+        phrase=Message("that follows the number of dwells since the last reversal"),
+    )
+    yield Coordinate(
+        word="order",
+        depends_on="order",
+        values=count % 2.0,
+        ordered=False,
+        phrase=Message("that differs from every dwell to the next"),
+    )
+    yield Coordinate(
         word="realisation",
         depends_on="realisation",
         values=scene.realisation.astype(float),
         ordered=False,
         phrase=Message("that differs between realisations"),
     )
+
+
+def _last_move_deg(scene: Scene) -> FloatArray:
+    """Signed; none where the unit was seated anew."""
+    moved_deg = np.diff(scene.angle_deg, prepend=scene.angle_deg[0])
+    return np.asarray(np.where(np.diff(scene.mounting, prepend=-1) != 0, 0.0, moved_deg))
+
+
+def _since_reversal(scene: Scene) -> FloatArray:
+    """Dwells since the head turned round, negative in - direction; the first of them is 1."""
+    count, reversed_ = np.arange(scene.rows), np.diff(scene.direction, prepend=0) != 0
+    since = count - np.maximum.accumulate(np.where(reversed_, count, 0)) + 1
+    return np.asarray(scene.direction * since, dtype=float)
 
 
 def _seconds(hours: float) -> str:
