@@ -14,7 +14,7 @@ from tumble.calibrations.tracing.fitting_noise import best_level
 from tumble.calibrations.tracing.noise import SETTINGS, WHITE, scaled_levels
 from tumble.calibrations.tracing.rivals import Rival, near_rivals, with_best_names
 from tumble.calibrations.tracing.table import Table
-from tumble.calibrations.tracing.trace import Trace, Tracer, refined
+from tumble.calibrations.tracing.trace import Trace, Tracer, penalised_deviance, refined
 
 _ROUNDS = 3
 """How often a table is traced again without what did not stand."""
@@ -83,9 +83,17 @@ def _standing(table: Table, trace: Trace) -> tuple[Trace, dict[str, Evidence], l
     while failing := [each for each in found.values() if not each.stands]:
         worst = max(failing, key=lambda each: (each.p_value / each.chance, each.inflation))
         fallen.append(worst)
-        trace = refined(table, trace.without(worst.name))
+        trace = _worth_their_penalty(table, refined(table, trace.without(worst.name)))
         found = gathered(table, trace)
     return trace, found, fallen
+
+
+def _worth_their_penalty(table: Table, trace: Trace) -> Trace:
+    """A trace without what explains too little once another effect is gone; of that, nothing is to be said."""
+    rests = [trace.without(item.effect.name) for item in trace.found]
+    fitted = [replace(rest, deviance=table.deviance(rest.forms, rest.noise)) for rest in rests]
+    best = min((trace, *fitted), key=penalised_deviance)
+    return trace if best is trace else _worth_their_penalty(table, best)
 
 
 def _again(whole: Tracer[_T], kept: Trace, barred: frozenset[str]) -> tuple[Tracer[_T], Trace, dict[str, list[Rival]]]:
