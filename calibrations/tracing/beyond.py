@@ -9,8 +9,10 @@ from dataclasses import replace
 from typing import Any, Final, TypeVar
 
 from tumble.calibrations.tracing.candidates import FALSE_ALARM, UNNAMED
+from tumble.calibrations.tracing.family import Proposal
 from tumble.calibrations.tracing.fitting_noise import golden_section
-from tumble.calibrations.tracing.scan import Proposal, Scan, seen_beside
+from tumble.calibrations.tracing.gains import seen_beside
+from tumble.calibrations.tracing.scan import Scan
 from tumble.calibrations.tracing.table import Table
 from tumble.calibrations.tracing.trace import Trace, Tracer, penalised_deviance, refined
 
@@ -20,7 +22,7 @@ _TRIED: Final = 3
 """So many of the most promising ones are searched beside."""
 NEAR: Final = 9.0
 """What explains less by no more than this, in -2 ln L, is not parted from the best."""
-_WORTH_A_LOOK: Final = 30.0
+_WORTH_A_LOOK: Final = 10.0
 """What promises to be worse by more than this is not."""
 _T = TypeVar("_T", bound=Table)
 

@@ -136,6 +136,11 @@ class Coordinate:
         bell = np.exp(-0.5 * away**2)
         return np.asarray(bell), np.asarray(away * bell)
 
+    @cached_property
+    def bells_tried(self) -> tuple[FloatArray, FloatArray]:
+        """The same for every bump that is tried."""
+        return self.bells(self.bumps_tried)
+
     def _several_rows(self, bumps: FloatArray) -> FloatArray:
         """Those in whose middle are several rows."""
         bell, _ = self.bells(bumps)

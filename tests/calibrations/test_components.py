@@ -9,8 +9,9 @@ from tumble.calibrations.tracing.beyond import alike, traced
 from tumble.calibrations.tracing.components import Channel, axes, penalty
 from tumble.calibrations.tracing.coordinate import Coordinate
 from tumble.calibrations.tracing.declared import Linear
+from tumble.calibrations.tracing.gains import seen_beside
 from tumble.calibrations.tracing.noise import WHITE, Memory, slow_modes
-from tumble.calibrations.tracing.scan import Scan, seen_beside
+from tumble.calibrations.tracing.scan import Scan
 from tumble.calibrations.tracing.table import Table
 from tumble.calibrations.tracing.trace import Tracer
 from tumble.messages import Message
