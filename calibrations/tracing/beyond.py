@@ -22,6 +22,8 @@ _TRIED: Final = 3
 """So many of the most promising ones are searched beside."""
 NEAR: Final = 9.0
 """What explains less by no more than this, in -2 ln L, is not parted from the best."""
+_MOST_ALIKE: Final = 6
+"""So many others that explain as much are looked at."""
 _WORTH_A_LOOK: Final = 10.0
 """What promises to be worse by more than this is not."""
 _T = TypeVar("_T", bound=Table)
@@ -69,7 +71,9 @@ def _proposed(tracer: Tracer[Any], scan: Scan, trace: Trace) -> Iterator[tuple[T
     """Every start with the component that promises most beside it."""
     for start in _starts(tracer, trace):
         table = tracer.beside(start.components).table
-        for proposal in scan.proposals(seen_beside(table, start.forms, start.noise))[:1]:
+        seen = seen_beside(table, start.forms, start.noise)
+        several = (each for each in scan.proposals(seen) if seen.rests_on_several_rows(each.component.columns))
+        if (proposal := next(several, None)) is not None:
             yield start, proposal
 
 
@@ -104,11 +108,20 @@ def _fitted(table: Table, trace: Trace, name: str) -> Trace:
     return replace(trace, noise=noise, deviance=deviance(noise))
 
 
-def alike(tracer: Tracer[Any], trace: Trace) -> tuple[tuple[str, str], ...]:
-    """Channels and variables that the rows do not part from those of the first component, the likeliest first."""
+def alike(tracer: Tracer[Any], trace: Trace) -> list[Trace]:
+    """The trace with each other component, along another axis, that the rows do not part from its first one."""
+    if not trace.components:
+        return []
     first, *others = trace.components
     table, rest = tracer.beside(others).table, trace.without(first.name)
     scan = Scan(table, table.axes, FALSE_ALARM)
     proposals = scan.proposals(seen_beside(table, rest.forms, rest.noise))
-    near = [each.axis.place for each in proposals if each.worth > proposals[0].worth - NEAR]
-    return tuple(dict.fromkeys(place for place in near if place != first.place))
+    near = [each for each in proposals if each.worth > proposals[0].worth - NEAR and each.axis.name != first.axis.name]
+    return [_in_place(rest, each) for each in near[:_MOST_ALIKE]]
+
+
+def _in_place(rest: Trace, proposal: Proposal) -> Trace:
+    """A trace with a component more, as it was proposed."""
+    component = proposal.component
+    noise = rest.noise.with_level(component.name, proposal.variance)
+    return replace(rest, components=(component, *rest.components), noise=noise)

@@ -99,7 +99,7 @@ class Coordinate:
     def turns(self) -> FloatArray:
         """Numbers of turns over the range, up to half of one for each typical distance between neighbours."""
         apart = np.diff(np.unique(np.round(self._part, 9)))
-        limit = min(0.5 / float(np.median(apart)), len(self._part) / 2) if len(apart) else 0.0
+        limit = _NYQUIST * min(0.5 / float(np.median(apart)), len(self._part) / 2) if len(apart) else 0.0
         return np.arange(_TURNS_APART, limit, _TURNS_APART)
 
     def swung(self, turns: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -202,6 +202,8 @@ _FEWEST: Final = 4
 """Fewer rows than this in its middle make no bump: they could be gross errors."""
 _STEPS: Final = 120
 """Places at which a step is tried."""
+_NYQUIST: Final = 0.98
+"""At the limit itself one phase of a wave is nothing."""
 _TURNS_APART: Final = 0.5
 """Waves are tried so many turns over the range apart: half of what parts two of them."""
 _CELL: Final = 0.15

@@ -21,6 +21,8 @@ _RATIOS: Final = 10.0 ** np.arange(-3.5, 4.6, 0.4)
 
 _SEEN: Final = 1e-6
 """What is left of a column beside the others, in parts of the longest, is seen if it is more than this."""
+_REST: Final = 0.3
+"""Part of what a component explains that must not lie in two rows."""
 Gained = tuple[float, float]
 """Fall of -2 ln L, and mean variance of a row in units of that of a dwell."""
 
@@ -37,6 +39,18 @@ class Beside:
     """What is left of the output, made white twice, shape (rows,)."""
     squares: float
     """Sum of squares of what is left."""
+
+    def rests_on_several_rows(self, columns: FloatArray) -> bool:
+        """Whether columns, fitted, would still show most of what they do without the two rows that show most of it.
+
+        What does not would take gross errors for structure.
+        """
+        weighted = columns * self.root[:, None]
+        sums = self.taken.T @ weighted
+        gram, with_output = weighted.T @ weighted - sums.T @ sums, weighted.T @ self.left
+        sizes = np.linalg.lstsq(gram, with_output, rcond=_SEEN)[0]
+        squares = np.sort((weighted @ sizes - self.taken @ (sums @ sizes)) ** 2)
+        return bool(squares[:-2].sum() > _REST * squares.sum())
 
 
 def seen_beside(table: Table, forms: Sequence[Form], noise: NoiseModel) -> Beside:

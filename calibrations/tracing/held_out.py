@@ -17,6 +17,9 @@ from tumble.calibrations.tracing.table import Table
 from tumble.calibrations.tracing.trace import Trace, Tracer
 
 BoolArray = NDArray[np.bool_]
+_FAR: Final = 4.0
+"""So many times the variance of a prediction of the declared model, or of a dwell, is far off the rows."""
+_RANK: Final = 1e-10
 _INNER_FOLDS: Final = 3
 """Into so many folds of whole settings the other rows are parted, to decide by what they predict."""
 
@@ -41,9 +44,25 @@ def _errors(tracer: Tracer[Any], trace: Trace, out: BoolArray) -> FloatArray:
     columns = _chosen(tracer, trace, out)
     shown = _Shown(table, trace.noise, trace.components, columns)
     alone = _Shown(table, WHITE, (), nothing)
+    if not _told(table, columns, out):
+        return alone.errors(~out, out)
     inner = _inner_folds(table, out)
     better = sum(shown.squares(train, test) - alone.squares(train, test) for train, test in inner) <= 0.0
     return (shown if better else alone).errors(~out, out)
+
+
+def _told(table: Table, columns: FloatArray, out: BoolArray) -> bool:
+    """Whether the other rows tell columns so well that no row held out is extrapolated to."""
+    tangent = table.declared @ table.model.slopes(table.fit((), WHITE).declared)
+    return _leverage(np.column_stack([tangent, columns]), out) < _FAR * max(_leverage(tangent, out), 1.0)
+
+
+def _leverage(columns: FloatArray, out: BoolArray) -> float:
+    """Largest variance of a prediction of rows held out, in variances of a dwell."""
+    length = np.linalg.norm(columns, axis=0)
+    scaled = columns / np.where(length > 0, length, 1.0)
+    inverse = np.linalg.pinv(scaled[~out], rcond=_RANK)
+    return float(np.max(np.sum((scaled[out] @ inverse) ** 2, axis=1), initial=0.0))
 
 
 def _chosen(tracer: Tracer[Any], trace: Trace, out: BoolArray) -> FloatArray:

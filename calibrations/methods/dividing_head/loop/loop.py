@@ -30,7 +30,7 @@ from tumble.calibrations.methods.dividing_head.loop.table import (
     scene_of,
 )
 from tumble.calibrations.methods.dividing_head.loop.unexplained import unexplained
-from tumble.calibrations.methods.dividing_head.loop.withholding import without_rivals
+from tumble.calibrations.methods.dividing_head.loop.withholding import without_alike, without_rivals
 from tumble.calibrations.methods.dividing_head.model import ALPHA0
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.poses import pose_groups
@@ -39,6 +39,7 @@ from tumble.calibrations.methods.dividing_head.questions import Questioned, ques
 from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.calibrations.methods.dividing_head.weights import weights_of_all
 from tumble.calibrations.tracing import explained as tracing
+from tumble.calibrations.tracing.beyond import alike
 from tumble.calibrations.tracing.effect import Effect
 from tumble.calibrations.tracing.experiments import Experiment, next_experiments
 from tumble.calibrations.tracing.findings import EffectFound, Unexplained, Withheld, effects_found, withheld
@@ -142,14 +143,15 @@ def explain(
             stated,
             held_out_rms_v=held_out_rms(explained.tracer, trace, held_out_parts(explained.table.joint.observations)),
         )
-    augmented = without_rivals(stated, explained.table, explained.near)
+    whole, others = explained.table.with_components(trace.components), alike(explained.tracer, trace)
+    augmented = without_alike(without_rivals(stated, whole, explained.near), whole, trace, others)
     said = scatter_and_wandering(explained.table, trace, best.joint)
     augmented = replace(augmented, warnings=(*augmented.warnings, *said))
     loop = Loop(
         declared=assess(declared, uncertainty, trials=0),
         augmented=augmented,
         effects=_effects(explained, close, misread),
-        unexplained=unexplained(explained.judged, _reach(explained)),
+        unexplained=unexplained(explained.judged, _reach(explained), others),
         misread=misread,
         not_traced=explained.table.not_traced,
         withheld=withheld(explained.table, explained.judged),

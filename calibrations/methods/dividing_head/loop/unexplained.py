@@ -1,22 +1,31 @@
 """Structure that no effect of the catalogue explains, or settings that differ in no shape."""
 
+from collections.abc import Sequence
 from typing import Any
 
 from tumble.calibrations.core.quantities import format_number
 from tumble.calibrations.methods.dividing_head.loop.reach import Reach
 from tumble.calibrations.tracing.findings import SHAPELESS_P, Unexplained
 from tumble.calibrations.tracing.judged import Judged
+from tumble.calibrations.tracing.trace import Trace
 
 
-def unexplained(found: Judged[Any], reach: Reach) -> Unexplained | None:
-    """Structure that no effect of the catalogue explains; None where there is none."""
+def unexplained(found: Judged[Any], reach: Reach, others: Sequence[Trace] = ()) -> Unexplained | None:
+    """Structure that no effect of the catalogue explains, and what `others` could stand for it; None for none."""
     components = found.trace.components
     if not components:
         told = found.trace.names and not found.withheld
         return None if told or reach.alike > SHAPELESS_P else _shapeless(reach)
     first = components[0]
     channel, variable = first.place
-    return Unexplained(depends_on=first.depends_on, description=first.described, channel=channel, variable=variable)
+    places = dict.fromkeys(other.components[0].place for other in others)
+    return Unexplained(
+        depends_on=first.depends_on,
+        description=first.described,
+        channel=channel,
+        variable=variable,
+        also_possible=tuple(place for place in places if place != first.place),
+    )
 
 
 def _shapeless(reach: Reach) -> Unexplained:
