@@ -4,12 +4,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from tumble.app.available import programme_of
+from tumble.app.available import Offer
 from tumble.app.exits import Exit, JobError
 from tumble.app.running import Job, failure, recording_path, run
 from tumble.app.stand import LoadedStand
 from tumble.app.wiring import Connected
-from tumble.calibrations.methods.dividing_head.probes import Probe
+from tumble.messages import Message
 from tumble.procedures.announcer import Listener
 from tumble.procedures.events import ConditionAnswered, Event
 from tumble.procedures.programme import Programme
@@ -17,18 +17,18 @@ from tumble.procedures.steps import Ask
 
 _POLL_S = 0.5
 _NO_TIME_S = 1e-6
-_WARM_PROMPT = (
-    "Bring the unit to a temperature about {:g} K higher than before and let it settle there; answer yes when it has, "
-    "or no if that cannot be done."
-)
 
 
 class DeclinedError(Exception):
-    """The operator will not seat the unit in `mount`, or will not warm it where that is empty."""
+    """The operator will not do what an experiment needs: set `condition` to `value`."""
 
-    def __init__(self, message: str, mount: str = "") -> None:
-        super().__init__(message)
-        self.mount = mount
+    def __init__(self, ask: Ask) -> None:
+        super().__init__(Message("the operator does not {task}", task=ask.task))
+        self.condition, self.value = ask.condition, ask.value
+
+    def concerns(self, offer: Offer) -> bool:
+        """Whether an experiment needs just that."""
+        return offer.needs.get(self.condition) == self.value
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -58,8 +58,8 @@ def measure(at: AtStand, programme: Programme, listeners: Sequence[Listener] = (
     return recording
 
 
-def prepare(at: AtStand, probe: Probe, stopped: Callable[[], bool] = lambda: False) -> None:
-    """See to what must be before an experiment: a warmer unit, which takes an operator, or time that has passed.
+def prepare(at: AtStand, offer: Offer, stopped: Callable[[], bool] = lambda: False) -> None:
+    """See to what must be before an experiment: what takes an operator, a warmer unit say, or time that has passed.
 
     Parameters
     ----------
@@ -73,53 +73,44 @@ def prepare(at: AtStand, probe: Probe, stopped: Callable[[], bool] = lambda: Fal
     JobError
         Somebody stopped it; nothing has moved.
     """
-    if probe.warmer_k:
-        _have_warmed(at, probe.warmer_k, stopped)
+    if offer.preparation is not None:
+        _have_done(at, offer.preparation, stopped)
     else:
-        _wait(at, probe.wait_s, stopped)
+        _wait(at, offer.wait_s, stopped)
 
 
-def run_experiment(at: AtStand, probe: Probe, listeners: Sequence[Listener] = ()) -> Path:
+def run_experiment(at: AtStand, offer: Offer, listeners: Sequence[Listener] = ()) -> Path:
     """Run an experiment that is prepared, and return its recording.
 
     Raises
     ------
     DeclinedError
-        The operator said no to its mount.
+        The operator said no to what it needs.
     InputError, JobError
         What went wrong; the recording is kept whenever there is one.
     """
-    refusals: list[str] = []
+    refusals: list[Ask] = []
 
     def listen(event: Event) -> None:
         if isinstance(event, ConditionAnswered) and event.answer and not event.confirmed:
-            refusals.append(event.value)
+            refusals.append(offer.programme.layout.ask(event.condition, event.value))
 
     try:
-        return measure(at, programme_of(probe), (*listeners, listen))
+        return measure(at, offer.programme, (*listeners, listen))
     except JobError as error:
         if refusals:
-            raise DeclinedError(f"the operator does not seat the unit in {refusals[0]}", refusals[0]) from error
+            raise DeclinedError(refusals[0]) from error
         raise
 
 
-def _have_warmed(at: AtStand, warmer_k: float, stopped: Callable[[], bool]) -> None:
-    """Ask the operator to warm the unit. Raises `DeclinedError`."""
+def _have_done(at: AtStand, ask: Ask, stopped: Callable[[], bool]) -> None:
+    """Ask the operator to do something. Raises `DeclinedError`."""
     operator = at.connected.operator
-    operator.ask(
-        Ask(
-            condition="temperature",
-            value="warm",
-            task="warm the unit",
-            remedy="warm it",
-            prompt=_WARM_PROMPT.format(warmer_k),
-            hint="Type yes when the unit has settled, or no if it cannot be warmed.",
-        )
-    )
+    operator.ask(ask)
     while (answer := operator.poll()) is None:
         _wait(at, _POLL_S, stopped)
     if not answer.confirmed:
-        raise DeclinedError("the operator does not warm the unit")
+        raise DeclinedError(ask)
 
 
 def _wait(at: AtStand, duration_s: float, stopped: Callable[[], bool]) -> None:

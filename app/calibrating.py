@@ -3,25 +3,25 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import Any
 
-from tumble.app.analysing import Traced, fit, trace
+from tumble.app.analysed import Traced
+from tumble.app.analysing import fit, trace
 from tumble.app.exits import Exit, JobError
 from tumble.app.files import write_text
+from tumble.app.jobs import find_job
 from tumble.app.learning import Learned, contradictions_of, learn
 from tumble.app.measurements import read_measurement
 from tumble.app.running import Job, failure, recording_path, run
 from tumble.app.stand_records import with_stand_record
 from tumble.app.storing import standing_record
 from tumble.app.wiring import Connected
-from tumble.calibrations.methods.dividing_head.loop.loop import Loop
 from tumble.calibrations.records.errors import StoreError
 from tumble.calibrations.records.record import Record
 from tumble.calibrations.tracing.chain import Chain
+from tumble.messages import Message
 from tumble.procedures.announcer import Listener
-
-if TYPE_CHECKING:
-    pass
+from tumble.system_errors import reason
 
 
 def store(traced: Traced, folder: Path) -> Record:
@@ -34,7 +34,9 @@ def store(traced: Traced, folder: Path) -> Record:
         before = standing_record(records, origin.serial_number, origin.source_hashes, entry.method)
         return records.add(entry, origin, supersedes=before.id if before else None)
     except StoreError as error:
-        raise JobError(f"{error}; the recording is kept in {traced.measurement.path}", Exit.STORAGE) from error
+        raise JobError(
+            Message("{error}; the recording is kept in {path}", error=error, path=traced.measurement.path), Exit.STORAGE
+        ) from error
 
 
 def make_ready(folder: Path) -> None:
@@ -45,9 +47,13 @@ def make_ready(folder: Path) -> None:
         Store(folder).migrate()
         (folder / "reports").mkdir(exist_ok=True)
     except StoreError as error:
-        raise JobError(f"{error}; nothing was measured", Exit.STORAGE) from error
+        raise JobError(Message("{error}; nothing was measured", error=error), Exit.STORAGE) from error
     except OSError as error:
-        sentence = f"{folder / 'reports'}: cannot be made ({error.strerror}); nothing was measured"
+        sentence = Message(
+            "{folder}: cannot be made ({reason}); nothing was measured",
+            folder=folder / "reports",
+            reason=reason(error),
+        )
         raise JobError(sentence, Exit.STORAGE) from error
 
 
@@ -62,22 +68,10 @@ def has_report(path: Path) -> bool:
 
 
 def write_report(
-    traced: Traced, path: Path, record_id: str = "", revision: int = 1, chain: Chain[Loop] | None = None
+    traced: Traced, path: Path, record_id: str = "", revision: int = 1, chain: Chain[Any] | None = None
 ) -> None:
     """Write the HTML report, with the experiments that closed the loop where there were any. Raises `JobError`."""
-    from tumble.calibrations.methods.dividing_head.report import render_report  # matplotlib takes half a second
-
-    page = render_report(
-        traced.calibration,
-        traced.provenance,
-        limits=traced.limits,
-        record_id=record_id,
-        revision=revision,
-        loop=traced.loop,
-        chain=chain,
-        contradictions=contradictions_of(traced),
-    )
-    write_text(path, page)
+    write_text(path, traced.report(record_id, revision, chain, contradictions_of(traced)))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -119,6 +113,7 @@ def calibrate(
     InputError, JobError
         What went wrong; the recording is kept whenever there is one.
     """
+    find_job(job.programme.method)
     job.plan()
     make_ready(folder)
     recording = recording_path(folder, job.serial_number, job.programme.name, connected.stand.clock)
@@ -148,5 +143,10 @@ def conclude(recording: Path, folder: Path, tell: Callable[[str], None] = lambda
     try:
         write_report(traced, report, record.id, record.revision)
     except JobError as error:
-        raise JobError(f"{error}; record {record.id} of {recording} is stored", error.status) from error
+        raise JobError(
+            Message(
+                "{error}; record {record} of {recording} is stored", error=error, record=record.id, recording=recording
+            ),
+            error.status,
+        ) from error
     return Calibrated(analysed=traced, record=record, recording=recording, report=report, learned=learned)

@@ -9,8 +9,9 @@ from importlib import import_module
 import click
 
 from tumble.app.signals import interrupting
-from tumble.app.terminal import LONGEST_COMPLAINT, flush, lead_nowhere, prepare_streams, say
+from tumble.app.terminal import LONGEST_COMPLAINT, flush, lead_nowhere, prepare_streams, say, shown, speak
 from tumble.drivers.errors import Interrupted
+from tumble.messages import Language, Message
 
 _COMMANDS = {
     "calibrate": "Run a programme, fit, close the loop, store and report: the whole job.",
@@ -52,25 +53,37 @@ class _Commands(click.Group):
 
 @click.group(cls=_Commands, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(package_name="tumble")
-def cli() -> None:
+@click.option(
+    "--language",
+    type=click.Choice([language.value for language in Language]),
+    default=Language.ENGLISH.value,
+    show_default=True,
+    envvar="TUMBLE_LANGUAGE",
+    show_envvar=True,
+    help="What is said on the terminal is said in this language; help and JSON are in English.",
+)
+def cli(language: str) -> None:
     """Calibrate accelerometers on a dividing head.
 
     Exit status: 0 good; 1 a limit of the programme is not met, or not decided; 2 bad input, wrong usage, an unanswered
     prompt or a record that does not verify; 3 device fault; 4 stopped by the operator; 5 storage; 70 a fault of the
     program.
     """
+    speak(Language(language))
 
 
 def main() -> None:
     """Entry point of `tumble`: one sentence for every error that a user can act on."""
     prepare_streams()
+    speak(Language.ENGLISH)
     limit_blas_threads()
     try:
         with interrupting():
             status = _carry_out(sys.argv[1:])
     except (click.Abort, KeyboardInterrupt) as stopped:
-        by = f" by {stopped}" if isinstance(stopped, Interrupted) else ""
-        _complain(f"interrupted{by}; a recording keeps its complete points")
+        by_signal = Message("interrupted by {signal}; a recording keeps its complete points", signal=stopped)
+        by_key = Message("interrupted; a recording keeps its complete points")
+        _complain(by_signal if isinstance(stopped, Interrupted) else by_key)
         status = 4
     except click.ClickException as error:
         status = _wrong_usage(error)
@@ -109,14 +122,19 @@ def check_text(arguments: list[str]) -> None:
     """Make sure that arguments are text: what is none can be neither recorded nor shown. Raises `UsageError`."""
     for argument in arguments:
         if any("\ud800" <= character <= "\udfff" for character in argument):
-            raise click.UsageError(f"{argument} is no text in the encoding of this system; rename it or write it anew")
+            raise click.UsageError(
+                Message(
+                    "{argument} is no text in the encoding of this system; rename it or write it anew",
+                    argument=argument,
+                )
+            )
 
 
 def _wrong_usage(error: click.ClickException) -> int:
     """Say what click says."""
     told = io.StringIO()
     error.show(told)
-    say(*told.getvalue().splitlines(), err=True, most=LONGEST_COMPLAINT)
+    say(*told.getvalue().replace(error.message, shown(error.message)).splitlines(), err=True, most=LONGEST_COMPLAINT)
     return error.exit_code
 
 
@@ -131,9 +149,9 @@ def _failed(error: Exception) -> int:
         _complain(sentence_of(error))
         return int(status)
     say(*traceback.format_exc().splitlines(), err=True, most=LONGEST_COMPLAINT)
-    _complain("a fault of the program; report it with the lines above")
+    _complain(Message("a fault of the program; report it with the lines above"))
     return int(Exit.INTERNAL)
 
 
 def _complain(sentence: str) -> None:
-    say(f"tumble: {sentence}", err=True, most=LONGEST_COMPLAINT)
+    say(Message("tumble: {sentence}", sentence=sentence), err=True, most=LONGEST_COMPLAINT)

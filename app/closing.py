@@ -10,22 +10,31 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from tumble.app.acting import AtStand, DeclinedError, prepare, run_experiment
-from tumble.app.analysing import Traced, fit, traced_with
-from tumble.app.available import Available, available, programme_of, warms
+from tumble.app.analysed import Traced
+from tumble.app.analysing import fit
+from tumble.app.available import Available
+from tumble.app.jobs import find_job
 from tumble.app.joining import read_together
 from tumble.app.measurements import Measurement, read_measurement
 from tumble.app.running import Job
 from tumble.app.stand_records import with_stand_record
 from tumble.calibrations.core.sentences import series
-from tumble.calibrations.methods.dividing_head.loop.loop import Explained, Loop, explain
-from tumble.calibrations.methods.dividing_head.probes import PROBES
-from tumble.calibrations.tracing.chain import FUTILE, Chain, Ended, Link, cannot, cheapest, experiments_for, stage_of
+from tumble.calibrations.tracing.chain import (
+    FUTILE,
+    Chain,
+    ClosedLoop,
+    Ended,
+    Link,
+    cannot,
+    cheapest,
+    experiments_for,
+    stage_of,
+)
 from tumble.calibrations.tracing.experiments import Experiment
 from tumble.procedures.announcer import Listener
 from tumble.procedures.errors import InputError
 
 MOST_EXPERIMENTS = 6
-_EXPERIMENTS = frozenset(probe.programme for probe in PROBES)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -34,8 +43,7 @@ class Closing:
 
     files: tuple[Path, ...]
     traced: Traced
-    explained: Explained | None
-    chain: Chain[Loop]
+    chain: Chain[ClosedLoop]
     available: Available
     planned: tuple[Experiment, ...]
     """What would tell apart the rivals that are left, of what is available."""
@@ -49,8 +57,8 @@ class Closing:
 
     def planned_with(self, left: Available, declined: str = "") -> "Closing":
         """The same with what is available by now."""
-        planned = experiments_for(self.explained, left.probes)
-        traced = _with_plan(self.traced, planned)
+        planned = experiments_for(self.traced.explained, left.probes)
+        traced = self.traced.planned(planned)
         return replace(self, available=left, planned=planned, traced=traced, declined=declined)
 
 
@@ -59,8 +67,10 @@ def begin(files: Sequence[Path], at: AtStand) -> Closing:
 
     What is no experiment that the files before it asked for is part of the first measurement. Raises `InputError`.
     """
-    programmes = [_programme_name(read_measurement(path)) for path in files]
-    plain = next((place for place, name in enumerate(programmes[1:], 1) if name in _EXPERIMENTS), len(files))
+    first, *others = map(read_measurement, files)
+    experiments = find_job(first.method).experiments
+    asked = [_programme_name(each) in experiments for each in others]
+    plain = 1 + asked.index(True) if True in asked else len(files)
     closing = _begun(files[:plain], at)  # nothing before the first experiment decides anything by itself
     for path in files[plain:]:
         measurement = read_measurement(path)
@@ -87,14 +97,14 @@ def _begun(files: Sequence[Path], at: AtStand) -> Closing:
             f"{measurement.path}: holds unit {measurement.header.serial_number}, and {at.serial_number} is to be "
             "measured; give files of that unit, or its --serial"
         )
-    found = available(at.stand, measurement.observations, at.connected.attended)
-    traced, explained = _explained(measurement, at.serial_number)
-    planned = experiments_for(explained, found.probes)
+    part = find_job(measurement.method)
+    found = part.available(at.stand, measurement.observations, at.connected.attended)
+    traced = _traced(measurement, at)
+    planned = experiments_for(traced.explained, found.probes)
     return Closing(
         files=tuple(files),
-        traced=_with_plan(traced, planned),
-        explained=explained,
-        chain=Chain(first=stage_of(traced.loop, explained)),
+        traced=traced.planned(planned),
+        chain=Chain(first=stage_of(traced.loop, traced.explained)),
         available=found,
         planned=planned,
     )
@@ -104,19 +114,19 @@ def follow(closing: Closing, experiment: Experiment, recording: Path, stand_time
     """What everything says together once an experiment was run. Raises `InputError`."""
     files = (*closing.files, recording)
     measurement = with_stand_record(read_together(files, at.stand.recorded), at.folder)
-    traced, explained = _explained(measurement, at.serial_number)
+    traced = _traced(measurement, at)
     link = Link(
         experiment=experiment,
         recording=str(recording),
         stand_time_s=stand_time_s,
         before=closing.chain.last,
-        after=stage_of(traced.loop, explained, closing.chain.last.behind),
+        after=stage_of(traced.loop, traced.explained, closing.chain.last.behind),
     )
     chain = replace(closing.chain, links=(*closing.chain.links, link))
-    grown = replace(closing, files=files, traced=traced, explained=explained, chain=chain)
+    grown = replace(closing, files=files, traced=traced, chain=chain)
     left = closing.available
     if link.futile:
-        left = left.without(lambda probe: probe.programme == experiment.programme, "it told nothing when it was run")
+        left = left.without(lambda each: each.programme.name == experiment.programme, "it told nothing when it was run")
     return grown.planned_with(left)
 
 
@@ -158,16 +168,15 @@ def _once(closing: Closing, at: AtStand, watching: Callable[[Job], AbstractConte
     """Run the next experiment, or plan without what the operator declines."""
     experiment = closing.next
     assert experiment is not None, "_ended sees to that"
-    probe, clock = closing.available.probe(experiment.programme), at.connected.stand.clock
+    offer, clock = closing.available.offer(experiment.programme), at.connected.stand.clock
     began_s = clock.monotonic_s()
     try:
-        prepare(at, probe)
-        with watching(at.job(programme_of(probe))) as listener:
-            recording = run_experiment(at, probe, [listener])
+        prepare(at, offer)
+        with watching(at.job(offer.programme)) as listener:
+            recording = run_experiment(at, offer, [listener])
     except DeclinedError as refusal:
-        mount, reason = refusal.mount, str(refusal)
-        left = closing.available.without((lambda each: each.mount == mount) if mount else warms, reason)
-        return closing.planned_with(left, declined=reason)
+        left = closing.available.without(refusal.concerns, str(refusal))
+        return closing.planned_with(left, declined=str(refusal))
     return follow(closing, experiment, recording, clock.monotonic_s() - began_s, at)
 
 
@@ -197,17 +206,11 @@ def _verdict(closing: Closing, most: int) -> tuple[Ended | None, str]:
 def _elsewhere(closing: Closing) -> dict[str, tuple[Experiment, str]]:
     """What would help if it could be run, and why it cannot."""
     refused = closing.available.refused
-    wanted = experiments_for(closing.explained, [probe for probe, _ in refused.values()])
+    wanted = experiments_for(closing.traced.explained, [offer.probe for offer, _ in refused.values()])
     return {each.programme: (each, refused[each.programme][1]) for each in wanted if each.command}
 
 
-def _explained(measurement: Measurement, serial_number: str) -> tuple[Traced, Explained | None]:
-    analysed = fit(measurement, serial_number, trials=0)
-    measurement = analysed.measurement
-    uncertainty, reference_degc = measurement.uncertainty, measurement.reference_temperature_degc
-    loop, explained = explain(measurement.observations, uncertainty, reference_degc)
-    return traced_with(analysed, loop, explained), explained
-
-
-def _with_plan(traced: Traced, planned: tuple[Experiment, ...]) -> Traced:
-    return replace(traced, loop=replace(traced.loop, next_experiment=planned))
+def _traced(measurement: Measurement, at: AtStand) -> Traced:
+    """The loop closed on what was measured so far."""
+    analysed = fit(measurement, at.serial_number, trials=0, folder=at.folder)
+    return find_job(measurement.method).trace(analysed)

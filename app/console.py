@@ -10,23 +10,18 @@ from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn
 from rich.table import Table
 from rich.text import Text
 
-from tumble.app.analysing import Analysed, Traced
-from tumble.app.terminal import LONGEST_LINE, lead_nowhere
+from tumble.app.analysed import Analysed
+from tumble.app.terminal import lead_nowhere, shown
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.quantities import (
     format_concise,
     format_freedom,
     format_interval,
-    format_number,
-    format_probability,
 )
 from tumble.calibrations.core.sentences import series
 from tumble.calibrations.core.verdict import Model, Outcome, Verdict
-from tumble.calibrations.methods.dividing_head.observations import Observations
-from tumble.calibrations.methods.dividing_head.result import Calibration
-from tumble.calibrations.methods.dividing_head.significance import Kind, support
 from tumble.drivers.clock import Clock
-from tumble.drivers.text import visible
+from tumble.messages import Message
 from tumble.procedures.announcer import Listener
 from tumble.procedures.events import (
     ConditionAnswered,
@@ -41,8 +36,6 @@ from tumble.procedures.plan import Plan
 from tumble.procedures.progress import Progress as RunProgress
 from tumble.procedures.steps import Point
 
-_LISTED = 20
-"""Rows set aside that are listed on the terminal."""
 _DECIDED = {
     Outcome.PASS: "inside limits",
     Outcome.FAIL: "OUTSIDE LIMITS",
@@ -63,7 +56,7 @@ class _Console(Console):
 
     def render_str(self, text: str, **how: Any) -> Text:  # noqa: ANN401  # as rich has them
         """Everything that is printed comes through here, the cells and titles of tables too."""
-        return super().render_str(visible(text, LONGEST_LINE), **how | {"markup": False, "emoji": False})
+        return super().render_str(shown(text), **how | {"markup": False, "emoji": False})
 
     def on_broken_pipe(self) -> None:
         """Say nothing more; rich itself would exit with status 1, which says that a unit is outside its limits."""
@@ -84,7 +77,11 @@ def messages() -> Console:
 def warn(sentences: Iterable[str]) -> None:
     """Print warnings on standard error."""
     for sentence in sentences:
-        messages().print(f"warning: {sentence}", markup=False, soft_wrap=True)
+        messages().print(_warning(sentence), markup=False, soft_wrap=True)
+
+
+def _warning(sentence: str) -> Message:
+    return Message("warning: {sentence}", sentence=sentence)
 
 
 @contextmanager
@@ -96,23 +93,26 @@ def run_display(plan: Plan, clock: Clock, console: Console, points_done: int = 0
     counted = RunProgress(plan, clock, points_done)
     columns = (SpinnerColumn(), _text("{task.description}"), BarColumn(), _text("{task.fields[left]}"))
     with Progress(*columns, console=console, disable=not console.is_terminal) as bar:
-        task = bar.add_task("measuring", total=counted.total, left="")
+        task = bar.add_task(shown(Message("measuring")), total=counted.total, left="")
 
         def listen(event: Event) -> None:
             counted(event)
             if isinstance(event, PointCompleted):
                 left = counted.time_left()
-                text = (
-                    f"{counted.done}/{counted.total}, {_minutes(left.time_s)} ± {_minutes(left.standard_error_s)} left"
+                text = Message(
+                    "{done}/{total}, {time_left} ± {standard_error} left",
+                    done=counted.done,
+                    total=counted.total,
+                    time_left=_minutes(left.time_s),
+                    standard_error=_minutes(left.standard_error_s),
                 )
-                description = _place(event.point)
-                bar.update(task, completed=counted.done, description=description, left=text)
+                bar.update(task, completed=counted.done, description=_place(event.point), left=shown(text))
             elif isinstance(event, ConditionRequested | ReadingRequested):
                 _take_away(bar)
             elif isinstance(event, ConditionAnswered | ReadingAnswered):
                 bar.start()
             elif isinstance(event, WarningRaised):
-                bar.console.print(f"warning: {event.message}", markup=False, soft_wrap=True)
+                bar.console.print(_warning(event.message), markup=False, soft_wrap=True)
 
         yield listen
 
@@ -148,17 +148,14 @@ def show_result(analysed: Analysed, console: Console | None = None, *, verbose: 
     With `verbose` the rows, the noise and what the experiment supports are told one by one.
     """
     console = console or results()
-    use = analysed.usable
-    calibration = use.calibration
     show_verdict(analysed.verdict, console)
     console.print(parameter_table(analysed))
-    if use.model is Model.AUGMENTED:
+    if analysed.model is Model.AUGMENTED:
         console.print("values with what was found taken into account; the declared model's stand below", markup=False)
-    if record := calibration.stand_record:
+    if record := analysed.measurement.stand_record:
         on = f"{record.identity.stand}, learned from {series(record.units)}"
         console.print(f"corrected by stand record {record.version} of {on}", markup=False)
-    lines = _details(analysed, calibration) if verbose else _in_short(calibration)
-    for line in lines:
+    for line in analysed.details() if verbose else analysed.in_short():
         console.print(line, markup=False)
 
 
@@ -179,7 +176,7 @@ def parameter_table(analysed: Analysed) -> Table:
     for heading in ("parameter", "value (standard uncertainty)", "95% interval", "dof", "remark"):
         table.add_column(heading, overflow="fold", no_wrap=heading != "remark")
     verdict = analysed.verdict
-    for name, parameter in analysed.usable.calibration.parameters.items():
+    for name, parameter in analysed.parameters.items():
         judgement = verdict.of(name)
         decided = "" if judgement is None else _DECIDED[judgement.outcome]
         table.add_row(name, *_cells(parameter), "; ".join(filter(None, (decided, _remark(parameter)))))
@@ -187,64 +184,14 @@ def parameter_table(analysed: Analysed) -> Table:
 
 
 def _cells(parameter: Parameter) -> tuple[str, str, str]:
-    if parameter.value is None or parameter.interval_95 is None:
+    if parameter.value is None:
         return "not identifiable", "", ""
     return (
         format_concise(parameter.value, parameter.standard_uncertainty, parameter.unit),
-        format_interval(*parameter.interval_95, parameter.unit),
+        "" if parameter.interval_95 is None else format_interval(*parameter.interval_95, parameter.unit),
         format_freedom(parameter.degrees_of_freedom),
     )
 
 
 def _remark(parameter: Parameter) -> str:
     return parameter.reason if parameter.value is None else parameter.condition
-
-
-def row_lines(observations: Observations) -> Iterator[str]:
-    """How many rows were used, and which were set aside, why."""
-    yield f"rows: {observations.rows_read} read, {len(observations)} used, {len(observations.set_aside)} set aside"
-    for entry in observations.set_aside[:_LISTED]:
-        yield f"  row {entry.row}: {entry.reason}"
-    if len(observations.set_aside) > _LISTED:
-        yield f"  and {len(observations.set_aside) - _LISTED} more; --json lists all"
-
-
-def _in_short(calibration: Calibration) -> Iterator[str]:
-    """One line, and the rows that were set aside where there are any."""
-    observations = calibration.observations
-    parts = [f"{len(observations)} of {observations.rows_read} rows used", *_lack_of_fit(calibration)]
-    if calibration.held_out_rms_v is not None:
-        parts.append(f"held-out error {format_number(calibration.held_out_rms_v, 'V')} rms")
-    yield "; ".join(parts)
-    if observations.set_aside:
-        yield from list(row_lines(observations))[1:]
-
-
-def _details(analysed: Analysed, calibration: Calibration) -> Iterator[str]:
-    """Rows, noise and adequacy, then what the experiment supports; on what values rest, the loop says where closed."""
-    yield from _adequacy_lines(calibration)
-    said_by_loop = {Kind.DEPENDENCE} if isinstance(analysed, Traced) else set()
-    yield from (f"- {each.text}" for each in support(calibration) if each.kind not in said_by_loop)
-
-
-def _lack_of_fit(calibration: Calibration) -> Iterator[str]:
-    if calibration.lack_of_fit_p is not None:
-        probability = format_probability(calibration.lack_of_fit_p)
-        yield f"lack of fit: p {probability if probability.startswith('<') else f'= {probability}'}"
-
-
-def _adequacy_lines(calibration: Calibration) -> Iterator[str]:
-    noise = calibration.noise
-    yield from row_lines(calibration.observations)
-    if noise.pure_error_v is not None:
-        yield f"pure error of a dwell: {format_number(noise.pure_error_v, 'V')} ({noise.degrees_of_freedom} dof)"
-    used = format_number(noise.used_v, "V")
-    yield f"uncertainties rest on the {noise.basis}: {used} ({noise.used_degrees_of_freedom} dof)"
-    yield f"residual: {format_number(calibration.residual_rms_v, 'V')} rms"
-    if calibration.held_out_rms_v is not None:
-        yield f"held-out error: {format_number(calibration.held_out_rms_v, 'V')} rms"
-    yield from _lack_of_fit(calibration)
-    if calibration.closure and calibration.closure.worst:
-        first, second, difference, sigmas = calibration.closure.worst
-        size = f"{format_number(abs(difference), 'V', 2)}, {sigmas:.1f} standard uncertainties"
-        yield f"flip closure: u0 of the {first} and {second} flips differ by {size}"

@@ -17,6 +17,8 @@ class CutOff:
     """A run that can go on."""
 
     path: Path
+    method: str
+    """Name of its method."""
     serial_number: str
     programme_name: str
     points: int
@@ -44,6 +46,7 @@ def _cut_off(path: Path) -> Iterator[CutOff]:
     if recording.header.job == "calibrate":
         yield CutOff(
             path=path,
+            method=recording.header.method,
             serial_number=recording.header.serial_number,
             programme_name=programme_name,
             points=len(recording.points),

@@ -5,8 +5,10 @@ from enum import IntEnum
 
 from tumble.calibrations.records.errors import RecordError, StoreError
 from tumble.drivers.errors import DeviceError
+from tumble.messages import Message
 from tumble.procedures.errors import InputError, StorageError
 from tumble.procedures.events import FinishReason
+from tumble.system_errors import reason
 
 
 class Exit(IntEnum):
@@ -76,9 +78,13 @@ def sentence_of(error: Exception) -> str:
     """What an exception says; one of the system says which file it is about, and what to do."""
     if not isinstance(error, OSError):
         return str(error)
-    where = "standard output" if error.filename is None else str(error.filename)
-    remedy = "make room or choose another" if error.errno in _NO_ROOM else "give a file that can be used"
-    return f"{where}: {error.strerror or error}; {remedy}"
+    full = error.errno in _NO_ROOM
+    return Message(
+        "{place}: {reason}; {remedy}",
+        place=Message("standard output") if error.filename is None else str(error.filename),
+        reason=reason(error),
+        remedy=Message("make room or choose another") if full else Message("give a file that can be used"),
+    )
 
 
 def _status_of_system(error: OSError) -> Exit | None:

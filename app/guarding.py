@@ -9,6 +9,7 @@ from typing import Any, Final, TypeVar
 from tumble.drivers.errors import DeviceError, is_of_the_user
 from tumble.drivers.own_file import is_own_file
 from tumble.drivers.text import reason_of
+from tumble.messages import Message
 from tumble.procedures.errors import InputError, ProcedureError, StopRequestedError, StorageError, UnansweredError
 
 Made = TypeVar("Made")
@@ -84,5 +85,5 @@ def _blamed(device: str, driver: str, meant: tuple[type[BaseException], ...] = _
     except BaseException as error:
         if is_of_the_user(error):
             raise
-        failed = f"its driver {driver} failed ({reason_of(error)})"
-        raise DeviceError(device, failed, "correct it, then resume the run") from error
+        failed = Message("its driver {driver} failed ({reason})", driver=driver, reason=reason_of(error))
+        raise DeviceError(device, failed, Message("correct it, then resume the run")) from error

@@ -5,10 +5,10 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from tumble.app.jobs import find_job
 from tumble.app.measurements import Measurement, read_measurement
 from tumble.calibrations.core.joining import joined
-from tumble.calibrations.methods.dividing_head.observations import Observations
-from tumble.calibrations.methods.dividing_head.questions import questioned
+from tumble.calibrations.core.rows import Rows
 from tumble.procedures.errors import InputError
 
 
@@ -33,6 +33,7 @@ def read_together(paths: Sequence[Path], stand: Mapping[str, Any] | None = None)
     first, *others = measurements
     if not others:
         return first
+    _refuse_other_methods(measurements)
     _refuse_twice(measurements)
     _refuse_other_units(measurements)
     return replace(
@@ -42,6 +43,13 @@ def read_together(paths: Sequence[Path], stand: Mapping[str, Any] | None = None)
         header=next((each.header for each in measurements if each.header), None),
         others=tuple(others),
     )
+
+
+def _refuse_other_methods(measurements: Sequence[Measurement]) -> None:
+    first = measurements[0]
+    for each in measurements:
+        if each.method != first.method:
+            raise InputError(f"{first.path} and {each.path} are tables of different kinds; give them one by one")
 
 
 def _refuse_twice(measurements: Sequence[Measurement]) -> None:
@@ -62,12 +70,12 @@ def _refuse_other_units(measurements: Sequence[Measurement]) -> None:
             )
 
 
-def _answered(measurement: Measurement) -> Observations:
-    """The rows of a file, repeats numbered; a question that nothing can be traced without must be answered first."""
-    asked = questioned(measurement.observations)
-    if not asked.answerable:
-        raise InputError(asked.questions[0])
-    return asked.observations
+def _answered(measurement: Measurement) -> Rows:
+    """The rows of a file; a question that nothing can be traced without must be answered first."""
+    try:
+        return find_job(measurement.method).answered(measurement.observations)
+    except ValueError as error:
+        raise InputError(str(error)) from error
 
 
 def _start_s(measurement: Measurement) -> float | None:

@@ -4,6 +4,8 @@ import re
 from enum import StrEnum
 from typing import Final
 
+from tumble.procedures.registry import find_method, method_names
+
 BEGINNING_BYTES: Final = 4096
 """So much of a file says what it is."""
 
@@ -23,18 +25,14 @@ _PAGE: Final = (
     rb'(<meta name="generator" content="tumble">\n'
     rb'|<meta name="viewport" content="width=device-width, initial-scale=1">\n<title>Calibration of )'  # of version 0.1
 )
-_COLUMNS: Final = (
-    rb"time_s,realisation,procedure,mount,angle_deg,direction,(temperature_degC,)?voltage_V,voltage_sd_V,samples\n"
-)
 _CREATOR: Final = re.escape("tumble".encode("utf-16-be"))
 _BEGINNINGS: Final = {
     Kind.RECORD: rb'\{"content_sha256":"[0-9a-f]{64}"|\{\s*"schema":\s*"tumble\.record/',
     Kind.RESULT: rb'\{\s*"schema":\s*"tumble\.[a-z-]+/\d',
     Kind.REPORT: _PAGE,
-    Kind.TABLE: _COLUMNS,
     Kind.PDF: rb"%PDF-.{,1000}/Creator \(\xfe\xff" + _CREATOR + rb"\)",
 }
-"""Of two that fit, the first counts. The table of a recording has all columns that a recording gives, in its order."""
+"""Of two that fit, the first counts."""
 
 
 def kind_of(beginning: bytes) -> Kind | None:
@@ -42,4 +40,12 @@ def kind_of(beginning: bytes) -> Kind | None:
     for kind, pattern in _BEGINNINGS.items():
         if re.match(pattern, beginning, re.DOTALL):
             return kind
-    return None
+    return Kind.TABLE if _exported(beginning) else None
+
+
+def _exported(beginning: bytes) -> bool:
+    """Whether a table has all columns that a recording gives, in its order, and none besides."""
+    line, end, _ = beginning.partition(b"\n")
+    columns = line.decode("utf-8", "replace").split(",")
+    known = (find_method(name).procedure_part.exported for name in method_names()) if end and len(columns) > 1 else ()
+    return any(columns in exported for exported in known)

@@ -5,15 +5,12 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tumble.app.analysing import Traced
+from tumble.app.analysed import Traced
 from tumble.app.identity import program_identity
 from tumble.app.rederiving import Source, run_of, source_again, source_of
 from tumble.app.stand_records import identity_of
 from tumble.calibrations.core.blas_threads import one_blas_thread
 from tumble.calibrations.core.sentences import equals, series
-from tumble.calibrations.methods.dividing_head.stand.applying import contradictions
-from tumble.calibrations.methods.dividing_head.stand.evidence import doubts
-from tumble.calibrations.methods.dividing_head.stand.validity import validity_of
 from tumble.calibrations.stand_records.agreement import AGREE_P, Agreement, agreement, updated
 from tumble.calibrations.stand_records.corrections import Corrections, chi_square_p
 from tumble.calibrations.stand_records.record import Contribution, StandIdentity, StandRecord, Status
@@ -53,7 +50,7 @@ def learn(traced: Traced, folder: Path) -> Learned:
         return Learned(sentences=())
     if traced.measurement.stand_record is not None:
         return Learned(sentences=contradictions_of(traced))
-    said = tuple(doubts(source.run))
+    said = source.run.doubts
     if source.run.objections:
         reason = f"nothing is learned of stand {identity.stand} from this run: {series(source.run.objections)}"
         return Learned(sentences=(*said, reason) if source.run.terms else said)
@@ -67,7 +64,7 @@ def learn(traced: Traced, folder: Path) -> Learned:
 def contradictions_of(traced: Traced) -> tuple[str, ...]:
     """Where a run contradicts the stand record that was applied to it, in words."""
     run, applied = run_of(traced), traced.measurement.stand_record
-    return () if run is None or applied is None else tuple(contradictions(run, applied))
+    return () if run is None or applied is None else tuple(run.contradictions(applied))
 
 
 class _Stand:
@@ -154,8 +151,7 @@ class _Stand:
         source: Source,
         before: StandRecord | None,
     ) -> StandRecord:
-        rows = source.run.loop.augmented.observations
-        validity = validity_of(rows, source.contribution.measured_at)
+        validity = source.run.validity(source.contribution.measured_at)
         return self._records.add(
             identity=self._identity,
             status=status,

@@ -4,29 +4,31 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from pydantic import ValidationError
 
 from tumble.app.files import is_recording
 from tumble.app.header_checks import check_header
 from tumble.app.identity import program_identity
+from tumble.app.jobs import find_job, has_job, method_of_table
 from tumble.app.stand import RecordedStand, Site
 from tumble.calibrations.core.cells import TableError
 from tumble.calibrations.core.parameter import Parameter
-from tumble.calibrations.core.provenance import LimitCheck, Provenance, Source
-from tumble.calibrations.methods.dividing_head.budget import StandUncertainty
-from tumble.calibrations.methods.dividing_head.judging import inside
-from tumble.calibrations.methods.dividing_head.observations import Observations
-from tumble.calibrations.methods.dividing_head.table import read_table
+from tumble.calibrations.core.provenance import LimitCheck, Provenance, Source, inside
+from tumble.calibrations.core.rows import Rows
+from tumble.calibrations.core.sentences import series
 from tumble.calibrations.records.raw import file_sha256, stored_path
 from tumble.calibrations.stand_records.record import StandRecord
+from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.events import Identified
 from tumble.procedures.programme import Programme, programme_from_text
 from tumble.procedures.recording.errors import RecordingError
 from tumble.procedures.recording.header import Header
 from tumble.procedures.registry import find_method
+
+_S = TypeVar("_S", bound=RecordedStand)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -35,7 +37,9 @@ class Measurement:
 
     path: Path
     sha256: str
-    observations: Observations
+    method: str
+    """Name of the method that analyses it."""
+    observations: Rows
     stand: Mapping[str, Any]
     """The stand file as data, without what is simulated; empty for a table."""
     header: Header | None = None
@@ -53,29 +57,23 @@ class Measurement:
         return Source(kind=kind, path=stored_path(folder, self.path), sha256=self.sha256)
 
     @property
-    def uncertainty(self) -> StandUncertainty:
-        """What the stand adds to the budget; nothing where there is no stand file. Raises `InputError`."""
-        file = self._stand_file
-        return replace(file.uncertainty if file else StandUncertainty(), record=self.stand_record)
-
-    @property
     def reference_temperature_degc(self) -> float:
         """Temperature to which parameters refer; 23 °C where there is no stand file. Raises `InputError`."""
-        file = self._stand_file
+        file = self.stand_as(RecordedStand)
         return (file.site if file else Site()).reference_temperature_degc
 
     @property
     def uses_stand_record(self) -> bool:
         """Whether its stand file wants stored corrections to be applied. Raises `InputError`."""
-        file = self._stand_file
+        file = self.stand_as(RecordedStand)
         return file is not None and file.stand_record.use
 
-    @property
-    def _stand_file(self) -> RecordedStand | None:
+    def stand_as(self, schema: type[_S]) -> _S | None:
+        """The stand file by a schema, with what a method needs of it; None where there is none. Raises `InputError`."""
         if not self.stand:
             return None
         try:
-            return RecordedStand.model_validate(self.stand)
+            return schema.model_validate(self.stand)
         except ValidationError as error:
             first = error.errors()[0]
             where = ".".join(map(str, first["loc"]))
@@ -104,18 +102,20 @@ def read_measurement(path: Path, stand: Mapping[str, Any] | None = None) -> Meas
     InputError
         Unreadable or malformed, or without a single complete point: one sentence.
     """
-    if is_recording(path):
-        measurement = _read_recording(path, stand)
-    else:
-        try:
-            observations = read_table(path)
-        except TableError as error:
-            raise InputError(str(error)) from error
-        measurement = Measurement(path=path, sha256=file_sha256(path), observations=observations, stand=stand or {})
+    measurement = (_read_recording if is_recording(path) else _read_table)(path, stand)
     if not len(measurement.observations):
         aside = measurement.observations.rows_read
         raise InputError(f"{path}: no usable row ({aside} set aside); measure again")
     return measurement
+
+
+def _read_table(path: Path, stand: Mapping[str, Any] | None) -> Measurement:
+    method = method_of_table(path)
+    try:
+        rows = find_job(method).read_table(path)
+    except TableError as error:
+        raise InputError(str(error)) from error
+    return Measurement(path=path, sha256=file_sha256(path), method=method, observations=rows, stand=stand or {})
 
 
 def _read_recording(path: Path, stand: Mapping[str, Any] | None) -> Measurement:
@@ -128,11 +128,12 @@ def _read_recording(path: Path, stand: Mapping[str, Any] | None) -> Measurement:
     header = recording.header
     check_header(path, header, stand)
     table = find_method(header.method).procedure_part.table(recording)
-    if not isinstance(table, Observations):
+    if not (has_job(header.method) and isinstance(table, Rows)):
         raise InputError(f"{path}: is of the method {header.method}, which this does not analyse; use its own command")
     return Measurement(
         path=path,
         sha256=file_sha256(path),
+        method=header.method,
         observations=table,
         stand=header.stand if stand is None else stand,
         header=header,
@@ -162,13 +163,28 @@ def provenance(measurement: Measurement, serial_number: str = "", folder: Path |
 
 
 def check_limits(parameters: Mapping[str, Parameter], programme: Programme | None) -> tuple[LimitCheck, ...]:
-    """Hold values against the programme's limits; what has no value is not inside. The verdict takes more than that."""
-    checks = []
-    for name, limit in (programme.limits if programme else {}).items():
-        value = parameters[name].value
-        check = LimitCheck(name=name, minimum=limit.min, maximum=limit.max, inside=False)
-        checks.append(replace(check, inside=value is not None and inside(value, check)))
-    return tuple(checks)
+    """Hold values against the programme's limits; what has no value is not inside. The verdict takes more than that.
+
+    Raises
+    ------
+    InputError
+        It limits what is no parameter of its method.
+    """
+    limits = programme.limits if programme else {}
+    if unknown := sorted(set(limits) - set(parameters)):
+        raise InputError(
+            Message(
+                "the programme limits {name}, and the parameters are {parameters}; correct it",
+                name=unknown[0],
+                parameters=series(list(parameters)),
+            )
+        )
+    checks = (LimitCheck(name=name, minimum=each.min, maximum=each.max, inside=False) for name, each in limits.items())
+    return tuple(_held(check, parameters[check.name].value) for check in checks)
+
+
+def _held(check: LimitCheck, value: float | None) -> LimitCheck:
+    return replace(check, inside=value is not None and inside(value, check))
 
 
 def _iso(wall_ns: int) -> str:

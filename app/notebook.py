@@ -12,9 +12,11 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 from markupsafe import Markup
 
-from tumble.app.analysing import Analysed, trace
+from tumble.app.analysed import Analysed
 from tumble.app.analysing import fit as analyse
+from tumble.app.analysing import trace
 from tumble.app.calibrating import calibrate as carry_out
+from tumble.app.jobs import has_job
 from tumble.app.joining import read_together
 from tumble.app.measurements import read_measurement
 from tumble.app.methods import close_loop as close_tables
@@ -114,7 +116,7 @@ def close_loop(path: Place, *further: Place, stand: Place | None = None, serial_
     """
     files = [Path(place) for place in (path, *further)]
     method = method_of(files)
-    if not method.at_stand:
+    if not has_job(method.name):
         if further:
             raise InputError(f"{files[1]}: give one table of this kind at a time")
         return _of_method(method, files)
@@ -199,9 +201,7 @@ def _path(place: Place | None) -> Path | None:
 
 def _of(analysed: Analysed) -> Result:
     def draw() -> Picture:
-        from tumble.calibrations.methods.dividing_head.report.residuals import angle_figure
-
-        return Picture(str(angle_figure(analysed.usable.calibration)))
+        return Picture(str(analysed.figure()))
 
     return Result(name=analysed.provenance.serial_number, document=analysed.as_json(), draw=draw)
 

@@ -9,13 +9,13 @@ from tumble.app.analysing import fit, trace
 from tumble.app.calibrating import report_path, write_report
 from tumble.app.files import is_recording
 from tumble.app.identity import program_identity
+from tumble.app.jobs import has_job
 from tumble.app.joining import read_together
 from tumble.app.measurements import Measurement
 from tumble.app.methods import methods
 from tumble.app.stand_records import corrected_by
 from tumble.app.storing import standing_record
 from tumble.calibrations.core.method import Method
-from tumble.calibrations.methods.dividing_head.entry import METHOD
 from tumble.calibrations.records import DATABASE
 from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.records.errors import RecordError, StoreError
@@ -24,6 +24,7 @@ from tumble.calibrations.records.record import Record
 from tumble.calibrations.records.verify import Verification, verify
 from tumble.procedures.errors import InputError
 from tumble.procedures.recording.errors import RecordingError
+from tumble.procedures.recording.header import Header
 
 if TYPE_CHECKING:
     from tumble.calibrations.records.store import Store
@@ -45,18 +46,18 @@ def recall(folder: Path, record_id: str) -> tuple[Record, Measurement]:
     """A record, by the beginning of its id, with its raw file. Raises `InputError`, `RecordError`, `StoreError`."""
     store = open_store(folder)
     record = store.get(record_id)
-    if record.method != METHOD:
+    if not has_job(record.method):
         raise RecordError(f"record {record.id} is of method {record.method}, which only records show and export know")
     measurement = read_together(store.raw_files(record), record.provenance.stand)
     return record, _as_corrected(measurement, record, folder)
 
 
-def record_of(recording: Path, serial_number: str, folder: Path) -> Record | None:
+def record_of(recording: Path, header: Header, folder: Path) -> Record | None:
     """The record of a recording that stands in a store; None where there is none."""
     from tumble.calibrations.records.store import Store
 
     try:
-        return standing_record(Store.existing(folder), serial_number, [file_sha256(recording)], METHOD)
+        return standing_record(Store.existing(folder), header.serial_number, [file_sha256(recording)], header.method)
     except StoreError:
         return None
 
@@ -79,7 +80,7 @@ def verify_record(store: "Store", record: Record) -> Verification:
 
 def _refit(method: Method, record: Record, folder: Path, paths: Sequence[Path], stand: Mapping[str, Any]) -> Entry:
     """How the numbers of a record come back from its raw files."""
-    if not method.at_stand:
+    if not has_job(method.name):
         return method.close_loop(paths).entry()
     measurement = _as_corrected(read_together(paths, stand), record, folder)
     return trace(fit(measurement, trials=0)).entry

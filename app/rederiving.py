@@ -7,12 +7,14 @@ from typing import Protocol
 
 import numpy as np
 
-from tumble.app.analysing import Traced, fit, trace
+from tumble.app.analysed import Traced
+from tumble.app.analysing import fit, trace
+from tumble.app.job_part import StandRun
+from tumble.app.jobs import find_job
 from tumble.app.joining import read_together
-from tumble.app.measurements import Measurement, read_measurement
+from tumble.app.measurements import Measurement
 from tumble.app.referencing import REFERENCE, run_of_reference
 from tumble.calibrations.core.provenance import Provenance
-from tumble.calibrations.methods.dividing_head.stand.evidence import Run
 from tumble.calibrations.records.raw import file_sha256, resolved_path, stored_path
 from tumble.calibrations.stand_records.agreement import updated
 from tumble.calibrations.stand_records.corrections import Corrections
@@ -24,7 +26,7 @@ from tumble.calibrations.stand_records.terms import Term
 class Source:
     """A run with where it comes from."""
 
-    run: Run
+    run: StandRun
     contribution: Contribution
     """Without coefficients."""
 
@@ -37,11 +39,10 @@ class Source:
         )
 
 
-def run_of(traced: Traced) -> Run | None:
-    """A run as far as its stand is concerned; None where nothing was traced."""
-    if traced.explained is None:
-        return None
-    return Run(loop=traced.loop, explained=traced.explained, uncertainty=traced.measurement.uncertainty)
+def run_of(traced: Traced) -> StandRun | None:
+    """A run as far as its stand is concerned; None where nothing was traced, or its method says nothing of stands."""
+    part = find_job(traced.measurement.method).stand
+    return part.run(traced) if part else None
 
 
 def source_of(traced: Traced, folder: Path) -> Source | None:
@@ -120,4 +121,4 @@ def _run_again(contribution: Contribution, folder: Path) -> Says | None:
         source = source_again(contribution, folder)
         return source.run if source else None
     (path,) = _unchanged(contribution, folder) or (None,)
-    return None if path is None else run_of_reference(read_measurement(path, contribution.stand))
+    return None if path is None else run_of_reference(path)

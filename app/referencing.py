@@ -1,31 +1,68 @@
-"""Stand records from a head that was measured against a reference."""
+"""Stand records from tables that need no unit to agree: a head that was measured against a reference.
 
-from collections.abc import Mapping
+A method whose tables say so much registers, in the entry point group `tumble.references`, a function from a table's
+path to a `ReferenceRun`.
+"""
+
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from functools import lru_cache
+from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
-from typing import Any
+from typing import Any, Final, Protocol, TypeAlias
 
 from tumble.app.identity import program_identity
-from tumble.app.measurements import Measurement, read_measurement
-from tumble.app.stand_records import identity_of
-from tumble.calibrations.methods.head_reference.head_map import ReferenceRun, reference_run
-from tumble.calibrations.methods.head_reference.loop import close_reference_loop
-from tumble.calibrations.methods.head_reference.observations import read_head_table
-from tumble.calibrations.records.raw import stored_path
+from tumble.app.methods import method_called
+from tumble.app.stand_records import identity_of_stand
+from tumble.calibrations.core.cells import TableError
+from tumble.calibrations.core.files import read_header
+from tumble.calibrations.records.raw import file_sha256, stored_path
+from tumble.calibrations.stand_records.corrections import Corrections
 from tumble.calibrations.stand_records.record import Contribution, StandRecord, Status, Validity
+from tumble.calibrations.stand_records.terms import Term
 from tumble.procedures.errors import InputError
 
-REFERENCE = "reference"
+REFERENCE: Final = "reference"
 """What stands for the serial number of a unit."""
+_GROUP: Final = "tumble.references"
 
 
-def is_reference(measurement: Measurement) -> bool:
-    """Whether a file is a table of head and reference."""
-    return measurement.observations.voltage_v is None and measurement.observations.reference_deg is not None
+class ReferenceRun(Protocol):
+    """What a table says of its stand, on its own word."""
+
+    @property
+    def whole(self) -> Corrections:
+        """All that it says."""
+        ...
+
+    @property
+    def validity(self) -> Validity:
+        """Over what it was measured."""
+        ...
+
+    def estimate(self, terms: Sequence[Term]) -> Corrections:
+        """What it says of these terms."""
+        ...
 
 
-def run_of_reference(measurement: Measurement) -> ReferenceRun | None:
-    """What such a table says of the stand; None where it shows no error of the circle."""
-    return reference_run(close_reference_loop(read_head_table(measurement.path)))
+_RunOf: TypeAlias = Callable[[Path], ReferenceRun | None]
+
+
+def is_reference(path: Path) -> bool:
+    """Whether a file is a table that gives a stand record by itself."""
+    return _reader(path) is not None
+
+
+def run_of_reference(path: Path) -> ReferenceRun | None:
+    """What such a table says of the stand; None where it shows nothing. Raises `InputError`."""
+    entry = _reader(path)
+    if entry is None:
+        return None
+    run_of: _RunOf = entry.load()
+    try:
+        return run_of(path)
+    except (TableError, ValueError) as error:
+        raise InputError(str(error)) from error
 
 
 def learn_from_reference(path: Path, stand: Mapping[str, Any], folder: Path) -> StandRecord:
@@ -47,8 +84,7 @@ def learn_from_reference(path: Path, stand: Mapping[str, Any], folder: Path) -> 
     StoreError
         The store cannot be read or written.
     """
-    measurement = read_measurement(path, stand)
-    identity, run = identity_of(measurement), run_of_reference(measurement)
+    identity, run = identity_of_stand(stand, {}), run_of_reference(path)
     if identity is None or run is None:
         raise InputError(
             f"{path}: shows no error of the circle or backlash; there is nothing to put into a stand record"
@@ -56,13 +92,12 @@ def learn_from_reference(path: Path, stand: Mapping[str, Any], folder: Path) -> 
     said = Contribution(
         serial_number=REFERENCE,
         raw_paths=(stored_path(folder, path),),
-        raw_sha256=(measurement.sha256,),
+        raw_sha256=(file_sha256(path),),
         measured_at="",
-        stand=measurement.stand,
+        stand=stand,
         coefficients=tuple(run.whole.values.tolist()),
         standard_uncertainties=tuple((run.whole.covariance.diagonal() ** 0.5).tolist()),
     )
-    angle_deg = measurement.observations.angle_deg
     from tumble.calibrations.stand_records.store import StandRecords
 
     return StandRecords(folder).add(
@@ -71,6 +106,19 @@ def learn_from_reference(path: Path, stand: Mapping[str, Any], folder: Path) -> 
         corrections=run.whole,
         contributions=(said,),
         agreement_p=None,
-        validity=Validity(angle_deg=(float(angle_deg.min()), float(angle_deg.max()))),
+        validity=run.validity,
         program_version=program_identity().version,
     )
+
+
+def _reader(path: Path) -> EntryPoint | None:
+    """The function of the method that reads a table; None for any other file."""
+    header = read_header(path)
+    known = _named(tuple(sys.path))
+    return next((entry for name, entry in known.items() if method_called(name).reads(header, None)), None)
+
+
+@lru_cache(maxsize=8)
+def _named(_: tuple[str, ...]) -> Mapping[str, EntryPoint]:
+    """What installed packages name, looked up once for each place where packages lie."""
+    return {entry.name: entry for entry in entry_points(group=_GROUP)}

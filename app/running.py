@@ -24,6 +24,7 @@ from tumble.app.terminal import lead_nowhere
 from tumble.app.wiring import Connected
 from tumble.drivers.clock import Clock
 from tumble.drivers.errors import Interrupted
+from tumble.messages import Message
 from tumble.procedures.acquisition import Acquisition
 from tumble.procedures.announcer import Announcer, Listener
 from tumble.procedures.engine import Engine
@@ -36,6 +37,7 @@ from tumble.procedures.recording.errors import RecordingError
 from tumble.procedures.recording.header import Header, written_version
 from tumble.procedures.registry import find_method
 from tumble.procedures.replay import replay
+from tumble.procedures.second_look import ReadAgain, SecondLook
 from tumble.procedures.steps import Point
 
 if TYPE_CHECKING:
@@ -150,7 +152,7 @@ def carry_out(
         recorder,
         job.acquisition,
         heard,
-        connected.eyepiece,
+        _second_look(job, connected),
         control=connected.control,
         look=connected.look,
     )
@@ -159,7 +161,14 @@ def carry_out(
             _warn_of_what_is_due(job, connected.stand.clock, Announcer(recorder, heard))
             return action(engine)
     except RecordingError as error:  # from closing it: what fails during the run is in the outcome
-        raise JobError(f"{error}; its complete points can be read", Exit.STORAGE) from error
+        raise JobError(Message("{error}; its complete points can be read", error=error), Exit.STORAGE) from error
+
+
+def _second_look(job: Job, connected: Connected) -> SecondLook | None:
+    """Whoever reads a positioner by eye, asked again where the method of the programme doubts a reading."""
+    if connected.eyepiece is None:
+        return None
+    return ReadAgain(connected.eyepiece, find_method(job.programme.method).procedure_part.contradicted)
 
 
 def _warn_of_what_is_due(job: Job, clock: Clock, announcer: Announcer) -> None:
@@ -174,10 +183,16 @@ def failure(outcome: Outcome, recording: Path) -> JobError | None:
     status = FINISHED[outcome.reason]
     if status is Exit.GOOD:
         return None
-    kept = len(outcome.points)
-    points = f"{kept} complete point{'s' if kept != 1 else ''} kept in {recording}"
-    remedy = "; tumble resume goes on" if status is Exit.STOPPED else ""  # all others say what to do first
-    return JobError(f"{outcome.message}; {points}{remedy}", status)
+    kept = Message.counted(
+        "{happened}; {count} complete point kept in {recording}",
+        "{happened}; {count} complete points kept in {recording}",
+        count=len(outcome.points),
+        happened=outcome.message,
+        recording=recording,
+    )
+    if status is Exit.STOPPED:  # all others say what to do first
+        kept = Message("{kept}; tumble resume goes on", kept=kept)
+    return JobError(kept, status)
 
 
 def recording_path(folder: Path, serial_number: str, programme: str, clock: Clock) -> Path:

@@ -17,7 +17,6 @@ from tumble.procedures.composition import advance
 from tumble.procedures.engine import Engine
 from tumble.procedures.errors import InputError
 from tumble.procedures.events import Event, RunResumed, StepStarted
-from tumble.procedures.methods.dividing_head.layout import MOUNT
 from tumble.procedures.operator import Answers, ScriptedOperator, SeatingOperator
 from tumble.procedures.programme import Programme
 from tumble.procedures.steps import Dwell, Point, Procedure
@@ -68,7 +67,7 @@ class Simulation:
         clock = self.stand.clock
         clock.sleep(past.began_s - clock.monotonic_s())
         began_s = clock.monotonic_s()
-        operator = SeatingOperator(ScriptedOperator(Answers(mounts={"default": "yes"})), {MOUNT: self.world.seat})
+        operator = SeatingOperator(ScriptedOperator(Answers(mounts={"default": "yes"})), self.world.setters)
         engine = Engine(self.stand, operator, _Nowhere(), past.acquisition, self.listeners)
         moments_s: list[float] = []
 

@@ -9,12 +9,12 @@ from pydantic import BaseModel, ConfigDict, Field, create_model, model_validator
 
 from tumble.app.instrument_tables import POSITIONERS, SAMPLERS, Tables, tables_of
 from tumble.calibrations.core.gravity import Gravity, normal_gravity
-from tumble.calibrations.methods.dividing_head.budget import StandUncertainty
 from tumble.drivers.driver import SIMULATED
 from tumble.drivers.names import GivenName
 from tumble.drivers.simulated import Simulated
 from tumble.drivers.tables import DAQ, HEAD, DaqTable, HeadTable
 from tumble.drivers.text import check_name
+from tumble.messages import Message
 from tumble.procedures.errors import InputError
 
 _STRICT = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
@@ -123,21 +123,15 @@ class StandFile(BaseModel):
         """Whether the unit exists in this process only."""
         return self.daq_table is not None and self.daq_table.driver == SIMULATED
 
-    @property
-    def uncertainty(self) -> StandUncertainty:
-        """What the stand adds to the budget."""
-        return StandUncertainty(
-            head_accuracy_arcsec=self.head.accuracy_arcsec,
-            seating_arcsec=self.head.seating_arcsec,
-            daq_gain=self.daq.gain_uncertainty,
-            daq_offset_v=self.daq.offset_uncertainty_v,
-            gravity=self.site.gravity,
-        )
-
     def expired(self, on: date) -> list[str]:
         """A sentence for every instrument whose calibration is overdue on a day, see `Instrument.overdue`."""
         return [
-            f"stand {self.name}: the calibration of the {name} was due on {table.calibration_due}; have it done"
+            Message(
+                "stand {stand}: the calibration of the {instrument} was due on {date}; have it done",
+                stand=self.name,
+                instrument=name,
+                date=table.calibration_due,
+            )
             for name, table in self.instruments.items()
             if table.overdue(on)
         ]
@@ -155,13 +149,14 @@ class RecordedDaq(DaqTable):
     model_config = ConfigDict(extra="ignore")
 
 
-class RecordedStand(StandFile):
-    """What every driver's stand file says alike: an analysis needs no driver, and the driver may be elsewhere."""
+class RecordedStand(BaseModel):
+    """What an analysis reads of any stand file, with or without its drivers; a method adds the tables that it needs."""
 
-    model_config = ConfigDict(extra="ignore")
+    model_config = ConfigDict(frozen=True, extra="ignore", allow_inf_nan=False)
 
-    head_table: RecordedHead = Field(alias=HEAD)
-    daq_table: RecordedDaq = Field(alias=DAQ)
+    name: GivenName
+    site: Site = Site()
+    stand_record: StandRecordTable = StandRecordTable()
 
 
 TablesOf: TypeAlias = tuple[tuple[str, type[BaseModel]], ...]

@@ -5,10 +5,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from tumble.app.jobs import find_job
 from tumble.app.measurements import Measurement
-from tumble.calibrations.methods.dividing_head.questions import questioned
-from tumble.calibrations.methods.dividing_head.stand.applying import corrected
-from tumble.calibrations.methods.dividing_head.stand.validity import validity_of
 from tumble.calibrations.records import DATABASE
 from tumble.calibrations.stand_records.head_map import Curve
 from tumble.calibrations.stand_records.record import StandIdentity, StandRecord, Status
@@ -20,20 +18,20 @@ if TYPE_CHECKING:
 
 def identity_of(measurement: Measurement) -> StandIdentity | None:
     """To which stand a measurement belongs, by its stand file and by what the instruments said; None without one."""
-    if not measurement.stand.get("name"):
+    return identity_of_stand(measurement.stand, measurement.serials)
+
+
+def identity_of_stand(stand: Mapping[str, Any], serials: Mapping[str, str]) -> StandIdentity | None:
+    """Which stand a stand file describes, with what its instruments said of their `serials`; None without one."""
+    if not stand.get("name"):
         return None
-    return StandIdentity(
-        stand=str(measurement.stand["name"]),
-        head=_instrument("head", measurement),
-        daq=_instrument("daq", measurement),
-    )
 
+    def instrument(name: str) -> str:
+        """Driver and serial number."""
+        table: Mapping[str, Any] = stand.get(name, {})
+        return f"{table.get('driver', '')} {table.get('serial') or serials.get(name, '')}".strip()
 
-def _instrument(name: str, measurement: Measurement) -> str:
-    """Driver and serial number: that of the stand file, or else the one that the instrument gave."""
-    table: Mapping[str, Any] = measurement.stand.get(name, {})
-    serial = table.get("serial") or measurement.serials.get(name, "")
-    return f"{table.get('driver', '')} {serial}".strip()
+    return StandIdentity(stand=str(stand["name"]), head=instrument("head"), daq=instrument("daq"))
 
 
 def with_stand_record(measurement: Measurement, folder: Path | None) -> Measurement:
@@ -56,7 +54,8 @@ def with_stand_record(measurement: Measurement, folder: Path | None) -> Measurem
     StoreError
         The store cannot be read.
     """
-    if not measurement.uses_stand_record or measurement.observations.voltage_v is None:
+    part = find_job(measurement.method).stand
+    if part is None or not measurement.uses_stand_record or not part.correctable(measurement.observations):
         return measurement
     identity = identity_of(measurement)
     records = _stand_records(folder) if folder is not None and (folder / DATABASE).is_file() else None
@@ -69,9 +68,11 @@ def with_stand_record(measurement: Measurement, folder: Path | None) -> Measurem
 
 def corrected_by(record: StandRecord, measurement: Measurement) -> Measurement:
     """A measurement corrected by one stand record; what lies beyond its ranges is warned of."""
-    observations = questioned(measurement.observations).observations
-    done = replace(measurement, observations=corrected(observations, record), stand_record=record)
-    beyond = record.validity.exceeded_by(validity_of(observations))
+    part = find_job(measurement.method).stand
+    assert part is not None, "whoever learns of a stand corrects by it"
+    rows = measurement.observations
+    done = replace(measurement, observations=part.corrected(rows, record), stand_record=record)
+    beyond = record.validity.exceeded_by(part.validity(rows))
     if not beyond:
         return done
     return _warned(done, f"{measurement.path}: beyond what stand record {record.version} knows: {', '.join(beyond)}")

@@ -1,15 +1,20 @@
-"""The one way to standard output and standard error: text is shown as it is, and never commands a terminal."""
+"""The one way to standard output and standard error: text is shown as it is, and never commands a terminal.
+
+Messages are put into the language that was asked for; documents stay in English.
+"""
 
 import io
 import json
 import os
 import sys
 from contextlib import suppress
+from dataclasses import dataclass
 from typing import IO, Any, Final, TextIO
 
 import click
 
 from tumble.drivers.text import visible
+from tumble.messages import Language, Message
 
 LONGEST_LINE: Final = 20_000
 """Characters of a line that is shown."""
@@ -17,9 +22,37 @@ LONGEST_COMPLAINT: Final = 2_000
 """Characters of what is said of an error, which may echo a file."""
 
 
+@dataclass
+class _Speech:
+    """The language of the terminal."""
+
+    language: Language = Language.ENGLISH
+
+
+_SPEECH: Final = _Speech()
+
+
+def speak(language: Language) -> None:
+    """Have messages said in a language from now on."""
+    _SPEECH.language = language
+
+
+def shown(text: str, most: int = LONGEST_LINE) -> str:
+    """Text as it may be put on a terminal: a message in the language that is spoken, what cannot be seen as an escape.
+
+    Parameters
+    ----------
+    text
+        A message, or any other text.
+    most
+        Characters, of which the middle gives way.
+    """
+    return visible(text.in_language(_SPEECH.language) if isinstance(text, Message) else text, most)
+
+
 def say(*lines: str, err: bool = False, most: int = LONGEST_LINE) -> None:
     """Print lines of text; what cannot be seen is printed as an escape, whatever the text comes from."""
-    write("".join(f"{visible(line, most)}\n" for line in lines), sys.stderr if err else sys.stdout)
+    write("".join(f"{shown(line, most)}\n" for line in lines), sys.stderr if err else sys.stdout)
 
 
 def say_document(document: dict[str, Any]) -> None:

@@ -15,14 +15,14 @@ from tumble.drivers.clock import Clock, ReleasedClock, SystemClock
 from tumble.drivers.driver import Bench, DaqDriver, HeadDriver
 from tumble.drivers.links.opened import Links
 from tumble.drivers.manual import Eyepiece
-from tumble.drivers.protocols import Positioner, PositionerStatus, Sampler, Stand
+from tumble.drivers.protocols import Positioner, Sampler, Stand
 from tumble.drivers.tables import HEAD, TITLES
 from tumble.emulators.backstage import Backstage, find_backstage
 from tumble.procedures.announcer import Listener
+from tumble.procedures.axes import Look, look_away
 from tumble.procedures.control import Control
 from tumble.procedures.errors import InputError
-from tumble.procedures.methods.dividing_head.eyepiece import OperatorEyepiece
-from tumble.procedures.methods.dividing_head.layout import MOUNT
+from tumble.procedures.eyepiece import OperatorEyepiece
 from tumble.procedures.operator import Answers, ConsoleOperator, Operator, ScriptedOperator, SeatingOperator
 
 _UNASKED: Final = (
@@ -62,8 +62,8 @@ class Connected:
     """Recordings of the runs so far, in their order: what a simulated stand lives through before it goes on."""
     control: Control = field(default_factory=Control)
     """Pauses, resumes and stops what goes on there; from any thread."""
-    look: Callable[[PositionerStatus], None] = lambda _: None
-    """Is shown where the head is on its way."""
+    look: Look = look_away
+    """Is shown where every positioner is on its way."""
 
 
 def connect(
@@ -132,7 +132,7 @@ def _backstage(loaded: LoadedStand) -> Backstage | None:
 
 def _behind_the_scenes(made: Connected, backstage: Backstage) -> Connected:
     """An emulated stand, where nobody seats the unit but who emulates it."""
-    operator = SeatingOperator(made.operator, {MOUNT: backstage.seat})
+    operator = SeatingOperator(made.operator, backstage.setters)
     return replace(made, operator=operator, listeners=(switching_on(backstage.switch_on),))
 
 
@@ -141,7 +141,7 @@ def _simulated(loaded: LoadedStand, attendant: Attendant, past: Sequence[Past]) 
     simulated = simulation(loaded, clock).after(past)
     if attendant.speed is not None:
         clock.release(attendant.speed)
-    operator = SeatingOperator(attendant.operator(), {MOUNT: simulated.world.seat})
+    operator = SeatingOperator(attendant.operator(), simulated.world.setters)
     person = _Person(lambda: operator, clock, simulated)
     stand = simulated.stand
     if loaded.head_driver is not None:

@@ -56,7 +56,7 @@ def simulate(rows, noise_v, runs, seed):
         result = analyse(noisy, trials=0)
         for index, name in enumerate(PARAMETERS):
             parameter, published = result.parameters[name], result.published[name].value
-            if parameter.value is not None and parameter.given_alpha0_deg is None:
+            if parameter.value is not None and not parameter.given:
                 found[:3, run, index] = parameter.value, *parameter.interval_95
             found[3, run, index] = np.nan if published is None else published
     return found

@@ -143,7 +143,7 @@ def record(running: Application, stream: BinaryIO, path: Path, job: Job) -> int:
         if count % _POINT_BLOCKS == 1:
             announce(StepStarted(step=dwell(index)))
         announce(SamplesAcquired(point=index, time_s=now_s - began_s, block=as_block(voltage_v, now_s)))
-        bridge.look(PositionerStatus(angle_deg=0.025 * count, moving=True, device_time_s=now_s))
+        bridge.look("head", PositionerStatus(angle_deg=0.025 * count, moving=True, device_time_s=now_s))
         if count % _POINT_BLOCKS == 0:
             announce(PointCompleted(point=point(index - 1, voltage_v, now_s - began_s)))
     announce(RunFinished(reason=FinishReason.COMPLETED, message="the stream ended", at_standstill=True))
@@ -201,7 +201,7 @@ def measure(minutes: float) -> dict[str, Any]:
     view._redraw.timeout.connect(view._draw)
     job = Job(stand=load_stand(), programme=programme_from_text(_PROGRAMME, "stream"), serial_number="STREAM")
     running.window.open(running.window.run)
-    view.begin(job.plan())
+    view.begin(job.programme, job.plan())
     running.window.run._now.phase = Phase.RUNNING
     beat = QTimer(interval=BEAT_MS, timerType=Qt.TimerType.PreciseTimer)
     beat.timeout.connect(meter.beat)
@@ -228,7 +228,7 @@ def measure(minutes: float) -> dict[str, Any]:
         thread.join()
         late_s = float(streaming.stderr.read())
     beat.stop()
-    drawn = view.map.done
+    drawn = view.overview.done
     running.window.run._now.phase = Phase.IDLE
     running.window.leave()
     return summary(meter) | {

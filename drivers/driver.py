@@ -26,6 +26,7 @@ from tumble.drivers.manual.head import Eyepiece
 from tumble.drivers.own_file import is_own_file, load_from_file
 from tumble.drivers.protocols import Positioner, Sampler
 from tumble.drivers.tables import DaqTable, HeadTable, Instrument
+from tumble.messages import Message
 
 SIMULATED: Final = "simulated"
 """Names no driver, but the world that exists in this process only, with head and DAQ in one."""
@@ -80,7 +81,13 @@ def _find(name: str, folder: Path, group: str, kind: type[Instrument]) -> Driver
         return None
     found = load_from_file(name, folder) if is_own_file(name) else _installed(name, group)
     if not (isinstance(found, Driver) and issubclass(found.table, kind)):
-        raise ValueError(f"{name} is no driver whose table is a {kind.__name__}; name the value made with Driver(...)")
+        raise ValueError(
+            Message(
+                "{name} is no driver whose table is a {kind}; name the value made with Driver(...)",
+                name=name,
+                kind=kind.__name__,
+            )
+        )
     return found
 
 
@@ -88,7 +95,9 @@ def _installed(name: str, group: str) -> object:
     known = _named(group, tuple(sys.path))
     if name not in known:
         names = ", ".join(sorted({*known, SIMULATED}))
-        raise ValueError(f"no driver is called {name!r}; known are {names}, or write FILE.py:NAME")
+        raise ValueError(
+            Message("no driver is called {name!r}; known are {names}, or write FILE.py:NAME", name=name, names=names)
+        )
     return known[name].load()
 
 

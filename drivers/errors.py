@@ -2,6 +2,13 @@
 
 import signal
 import threading
+from typing import Final
+
+from tumble.messages import Message
+
+NO_ANSWER: Final = Message("does not answer")
+CHECK_CABLE: Final = Message("check its cable, then resume the run")
+"""What a driver of one's own may say too: the catalogues hold both."""
 
 
 class DeviceError(Exception):
@@ -11,7 +18,7 @@ class DeviceError(Exception):
     """
 
     def __init__(self, device: str, happened: str, remedy: str) -> None:
-        super().__init__(f"{device}: {happened}; {remedy}")
+        super().__init__(Message("{device}: {happened}; {remedy}", device=device, happened=happened, remedy=remedy))
         self.device = device
         self.happened = happened
         self.remedy = remedy

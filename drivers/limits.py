@@ -1,6 +1,7 @@
 """Soft limits, the same for every head."""
 
 from tumble.drivers.errors import LimitError
+from tumble.messages import Message
 
 
 def check_limits(device: str, angle_deg: float, limits_deg: tuple[float, float]) -> None:
@@ -9,6 +10,11 @@ def check_limits(device: str, angle_deg: float, limits_deg: tuple[float, float])
     if not low_deg <= angle_deg <= high_deg:
         raise LimitError(
             device,
-            f"a move to {angle_deg:g} deg was asked for, outside the limits {low_deg:g} to {high_deg:g} deg",
-            "choose another angle or correct limits_deg in the stand file",
+            Message(
+                "a move to {angle_deg:g} deg was asked for, outside the limits {low_deg:g} to {high_deg:g} deg",
+                angle_deg=angle_deg,
+                low_deg=low_deg,
+                high_deg=high_deg,
+            ),
+            Message("choose another angle or correct limits_deg in the stand file"),
         )

@@ -12,6 +12,7 @@ from typing import Final
 
 from tumble.drivers.errors import is_of_the_user
 from tumble.drivers.text import reason_of
+from tumble.messages import Message
 
 _FORMER: Final = frozenset({"app", "calibrations", "drivers", "emulators", "procedures", "window"})
 """Packages that had no `tumble.` before their names until version 0.2."""
@@ -30,7 +31,9 @@ def load_from_file(reference: str, base_path: Path) -> object:
     path = base_path / file_name
     module = _load_module(path)
     if not hasattr(module, name):
-        raise ValueError(f"{path} has no {name!r}; define it there or correct the stand file")
+        raise ValueError(
+            Message("{path} has no {name!r}; define it there or correct the stand file", path=path, name=name)
+        )
     return getattr(module, name)
 
 
@@ -55,15 +58,20 @@ def is_remote(path: str) -> bool:
 def _parts(reference: str) -> tuple[str, str]:
     file_name, _, name = reference.rpartition(":")
     if not file_name or not name.isidentifier():
-        raise ValueError(f"{reference!r} names nothing in a file; write FILE.py:NAME")
+        raise ValueError(Message("{reference!r} names nothing in a file; write FILE.py:NAME", reference=reference))
     if is_remote(file_name):
-        raise ValueError(f"{reference!r} leads to another computer, whose code is not run; copy the file to this one")
+        raise ValueError(
+            Message(
+                "{reference!r} leads to another computer, whose code is not run; copy the file to this one",
+                reference=reference,
+            )
+        )
     return file_name, name
 
 
 def _load_module(path: Path) -> ModuleType:
     if path.suffix != ".py":
-        raise ValueError(f"{path} is no Python file; name one that ends in .py")
+        raise ValueError(Message("{path} is no Python file; name one that ends in .py", path=path))
     module = ModuleType(f"own_file_{path.stem}")
     module.__file__ = str(path)
     sys.modules[module.__name__] = module  # dataclasses look themselves up there
@@ -79,5 +87,9 @@ def _load_module(path: Path) -> ModuleType:
 def _not_loaded(path: Path, error: BaseException) -> str:
     former = error.name or "" if isinstance(error, ModuleNotFoundError) else ""
     if former.partition(".")[0] in _FORMER:
-        return f"{path} imports {former}, which is tumble.{former} since version 0.2; write that in the file"
-    return f"{path} could not be loaded ({reason_of(error)})"
+        return Message(
+            "{path} imports {former}, which is tumble.{former} since version 0.2; write that in the file",
+            path=path,
+            former=former,
+        )
+    return Message("{path} could not be loaded ({reason})", path=path, reason=reason_of(error))

@@ -6,6 +6,8 @@ import sys
 from pathlib import Path
 from typing import Final
 
+from tumble.messages import Message
+
 _LARGEST: Final = 4096
 _NO_LINK: Final = getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
 """Windows knows neither; a user's folder there is closed to others by its access list."""
@@ -24,7 +26,7 @@ def private_folder(name: str) -> Path:
     folder = state_folder() / name
     folder.mkdir(mode=0o700, parents=True, exist_ok=True)
     if not _ours(folder.lstat(), stat.S_IFDIR):
-        raise PermissionError(f"{folder} is a link, or another user's; take it away")
+        raise PermissionError(Message("{folder} is a link, or another user's; take it away", folder=folder))
     if sys.platform != "win32":
         folder.chmod(0o700)
     return folder
@@ -43,7 +45,7 @@ def read_private(path: Path) -> str:
     with os.fdopen(os.open(path, os.O_RDONLY | _NO_LINK), "rb") as stream:
         found = os.fstat(stream.fileno())
         if path.is_symlink() or not _ours(found, stat.S_IFREG) or (_WITH_OWNERS and found.st_mode & 0o077):
-            raise PermissionError(f"{path} is not the user's own")
+            raise PermissionError(Message("{path} is not the user's own", path=path))
         return stream.read(_LARGEST).decode("utf-8")
 
 

@@ -14,12 +14,15 @@ from pydantic_core import PydanticCustomError
 from tumble.drivers.links.can_address import CanAddress, Option
 from tumble.drivers.links.places import check_network, check_scheme, check_server
 from tumble.drivers.names import GivenName, Name
+from tumble.messages import Message
 
 HEAD: Final = "head"
 DAQ: Final = "daq"
 """Tables of a stand file, and the names of these instruments at the stand."""
-TITLES: Final = {HEAD: "dividing head", DAQ: "DAQ"}
+TITLES: Final = {HEAD: Message("dividing head"), DAQ: Message("DAQ")}
 """What sentences call them."""
+MOUNT: Final = "mount"
+"""The condition of a dwell that the seat on the head limits: how the unit sits there."""
 MOST_SAMPLES: Final = 10_000_000
 """More in one dwell is a slip of the pen."""
 
@@ -75,7 +78,12 @@ class OnSerialLine(Instrument):
     @model_validator(mode="after")
     def _reachable(self) -> Self:
         if not self.url:
-            raise ValueError(f"the driver {self.driver} needs a url: a port name, or such as socket://127.0.0.1:7001")
+            raise ValueError(
+                Message(
+                    "the driver {driver} needs a url: a port name, or such as socket://127.0.0.1:7001",
+                    driver=self.driver,
+                )
+            )
         check_scheme(self.url)
         return self
 
@@ -92,7 +100,10 @@ class OnCan(Instrument):
     def _reachable(self) -> Self:
         if bool(self.interface and self.channel) == bool(self.url):
             raise ValueError(
-                f"the driver {self.driver} needs interface and channel, or a url such as socketcan:can0, and not both"
+                Message(
+                    "the driver {driver} needs interface and channel, or a url such as socketcan:can0, and not both",
+                    driver=self.driver,
+                )
             )
         check_server(self.bus)  # which raises, too, where the url names none
         return self
@@ -136,15 +147,15 @@ class HeadTable(Instrument):
     def _in_order(self) -> Self:
         low, high = self.limits_deg
         if not low < high:
-            raise ValueError(f"limits_deg: {low:g} is not below {high:g}")
+            raise ValueError(Message("limits_deg: {low:g} is not below {high:g}", low=low, high=high))
         if self.steps_per_deg == 0:
-            raise ValueError("steps_per_deg is 0: give the counts per degree")
+            raise ValueError(Message("steps_per_deg is 0: give the counts per degree"))
         return self
 
     @property
     def allowed(self) -> Mapping[str, tuple[str, ...] | None]:
         """What the seat on it allows, by condition; None allows everything."""
-        return {"mount": self.mounts}
+        return {MOUNT: self.mounts}
 
     @property
     def turns(self) -> float:

@@ -3,6 +3,8 @@
 import re
 from typing import Final
 
+from tumble.messages import Message
+
 LONGEST_NAME: Final = 100
 """Characters of a serial number or a name that a person can still read."""
 
@@ -52,9 +54,21 @@ def _shortened(text: str, most: int | None) -> str:
 def check_name(text: str) -> str:
     """Give `text` back where it can serve as a name. Raises `ValueError` with what is wrong with it."""
     if len(text) > LONGEST_NAME:
-        raise ValueError(f"{len(text)} characters are no name; give {LONGEST_NAME} at most")
+        raise ValueError(
+            Message(
+                "{length} characters are no name; give {most} at most",
+                length=len(text),
+                most=LONGEST_NAME,
+            )
+        )
     if found := _UNSEEN.search(text):
-        raise ValueError(f"{_escape(found)} at character {found.start() + 1} cannot be seen; give plain text")
+        raise ValueError(
+            Message(
+                "{found} at character {place} cannot be seen; give plain text",
+                found=_escape(found),
+                place=found.start() + 1,
+            )
+        )
     return text
 
 

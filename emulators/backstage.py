@@ -9,7 +9,7 @@ process is gone, is no backstage.
 import json
 import os
 import socket
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from hashlib import sha256
 from typing import Final
@@ -19,10 +19,12 @@ from tumble.drivers.errors import DeviceError
 from tumble.drivers.links.places import one_name
 from tumble.drivers.private_files import private_folder, read_private, write_private
 from tumble.drivers.processes import started
+from tumble.drivers.tables import MOUNT
 from tumble.emulators.faults import Faults
 from tumble.emulators.serving import serve_tcp
 from tumble.emulators.speed import FasterClock
 from tumble.emulators.world import SharedWorld
+from tumble.messages import Message
 
 _TIMEOUT_S: Final = 5.0
 _FOLDER: Final = "emulated"
@@ -71,7 +73,7 @@ class BackstageSession:
             case "look", "":
                 return _TURNING if self._shared.head.status().moving else _DONE
             case _:
-                raise ValueError(f"{verb} {what} is nothing that is done backstage")
+                raise ValueError(Message("{verb} {what} is nothing that is done backstage", verb=verb, what=what))
         return _DONE
 
 
@@ -81,6 +83,11 @@ class Backstage:
     def __init__(self, port: int, clock: Clock) -> None:
         self._port = port
         self.clock = clock
+
+    @property
+    def setters(self) -> Mapping[str, Callable[[str], None]]:
+        """What a person may set here between dwells, by condition; each raises `DeviceError`."""
+        return {MOUNT: self.seat}
 
     def seat(self, mount: str) -> None:
         """Seat the unit. Raises `DeviceError`."""
@@ -116,9 +123,17 @@ class Backstage:
                 connection.sendall(f"{line}\n".encode())
                 answer = connection.makefile("rb").readline().decode().strip()
         except OSError as error:
-            raise DeviceError("emulated stand", f"{line}: nobody heard it ({error})", "start it again") from error
+            raise DeviceError(
+                Message("emulated stand"),
+                Message("{line}: nobody heard it ({error})", line=line, error=error),
+                Message("start it again"),
+            ) from error
         if answer not in (_DONE, _TURNING):
-            raise DeviceError("emulated stand", f"{line}: {answer or 'no answer'}", "look at what is asked of it")
+            raise DeviceError(
+                Message("emulated stand"),
+                Message("{line}: {answer}", line=line, answer=answer or Message("no answer")),
+                Message("look at what is asked of it"),
+            )
         return answer
 
 

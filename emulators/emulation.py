@@ -15,6 +15,7 @@ from tumble.emulators.scpi.models import Messages
 from tumble.emulators.serving import Server, Session, serve_pty, serve_tcp
 from tumble.emulators.stand_faults import StandFaults
 from tumble.emulators.world import SharedWorld
+from tumble.messages import Message
 
 if TYPE_CHECKING:  # cantools is there only where a stand has a CAN DAQ
     from tumble.drivers.candaq import DaqFrames
@@ -119,7 +120,9 @@ class _Emulation:
         table = self._wanted.daq
         frames = frames_of(table, self._wanted.folder) if isinstance(table, CanDaqTable) else None
         if frames is not None and frames.free_running:
-            raise ValueError("there is no emulator for a CAN DAQ that sends by itself; leave dbc and signals out")
+            raise ValueError(
+                Message("there is no emulator for a CAN DAQ that sends by itself; leave dbc and signals out")
+            )
         return frames
 
     def _lines(self, name: str, session: Callable[[], Session], port: int, faults: Faults) -> dict[str, str]:
@@ -150,5 +153,11 @@ def _served(table: Instrument, emulators: Mapping[str, Callable[[], dict[str, st
     """Serve the instrument by the emulator that there is for its driver."""
     if table.driver not in emulators:
         known = ", ".join(emulators)
-        raise ValueError(f"there is no emulator for the driver {table.driver}; there are some for {known}")
+        raise ValueError(
+            Message(
+                "there is no emulator for the driver {driver}; there are some for {known}",
+                driver=table.driver,
+                known=known,
+            )
+        )
     return emulators[table.driver]()

@@ -16,6 +16,7 @@ from typing import Final, Literal, Self
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from tumble.drivers.clock import Clock, SystemClock
+from tumble.messages import Message
 
 WireKind = Literal["late", "cut", "double", "garble", "reorder", "wrong_checksum"]
 """What may happen to an answer on its way."""
@@ -75,9 +76,9 @@ class At(BaseModel):
     @model_validator(mode="after")
     def _one_of_three(self) -> Self:
         if sum(given is not None for given in (self.point, self.command, self.time_s)) != 1:
-            raise ValueError("a fault happens at one of point, command and time_s; give exactly one of them")
+            raise ValueError(Message("a fault happens at one of point, command and time_s; give exactly one of them"))
         if self.containing and self.command is None:
-            raise ValueError("containing chooses among commands; give command, too, or leave it out")
+            raise ValueError(Message("containing chooses among commands; give command, too, or leave it out"))
         return self
 
 

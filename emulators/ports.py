@@ -10,6 +10,8 @@ from pathlib import Path
 from typing import Final, Protocol
 from uuid import uuid4
 
+from tumble.messages import Message
+
 _CHUNK: Final = 4096
 _WRITE_TIMEOUT_S: Final = 1.0
 _MOST_CLIENTS: Final = 8
@@ -154,7 +156,7 @@ class PtyPort:
     def open(self) -> None:
         """Make the terminal, raw and without echo."""
         if sys.platform == "win32":
-            raise OSError("there are no pseudo-terminals on Windows; serve over TCP")
+            raise OSError(Message("there are no pseudo-terminals on Windows; serve over TCP"))
         import tty  # not on Windows
 
         self._master, self._slave = os.openpty()

@@ -3,6 +3,8 @@
 import time
 from typing import TypedDict
 
+from tumble.messages import Message
+
 
 class Pace(TypedDict):
     """What makes a `FasterClock` the clock that it is, for another process of the same computer."""
@@ -21,7 +23,9 @@ class FasterClock:
 
     def __init__(self, factor: float = 1.0, began_s: float | None = None, wall_start_ns: int | None = None) -> None:
         if not factor > 0.0:
-            raise ValueError(f"a clock cannot run {factor:g} times as fast; give a factor above 0")
+            raise ValueError(
+                Message("a clock cannot run {factor:g} times as fast; give a factor above 0", factor=factor)
+            )
         self.factor = factor
         """Times real time."""
         self._began_s = time.monotonic() if began_s is None else began_s

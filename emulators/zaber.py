@@ -10,9 +10,9 @@ from typing import Final
 
 from tumble.drivers.zaber.codec import (
     BROADCAST,
+    DeviceMessage,
     GarbledError,
     Kind,
-    Message,
     Request,
     encode_message,
     parse_request,
@@ -93,10 +93,10 @@ class EmulatedZaber:
             arrivals = self.axis.arrivals
             if arrivals == arrivals_known or not self._settings["comm.alert"]:
                 return b"", arrivals
-            message = Message(kind=Kind.ALERT, device=self._address, axis=1, warning=self.axis.flag)
+            message = DeviceMessage(kind=Kind.ALERT, device=self._address, axis=1, warning=self.axis.flag)
             return self.encode(message), arrivals
 
-    def encode(self, message: Message) -> bytes:
+    def encode(self, message: DeviceMessage) -> bytes:
         """The message with a checksum where it is set so."""
         return encode_message(message, checksum=bool(self._settings["comm.checksum"]))
 
@@ -113,7 +113,7 @@ class EmulatedZaber:
             self.axis.lose_power()
         self.axis.look()
 
-    def _answer(self, request: Request) -> Message:
+    def _answer(self, request: Request) -> DeviceMessage:
         word, *arguments = request.command.split() or [""]
         accepted = True
         try:
@@ -124,7 +124,7 @@ class EmulatedZaber:
             data = self._obey(word, arguments)
         except RejectError as rejected:
             accepted, data = False, str(rejected)
-        return Message(
+        return DeviceMessage(
             kind=Kind.REPLY,
             device=self._address,
             axis=request.axis,

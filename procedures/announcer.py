@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterable
 from contextlib import suppress
 from typing import Protocol, TypeAlias
 
+from tumble.messages import Message
 from tumble.procedures.errors import StorageError
 from tumble.procedures.events import Event, WarningRaised
 
@@ -47,16 +48,23 @@ class Announcer:
             return self._sink.record(event)
         except Exception as error:
             what = str(error) or type(error).__name__
-            raise StorageError(f"the recording failed: {what}; then resume the run") from error
+            raise StorageError(Message("the recording failed: {what}; then resume the run", what=what)) from error
 
     def tell(self, event: Event) -> list[str]:
         """Call every listener; drop those that fail and return a sentence on each."""
-        failures = []
+        failures: list[str] = []
         for listener in tuple(self._listeners):
             try:
                 listener(event)
             except Exception as error:  # whatever it is, watching must not end a run
                 self._listeners.remove(listener)
                 name = getattr(listener, "__qualname__", type(listener).__name__)
-                failures.append(f"the display {name} failed and is no longer served: {type(error).__name__}: {error}")
+                failures.append(
+                    Message(
+                        "the display {name} failed and is no longer served: {kind}: {error}",
+                        name=name,
+                        kind=type(error).__name__,
+                        error=error,
+                    )
+                )
         return failures

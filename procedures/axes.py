@@ -1,9 +1,13 @@
 """All positioners of a stand: they set out together, and come to rest together."""
 
 from collections.abc import Callable, Generator, Mapping
+from functools import partial
+from typing import TypeAlias
 
+from tumble.calibrations.core.sentences import series
 from tumble.drivers.errors import DeviceError
 from tumble.drivers.protocols import PositionerStatus, Stand
+from tumble.messages import Message
 from tumble.procedures.acquisition import Acquisition
 from tumble.procedures.approach import Place
 from tumble.procedures.errors import ProcedureError
@@ -12,11 +16,18 @@ from tumble.procedures.losses import Losses
 from tumble.procedures.motion import Motion, standstill
 from tumble.procedures.steps import Direction
 
+Look: TypeAlias = Callable[[str, PositionerStatus], None]
+"""Is shown where a positioner is, by its name."""
+
+
+def look_away(_name: str, _status: PositionerStatus) -> None:
+    """Look at nothing."""
+
 
 class Axes:
     """Moves of the positioners of a stand, by name.
 
-    `look` is shown where a positioner is whenever that is read on its way.
+    `look` is shown where each of them is whenever that is read on its way.
     """
 
     def __init__(
@@ -24,7 +35,7 @@ class Axes:
         stand: Stand,
         acquisition: Acquisition,
         losses: Losses,
-        look: Callable[[PositionerStatus], None] = lambda _: None,
+        look: Look = look_away,
     ) -> None:
         self.motions = {
             name: Motion(
@@ -32,7 +43,7 @@ class Axes:
                 stand.clock,
                 acquisition.position_tolerance_deg,
                 acquisition.approach,
-                look,
+                partial(look, name),
                 title=stand.title(name),
             )
             for name, positioner in stand.positioners.items()
@@ -92,8 +103,8 @@ class Axes:
         """Tell all to stop and read their rest back. Raises `DeviceError` where one does not come to rest."""
         self.brake()
         if not self.standstill():
-            titles = " or ".join(motion.title for motion in self.motions.values())
-            raise DeviceError(titles, "cannot be brought to rest", "switch it off and look at it")
+            titles = series([motion.title for motion in self.motions.values()], "or")
+            raise DeviceError(titles, Message("cannot be brought to rest"), Message("switch it off and look at it"))
 
     def standstill(self) -> bool:
         """Read the rest of all back, see `Motion.standstill`; a stand without positioners is at rest."""

@@ -2,6 +2,7 @@
 
 from threading import Event
 
+from tumble.messages import Message
 from tumble.procedures.errors import StopRequestedError
 
 
@@ -35,4 +36,4 @@ class Control:
     def check(self) -> None:
         """Raise `StopRequestedError` where the run should end."""
         if self.stop_wanted():
-            raise StopRequestedError("the operator stopped the run")
+            raise StopRequestedError(Message("the operator stopped the run"))

@@ -9,10 +9,11 @@ from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from functools import partial
 
-from tumble.drivers.protocols import Identity, PositionerStatus, Stand
+from tumble.drivers.protocols import Identity, Stand
+from tumble.messages import Message
 from tumble.procedures.acquisition import Acquisition
 from tumble.procedures.announcer import Announcer, Listener, Sink
-from tumble.procedures.axes import Axes
+from tumble.procedures.axes import Axes, Look, look_away
 from tumble.procedures.composition import advance
 from tumble.procedures.control import Control
 from tumble.procedures.errors import ProcedureError, StorageError, UnansweredError
@@ -65,7 +66,7 @@ class Engine:
     control
         Pauses, resumes and stops the run; one of its own without it.
     look
-        Called with what a positioner reports on its way; must not raise.
+        Called with the name of a positioner and what it reports on its way; must not raise.
     """
 
     def __init__(
@@ -78,7 +79,7 @@ class Engine:
         eyepiece: SecondLook | None = None,
         *,
         control: Control | None = None,
-        look: Callable[[PositionerStatus], None] = lambda _: None,
+        look: Look = look_away,
     ) -> None:
         self._clock = stand.clock
         self._operator = operator
@@ -192,8 +193,17 @@ class Engine:
             ConditionAnswered(condition=ask.condition, value=ask.value, answer=answer.text, confirmed=answer.confirmed)
         )
         if not answer.confirmed:
-            said = f"was answered {answer.text!r}" if answer.text else "was not answered"
-            raise UnansweredError(f"the request to {ask.task} {said}; {ask.remedy} and resume the run")
+            said = (
+                Message("was answered {answer!r}", answer=answer.text) if answer.text else Message("was not answered")
+            )
+            raise UnansweredError(
+                Message(
+                    "the request to {task} {said}; {remedy} and resume the run",
+                    task=ask.task,
+                    said=said,
+                    remedy=ask.remedy,
+                )
+            )
         self._conditions[ask.condition] = ask.value
         self._change(State.RUNNING)
         return Confirmed(condition=ask.condition, value=ask.value)
@@ -225,11 +235,18 @@ class Engine:
 
     def _warn_of(self, taken: Taken, dwell: Dwell) -> None:
         if taken.unusable:
-            bad = f"{taken.unusable} of {taken.samples} samples are overloads or no numbers"
-            self._warn(dwell, f"{bad}; the point will be set aside")
+            bad = Message(
+                "{unusable} of {samples} samples are overloads or no numbers; the point will be set aside",
+                unusable=taken.unusable,
+                samples=taken.samples,
+            )
+            self._warn(dwell, bad)
         if not taken.settled:
-            waited = f"{self._acquisition.settle_timeout_s:g} s"
-            self._warn(dwell, f"the output had not settled after {waited}; the point is kept and marked")
+            late = Message(
+                "the output had not settled after {waited_s:g} s; the point is kept and marked",
+                waited_s=self._acquisition.settle_timeout_s,
+            )
+            self._warn(dwell, late)
 
     def _verify(self, last: Point, asks: Iterable[Ask], tolerance_v: float | None) -> None:
         """Bring everything back to where `last` was taken, and see whether a point gives there what it gave."""
@@ -286,5 +303,10 @@ class Engine:
         self._announcer.announce_anyway(StateChanged(state=state, reason=reason))
 
     def _warn(self, dwell: Dwell, message: str) -> None:
-        where = f"point {len(self._points)} ({pose(dwell.conditions, dwell.targets_deg)})"
-        self._announcer.announce(WarningRaised(message=f"{where}: {message}"))
+        said = Message(
+            "point {index} ({pose}): {message}",
+            index=len(self._points),
+            pose=pose(dwell.conditions, dwell.targets_deg),
+            message=message,
+        )
+        self._announcer.announce(WarningRaised(message=said))

@@ -5,6 +5,7 @@ from enum import StrEnum
 from typing import TypeAlias
 
 from tumble.drivers.protocols import Block
+from tumble.messages import translatable
 from tumble.procedures.steps import Point, Step
 
 
@@ -26,12 +27,12 @@ class State(StrEnum):
 class FinishReason(StrEnum):
     """Why a run ended."""
 
-    COMPLETED = "completed"
-    STOPPED = "stopped by the operator"
-    UNANSWERED = "a prompt was not answered"
-    DEVICE_FAULT = "device fault"
-    STORAGE = "the recording could not be written"
-    INTERNAL = "a fault of the program"
+    COMPLETED = translatable("completed")
+    STOPPED = translatable("stopped by the operator")
+    UNANSWERED = translatable("a prompt was not answered")
+    DEVICE_FAULT = translatable("device fault")
+    STORAGE = translatable("the recording could not be written")
+    INTERNAL = translatable("a fault of the program")
 
 
 @dataclass(frozen=True, kw_only=True)

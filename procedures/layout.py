@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Final, TypeAlias
 
+from tumble.messages import Message
 from tumble.procedures.steps import Ask, Dwell, Point, Reading
 
 Fields: TypeAlias = dict[str, Any]
@@ -57,7 +58,7 @@ class Condition:
     remedy: str
     prompt: str
     hint: str
-    """The words of `Ask`; in each `{value}` stands for what is wanted."""
+    """Templates of the messages of `Ask`; in each `{value}` stands for what is wanted."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -74,10 +75,10 @@ class Layout:
         return Ask(
             condition=condition,
             value=value,
-            task=words.task.format(value=value),
-            remedy=words.remedy.format(value=value),
-            prompt=words.prompt.format(value=value),
-            hint=words.hint.format(value=value),
+            task=Message.marked(words.task, value=value),
+            remedy=Message.marked(words.remedy, value=value),
+            prompt=Message.marked(words.prompt, value=value),
+            hint=Message.marked(words.hint, value=value),
         )
 
     def point_fields(self, point: Point) -> Fields:

@@ -5,12 +5,15 @@ from dataclasses import dataclass
 from importlib.resources.abc import Traversable
 from typing import TYPE_CHECKING, Generic, Protocol, TypeVar
 
+from tumble.calibrations.core.rows import Rows
 from tumble.procedures.layout import Layout
 from tumble.procedures.programme import Programme
+from tumble.procedures.second_look import Contradicted, nothing_contradicts
 
 if TYPE_CHECKING:
     from tumble.procedures.recording.reader import Recording
 
+_TEMPERATURE = "temperature_degc"
 Table = TypeVar("Table", covariant=True)
 
 
@@ -24,11 +27,22 @@ class ProcedurePart(Generic[Table]):
     """Folder of the programmes that come along, `NAME.toml` each."""
     table: Callable[["Recording"], Table]
     """The table of a recording: a row for every complete point."""
+    rows: type[Rows] = Rows
+    """The kind of that table."""
+    contradicted: Contradicted = nothing_contradicts
+    """What speaks against a position that a person read."""
 
     @property
     def layout(self) -> Layout:
         """The columns of its points."""
         return self.programme.layout
+
+    @property
+    def exported(self) -> list[list[str]]:
+        """Columns of the table of a recording, as tables spell them, with and without a temperature."""
+        recorded = self.layout.described()
+        spelt = {name: field for name, field in self.rows.spelt().items() if field in recorded}
+        return [list(spelt), [name for name, field in spelt.items() if field != _TEMPERATURE]]
 
 
 class Method(Protocol):

@@ -8,6 +8,7 @@ from typing import Final
 from tumble.drivers.clock import Clock
 from tumble.drivers.errors import DeviceError, LinkLostError, ReferenceLostError
 from tumble.drivers.protocols import Positioner, PositionerStatus, Reconnectable
+from tumble.messages import Message
 from tumble.procedures.approach import EITHER_WAY, Approach, Place, direction_of
 from tumble.procedures.journeys import POLL_S, Journey, together
 from tumble.procedures.steps import Direction
@@ -104,8 +105,8 @@ class Motion:
             if self._clock.monotonic_s() > deadline_s:
                 raise DeviceError(
                     self.title,
-                    "was told to find its reference, and has not found it in time",
-                    "look at its home sensor and at its drive, then resume the run",
+                    Message("was told to find its reference, and has not found it in time"),
+                    Message("look at its home sensor and at its drive, then resume the run"),
                 )
             self._clock.sleep(POLL_S)
             if checkpoint():
@@ -118,8 +119,12 @@ class Motion:
         if status.moving or not self._at(status, angle_deg):
             raise DeviceError(
                 self.title,
-                f"was to stand at {angle_deg:g} deg for a dwell, and is at {status.angle_deg:.4f} deg after it",
-                "look for what turns it, then resume the run",
+                Message(
+                    "was to stand at {angle_deg:g} deg for a dwell, and is at {reported_deg:.4f} deg after it",
+                    angle_deg=angle_deg,
+                    reported_deg=status.angle_deg,
+                ),
+                Message("look for what turns it, then resume the run"),
             )
 
     def brake(self) -> None:
@@ -130,7 +135,7 @@ class Motion:
         """Tell the head to stop and read its rest back. Raises `DeviceError` where it does not come to rest."""
         self.brake()
         if not self.standstill():
-            raise DeviceError(self.title, "cannot be brought to rest", "switch it off and look at it")
+            raise DeviceError(self.title, Message("cannot be brought to rest"), Message("switch it off and look at it"))
 
     def standstill(self) -> bool:
         """Read the head's rest back: twice in a row it is not moving, in the same place. Until then, tell it to stop.
@@ -221,7 +226,7 @@ class Motion:
         self._look(status)
         if not status.referenced:
             raise ReferenceLostError(
-                self.title, "has lost its reference", "look at its power supply, then resume the run"
+                self.title, Message("has lost its reference"), Message("look at its power supply, then resume the run")
             )
         return status
 

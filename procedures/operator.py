@@ -15,12 +15,14 @@ from typing import Final, Literal, Protocol, TextIO
 from pydantic import BaseModel, ConfigDict, field_validator
 
 from tumble.drivers.manual.reading import parse_reading
+from tumble.messages import Message
 from tumble.procedures.errors import UnansweredError
 from tumble.procedures.steps import Ask
 from tumble.procedures.toml_lines import load_toml
 
-_YES: Final = frozenset({"yes", "done", "seated"})
-_NO: Final = frozenset({"no", "abort", "cancel"})
+_YES: Final = frozenset({"yes", "done", "seated", "так", "готово", "ja", "fertig"})
+_NO: Final = frozenset({"no", "abort", "cancel", "ні", "скасувати", "nein", "abbrechen"})
+"""In every language of `tumble.messages.Language`."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -93,7 +95,7 @@ class Answers(BaseModel):
             try:
                 parse_reading(default)
             except ValueError as error:
-                raise ValueError(f"default: {error}") from error
+                raise ValueError(Message("default: {error}", error=error)) from error
         return readings
 
     def for_value(self, value: str) -> str:
@@ -173,7 +175,10 @@ class ConsoleOperator:
         line = self._next_line()
         if line is None and self._at_end and self._trouble:
             raise UnansweredError(
-                f"the answer could not be read ({self._trouble}); look at what is typed or piped, then resume the run"
+                Message(
+                    "the answer could not be read ({trouble}); look at what is typed or piped, then resume the run",
+                    trouble=self._trouble,
+                )
             )
         if line is None:
             return Answer(text="", confirmed=False) if self._at_end else None
@@ -200,7 +205,7 @@ class ConsoleOperator:
             for line in lines:
                 self._typed.put(line)
         except Exception as error:  # nobody would see it in this thread
-            self._trouble = f"{type(error).__name__}: {error}"
+            self._trouble = Message("{kind}: {error}", kind=type(error).__name__, error=error)
         finally:
             self._typed.put(None)
 

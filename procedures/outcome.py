@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from tumble.drivers.errors import DeviceError
+from tumble.messages import Message
 from tumble.procedures.errors import StopRequestedError, StorageError, UnansweredError
 from tumble.procedures.events import FinishReason, RunFinished
 from tumble.procedures.steps import Point
@@ -43,10 +44,12 @@ def outcome_of(error: BaseException | None, points: Iterable[Point], at_standsti
 
     Without a standstill no run is completed: where nothing else has gone wrong, that is the device fault.
     """
-    restless = DeviceError(moving, "its standstill could not be read back", "look at it before you touch it")
+    restless = DeviceError(
+        moving, Message("its standstill could not be read back"), Message("look at it before you touch it")
+    )
     message = message_of(error)
     if not at_standstill:
-        message = f"{message}; {restless}" if error else str(restless)
+        message = Message("{message}; {restless}", message=message, restless=restless) if error else str(restless)
         error = error or restless
     return Outcome(
         reason=_reason_of(error), message=message, points=tuple(points), at_standstill=at_standstill, error=error
@@ -56,11 +59,15 @@ def outcome_of(error: BaseException | None, points: Iterable[Point], at_standsti
 def message_of(error: BaseException | None) -> str:
     """Why a run ended that `error` has ended, as a sentence for the operator."""
     if error is None:
-        return "the programme was carried out"
+        return Message("the programme was carried out")
     if isinstance(error, KeyboardInterrupt):
-        return "the operator interrupted the program"
+        return Message("the operator interrupted the program")
     if _reason_of(error) is FinishReason.INTERNAL:
-        return f"a fault of the program: {type(error).__name__}: {error}; report it, then resume the run"
+        return Message(
+            "a fault of the program: {kind}: {error}; report it, then resume the run",
+            kind=type(error).__name__,
+            error=error,
+        )
     return str(error)
 
 

@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 
+from tumble.messages import Message
 from tumble.procedures.acquisition import Acquisition
 from tumble.procedures.approach import Place, direction_of
 from tumble.procedures.composition import advance
@@ -96,8 +97,15 @@ def _planned(
 ) -> PlannedStep:
     """A dwell whose positioners stand `here` before it. Raises `ProgrammeError` where the stand has no such one."""
     if missing := sorted(dwell.targets_deg.keys() - here.keys()):
-        there = ", ".join(here) or "none"
-        raise ProgrammeError(f"the {dwell.procedure} needs the positioner {missing[0]}; the stand has {there}")
+        there = ", ".join(here) or Message("none")
+        raise ProgrammeError(
+            Message(
+                "the {procedure} needs the positioner {missing}; the stand has {there}",
+                procedure=dwell.procedure,
+                missing=missing[0],
+                there=there,
+            )
+        )
     approach, tolerance_deg = acquisition.approach, acquisition.position_tolerance_deg
     waypoints_deg = {
         name: approach.waypoints_deg(here[name], target_deg, tolerance_deg)

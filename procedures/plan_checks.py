@@ -2,6 +2,7 @@
 
 from collections.abc import Collection, Iterator
 
+from tumble.messages import Message
 from tumble.procedures.composition import advance
 from tumble.procedures.errors import ProgrammeError
 from tumble.procedures.plan import Plan, nominal_point
@@ -22,11 +23,24 @@ def check_limits(plan: Plan, positioner: str, limits_deg: tuple[float, float]) -
         beyond_deg = [angle for angle in waypoints_deg if not lowest_deg <= angle <= highest_deg]
         target_deg = dwell.targets_deg[positioner]
         if beyond_deg:
-            way = "" if beyond_deg[-1] == target_deg else f" on its way to {target_deg:g} deg"
+            beyond = Message("{angle_deg:g} deg", angle_deg=beyond_deg[-1])
+            if beyond_deg[-1] != target_deg:
+                beyond = Message(
+                    "{angle_deg:g} deg on its way to {target_deg:g} deg",
+                    angle_deg=beyond_deg[-1],
+                    target_deg=target_deg,
+                )
             raise ProgrammeError(
-                f"{_origin(plan.programme, dwell)}: the {dwell.procedure} goes to {beyond_deg[-1]:g} deg{way}, outside "
-                f"the {positioner}'s limits of {lowest_deg:g} to {highest_deg:g} deg; change the angles, or the limits "
-                "of the stand"
+                Message(
+                    "{origin}: the {procedure} goes to {beyond}, outside the {positioner}'s limits "
+                    "of {lowest_deg:g} to {highest_deg:g} deg; change the angles, or the limits of the stand",
+                    origin=_origin(plan.programme, dwell),
+                    procedure=dwell.procedure,
+                    beyond=beyond,
+                    positioner=positioner,
+                    lowest_deg=lowest_deg,
+                    highest_deg=highest_deg,
+                )
             )
 
 
@@ -41,9 +55,14 @@ def check_cable(plan: Plan, positioner: str, turns: float) -> None:
     for dwell, waypoints_deg in _ways(plan, positioner):
         if max(map(abs, waypoints_deg)) / 360.0 > turns:
             raise ProgrammeError(
-                f"{_origin(plan.programme, dwell)}: the {dwell.procedure} goes to {dwell.targets_deg[positioner]:g} "
-                f"deg, and the cable allows {turns:g} turns to either side of zero; change the angles, or cable_turns "
-                "of the stand"
+                Message(
+                    "{origin}: the {procedure} goes to {angle_deg:g} deg, and the cable allows {turns:g} turns "
+                    "to either side of zero; change the angles, or cable_turns of the stand",
+                    origin=_origin(plan.programme, dwell),
+                    procedure=dwell.procedure,
+                    angle_deg=dwell.targets_deg[positioner],
+                    turns=turns,
+                )
             )
 
 
@@ -61,9 +80,15 @@ def check_condition(plan: Plan, condition: str, allowed: Collection[str] | None)
         step = planned.step
         if isinstance(step, Dwell) and step.conditions.get(condition, "") not in {*allowed, ""}:
             raise ProgrammeError(
-                f"{_origin(plan.programme, step)}: the {step.procedure} needs the {condition} "
-                f"{step.conditions[condition]}, and the seat allows {', '.join(allowed)} only; change the {condition}, "
-                f"or {condition}s of the stand"
+                Message(
+                    "{origin}: the {procedure} needs the {condition} {value}, and the seat allows {allowed} "
+                    "only; change the {condition}, or {condition}s of the stand",
+                    origin=_origin(plan.programme, step),
+                    procedure=step.procedure,
+                    condition=condition,
+                    value=step.conditions[condition],
+                    allowed=", ".join(allowed),
+                )
             )
 
 

@@ -11,6 +11,7 @@ from pydantic import BaseModel, ConfigDict, Field, PrivateAttr, model_validator
 
 from tumble.drivers.names import GivenName
 from tumble.drivers.tables import MOST_SAMPLES
+from tumble.messages import Message
 from tumble.procedures.acquisition import Acquisition
 from tumble.procedures.approach import Approach
 from tumble.procedures.composition import Part, compose
@@ -18,7 +19,7 @@ from tumble.procedures.errors import InputError, ProgrammeError
 from tumble.procedures.layout import Layout
 from tumble.procedures.registry import FIRST, find_method, method_names
 from tumble.procedures.steps import Direction, Dwell, Procedure
-from tumble.procedures.toml_lines import line_of, parse_toml, place_of, read_text
+from tumble.procedures.toml_lines import parse_toml, place_of, read_text
 from tumble.procedures.toml_text import read_toml
 
 MOST_DWELLS = 200_000
@@ -38,7 +39,7 @@ class Limit(BaseModel):
     @model_validator(mode="after")
     def _in_order(self) -> "Limit":
         if not self.min < self.max:
-            raise ValueError(f"min = {self.min:g} is not below max = {self.max:g}")
+            raise ValueError(Message("min = {min:g} is not below max = {max:g}", min=self.min, max=self.max))
         return self
 
 
@@ -120,8 +121,7 @@ class Programme(BaseModel, ABC):
 
     def where(self, procedure: int) -> str:
         """File and line of a procedure, counted from 0, for a message."""
-        line = line_of(self._text, ("procedure", procedure))
-        return self._source if line is None else f"{self._source}, line {line}"
+        return place_of(self._source, self._text, ("procedure", procedure))
 
 
 def shipped_programmes() -> list[str]:
@@ -142,7 +142,13 @@ def load_programme(name_or_path: str | Path) -> Programme:
     path = Path(name_or_path)
     if not path.is_file():
         names = ", ".join(shipped_programmes())
-        raise ProgrammeError(f"{name_or_path}: there is no such file; give a TOML file or one of {names}")
+        raise ProgrammeError(
+            Message(
+                "{name_or_path}: there is no such file; give a TOML file or one of {names}",
+                name_or_path=name_or_path,
+                names=names,
+            )
+        )
     try:
         return programme_from_text(read_text(path), path.name)
     except InputError as error:
@@ -166,7 +172,8 @@ def _schema(text: str, source: str) -> type[Programme]:
     try:
         return find_method(str(name)).procedure_part.programme
     except ValueError as error:
-        raise InputError(f"{place_of(source, text, ('method',))}: method: {error}; correct it") from error
+        where = place_of(source, text, ("method",))
+        raise InputError(Message("{where}: method: {error}; correct it", where=where, error=error)) from error
 
 
 def _shipped() -> dict[str, Traversable]:

@@ -10,6 +10,7 @@ from typing import Final, TypeVar
 
 from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError, ReferenceLostError
 from tumble.drivers.protocols import Identity, Positioner, Reconnectable, Remarking, Resettable, Sampler, Stand
+from tumble.messages import Message
 from tumble.procedures.approach import Place
 from tumble.procedures.axes import Axes
 from tumble.procedures.events import Event, Identified, WarningRaised
@@ -80,8 +81,15 @@ class Recovery:
         turns = abs(round(angle_deg / 360.0))
         if turns and not self._stand.positioners[name].status().referenced:
             self._warn(
-                f"{self._stand.title(name)}: has lost its reference at {angle_deg:g} deg; look whether its cable is "
-                f"wound by {turns} turn{'s' if turns > 1 else ''}, and stop the run to unwind it by hand if it is"
+                Message.counted(
+                    "{title}: has lost its reference at {angle_deg:g} deg; look whether its cable is wound by {count} "
+                    "turn, and stop the run to unwind it by hand if it is",
+                    "{title}: has lost its reference at {angle_deg:g} deg; look whether its cable is wound by {count} "
+                    "turns, and stop the run to unwind it by hand if it is",
+                    count=turns,
+                    title=self._stand.title(name),
+                    angle_deg=angle_deg,
+                )
             )
 
     def tell_remarks(self) -> None:
@@ -116,7 +124,11 @@ class Recovery:
         assert interruption is not None
         raise DeviceError(
             interruption.device,
-            f"was lost {_LOSSES} times in one step, the last time so: {interruption.happened}",
+            Message(
+                "was lost {times} times in one step, the last time so: {happened}",
+                times=_LOSSES,
+                happened=interruption.happened,
+            ),
             interruption.remedy,
         )
 
@@ -129,17 +141,25 @@ class Recovery:
         for name, instrument in self._instruments.items():
             with self._losses.using(name):
                 if isinstance(instrument, Resettable) and (fault := instrument.reset_fault()):
-                    self._warn(f"{self._stand.title(name)}: was left in fault by {fault}; the fault is reset")
+                    self._warn(
+                        Message(
+                            "{title}: was left in fault by {fault}; the fault is reset",
+                            title=self._stand.title(name),
+                            fault=fault,
+                        )
+                    )
 
     def _home_where_needed(self) -> None:
         for name, positioner in self._stand.positioners.items():
             with self._losses.using(name):
                 if not positioner.status().referenced:
-                    self._warn(f"{self._stand.title(name)}: has no reference; it is homed")
+                    self._warn(Message("{title}: has no reference; it is homed", title=self._stand.title(name)))
                     self._axes.motions[name].home(self._carry_on)
 
     def _get_back(self, interruption: DeviceError, places: Mapping[str, Place]) -> None:
-        self._warn(f"{interruption.device}: {interruption.happened}; trying to go on")
+        self._warn(
+            Message("{device}: {happened}; trying to go on", device=interruption.device, happened=interruption.happened)
+        )
         began_s = self._clock.monotonic_s()
         for name, instrument in self._instruments.items():
             self._reach(name, instrument, began_s + RECONNECTING_S)
@@ -148,7 +168,11 @@ class Recovery:
                 self._put_back(name, places.get(name))
         self._losses.names.clear()
         self._warn(
-            f"{interruption.device}: is back after {self._clock.monotonic_s() - began_s:.1f} s; the step is repeated"
+            Message(
+                "{device}: is back after {away_s:.1f} s; the step is repeated",
+                device=interruption.device,
+                away_s=self._clock.monotonic_s() - began_s,
+            )
         )
 
     def _put_back(self, name: str, place: Place | None) -> None:
@@ -179,8 +203,12 @@ class Recovery:
                 if self._clock.monotonic_s() >= deadline_s or not isinstance(instrument, Reconnectable):
                     raise DeviceError(
                         away.device,
-                        f"{away.happened}, and did not come back within {RECONNECTING_S:g} s",
-                        "check its power and its cable, then resume the run",
+                        Message(
+                            "{happened}, and did not come back within {patience_s:g} s",
+                            happened=away.happened,
+                            patience_s=RECONNECTING_S,
+                        ),
+                        Message("check its power and its cable, then resume the run"),
                     ) from away
             self._clock.sleep(_RETRY_S)
             self._check()
@@ -190,25 +218,33 @@ class Recovery:
         if demanded and identity.serial != demanded:
             raise DeviceError(
                 title,
-                f"has the serial number {identity.serial or '(none)'}, and the stand file says {demanded}",
-                "connect the right one, or correct the stand file",
+                Message(
+                    "has the serial number {serial}, and the stand file says {demanded}",
+                    serial=identity.serial or Message("(none)"),
+                    demanded=demanded,
+                ),
+                Message("connect the right one, or correct the stand file"),
             )
         known = self._known.setdefault(name, identity)
         if (identity.model, identity.serial) != (known.model, known.serial):
             raise DeviceError(
                 title,
-                f"is {_called(identity)}, and the run was begun with {_called(known)}",
-                "connect that one again, then resume the run",
+                Message(
+                    "is {found}, and the run was begun with {known}",
+                    found=_called(identity),
+                    known=_called(known),
+                ),
+                Message("connect that one again, then resume the run"),
             )
         self._announce(
             Identified(instrument=name, model=identity.model, serial=identity.serial, firmware=identity.firmware)
         )
         for remark in identity.remarks:
-            self._warn(f"{title}: {remark}")
+            self._warn(Message("{title}: {remark}", title=title, remark=remark))
 
     def _warn(self, message: str) -> None:
         self._announce(WarningRaised(message=message))
 
 
 def _called(identity: Identity) -> str:
-    return f"{identity.model} number {identity.serial}"
+    return Message("{model} number {serial}", model=identity.model, serial=identity.serial)

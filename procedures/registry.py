@@ -6,6 +6,8 @@ from functools import lru_cache
 from importlib.metadata import EntryPoint, entry_points
 from typing import TYPE_CHECKING, Final
 
+from tumble.messages import Message
+
 if TYPE_CHECKING:
     from tumble.procedures.method import Method
 
@@ -18,7 +20,13 @@ def find_method(name: str) -> "Method":
     """An installed method by its name. Raises `ValueError` where there is none, with the names of those that are."""
     known = _named(tuple(sys.path))
     if name not in known:
-        raise ValueError(f"no method is called {name!r}; known are {', '.join(sorted(known)) or 'none'}")
+        raise ValueError(
+            Message(
+                "no method is called {name!r}; known are {known}",
+                name=name,
+                known=", ".join(sorted(known)) or Message("none"),
+            )
+        )
     method: Method = known[name].load()
     return method
 

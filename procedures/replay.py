@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from tumble.messages import Message
 from tumble.procedures.composition import advance
 from tumble.procedures.errors import JournalError
 from tumble.procedures.steps import Ask, Confirmed, Dwell, Point, Procedure, Reply, Step, pose
@@ -44,11 +45,11 @@ def replay(procedure: Procedure, journal: Iterable[Reply], tolerance_deg: float)
 
 def _compare(number: int, point: Point, dwell: Dwell | None, tolerance_deg: float) -> None:
     if dwell is None:
-        raise _mismatch(number, point, "is over")
+        raise _mismatch(number, point, Message("the programme is over"))
     expected = (number, dict(dwell.conditions), dwell.procedure, dwell.realisation)
     recorded = (point.index, dict(point.conditions), point.procedure, point.realisation)
     if recorded != expected or not _near(point, dwell, tolerance_deg):
-        raise _mismatch(number, point, f"has {_pose(number, dwell)}")
+        raise _mismatch(number, point, Message("the programme has {pose}", pose=_pose(number, dwell)))
 
 
 def _near(point: Point, dwell: Dwell, tolerance_deg: float) -> bool:
@@ -61,11 +62,22 @@ def _near(point: Point, dwell: Dwell, tolerance_deg: float) -> bool:
 
 def _mismatch(number: int, point: Point, programme_says: str) -> JournalError:
     return JournalError(
-        f"the recorded run does not belong to this programme: where it has {_pose(point.index, point)}, the programme "
-        f"{programme_says} after {number} points; resume it with the programme that it was begun with"
+        Message(
+            "the recorded run does not belong to this programme: where it has {pose}, "
+            "{programme_says} after {number} points; resume it with the programme that it was begun with",
+            pose=_pose(point.index, point),
+            programme_says=programme_says,
+            number=number,
+        )
     )
 
 
 def _pose(index: int, taken: Point | Dwell) -> str:
     where = pose(taken.conditions, taken.positions_deg if isinstance(taken, Point) else taken.targets_deg)
-    return f"point {index} ({taken.procedure}, realisation {taken.realisation}, {where})"
+    return Message(
+        "point {index} ({procedure}, realisation {realisation}, {where})",
+        index=index,
+        procedure=taken.procedure,
+        realisation=taken.realisation,
+        where=where,
+    )

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from tumble.drivers.errors import DeviceError
 from tumble.drivers.protocols import Block, ChannelBlock, FloatArray, Sampler, Stand
+from tumble.messages import Message
 from tumble.procedures.losses import Losses
 
 
@@ -35,16 +36,18 @@ def acquire(sampler: Sampler, samples: int, rate_hz: float, title: str) -> Block
     block = sampler.acquire(samples, rate_hz)
     for values in block.channels.values():
         if len(values) != samples:
-            happened = f"gave {len(values)} of {samples} samples"
-            raise DeviceError(title, happened, "check its trigger and its connection, then resume the run")
+            happened = Message("gave {given} of {samples} samples", given=len(values), samples=samples)
+            raise DeviceError(title, happened, Message("check its trigger and its connection, then resume the run"))
     return block
 
 
 def renamed(block: Block, names: Sequence[str], title: str) -> Block:
     """The block with other names for its channels, in their order. Raises `DeviceError` where it has more or fewer."""
     if len(names) != len(block.channels):
-        happened = f"gives {len(block.channels)} channels, and the stand file names {len(names)}"
-        raise DeviceError(title, happened, "correct channels of the stand file")
+        happened = Message(
+            "gives {given} channels, and the stand file names {named}", given=len(block.channels), named=len(names)
+        )
+        raise DeviceError(title, happened, Message("correct channels of the stand file"))
     return ChannelBlock(
         channels=dict(zip(names, block.channels.values(), strict=True)),
         rate_hz=block.rate_hz,
@@ -58,7 +61,11 @@ def channels_of(blocks: Iterable[Block]) -> dict[str, FloatArray]:
     channels: dict[str, FloatArray] = {}
     for block in blocks:
         if twice := sorted(channels.keys() & block.channels.keys()):
-            raise DeviceError("stand", f"has two samplers with a channel {twice[0]}", "give one of them another name")
+            raise DeviceError(
+                Message("stand"),
+                Message("has two samplers with a channel {twice}", twice=twice[0]),
+                Message("give one of them another name"),
+            )
         channels |= block.channels
     return channels
 
@@ -68,7 +75,9 @@ def wanted(channels: Mapping[str, FloatArray], names: Iterable[str]) -> dict[str
     try:
         return {name: channels[name] for name in names}
     except KeyError as missing:
-        there = ", ".join(channels) or "none"
+        there = ", ".join(channels) or Message("none")
         raise DeviceError(
-            "stand", f"gives no channel {missing}, only {there}", "name it in the stand file"
+            Message("stand"),
+            Message("gives no channel {missing}, only {there}", missing=missing, there=there),
+            Message("name it in the stand file"),
         ) from missing

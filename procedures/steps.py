@@ -9,6 +9,8 @@ from collections.abc import Generator, Mapping
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
+from tumble.messages import Message
+
 Direction: TypeAlias = Literal[-1, 0, 1]
 
 
@@ -99,8 +101,11 @@ Procedure: TypeAlias = Generator[Step, Reply, None]
 
 def pose(conditions: Mapping[str, str], positions_deg: Mapping[str, float], unit: str = " deg") -> str:
     """Where a dwell is taken, for a sentence: `face-up at 30 deg`, or `outer 90 deg, inner 45 deg`."""
-    places = ", ".join(f"{name} {position_deg:g}{unit}" for name, position_deg in positions_deg.items())
-    if len(positions_deg) == 1:
-        (position_deg,) = positions_deg.values()
-        places = f"{position_deg:g}{unit}"
-    return " at ".join(filter(None, [", ".join(conditions.values()), places]))
+    angles = {name: Message.marked(f"{{angle_deg:g}}{unit}", angle_deg=angle) for name, angle in positions_deg.items()}
+    named = len(angles) > 1
+    places = [Message("{name} {angle}", name=name, angle=angle) if named else angle for name, angle in angles.items()]
+    place = Message.joined(", ", places) if places else ""
+    condition = ", ".join(conditions.values())
+    if condition and place:
+        return Message("{condition} at {place}", condition=condition, place=place)
+    return condition or place

@@ -9,8 +9,11 @@ from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
 from tumble.calibrations.core.bounded import check_bounded
+from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.toml_text import read_toml, without_mark
+from tumble.procedures.validation import problem_of, remedy_of
+from tumble.system_errors import reason
 
 Location: TypeAlias = tuple[str | int, ...]
 """Where a value stands: keys, and places in an array counted from 0, as in `("procedure", 1, "step_deg")`."""
@@ -24,8 +27,6 @@ _PART = r"""[A-Za-z0-9_-]+|"[^"]*"|'[^']*'"""
 _NAME = rf"(?:{_PART})(?:\s*\.\s*(?:{_PART}))*"
 _HEADER = re.compile(rf"^\s*(\[\[?)\s*({_NAME})\s*\]")
 _KEY = re.compile(rf"^\s*({_NAME})\s*=")
-
-_REMEDY = {"missing": "add it", "extra_forbidden": "correct its spelling or take it out"}
 
 
 def load_toml(path: Path, model: type[Model]) -> Model:
@@ -46,14 +47,22 @@ def read_text(path: Path) -> str:
         with path.open("rb") as stream:
             content = stream.read(MOST_BYTES + 1)
     except (OSError, ValueError) as error:  # the latter where the name itself is impossible
-        reason = error.strerror if isinstance(error, OSError) else error
-        raise InputError(f"{path}: {reason}; give a file that can be read") from error
+        why = reason(error) if isinstance(error, OSError) else error
+        raise InputError(Message("{path}: {reason}; give a file that can be read", path=path, reason=why)) from error
     if len(content) > MOST_BYTES:
-        raise InputError(f"{path}: more than {MOST_BYTES:,} bytes are no such file; give the right one")
+        raise InputError(
+            Message(
+                "{path}: more than {most:,} bytes are no such file; give the right one",
+                path=path,
+                most=MOST_BYTES,
+            )
+        )
     try:
         return content.decode("utf-8")
     except UnicodeDecodeError as error:
-        raise InputError(f"{path}: byte {error.start} is not UTF-8; save the file as UTF-8") from error
+        raise InputError(
+            Message("{path}: byte {start} is not UTF-8; save the file as UTF-8", path=path, start=error.start)
+        ) from error
 
 
 def parse_toml(text: str, model: type[Model], source: str) -> Model:
@@ -68,7 +77,7 @@ def parse_toml(text: str, model: type[Model], source: str) -> Model:
 def place_of(source: str, text: str, location: Location) -> str:
     """Where the value at `location` is written, as messages say it: `bench.toml, line 7`."""
     line = line_of(text, location)
-    return source if line is None else f"{source}, line {line}"
+    return source if line is None else Message("{source}, line {line}", source=source, line=line)
 
 
 def line_of(text: str, location: Location) -> int | None:
@@ -118,14 +127,16 @@ def _parts(name: str) -> list[str]:
 
 def _complaint(errors: Sequence[ErrorDetails], text: str, data: dict[str, Any], source: str) -> str:
     first = errors[0]
-    where = place_of(source, text, first["loc"])
-    named = "".join(f"{word}: " for word in _words(first, data))
-    problem = first["msg"].removeprefix("Value error, ")
-    remedy = _REMEDY.get(first["type"], "correct it")
+    place = [place_of(source, text, first["loc"]), *_words(first, data)]
     # A list whose items are wrong is also complained of as too short: what surrounds the first fault follows from it.
     others = sum(first["loc"][: len(error["loc"])] != error["loc"] for error in errors)
-    more = f" (and {others} more)" if others else ""
-    return f"{where}: {named}{problem}; {remedy}{more}"
+    complaint = Message(
+        "{place}: {problem}; {remedy}",
+        place=Message.joined(": ", place),
+        problem=problem_of(first),
+        remedy=remedy_of(first),
+    )
+    return Message("{complaint} (and {others} more)", complaint=complaint, others=others) if others else complaint
 
 
 def _words(error: ErrorDetails, data: object) -> list[str]:

@@ -5,6 +5,7 @@ import tomllib
 from collections.abc import Iterator
 from typing import Any, Final
 
+from tumble.messages import Message
 from tumble.procedures.errors import InputError
 
 BYTE_ORDER_MARK: Final = "\ufeff"
@@ -38,13 +39,17 @@ def read_toml(text: str, source: str) -> dict[str, Any]:
     content = without_mark(text)
     for position, happened in _beyond_measure(content):
         line = content.count("\n", 0, position) + 1
-        raise InputError(f"{source}, line {line}: {happened}; correct it")
+        raise InputError(
+            Message("{source}, line {line}: {happened}; correct it", source=source, line=line, happened=happened)
+        )
     try:
         return tomllib.loads(content)
     except tomllib.TOMLDecodeError as error:
         raise InputError(_syntax_complaint(str(error), content, source)) from error
     except (ValueError, RecursionError) as error:
-        raise InputError(f"{source}: not TOML that can be read ({error}); correct it") from error
+        raise InputError(
+            Message("{source}: not TOML that can be read ({error}); correct it", source=source, error=error)
+        ) from error
 
 
 def without_mark(text: str) -> str:
@@ -60,15 +65,15 @@ def _beyond_measure(text: str) -> Iterator[tuple[int, str]]:
         depth += (kind == "opening") - (kind == "closing")
         dots = 0 if kind == "end" else dots + (kind == "dot")
         if depth > MOST_NESTED:
-            yield token.start(), f"more than {MOST_NESTED} brackets within each other"
+            yield token.start(), Message("more than {most} brackets within each other", most=MOST_NESTED)
         if dots > MOST_NESTED:
-            yield token.start(), f"a key of more than {MOST_NESTED} parts"
+            yield token.start(), Message("a key of more than {most} parts", most=MOST_NESTED)
         if kind == "number" and len(token[0]) > LONGEST_NUMBER:
-            yield token.start(), f"a number of {len(token[0])} characters"
+            yield token.start(), Message("a number of {length} characters", length=len(token[0]))
 
 
 def _syntax_complaint(message: str, text: str, source: str) -> str:
     place = _PLACE.search(message)
     last = text.rstrip("\n").count("\n") + 1
-    where = f"{source}, line {place[1] or last}" if place else source
-    return f"{where}: not TOML: {_PLACE.sub('', message)}; correct it"
+    where = Message("{source}, line {line}", source=source, line=place[1] or last) if place else source
+    return Message("{where}: not TOML: {reason}; correct it", where=where, reason=_PLACE.sub("", message))

@@ -11,6 +11,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 
 from tumble.drivers.errors import DeviceError
+from tumble.messages import Message
 from tumble.procedures.events import PointVerified
 from tumble.procedures.settling import RESOLUTION
 from tumble.procedures.steps import Point, Reading
@@ -56,9 +57,18 @@ def check_agreement(seen: PointVerified) -> None:
     unit = unit_of(seen.channel)
     if not abs(seen.now - seen.recorded) <= seen.allowed:
         raise DeviceError(
-            "stand",
-            f"point {seen.point} gives {seen.now:.6f} {unit} now and gave {seen.recorded:.6f} {unit} before the "
-            f"interruption, where {seen.allowed:.2g} {unit} is the most that noise explains",
-            "look whether the unit, its mount or its wiring has changed; resume the run once it is as it was, or state "
-            "what is allowed with --tolerance-v where only the room has changed",
+            Message("stand"),
+            Message(
+                "point {point} gives {now:.6f} {unit} now and gave {recorded:.6f} {unit} before the "
+                "interruption, where {allowed:.2g} {unit} is the most that noise explains",
+                point=seen.point,
+                now=seen.now,
+                unit=unit,
+                recorded=seen.recorded,
+                allowed=seen.allowed,
+            ),
+            Message(
+                "look whether the unit, its mount or its wiring has changed; resume the run once it is as it "
+                "was, or state what is allowed with --tolerance-v where only the room has changed"
+            ),
         )

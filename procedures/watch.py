@@ -4,6 +4,7 @@ from typing import Final
 
 from tumble.drivers.errors import DeviceError
 from tumble.drivers.protocols import PositionerStatus
+from tumble.messages import Message
 
 _PATIENCE: Final = 2.0
 _MARGIN_S: Final = 5.0
@@ -50,20 +51,32 @@ class Watch:
         if not low_deg - _ASTRAY_DEG <= status.angle_deg <= high_deg + _ASTRAY_DEG:
             raise DeviceError(
                 self._title,
-                f"is at {status.angle_deg:.4f} deg on its way from {self._start_deg:g} to {self._angle_deg:g} deg",
-                "check steps_per_deg with its sign, and what else turns it, then resume the run",
+                Message(
+                    "is at {reported_deg:.4f} deg on its way from {start_deg:g} to {target_deg:g} deg",
+                    reported_deg=status.angle_deg,
+                    start_deg=self._start_deg,
+                    target_deg=self._angle_deg,
+                ),
+                Message("check steps_per_deg with its sign, and what else turns it, then resume the run"),
             )
         rested_s = now_s - self._last_s
         if now_s > self._deadline_s or rested_s > (self._unmoved_s if status.moving else _STALL_S):
             raise self._late(status)
 
     def _late(self, status: PositionerStatus) -> DeviceError:
-        doing = "still moves" if status.moving else "stands"
-        return DeviceError(
-            self._title,
-            f"{doing} at {status.angle_deg:.4f} deg when it should long have stood at {self._angle_deg:g} deg",
-            "look for what blocks it, check its drive and speed, then resume the run",
+        reported_deg, target_deg = status.angle_deg, self._angle_deg
+        moves = Message(
+            "still moves at {reported_deg:.4f} deg when it should long have stood at {target_deg:g} deg",
+            reported_deg=reported_deg,
+            target_deg=target_deg,
         )
+        stands = Message(
+            "stands at {reported_deg:.4f} deg when it should long have stood at {target_deg:g} deg",
+            reported_deg=reported_deg,
+            target_deg=target_deg,
+        )
+        remedy = Message("look for what blocks it, check its drive and speed, then resume the run")
+        return DeviceError(self._title, moves if status.moving else stands, remedy)
 
 
 def allowed_s(way_deg: float, speed_deg_s: float) -> float:

@@ -33,7 +33,7 @@ class Message(str):
 
     `Message("{rows} rows are too few", rows=3)` is the string `3 rows are too few`. The template is written as for
     `str.format`, its fields named; a field that is a message itself, or an exception that was given one, is put into
-    the language with the whole.
+    the language with the whole. Of an exception only what it says is kept.
     """
 
     template: str
@@ -43,12 +43,17 @@ class Message(str):
 
     def __new__(cls, template: str, /, **fields: object) -> Self:
         """A message; `KeyError` where the template names a field that is not given."""
-        return cls._made(template, "", fields)
+        return cls.of_parts(template, "", fields)
 
     @classmethod
     def counted(cls, singular: str, plural: str, /, *, count: int, **fields: object) -> Self:
         """A message whose wording depends on a number, which is its field `count`."""
-        return cls._made(singular, plural, {"count": count, **fields})
+        return cls.of_parts(singular, plural, {"count": count, **fields})
+
+    @classmethod
+    def marked(cls, template: str, /, **fields: object) -> Self:
+        """A message of a template out of a table, where `translatable` has marked it for the catalogue."""
+        return cls.of_parts(template, "", fields)
 
     @classmethod
     def joined(cls, separator: str, parts: Iterable[str]) -> Self:
@@ -57,9 +62,29 @@ class Message(str):
         return cls(separator.join(f"{{{name}}}" for name in fields), **fields)
 
     @classmethod
-    def _made(cls, template: str, plural: str, fields: Mapping[str, object]) -> Self:
+    def named(cls, name: str, wording: str, /, **fields: object) -> Self:
+        """A name of a document, which a reader is shown in words: the template `wording`, with its fields.
+
+        The string is the name itself, so that it compares, sorts and is written as that.
+        """
+        _NAMED[name] = made = cls._spelt(name, wording, "", fields)
+        return made
+
+    @classmethod
+    def capitalised(cls, part: str, /) -> "Message":
+        """A message or text with a capital at its beginning, in whatever language it is put."""
+        return _Capitalised._spelt(_with_capital(part), "{part}", "", {"part": part})
+
+    @classmethod
+    def of_parts(cls, template: str, plural: str, fields: Mapping[str, object]) -> Self:
+        """A message of the parts that it keeps; its `plural` is empty where number makes no difference."""
+        fields = {name: str(value) if isinstance(value, Exception) else value for name, value in fields.items()}
         chosen = plural if plural and fields["count"] != 1 else template
-        made = super().__new__(cls, chosen.format(**fields))
+        return cls._spelt(chosen.format(**fields), template, plural, fields)
+
+    @classmethod
+    def _spelt(cls, text: str, template: str, plural: str, fields: Mapping[str, object]) -> Self:
+        made = super().__new__(cls, text)
         made.template, made.plural, made.fields = template, plural, fields
         return made
 
@@ -68,7 +93,11 @@ class Message(str):
         return self
 
     def in_language(self, language: Language) -> str:
-        """The text in a language; in English where the catalogue lacks the template."""
+        """The text in a language; in English, and where the catalogue lacks the template, as it is."""
+        return self[:] if language is Language.ENGLISH else self.worded(language)
+
+    def worded(self, language: Language) -> str:
+        """The same, but in English too a name of a document in its wording."""
         if self.plural:
             count = self.fields["count"]
             assert isinstance(count, int), "`counted` takes a whole number"
@@ -78,12 +107,28 @@ class Message(str):
         return template.format(**{name: _field(value, language) for name, value in self.fields.items()})
 
     def __reduce__(self) -> tuple[object, ...]:
-        return _restored, (type(self), self.template, self.plural, dict(self.fields))
+        return _restored, (type(self), self[:], self.template, self.plural, dict(self.fields))
+
+
+class _Capitalised(Message):
+    """A message that begins with a capital."""
+
+    def in_language(self, language: Language) -> str:
+        """The text in a language, with a capital at its beginning."""
+        return _with_capital(super().in_language(language))
 
 
 def translate(text: str, language: Language) -> str:
     """Text in a language: a message with its fields, any other as a key of the catalogue; English where unknown."""
     return text.in_language(language) if isinstance(text, Message) else _looked_up(text, language)
+
+
+def with_wording(name: str) -> str:
+    """The name of a document as `Message.named` declared it; any other text as it is.
+
+    What comes out of an array or a document has lost its wording.
+    """
+    return _NAMED.get(name, name)
 
 
 def translatable(template: str) -> str:
@@ -92,16 +137,23 @@ def translatable(template: str) -> str:
 
 
 def _field(value: object, language: Language) -> object:
-    said = str(value) if isinstance(value, Exception) else value
-    return said.in_language(language) if isinstance(said, Message) else said
+    return value.in_language(language) if isinstance(value, Message) else value
+
+
+def _with_capital(text: str) -> str:
+    return text[:1].upper() + text[1:]
 
 
 def _looked_up(template: str, language: Language) -> str:
     return _catalogue(language).gettext(template) if template else ""  # the empty key holds the catalogue's header
 
 
-def _restored(kind: type[Message], template: str, plural: str, fields: Mapping[str, object]) -> Message:
-    return kind._made(template, plural, fields)
+def _restored(kind: type[Message], text: str, template: str, plural: str, fields: Mapping[str, object]) -> Message:
+    return kind._spelt(text, template, plural, fields)
+
+
+_NAMED: Final[dict[str, Message]] = {}
+"""Every name of a document that was given a wording."""
 
 
 @cache

@@ -8,9 +8,8 @@ from PySide6.QtGui import QCloseEvent, QKeyEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QStackedWidget, QVBoxLayout, QWidget
 
 from tumble.app.stand import LoadedStand
-from tumble.drivers.protocols import PositionerStatus
 from tumble.window.look.language import tr
-from tumble.window.menus import fill_menus
+from tumble.window.menus import Menus
 from tumble.window.place import keep_on_screen, remember_place, restore_place
 from tumble.window.screens.records import RecordsScreen
 from tumble.window.screens.result import ResultScreen
@@ -28,6 +27,7 @@ from tumble.window.work.activity import Activity, Concluded
 from tumble.window.work.background import Background
 from tumble.window.work.bridge import EventBridge
 from tumble.window.work.operator import WindowOperator
+from tumble.window.work.session import StandIdentity
 from tumble.window.work.stand_worker import StandWorker
 
 _GAPS: Final = 24
@@ -57,14 +57,14 @@ class MainWindow(QMainWindow):
         self.result = ResultScreen(self.background, lambda: self.worker.session.loaded)
         self.records = RecordsScreen(self.background, lambda: self.store)
         self.stop_bar, self.dialogs = StopBar(), Dialogs(self._room)
-        self.way_out = WayOut(self)
+        self.way_out = WayOut(self.worker, lambda: self.busy, self)
         self._guard = StopGuard(self.stop_bar.button, self)
         self._screens = QStackedWidget()
         titles = (tr("Stand"), tr("Run"), tr("Result"), tr("Records"))
         self._navigation = Navigation(titles)
+        self.menus = Menus(self.menuBar(), lambda: self.busy, self)
         self._lay_out()
         self._connect()
-        fill_menus(self)
         self._navigation.choose(restore_place(self))
         self._show_stand(loaded)
         if trouble is not None:
@@ -148,11 +148,11 @@ class MainWindow(QMainWindow):
         for stop in (bar.stop_wanted, self._guard.wanted):
             stop.connect(worker.stop)
         worker.working.connect(self._show_working)
-        worker.head_seen.connect(bar.show_head)
-        worker.connected.connect(lambda identity: bar.show_head(identity.status))
-        worker.disconnected.connect(lambda: bar.show_head(None))
+        worker.position_seen.connect(bar.show_position)
+        worker.connected.connect(self._show_connected)
+        worker.disconnected.connect(bar.forget_positions)
         worker.chosen.connect(self._show_stand)
-        self.bridge.head_seen.connect(self._show_head)
+        self.bridge.position_seen.connect(bar.show_position)
         self.background.busy.connect(bar.show_busy)
         self.run.state_changed.connect(bar.show_state)
         self.run.concluded.connect(self._show_result)
@@ -162,17 +162,23 @@ class MainWindow(QMainWindow):
         self.result.experiment_wanted.connect(self._begin)
         self.records.opened.connect(self._show_result)
         self.records.resume_wanted.connect(self._begin)
-        for screen in (self.stand, self.run, self.records):
-            screen.dialog_wanted.connect(self.dialogs.show_dialog)
-        refused = (self.stand.refused, self.run.refused, self.result.refused, self.records.refused)
+        self.menus.dress_wanted.connect(self.dress_wanted)
+        self.menus.restart_wanted.connect(self.restart_wanted)
+        self.menus.quit_wanted.connect(self.close)
+        self.way_out.clear.connect(self.close)
+        for asking in (self.stand, self.run, self.records, self.menus, self.way_out):
+            asking.dialog_wanted.connect(self.dialogs.show_dialog)
+        screens = (self.stand.refused, self.run.refused, self.result.refused, self.records.refused)
+        refused = (*screens, self.way_out.refused)
         for trouble in (*refused, worker.failed, self.background.failed, self.bridge.failed):
             trouble.connect(self._show_failure)
 
     def _show_failure(self, error: BaseException) -> None:
         self.tell(error)
 
-    def _show_head(self, status: PositionerStatus) -> None:
-        self.stop_bar.show_head(status)
+    def _show_connected(self, identity: StandIdentity) -> None:
+        for name, status in identity.statuses.items():
+            self.stop_bar.show_position(name, status)
 
     def _show_working(self, _working: bool) -> None:
         free = not self.worker.busy
@@ -181,7 +187,7 @@ class MainWindow(QMainWindow):
 
     def _show_stand(self, loaded: LoadedStand) -> None:
         self.setWindowTitle(f"{loaded.file.name} – tumble")
-        self.stop_bar.show_head(None)
+        self.stop_bar.forget_positions()
         self.run.show_stand()
 
     def _begin(self, activity: Activity, points: tuple[object, ...] = ()) -> None:

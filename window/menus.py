@@ -1,19 +1,17 @@
 """The menus: colours, text size, language, keys."""
 
-from typing import TYPE_CHECKING, Final
+from collections.abc import Callable
+from typing import Final
 
-from PySide6.QtCore import QSettings
+from PySide6.QtCore import QObject, QSettings, Signal
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
-from PySide6.QtWidgets import QLabel, QMenu
+from PySide6.QtWidgets import QLabel, QMenu, QMenuBar
 
 from tumble.messages import Language
 from tumble.window.look.language import preferred, tr
 from tumble.window.look.theme import Shade
 from tumble.window.stop_guard import STOP_KEYS
 from tumble.window.widgets.dialog import YES_KEY, Dialog
-
-if TYPE_CHECKING:
-    from tumble.window.main_window import MainWindow
 
 SCALES: Final = (0.8, 1.0, 1.25, 1.5, 2.0, 2.5)
 
@@ -33,33 +31,68 @@ def language() -> Language:
     return Language(str(QSettings().value("look/language", preferred())))
 
 
-def fill_menus(window: "MainWindow") -> None:
-    """Give a window its menus."""
-    view = window.menuBar().addMenu(tr("&View"))
-    _fill_shades(window, view)
-    view.addSeparator()
-    _add(view, tr("Larger text"), QKeySequence("Ctrl++"), lambda: _scale(window, 1))
-    _add(view, tr("Smaller text"), QKeySequence("Ctrl+-"), lambda: _scale(window, -1))
-    languages = window.menuBar().addMenu(tr("&Language"))
-    group = QActionGroup(languages)
-    for choice in Language:
-        action = _add(languages, choice.endonym, None, lambda choice=choice: _speak(window, choice))
-        _tick(action, group, choice is language())
-    help_menu = window.menuBar().addMenu(tr("&Help"))
-    _add(help_menu, tr("Keys"), QKeySequence("F1"), lambda: _show_keys(window))
-    _add(help_menu, tr("Quit"), QKeySequence("Ctrl+Q"), window.close)
+class Menus(QObject):
+    """Fills the bar of a window and keeps what is chosen; says what the window has to do for it."""
 
+    dress_wanted = Signal()
+    """Colours or text size were chosen anew."""
+    restart_wanted = Signal()
+    """Another language was chosen."""
+    dialog_wanted = Signal(object)
+    """`Dialog`."""
+    quit_wanted = Signal()
 
-def _fill_shades(window: "MainWindow", view: QMenu) -> None:
-    group = QActionGroup(view)
-    names = {
-        Shade.DESKTOP: tr("As the desktop"),
-        Shade.LIGHT: tr("Light"),
-        Shade.DARK: tr("Dark"),
-    }
-    for choice, name in names.items():
-        action = _add(view, name, None, lambda choice=choice: _shade(window, choice))
-        _tick(action, group, choice is shade())
+    def __init__(self, bar: QMenuBar, busy: Callable[[], bool], parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._busy = busy
+        self._fill_view(bar.addMenu(tr("&View")))
+        self._fill_languages(bar.addMenu(tr("&Language")))
+        help_menu = bar.addMenu(tr("&Help"))
+        _add(help_menu, tr("Keys"), QKeySequence("F1"), self._show_keys)
+        _add(help_menu, tr("Quit"), QKeySequence("Ctrl+Q"), self.quit_wanted.emit)
+
+    def _fill_view(self, view: QMenu) -> None:
+        group = QActionGroup(view)
+        names = {
+            Shade.DESKTOP: tr("As the desktop"),
+            Shade.LIGHT: tr("Light"),
+            Shade.DARK: tr("Dark"),
+        }
+        for choice, name in names.items():
+            action = _add(view, name, None, lambda choice=choice: self._shade(choice))
+            _tick(action, group, choice is shade())
+        view.addSeparator()
+        _add(view, tr("Larger text"), QKeySequence("Ctrl++"), lambda: self._scale(1))
+        _add(view, tr("Smaller text"), QKeySequence("Ctrl+-"), lambda: self._scale(-1))
+
+    def _fill_languages(self, languages: QMenu) -> None:
+        group = QActionGroup(languages)
+        for choice in Language:
+            action = _add(languages, choice.endonym, None, lambda choice=choice: self._speak(choice))
+            _tick(action, group, choice is language())
+
+    def _shade(self, choice: Shade) -> None:
+        QSettings().setValue("look/shade", str(choice))
+        self.dress_wanted.emit()
+
+    def _scale(self, way: int) -> None:
+        here = min(range(len(SCALES)), key=lambda place: abs(SCALES[place] - text_scale()))
+        QSettings().setValue("look/text_scale", SCALES[min(max(here + way, 0), len(SCALES) - 1)])
+        self.dress_wanted.emit()
+
+    def _speak(self, choice: Language) -> None:
+        QSettings().setValue("look/language", str(choice))
+        if self._busy():
+            self._tell_language_later()
+        else:
+            self.restart_wanted.emit()
+
+    def _tell_language_later(self) -> None:
+        text = tr("The language changes when the window is opened the next time: the stand is at work.")
+        self.dialog_wanted.emit(Dialog(tr("Language"), text))
+
+    def _show_keys(self) -> None:
+        self.dialog_wanted.emit(_keys())
 
 
 def _add(menu: QMenu, text: str, key: QKeySequence | None, do: object) -> QAction:
@@ -77,31 +110,7 @@ def _tick(action: QAction, group: QActionGroup, chosen: bool) -> None:
     action.setChecked(chosen)
 
 
-def _shade(window: "MainWindow", choice: Shade) -> None:
-    QSettings().setValue("look/shade", str(choice))
-    window.dress_wanted.emit()
-
-
-def _scale(window: "MainWindow", way: int) -> None:
-    here = min(range(len(SCALES)), key=lambda place: abs(SCALES[place] - text_scale()))
-    QSettings().setValue("look/text_scale", SCALES[min(max(here + way, 0), len(SCALES) - 1)])
-    window.dress_wanted.emit()
-
-
-def _speak(window: "MainWindow", choice: Language) -> None:
-    QSettings().setValue("look/language", str(choice))
-    if window.busy:
-        _tell_language_later(window)
-    else:
-        window.restart_wanted.emit()
-
-
-def _tell_language_later(window: "MainWindow") -> None:
-    text = tr("The language changes when the window is opened the next time: the stand is at work.")
-    window.dialogs.show_dialog(Dialog(tr("Language"), text))
-
-
-def _show_keys(window: "MainWindow") -> None:
+def _keys() -> Dialog:
     keys = {
         ", ".join(STOP_KEYS): tr("stop the head, whatever is going on"),
         "Esc": tr("close a dialog; it stops nothing"),
@@ -120,4 +129,4 @@ def _show_keys(window: "MainWindow") -> None:
     rows = "".join(f"<tr><td><b>{key}</b>&nbsp;&nbsp;</td><td>{text}</td></tr>" for key, text in keys.items())
     dialog = Dialog(tr("Keys"), "")
     dialog.add(QLabel(f"<table>{rows}</table>"))
-    window.dialogs.show_dialog(dialog)
+    return dialog

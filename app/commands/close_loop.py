@@ -3,25 +3,28 @@
 import shlex
 from collections.abc import Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager
-from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import click
 
 from tumble.app.acting import AtStand, measure
-from tumble.app.analysing import Traced, fit, trace
+from tumble.app.analysed import Traced
+from tumble.app.analysing import fit, trace
 from tumble.app.calibrating import store, write_report
 from tumble.app.closing import MOST_EXPERIMENTS, Closing, act, begin
 from tumble.app.commands import options
+from tumble.app.commands.leaving import leave_by
 from tumble.app.commands.measuring import Wanted, may_measure
-from tumble.app.commands.telling import leave_by
-from tumble.app.console import messages, parameter_table, results, row_lines, run_display, show_verdict, warn
+from tumble.app.console import messages, parameter_table, results, run_display, show_verdict, warn
 from tumble.app.files import is_recording, write_text
+from tumble.app.jobs import find_job, has_job
 from tumble.app.joining import read_together
 from tumble.app.learning import contradictions_of, learn
 from tumble.app.loop_console import tell_closing
 from tumble.app.measurements import read_measurement
 from tumble.app.methods import close_loop, method_of
+from tumble.app.row_sentences import row_lines
 from tumble.app.running import Job
 from tumble.app.sections import show_sections
 from tumble.app.stand import read_stand
@@ -29,11 +32,7 @@ from tumble.app.stand_records import with_stand_record
 from tumble.app.storing import record_tables
 from tumble.app.terminal import say
 from tumble.calibrations.core.method import Method
-from tumble.calibrations.methods.dividing_head.loop.loop import Loop
-from tumble.calibrations.methods.dividing_head.loop.sections import sections
-from tumble.calibrations.methods.dividing_head.loop.sentences import comparisons
-from tumble.calibrations.methods.dividing_head.montecarlo import TRIALS
-from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.calibrations.core.rows import Rows
 from tumble.calibrations.records.record import Record
 from tumble.calibrations.tracing.chain import Chain
 from tumble.procedures.announcer import Listener
@@ -77,7 +76,7 @@ def command(
     apart, the experiment that tells most for its time is run there, and everything is fitted together again. After
     files, --experiments N does the same: they are the first measurement, and a loop that was cut off goes on from them.
     """
-    if files and not (method := method_of(files)).at_stand:
+    if files and not has_job((method := method_of(files)).name):
         if most:
             raise InputError(f"{files[0]}: no experiment can be run from a table of this kind; leave --experiments out")
         _tell_tables(method, files, folder if record else None, verbose, json_path, page)
@@ -89,8 +88,7 @@ def command(
     closing = _closed(wanted, files, MOST_EXPERIMENTS if most is None else most, folder)
     traced = closing.traced
     say(*learn(traced, folder).sentences, err=True)
-    calibration = fit(traced.measurement, wanted.serial_number, TRIALS, folder).calibration
-    traced = replace(traced, calibration=calibration)
+    traced = traced.refitted(fit(traced.measurement, wanted.serial_number, folder=folder))
     _tell(traced, closing.chain, json_path, page, store(traced, folder))
 
 
@@ -120,12 +118,13 @@ def _traced(files: tuple[Path, ...], wanted: Wanted, folder: Path, *, budget: bo
     """What files say, without a stand to ask."""
     stand = read_stand(wanted.stand_path).recorded if wanted.stand_path else None
     measurement = with_stand_record(read_together(files, stand), folder)
-    return trace(fit(measurement, wanted.serial_number, trials=TRIALS if budget else 0))
+    return trace(fit(measurement, wanted.serial_number, trials=None if budget else 0))
 
 
 def _closed(wanted: Wanted, files: tuple[Path, ...], most: int, folder: Path) -> Closing:
     """What files, or else a first measurement, say together with the experiments that it takes."""
     loaded, programme = wanted.stand(), load_programme(wanted.programme)
+    find_job(programme.method)
     with wanted.connected(loaded, [path for path in files if is_recording(path)]) as connected:
         at = AtStand(
             stand=loaded,
@@ -172,7 +171,7 @@ def _has_rows(path: Path) -> bool:
         return False
 
 
-def _tell_set_aside(observations: Observations) -> None:
+def _tell_set_aside(observations: Rows) -> None:
     """Say which rows were not used, where there are any."""
     if observations.set_aside:
         for line in row_lines(observations):
@@ -180,16 +179,16 @@ def _tell_set_aside(observations: Observations) -> None:
 
 
 def _tell(
-    traced: Traced, chain: Chain[Loop] | None, json_path: Path | None, page: Path | None, record: Record | None
+    traced: Traced, chain: Chain[Any] | None, json_path: Path | None, page: Path | None, record: Record | None
 ) -> None:
     """Show the result where it is wanted. Raises `SystemExit` where limits are not met or not decided."""
-    warn(traced.loop.augmented.warnings)
+    warn(traced.loop_warnings)
     if str(json_path) != "-":
         show_verdict(traced.verdict)
-        show_sections(sections(traced.loop))
-        if not comparisons(traced.loop):  # which holds the values, too
+        show_sections(traced.sections())
+        if not traced.shows_values:
             results().print(parameter_table(traced))
-        _tell_set_aside(traced.loop.augmented.observations)
+        _tell_set_aside(traced.rows)
     warn(contradictions_of(traced))
     recorded = {} if record is None else {"record": record.id}
     say(*(f"record {name}" for name in recorded.values()), err=True)

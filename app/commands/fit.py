@@ -5,16 +5,14 @@ from pathlib import Path
 import click
 
 from tumble.app.analysing import fit, trace
-from tumble.app.calibrating import store
 from tumble.app.commands import options
-from tumble.app.commands.telling import leave_by
+from tumble.app.commands.leaving import leave_by
 from tumble.app.console import results, show_result, warn
 from tumble.app.measurements import read_measurement
 from tumble.app.sections import show_sections
 from tumble.app.stand import read_stand
 from tumble.app.stand_records import with_stand_record
 from tumble.app.terminal import say
-from tumble.calibrations.methods.dividing_head.loop.sections import sections
 
 
 @click.command("fit")
@@ -37,15 +35,17 @@ def command(
     analysed = fit(measurement, serial_number, folder=folder)
     traced = trace(analysed) if analysed.limits or folder is not None else None
     result = traced or analysed
-    warn(result.calibration.warnings)
+    warn(result.warnings)
     if str(json_path) != "-":
         show_result(result, verbose=verbose)
         if traced is None:
             results().print("the values are those of the declared model alone; tumble close-loop traces what it leaves")
         else:
-            show_sections(sections(traced.loop))
+            show_sections(traced.sections())
     document = result.as_json()
     if traced is not None and folder is not None:
+        from tumble.app.calibrating import store  # what drives a stand comes with it
+
         document["record"] = store(traced, folder).id
         say(f"record {document['record']}", err=True)
     options.write_json(document, json_path)

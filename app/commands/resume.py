@@ -71,7 +71,7 @@ def _conclude(
         points = _go_on(unfinished, stand_path, answers, attended, tolerance_v, store)
     if store is None:
         tell_run(unfinished.path, points, json_path)
-    elif record := record_of(unfinished.path, header.serial_number, store):
+    elif record := record_of(unfinished.path, header, store):
         tell_recorded(unfinished.path, record, store, json_path)
     else:
         tell_calibrated(conclude(unfinished.path, store), json_path, verbose=verbose)

@@ -1,6 +1,8 @@
 """`tumble stand`: list, show, learn, verify what is known of stands."""
 
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import click
 import numpy as np
@@ -111,17 +113,23 @@ def learn_command(files: tuple[Path, ...], stand_path: Path | None, serial_numbe
     """
     stand = read_stand(stand_path).recorded if stand_path else None
     for file in files:
-        measurement = read_measurement(file, stand)
-        if not measurement.stand:
-            raise InputError(f"{file}: does not say on which stand it was measured; give the stand file with --stand")
-        if is_reference(measurement):
-            record = learn_from_reference(file, measurement.stand, folder)
+        if is_reference(file):
+            record = learn_from_reference(file, _known(stand or {}, file), folder)
             name, version = record.identity.stand, record.version
             say(f"stand {name}: the reference gives a head map: stand record {version} is in force")
             continue
+        measurement = read_measurement(file, stand)
+        _known(measurement.stand, file)
         traced = trace(fit(measurement, serial_number, trials=0, folder=folder))
         learned = learn(traced, folder)
         say(*learned.sentences or (f"{file}: nothing of its stand is to be learned that is not known",))
+
+
+def _known(stand: Mapping[str, Any], file: Path) -> Mapping[str, Any]:
+    """The stand file as data. Raises `InputError` where there is none."""
+    if not stand:
+        raise InputError(f"{file}: does not say on which stand it was measured; give the stand file with --stand")
+    return stand
 
 
 @command.command("verify")

@@ -3,14 +3,12 @@
 from pathlib import Path
 
 from tumble.app.calibrating import Calibrated, has_report, report_path
+from tumble.app.commands.leaving import leave_by
 from tumble.app.commands.options import write_json
 from tumble.app.console import show_result, show_verdict, warn
-from tumble.app.exits import Exit
 from tumble.app.recall import report_again
 from tumble.app.sections import show_sections
 from tumble.app.terminal import say
-from tumble.calibrations.core.verdict import Verdict
-from tumble.calibrations.methods.dividing_head.loop.sections import sections
 from tumble.calibrations.records.record import Record
 
 
@@ -22,10 +20,10 @@ def tell_run(recording: Path, points: int, json_path: Path | None) -> None:
 
 def tell_calibrated(done: Calibrated, json_path: Path | None, *, verbose: bool = False) -> None:
     """Show what a calibration gave. Raises `SystemExit` where limits are not met, or nothing is decided of them."""
-    warn(done.analysed.calibration.warnings)
+    warn(done.analysed.warnings)
     if str(json_path) != "-":
         show_result(done.analysed, verbose=verbose)
-        show_sections(sections(done.analysed.loop))
+        show_sections(done.analysed.sections())
     say(f"recording {done.recording}", f"record    {done.record.id}", f"report    {done.report}", err=True)
     say(*done.learned.sentences, err=True)
     left = {"record": done.record.id, "recording": str(done.recording), "report": str(done.report)}
@@ -49,9 +47,3 @@ def tell_recorded(recording: Path, record: Record, folder: Path, json_path: Path
         show_verdict(record.verdict)
     write_json({**record.result, "verdict": record.verdict.as_json(), **left}, json_path)
     leave_by(record.verdict)
-
-
-def leave_by(verdict: Verdict) -> None:
-    """End with status 1 where limits are not met, or nothing is decided of them."""
-    if not verdict.outcome.good:
-        raise SystemExit(int(Exit.LIMITS_NOT_MET))

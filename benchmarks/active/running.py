@@ -91,11 +91,11 @@ def _at_stand(case: Case, folder: Path) -> tuple[AtStand, Path]:
 def _everything_told(case: Case, folder: Path) -> Loop:
     """What is known once every experiment that the stand can run was run."""
     at, first = _at_stand(case, folder)
-    probes = begin([first], at).available.probes
+    offers = begin([first], at).available.offers
     files = [first]
-    for probe in probes:
-        prepare(at, probe)
-        files.append(run_experiment(at, probe))
+    for offer in offers:
+        prepare(at, offer)
+        files.append(run_experiment(at, offer))
     loop, _ = explain(read_together(files).observations)
     return loop
 

@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Callable
 from random import Random
 
-from tumble.drivers.zaber.codec import GarbledError, Kind, Message, encode_message, lrc, parse_message
+from tumble.drivers.zaber.codec import DeviceMessage, GarbledError, Kind, encode_message, lrc, parse_message
 
 FRAMES = 1_000_000
 SLOW_S = 0.1
@@ -75,10 +75,10 @@ ERRORS: tuple[Callable[[bytes, Random], bytes], ...] = (
 )
 
 
-def frame(random: Random) -> Message:
+def frame(random: Random) -> DeviceMessage:
     """A reply as a stage sends it, an alert or an info now and then."""
     kind = random.choices((Kind.REPLY, Kind.ALERT, Kind.INFO), (8, 1, 1))[0]
-    return Message(
+    return DeviceMessage(
         kind=kind,
         device=random.randrange(1, 100),
         axis=random.randrange(10),
@@ -90,7 +90,7 @@ def frame(random: Random) -> Message:
     )
 
 
-def fate(message: Message, spoilt: bytes) -> str:
+def fate(message: DeviceMessage, spoilt: bytes) -> str:
     """What the codec makes of a spoilt frame."""
     try:
         read = parse_message(spoilt, checksum=True)

@@ -48,7 +48,7 @@ def _stated(parameter: Parameter, true: float) -> Record:
     """How one parameter is stated, and how far off it is in standard uncertainties."""
     if parameter.value is None or parameter.interval_95 is None or not parameter.standard_uncertainty:
         return {"stated": "not at all"}
-    if parameter.given_alpha0_deg is not None:
+    if parameter.given:
         return {"stated": "given alpha0"}
     low, high = parameter.interval_95
     off = (parameter.value - true) / parameter.standard_uncertainty

@@ -12,18 +12,23 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Final
 
+from tumble.messages import Message
+
 MISSING: Final = frozenset({"", "-", "--", "—", "na", "n/a", "nan", "null", "none"})
 """What stands for no value, in any case of letters."""
 _SPREADSHEET_ERROR = re.compile(
     r"#[^\W\d_'/]+(['/][^\W_']+)*[!?]|#(N/A|N/D|Н/Д|Н/П|NV|GETTING_DATA)|(Err|Fehler):\d{3}"
 )
 """Excel's and LibreOffice's errors in the languages that end them in ! or ?, and those that do not."""
-_DELIMITERS: Final = {";": "semicolons", "\t": "tabs"}
+_DELIMITERS: Final = {";": Message("semicolons"), "\t": Message("tabs")}
 _MINUS = str.maketrans(dict.fromkeys("\u2212\u2013\ufe63\uff0d", "-"))
 """What a word processor makes of a minus."""
 _NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?")
 _SHOWN: Final = 40
 """Characters of a cell that a message repeats."""
+
+_UNFINISHED: Final = Message("unexpected end of data")
+_QUOTED_IN_PART: Final = Message("a value goes on after a closing quotation mark")
 
 Line = tuple[int, list[str]]
 """Number of a line in the file, from 1, and its cells."""
@@ -44,12 +49,12 @@ def read_cells(text: str, path: Path) -> tuple[list[str], list[Line]]:
     lines = _lines(text, path)
     first = next(lines, None)
     if first is None:
-        raise TableError(f"{path}: the file is empty; expected a header line and one row per dwell")
+        raise TableError(Message("{path}: the file is empty; expected a header line and one row per dwell", path=path))
     delimiter = _delimiter(first[1])
     number, header = first[0], _split(first, delimiter, path)[1]
     rows = [cells for cells in (_split(line, delimiter, path) for line in lines) if any(cells[1])]
     if not rows:
-        raise TableError(f"{path}: there is a header but no row; expected one row per dwell")
+        raise TableError(Message("{path}: there is a header but no row; expected one row per dwell", path=path))
     header, rows = _named(header, rows, number, path)
     if delimiter != ",":
         _check_decimal_signs(rows, path)
@@ -85,7 +90,13 @@ def _lines(text: str, path: Path) -> Iterator[tuple[int, str]]:
     """Numbered lines that hold anything, without comments and without a spreadsheet's own `sep=;`."""
     if "\0" in text:
         where = text[: text.index("\0")].count("\n") + 1
-        raise TableError(f"{path}, line {where}: holds a NUL byte; this is no text table, save it as CSV in UTF-8")
+        raise TableError(
+            Message(
+                "{path}, line {line}: holds a NUL byte; this is no text table, save it as CSV in UTF-8",
+                path=path,
+                line=where,
+            )
+        )
     for count, line in enumerate(text.splitlines(), start=1):
         if not line.strip() or _is_comment(line) or (count == 1 and re.fullmatch(r"sep=.", line.strip())):
             continue
@@ -105,8 +116,23 @@ def _split(line: tuple[int, str], delimiter: str, path: Path) -> Line:
     try:
         return count, [cell.strip() for cell in next(csv.reader([text], delimiter=delimiter, strict=True))]
     except csv.Error as error:
-        between = _DELIMITERS.get(delimiter, "commas")
-        raise TableError(f"{path}, line {count}: {error}; expected plain values between {between}") from error
+        between = _DELIMITERS.get(delimiter, Message("commas"))
+        raise TableError(
+            Message(
+                "{path}, line {line}: {error}; expected plain values between {between}",
+                path=path,
+                line=count,
+                error=_csv_reason(error),
+                between=between,
+            )
+        ) from error
+
+
+def _csv_reason(error: csv.Error) -> str:
+    """What is wrong with quotation marks, as a message."""
+    if str(error) == _UNFINISHED:
+        return _UNFINISHED
+    return _QUOTED_IN_PART if "expected after" in str(error) else str(error)
 
 
 def _named(header: list[str], rows: list[Line], header_line: int, path: Path) -> tuple[list[str], list[Line]]:
@@ -115,7 +141,14 @@ def _named(header: list[str], rows: list[Line], header_line: int, path: Path) ->
     names = [header[place] for place in kept]
     double = next((name for name in names if names.count(name) > 1), "")
     if double:
-        raise TableError(f"{path}, line {header_line}, column {shown(double)[1:-1]}: named twice; rename or remove one")
+        raise TableError(
+            Message(
+                "{path}, line {line}, column {name}: named twice; rename or remove one",
+                path=path,
+                line=header_line,
+                name=shown(double)[1:-1],
+            )
+        )
     return names, [(line, _cells(cells, header, kept, line, path)) for line, cells in rows]
 
 
@@ -123,14 +156,26 @@ def _cells(cells: list[str], header: list[str], kept: list[int], line: int, path
     width = len(header)
     if len(cells) < width or any(cells[width:]):
         raise TableError(
-            f"{path}, line {line}: {len(cells)} values where the header has {width} columns; "
-            "complete the line or remove it"
+            Message(
+                "{path}, line {line}: {values} values where the header has {columns} columns; complete the line "
+                "or remove it",
+                path=path,
+                line=line,
+                values=len(cells),
+                columns=width,
+            )
         )
     nameless = next((place for place in range(width) if not header[place] and cells[place]), None)
     if nameless is not None:
         raise TableError(
-            f"{path}, line {line}: {shown(cells[nameless])} stands in column {nameless + 1}, which has no name; "
-            "name the column or remove it"
+            Message(
+                "{path}, line {line}: {cell} stands in column {column}, which has no name; name the column or "
+                "remove it",
+                path=path,
+                line=line,
+                cell=shown(cells[nameless]),
+                column=nameless + 1,
+            )
         )
     return [cells[place] for place in kept]
 
@@ -144,8 +189,13 @@ def _check_decimal_signs(rows: Iterable[Line], path: Path) -> None:
                 first[sign] = line
     if len(first) > 1:
         raise TableError(
-            f"{path}, line {max(first.values())}: numbers with a decimal point and numbers with a decimal comma (line "
-            f"{first[',']}); write all of them with a point"
+            Message(
+                "{path}, line {line}: numbers with a decimal point and numbers with a decimal comma (line "
+                "{comma_line}); write all of them with a point",
+                path=path,
+                line=max(first.values()),
+                comma_line=first[","],
+            )
         )
 
 

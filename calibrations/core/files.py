@@ -5,6 +5,8 @@ from typing import Final
 
 from tumble.calibrations.core.bounded import MOST_ROWS, check_bounded, read_bounded
 from tumble.calibrations.core.cells import Line, TableError, header_cells, read_cells
+from tumble.messages import Message
+from tumble.system_errors import reason
 
 _BEGINNING_BYTES: Final = 1 << 16
 """A header is shorter."""
@@ -31,18 +33,30 @@ def read_text(path: Path) -> tuple[str, tuple[str, ...]]:
     try:
         raw = read_bounded(path)
     except OSError as error:
-        raise TableError(f"{path}: cannot be read ({error.strerror}); check the name and the rights") from error
+        raise TableError(
+            Message("{path}: cannot be read ({reason}); check the name and the rights", path=path, reason=reason(error))
+        ) from error
     if (rows := raw.count(b"\n")) > MOST_ROWS:
         raise TableError(
-            f"{path}: holds {rows:,} lines, and at most {MOST_ROWS:,} are read; cut it into several tables"
+            Message(
+                "{path}: holds {lines:,} lines, and at most {most:,} are read; cut it into several tables",
+                path=path,
+                lines=rows,
+                most=MOST_ROWS,
+            )
         )
     try:
         text = raw.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = raw[: error.start].count(b"\n") + 1
         raise TableError(
-            f"{path}, line {line}: not UTF-8 (byte 0x{raw[error.start]:02x}); save the table as UTF-8"
+            Message(
+                "{path}, line {line}: not UTF-8 (byte 0x{byte:02x}); save the table as UTF-8",
+                path=path,
+                line=line,
+                byte=raw[error.start],
+            )
         ) from error
     if text and not text.endswith(("\n", "\r")):
-        return text, (f"{path}: the last line has no line end; check that the file is whole",)
+        return text, (Message("{path}: the last line has no line end; check that the file is whole", path=path),)
     return text, ()

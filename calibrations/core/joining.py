@@ -9,6 +9,7 @@ import numpy as np
 
 from tumble.calibrations.core.rows import Rows, SetAside
 from tumble.calibrations.core.sentences import series
+from tumble.messages import Message
 
 PAUSE_S = 600.0
 """Time between two tables of which nobody knows when they were taken."""
@@ -37,8 +38,12 @@ def joined(tables: Sequence[_R], starts_s: Sequence[float | None]) -> _R:
         unknown = tables[0].columns()[name].unknown if name in tables[0].columns() else None
         complete = [_with_unknown(table, name) for table in complete]
         lacking = series([table.source for table in tables if table.values(name) is None])
-        kept = "is left out" if unknown is None else "is unknown there"
-        warnings.append(f"{lacking}: there is no column {_spelt(tables[0], name)}; it {kept}")
+        spelt = _spelt(tables[0], name)
+        warnings.append(
+            Message("{sources}: there is no column {name}; it is left out", sources=lacking, name=spelt)
+            if unknown is None
+            else Message("{sources}: there is no column {name}; it is unknown there", sources=lacking, name=spelt)
+        )
     whole = reduce(appended, complete)
     return replace(whole, warnings=(*whole.warnings, *warnings), source=series([table.source for table in tables]))
 
@@ -126,6 +131,7 @@ def _where(tables: Sequence[Rows]) -> str:
     """Which rows come from which table."""
     ends = np.cumsum([table.rows_read for table in tables]).tolist()
     parts = [
-        f"{end - table.rows_read + 1} to {end} from {table.source}" for table, end in zip(tables, ends, strict=True)
+        Message("{first} to {last} from {source}", first=end - table.rows_read + 1, last=end, source=table.source)
+        for table, end in zip(tables, ends, strict=True)
     ]
-    return f"rows {series(parts)} are taken together"
+    return Message("rows {parts} are taken together", parts=series(parts))

@@ -9,25 +9,26 @@ from tumble.calibrations.core.cells import TableError, holds_numbers
 from tumble.calibrations.core.files import read_header, read_lines
 from tumble.calibrations.core.method import Method
 from tumble.calibrations.core.sentences import series
+from tumble.messages import Message
 
 _FOREIGN: Final[tuple[tuple[str, tuple[str, ...]], ...]] = (
-    ("a triad on a two-axis stand", ("outer_deg", "inner_deg")),
-    ("a triad of accelerometers", ("u_x_V", "u_y_V", "u_z_V")),
-    ("a triad of accelerometers", ("u_x_counts", "u_y_counts", "u_z_counts")),
-    ("gyrocompassing in several azimuths", ("rate_deg_h", "azimuth_deg")),
-    ("a gyro", ("rate_deg_h",)),
-    ("a gyro", ("rate_deg_s",)),
-    ("vibration rectification", ("output_ug", "ai_g")),
-    ("vibrated dwells", ("drive_Hz", "output_g")),
-    ("vibration", ("output_ug",)),
-    ("Allan deviations", ("tau_s",)),
+    (Message("a triad on a two-axis stand"), ("outer_deg", "inner_deg")),
+    (Message("a triad of accelerometers"), ("u_x_V", "u_y_V", "u_z_V")),
+    (Message("a triad of accelerometers"), ("u_x_counts", "u_y_counts", "u_z_counts")),
+    (Message("gyrocompassing in several azimuths"), ("rate_deg_h", "azimuth_deg")),
+    (Message("a gyro"), ("rate_deg_h",)),
+    (Message("a gyro"), ("rate_deg_s",)),
+    (Message("vibration rectification"), ("output_ug", "ai_g")),
+    (Message("vibrated dwells"), ("drive_Hz", "output_g")),
+    (Message("vibration"), ("output_ug",)),
+    (Message("Allan deviations"), ("tau_s",)),
 )
 """Tables that have a name and are not analysed, by columns that show them."""
 _SIGNALS: Final[tuple[tuple[str, tuple[str, ...]], ...]] = (
-    ("Allan deviations", ("adev", "oadev", "mdev", "hdev", "allan", "avar")),
-    ("a triad", ("acc_x", "accel_x", "acceleration_x")),
-    ("a gyro", ("gyr_x", "omega_x", "gyro_x", "rate_x")),
-    ("the climate of a room", ("humidity", "rh_", "pressure", "dew")),
+    (Message("Allan deviations"), ("adev", "oadev", "mdev", "hdev", "allan", "avar")),
+    (Message("a triad"), ("acc_x", "accel_x", "acceleration_x")),
+    (Message("a gyro"), ("gyr_x", "omega_x", "gyro_x", "rate_x")),
+    (Message("the climate of a room"), ("humidity", "rh_", "pressure", "dew")),
 )
 """The same by parts of names."""
 _NEAR: Final = 0.7
@@ -44,21 +45,34 @@ def recognised(path: Path, methods: Sequence[Method]) -> Method:
     """
     if method := _reader(methods, read_header(path), None):
         return method
-    header, lines = read_lines(path)  # a malformed table is told of as such
+    header, lines = read_lines(path)  # a malformed table is refused as such
     numbers = [name for place, name in enumerate(header) if holds_numbers(place, lines)]
     if method := _reader(methods, header, None):
         return method
     read = series([method.columns for method in methods], "or")
     if foreign := _foreign(header):
         raise TableError(
-            f"{path}, line 1: this looks like a table of {foreign}, which this version does not analyse; "
-            f"tumble reads {read}"
+            Message(
+                "{path}, line 1: this looks like a table of {foreign}, which this version does not analyse; "
+                "tumble reads {read}",
+                path=path,
+                foreign=foreign,
+                read=read,
+            )
         )
     if method := _reader(methods, header, numbers):
         return method
     hints = (method.hint(header, numbers) for method in methods)
-    hint = next(filter(None, hints), "not a table that tumble knows")
-    raise TableError(f"{path}, line 1: {hint}; the columns are {', '.join(header)}; tumble reads {read}")
+    hint = next(filter(None, hints), Message("not a table that tumble knows"))
+    raise TableError(
+        Message(
+            "{path}, line 1: {hint}; the columns are {columns}; tumble reads {read}",
+            path=path,
+            hint=hint,
+            columns=", ".join(header),
+            read=read,
+        )
+    )
 
 
 def _reader(methods: Sequence[Method], header: Sequence[str], numbers: Sequence[str] | None) -> Method | None:
@@ -77,15 +91,15 @@ def misspelt(header: Sequence[str], known: Sequence[str], wanted: Sequence[str])
     if not near:
         return ""
     asked = series([f"{given} {name}" for given, name in near.items()])
-    return f"column {missing[0]} is missing; is {asked}? Rename and check the unit"
+    return Message("column {name} is missing; is {asked}? Rename and check the unit", name=missing[0], asked=asked)
 
 
 def _foreign(header: Sequence[str]) -> str:
     """What a table of another kind is of; empty where nothing shows it."""
     for what, columns in _FOREIGN:
         if all(column in header for column in columns):
-            return f"{what} ({series(columns)})"
+            return Message("{what} ({columns})", what=what, columns=series(columns))
     for what, parts in _SIGNALS:
         if shown := [name for name in header if any(name.lower().startswith(part) for part in parts)]:
-            return f"{what} ({series(shown)})"
+            return Message("{what} ({columns})", what=what, columns=series(shown))
     return ""

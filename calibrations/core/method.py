@@ -63,11 +63,6 @@ class Method(Protocol):
         """The tables it reads, in words."""
         ...
 
-    @property
-    def at_stand(self) -> bool:
-        """Whether it is measured at a stand of this program: its files may be recordings, and its loop acts."""
-        ...
-
     def reads(self, header: Sequence[str], numbers: Sequence[str] | None) -> bool:
         """Whether a table is one of its own, by its columns.
 

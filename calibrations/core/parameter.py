@@ -1,8 +1,10 @@
 """A parameter with its uncertainty, as a result states it."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
+
+from tumble.messages import Message
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -12,7 +14,7 @@ class Parameter:
     name: str
     unit: str
     value: float | None
-    """None where the data cannot tell it."""
+    """None where it is not identifiable."""
     standard_uncertainty: float | None = None
     """Combined (GUM 5.1.2): type A from the data, type B from the stand."""
     type_a: float | None = None
@@ -22,10 +24,10 @@ class Parameter:
     """Expanded uncertainty as an interval; not symmetric for a blunt alpha0."""
     reason: str = ""
     """Why there is no value; empty where there is one."""
-    given_alpha0_deg: float | None = None
-    """The alpha0 for which the value stands where the data does not tell alpha0."""
+    given: Mapping[str, float] = field(default_factory=dict)
+    """The value of a parameter that is not identifiable, by its name, for which this value stands; empty for none."""
     rests_on: str = ""
-    """A parameter without which this one could not be told."""
+    """A parameter without which this one would not be identifiable."""
     remark: str = ""
     settled_by: tuple[str, ...] = ()
     """Mounts that would settle it, each alone."""
@@ -38,9 +40,10 @@ class Parameter:
     @property
     def condition(self) -> str:
         """On what the value stands though that was not measured; empty where it stands by itself."""
-        if self.given_alpha0_deg is not None:
-            return f"given alpha0 = {self.given_alpha0_deg:g}°"
-        return f"rests on {self.rests_on} alone" if self.rests_on else ""
+        if self.given:
+            ((name, value),) = self.given.items()
+            return Message("given {name} = {value_deg:g}°", name=name, value_deg=value)
+        return Message("rests on {name} alone", name=self.rests_on) if self.rests_on else ""
 
     def withheld(self, reason: str) -> "Parameter":
         """The parameter without a value, for a reason."""
@@ -53,13 +56,13 @@ class Parameter:
             "degrees_of_freedom": finite(self.degrees_of_freedom),
             "interval_95": list(self.interval_95) if self.interval_95 else None,
             "reason": self.reason,
-            "given": None if self.given_alpha0_deg is None else {"alpha0": self.given_alpha0_deg},
+            "given": dict(self.given),
             "rests_on": self.rests_on,
             "remark": self.remark,
             "settled_by": list(self.settled_by),
         }
         required = {"value": self.value, "standard_uncertainty": self.standard_uncertainty, "unit": self.unit}
-        return required | {key: content for key, content in optional.items() if content not in (None, "", [])}
+        return required | {key: content for key, content in optional.items() if content not in (None, "", [], {})}
 
 
 def finite(value: float | None) -> float | None:

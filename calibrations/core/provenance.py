@@ -53,3 +53,9 @@ class LimitCheck:
     maximum: float | None
     inside: bool
     """False also where the parameter has no value."""
+
+
+def inside(value: float, limits: LimitCheck) -> bool:
+    """Whether a value lies inside its limits; a limit itself does."""
+    above = limits.minimum is None or value >= limits.minimum
+    return above and (limits.maximum is None or value <= limits.maximum)

@@ -7,6 +7,8 @@ characters that every Western code page has, so that a terminal can print it.
 import math
 from dataclasses import dataclass
 
+from tumble.messages import Message
+
 _PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k"}
 _MANY = 10_000
 
@@ -74,8 +76,11 @@ def format_limits(minimum: float | None, maximum: float | None, unit: str) -> st
     """`0.95 to 1.05 V/g`, `from 2 mV`, `up to 3°`: limits as somebody wrote them, without zeros at their ends."""
     exponent = prefix_exponent(max(abs(end) for end in (minimum, maximum, 0.0) if end is not None), unit)
     low, high = ("" if end is None else f"{end / 10.0**exponent:.6g}" for end in (minimum, maximum))
-    text = f"{low} to {high}" if low and high else f"from {low}" if low else f"up to {high}"
-    return join(text, prefixed(unit, exponent))
+    if low and high:
+        return join(f"{low} to {high}", prefixed(unit, exponent))
+    if low:
+        return Message("from {limit}", limit=join(low, prefixed(unit, exponent)))
+    return Message("up to {limit}", limit=join(high, prefixed(unit, exponent)))
 
 
 def format_number(value: float, unit: str = "", digits: int = 3) -> str:

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.rows import OVERLOAD, Rows, SetAside
+from tumble.messages import Message
 
 MOSTLY: Final = 0.5
 """Where more rows than this part hold what cannot be, the column is in another unit and is asked about."""
@@ -35,18 +36,31 @@ def without_missing(rows: _R, overloads: tuple[str, ...] = ()) -> _R:
         if name in overloads:
             bad |= np.abs(column) > OVERLOAD
         for row, value in zip(rows.row[bad].tolist(), column[bad].tolist(), strict=True):
-            reasons.setdefault(row, f"overload: {name} is {value:g}" if np.isfinite(value) else f"{name} is {value}")
+            reasons.setdefault(row, _no_value(name, value))
     return rows.without(tuple(SetAside(row=row, reason=reason) for row, reason in reasons.items()))
 
 
 def beyond(rows: Rows, name: str, bad: NDArray[np.bool_], what: str, *, gross: bool = False) -> tuple[SetAside, ...]:
     """Rows whose value of a column is beyond anything that can be measured; `what` says beyond what."""
     values: FloatArray = getattr(rows, name)
-    prefix, spelt = "gross error: " if gross else "", rows.columns()[name].name
+
+    spelt = rows.columns()[name].name
     return tuple(
-        SetAside(row=row, reason=f"{prefix}{spelt} is {value:g}, beyond {what}", gross=gross)
+        SetAside(row=row, reason=_too_far(spelt, value, what, gross), gross=gross)
         for row, value in zip(rows.row[bad].tolist(), values[bad].tolist(), strict=True)
     )
+
+
+def _no_value(name: str, value: float) -> Message:
+    if np.isfinite(value):
+        return Message("overload: {name} is {value:g}", name=name, value=value)
+    return Message("{name} is {value}", name=name, value=value)
+
+
+def _too_far(name: str, value: float, what: str, gross: bool) -> Message:
+    if gross:
+        return Message("gross error: {name} is {value:g}, beyond {what}", name=name, value=value, what=what)
+    return Message("{name} is {value:g}, beyond {what}", name=name, value=value, what=what)
 
 
 def with_likely_temperatures(rows: _R, name: str = "temperature_degc") -> _R:
@@ -66,9 +80,17 @@ def used_without(rows: _R, name: str, bad: NDArray[np.bool_]) -> _R:
         return rows
     values: FloatArray = getattr(rows, name)
     others = int(np.count_nonzero(bad)) - 1
-    where = f"row {rows.row[np.argmax(bad)]}" + (f" and likewise in {others} others" if others else "")
-    column = rows.columns()[name].name
-    sentence = f"{rows.source}: {column} is {values[np.argmax(bad)]:g} in {where}; used without it"
+    first = int(np.argmax(bad))
+    where = Message("row {row}", row=rows.row[first])
+    if others:
+        where = Message("row {row} and likewise in {others} others", row=rows.row[first], others=others)
+    sentence = Message(
+        "{source}: {column} is {value:g} in {where}; used without it",
+        source=rows.source,
+        column=rows.columns()[name].name,
+        value=values[first],
+        where=where,
+    )
     without: dict[str, Any] = {name: np.where(bad, np.nan, values)}
     return replace(rows, **without, warnings=(*rows.warnings, sentence))
 

@@ -11,6 +11,7 @@ from tumble.calibrations.core.cells import Line, TableError, is_missing, number,
 from tumble.calibrations.core.files import read_text
 from tumble.calibrations.core.rows import Column, Kind, Rows, SetAside
 from tumble.calibrations.core.sentences import series
+from tumble.messages import Message
 
 _R = TypeVar("_R", bound=Rows)
 _MOST = 2**53
@@ -43,7 +44,7 @@ def read_rows(path: Path, kind: type[_R]) -> _R:
         row=np.arange(1, len(rows) + 1),
         extra={name: values for name, values in read.items() if name not in spelt},
         source=str(path),
-        warnings=(*warnings, *_told(header, empty, rows, kind, path)),
+        warnings=(*warnings, *_missing_warnings(header, empty, rows, kind, path)),
         **known,
     ).without(_without_a_value(header, empty, rows, kind))
 
@@ -67,11 +68,17 @@ def _declared(name: str, kind: type[Rows]) -> Column | None:
 def _check_header(header: list[str], kind: type[Rows], path: Path) -> None:
     for name in kind.settings:
         if name not in header:
-            raise TableError(f"{path}, line 1: column {name} is missing{_hint(name, header)}")
+            raise TableError(
+                Message(
+                    "{path}, line 1: column {name} is missing; {hint}", path=path, name=name, hint=_hint(name, header)
+                )
+            )
     if kind.outputs and not set(kind.outputs) & set(header):
         first, *others = kind.outputs
-        or_else = f" (or {series(others, 'or')})" if others else ""
-        raise TableError(f"{path}, line 1: column {first}{or_else} is missing{_hint(first, header)}")
+        name = Message("{first} (or {others})", first=first, others=series(others, "or")) if others else first
+        raise TableError(
+            Message("{path}, line 1: column {name} is missing; {hint}", path=path, name=name, hint=_hint(first, header))
+        )
 
 
 def _empty(header: list[str], rows: list[Line], kind: type[Rows], path: Path) -> list[str]:
@@ -80,9 +87,9 @@ def _empty(header: list[str], rows: list[Line], kind: type[Rows], path: Path) ->
     outputs = set(kind.outputs) & set(header)
     for name in kind.settings:
         if name in empty:
-            raise TableError(f"{path}, column {name}: holds no value in any row")
+            raise TableError(Message("{path}, column {name}: holds no value in any row", path=path, name=name))
     if outputs and outputs <= set(empty):
-        raise TableError(f"{path}, column {min(outputs)}: holds no value in any row")
+        raise TableError(Message("{path}, column {name}: holds no value in any row", path=path, name=min(outputs)))
     return empty
 
 
@@ -90,13 +97,17 @@ def _hint(wanted: str, header: list[str]) -> str:
     quantity = wanted.split("_")[0]
     near = [name for name in header if quantity in name.lower()]
     if near:
-        return f"; is it {shown(near[0])[1:-1]}? Rename it and check its unit"
-    return f"; the columns are {shown(', '.join(header))[1:-1]}"
+        return Message("is it {name}? Rename it and check its unit", name=shown(near[0])[1:-1])
+    return Message("the columns are {columns}", columns=shown(", ".join(header))[1:-1])
 
 
-def _told(header: list[str], empty: list[str], rows: list[Line], kind: type[Rows], path: Path) -> list[str]:
+def _missing_warnings(header: list[str], empty: list[str], rows: list[Line], kind: type[Rows], path: Path) -> list[str]:
     """Sentences on declared columns that are empty, and on rows that are used although a value is missing."""
-    told = [f"{path}: column {name} holds no value and is left out" for name in empty if _declared(name, kind)]
+    warnings: list[str] = [
+        Message("{path}: column {name} holds no value and is left out", path=path, name=name)
+        for name in empty
+        if _declared(name, kind)
+    ]
     for name in sorted(set(header) - set(empty)):
         column = _declared(name, kind)
         if column is None or column.unknown is None or column.kind is Kind.TEXT:
@@ -104,10 +115,17 @@ def _told(header: list[str], empty: list[str], rows: list[Line], kind: type[Rows
         lines = [line for line, cells in rows if is_missing(cells[header.index(name)])]
         if lines:
             some = ", ".join(map(str, lines[:_LISTED])) + (", …" if len(lines) > _LISTED else "")
-            where = f"line {some} has" if len(lines) == 1 else f"{len(lines)} rows (lines {some}) have"
-            used = "it is" if len(lines) == 1 else "they are"
-            told.append(f"{path}: {where} no {name}; {used} used without it")
-    return told
+            warnings.append(
+                Message.counted(
+                    "{path}: line {lines} has no {name}; it is used without it",
+                    "{path}: {count} rows (lines {lines}) have no {name}; they are used without it",
+                    count=len(lines),
+                    path=path,
+                    lines=some,
+                    name=name,
+                )
+            )
+    return warnings
 
 
 def _without_a_value(header: list[str], empty: list[str], rows: list[Line], kind: type[Rows]) -> tuple[SetAside, ...]:
@@ -118,7 +136,7 @@ def _without_a_value(header: list[str], empty: list[str], rows: list[Line], kind
             place = header.index(name)
             for row, (_, cells) in enumerate(rows, start=1):
                 if is_missing(cells[place]):
-                    reasons.setdefault(row, f"{name} is missing")
+                    reasons.setdefault(row, Message("{name} is missing", name=name))
     return tuple(SetAside(row=row, reason=reason) for row, reason in reasons.items())
 
 
@@ -137,9 +155,16 @@ def _column(name: str, cells: list[str], kind: type[Rows], lines: list[int], pat
         if column is None:
             return np.array(cells, dtype=np.str_)
         line, cell = next((line, cell) for line, cell in zip(lines, cells, strict=True) if not _is_number(cell))
-        whole = column.kind is Kind.WHOLE
-        how = "as a whole number" if whole else "with a decimal point, or nan where there is none"
-        raise TableError(f"{path}, line {line}, column {name}: {shown(cell)} is not a number; write it {how}") from None
+        fields = {"path": path, "line": line, "name": name, "cell": shown(cell)}
+        raise TableError(
+            Message("{path}, line {line}, column {name}: {cell} is not a number; write it as a whole number", **fields)
+            if column.kind is Kind.WHOLE
+            else Message(
+                "{path}, line {line}, column {name}: {cell} is not a number; write it with a decimal point, "
+                "or nan where there is none",
+                **fields,
+            )
+        ) from None
     return _whole(name, values, column, lines, path) if column is not None and column.kind is Kind.WHOLE else values
 
 
@@ -150,8 +175,17 @@ def _whole(name: str, values: NDArray[np.float64], column: Column, lines: list[i
     wrong = ~np.isin(values, choices) if choices else ~((values >= 1) & (values <= _MOST) & (values % 1 == 0))
     if wrong.any():
         first = int(np.argmax(wrong))
-        expected = series([str(each) for each in choices], "or") if choices else "a whole number from 1"
-        raise TableError(f"{path}, line {lines[first]}, column {name}: {values[first]:g} where {expected} is expected")
+        expected = series([str(each) for each in choices], "or") if choices else Message("a whole number from 1")
+        raise TableError(
+            Message(
+                "{path}, line {line}, column {name}: {value:g} where {expected} is expected",
+                path=path,
+                line=lines[first],
+                name=name,
+                value=values[first],
+                expected=expected,
+            )
+        )
     return values.astype(np.int64)
 
 
@@ -162,7 +196,16 @@ def _texts(name: str, cells: list[str], column: Column, lines: list[int], path: 
     for line, cell in zip(lines, cells, strict=True):
         if cell not in column.choices and not is_missing(cell):
             known = ", ".join(column.choices)
-            raise TableError(f"{path}, line {line}, column {name}: {shown(cell)} is no {name}; the {name}s are {known}")
+            raise TableError(
+                Message(
+                    "{path}, line {line}, column {name}: {cell} is no {name}; the {name}s are {known}",
+                    path=path,
+                    line=line,
+                    name=name,
+                    cell=shown(cell),
+                    known=known,
+                )
+            )
     return [column.default if is_missing(cell) else cell for cell in cells]
 
 

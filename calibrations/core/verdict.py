@@ -3,7 +3,9 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import Any
+from typing import Any, Final
+
+from tumble.messages import Message
 
 DECISION_RULE = "simple acceptance"
 
@@ -26,14 +28,22 @@ class Outcome(StrEnum):
     """The programme states none."""
 
     @property
-    def words(self) -> str:
+    def words(self) -> Message:
         """The same for a reader."""
-        return "not judged" if self is Outcome.NO_LIMITS else self.value.replace("_", " ")
+        return _WORDS[self]
 
     @property
     def good(self) -> bool:
         """Whether nothing is left to be done: exit status 0."""
         return self in (Outcome.PASS, Outcome.NO_LIMITS)
+
+
+_WORDS: Final = {
+    Outcome.FAIL: Message("fail"),
+    Outcome.NOT_DECIDED: Message("not decided"),
+    Outcome.PASS: Message("pass"),
+    Outcome.NO_LIMITS: Message("not judged"),
+}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -50,8 +60,10 @@ class Judgement:
     @property
     def sentence(self) -> str:
         """`ky not decided: it rests on kxy alone; one sweep in face-down would settle it`."""
-        said = f"{self.name} {self.outcome.words}: {self.reason}"
-        return f"{said}; {self.remedy}" if self.remedy else said
+        fields = {"name": self.name, "outcome": self.outcome.words, "reason": self.reason}
+        if not self.remedy:
+            return Message("{name} {outcome}: {reason}", **fields)
+        return Message("{name} {outcome}: {reason}; {remedy}", **fields, remedy=self.remedy)
 
 
 @dataclass(frozen=True, kw_only=True)

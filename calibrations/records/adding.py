@@ -16,6 +16,7 @@ from tumble.calibrations.records.old_formats import provenance_of
 from tumble.calibrations.records.record import FORMAT_VERSION, Link, Record
 from tumble.calibrations.records.rows import record_from_row
 from tumble.calibrations.records.schema import RECORDS
+from tumble.messages import Message
 
 
 def new_record(entry: Entry, provenance: Provenance, old: Record | None, link: Link, created_at: datetime) -> Record:
@@ -43,13 +44,38 @@ def revisable(connection: Connection, path: Path, record_id: str, entry: Entry, 
     """The record of an id, which an entry may supersede. Raises `RecordError` where it may not."""
     row = connection.execute(select(RECORDS).where(RECORDS.c.id == record_id)).mappings().one_or_none()
     if row is None:
-        raise RecordError(f"{path}: there is no record {record_id} to supersede; give the whole id")
+        raise RecordError(
+            Message(
+                "{path}: there is no record {record_id} to supersede; give the whole id", path=path, record_id=record_id
+            )
+        )
     newer = connection.execute(select(RECORDS.c.id).where(RECORDS.c.supersedes == record_id)).scalar_one_or_none()
     if newer is not None:
-        raise RecordError(f"{path}: {record_id} is superseded already; supersede {newer}")
+        raise RecordError(
+            Message(
+                "{path}: {record_id} is superseded already; supersede {newer}",
+                path=path,
+                record_id=record_id,
+                newer=newer,
+            )
+        )
     old = record_from_row(dict(row))
     if set(old.provenance.source_hashes) != set(provenance.source_hashes):
-        raise RecordError(f"{path}: {record_id} comes from another raw file; add a record without supersedes")
+        raise RecordError(
+            Message(
+                "{path}: {record_id} comes from another raw file; add a record without supersedes",
+                path=path,
+                record_id=record_id,
+            )
+        )
     if old.method != entry.method:
-        raise RecordError(f"{path}: {record_id} is of method {old.method}, not {entry.method}; add a record without it")
+        raise RecordError(
+            Message(
+                "{path}: {record_id} is of method {recorded}, not {method}; add a record without it",
+                path=path,
+                record_id=record_id,
+                recorded=old.method,
+                method=entry.method,
+            )
+        )
     return old

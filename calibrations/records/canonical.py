@@ -9,6 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from tumble.messages import Message
+
 
 def plain(content: Mapping[str, Any]) -> dict[str, Any]:
     """Return `content` as JSON has it.
@@ -37,7 +39,7 @@ def _plain(value: object) -> object:
         return value.isoformat()
     if isinstance(value, np.generic):
         return _plain(value.item())
-    raise TypeError(f"a record cannot hold {value!r} of type {type(value).__name__}")
+    raise TypeError(Message("a record cannot hold {value!r} of type {kind}", value=value, kind=type(value).__name__))
 
 
 def canonical_text(content: object) -> str:

@@ -21,6 +21,7 @@ from sqlalchemy import Connection, Row, insert, select, update
 
 from tumble.calibrations.records.record import Link
 from tumble.calibrations.records.schema import CHAINS, RECORDS
+from tumble.messages import Message
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -78,7 +79,7 @@ def chains(connection: Connection) -> tuple[Chain, ...]:
 
 def _chain(writer: str, links: Sequence[Row[*tuple[Any, ...]]], end: Row[*tuple[Any, ...]] | None) -> Chain:
     if end is None:
-        lost = f"The end of the chain of writer {writer} is not in the store: it was removed"
+        lost = Message("The end of the chain of writer {writer} is not in the store: it was removed", writer=writer)
         return Chain(
             writer=writer,
             place="",
@@ -99,26 +100,38 @@ def _chain(writer: str, links: Sequence[Row[*tuple[Any, ...]]], end: Row[*tuple[
 
 def _deleted(missing: Sequence[int], end: Row[*tuple[Any, ...]]) -> Iterator[str]:
     if missing:
-        numbers = ", ".join(map(str, missing[:_LISTED])) + (" and more" if len(missing) > _LISTED else "")
-        records, are = ("Record", "is") if len(missing) == 1 else ("Records", "are")
-        yield f"{records} {numbers} of {end.sequence} {are} missing from the chain of {end.place}: deleted"
+        numbers = ", ".join(map(str, missing[:_LISTED]))
+        yield Message.counted(
+            "Record {numbers} of {length} is missing from the chain of {place}: deleted",
+            "Records {numbers} of {length} are missing from the chain of {place}: deleted",
+            count=len(missing),
+            numbers=Message("{numbers} and more", numbers=numbers) if len(missing) > _LISTED else numbers,
+            length=end.sequence,
+            place=end.place,
+        )
 
 
 def _broken(links: Sequence[Row[*tuple[Any, ...]]]) -> Iterator[str]:
     """Records that do not follow from the one before; where that one is missing, it has been said."""
     if links and links[0].sequence == 1 and links[0].previous_sha256:
-        yield f"Record {links[0].id} is not the first of its chain: the order was altered"
+        yield Message("Record {id} is not the first of its chain: the order was altered", id=links[0].id)
     for before, link in pairwise(links):
         if link.sequence == before.sequence + 1 and link.previous_sha256 != before.content_sha256:
-            yield f"Record {link.id} does not follow from {before.id}: one of them, or their order, was altered"
+            yield Message(
+                "Record {id} does not follow from {before}: one of them, or their order, was altered",
+                id=link.id,
+                before=before.id,
+            )
 
 
 def _beyond(links: Sequence[Row[*tuple[Any, ...]]], end: Row[*tuple[Any, ...]]) -> Iterator[str]:
     last = links[-1] if links else None
     if last and last.sequence == end.sequence and last.content_sha256 != end.content_sha256:
-        yield f"Record {last.id} is not the one with which its chain ended: it was altered or replaced"
+        yield Message("Record {id} is not the one with which its chain ended: it was altered or replaced", id=last.id)
     if last and last.sequence > end.sequence:
-        yield f"Record {last.id} lies beyond the end of its chain: the end was altered, or the record put in"
+        yield Message(
+            "Record {id} lies beyond the end of its chain: the end was altered, or the record put in", id=last.id
+        )
 
 
 _LISTED = 5

@@ -1,13 +1,16 @@
 """What changed from one record to another."""
 
 import math
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from scipy.special import stdtr
 
+from tumble.calibrations.core.verdict import Model
 from tumble.calibrations.records.errors import RecordError
 from tumble.calibrations.records.parameter import RecordedParameter
 from tumble.calibrations.records.record import Record
+from tumble.messages import Message
 
 SIGNIFICANT_P = 0.05
 
@@ -44,20 +47,26 @@ def compare(first: Record, second: Record) -> tuple[Difference, ...]:
     """
     if first.method != second.method:
         raise RecordError(
-            f"record {first.id} is of method {first.method}, {second.id} of {second.method}: their values are not of "
-            "one kind; compare records of one method"
+            Message(
+                "record {first} is of method {first_method}, {second} of {second_method}: their values are not of "
+                "one kind; compare records of one method",
+                first=first.id,
+                first_method=first.method,
+                second=second.id,
+                second_method=second.method,
+            )
         )
     a, b = first.values, second.values
     same_file = set(first.provenance.source_hashes) == set(second.provenance.source_hashes)
     return tuple(
-        _difference(a[name], b[name], same_file, remark=_models(first, second) + _resting(a[name], b[name]))
+        _difference(a[name], b[name], same_file, [*_models(first, second), *_resting(a[name], b[name])])
         if name in a and name in b
-        else _incomparable({**a, **b}[name], "only one of the records has it")
+        else _incomparable({**a, **b}[name], Message("only one of the records has it"))
         for name in {**a, **b}
     )
 
 
-def _difference(a: RecordedParameter, b: RecordedParameter, same_file: bool, remark: str) -> Difference:
+def _difference(a: RecordedParameter, b: RecordedParameter, same_file: bool, remarks: Sequence[Message]) -> Difference:
     obstacle = _obstacle(a, b)
     if obstacle or a.value is None or b.value is None:
         return _incomparable(a, obstacle)
@@ -71,45 +80,61 @@ def _difference(a: RecordedParameter, b: RecordedParameter, same_file: bool, rem
         standard_uncertainty=u,
         significance=significance,
         p_value=p_value,
-        sentence=_sentence(a, difference, u, p_value, same_file) + remark,
+        sentence=Message.joined(" ", [_sentence(a, difference, u, p_value, same_file), *remarks]),
     )
 
 
-def _models(first: Record, second: Record) -> str:
+def _models(first: Record, second: Record) -> Iterator[Message]:
     """Which models the values come from, where they are not the same."""
     if first.model is second.model:
-        return ""
-    return f" The first value is of the {first.model} model, the second of the {second.model} one."
+        return
+    if first.model is Model.DECLARED:
+        yield Message("The first value is of the declared model, the second of the augmented one.")
+    else:
+        yield Message("The first value is of the augmented model, the second of the declared one.")
 
 
-def _resting(a: RecordedParameter, b: RecordedParameter) -> str:
+def _resting(a: RecordedParameter, b: RecordedParameter) -> Iterator[Message]:
     """On what the values rest, where that was not measured."""
-    sides = [f"the {which} on {p.rests_on} alone" for which, p in (("first", a), ("second", b)) if p.rests_on]
-    return f" It rests in {' and in '.join(sides)}." if sides else ""
+    if a.rests_on and b.rests_on:
+        yield Message(
+            "It rests in the first on {first} alone and in the second on {second} alone.",
+            first=a.rests_on,
+            second=b.rests_on,
+        )
+    elif a.rests_on:
+        yield Message("It rests in the first on {name} alone.", name=a.rests_on)
+    elif b.rests_on:
+        yield Message("It rests in the second on {name} alone.", name=b.rests_on)
 
 
 def _incomparable(parameter: RecordedParameter, obstacle: str) -> Difference:
-    sentence = f"{parameter.name} cannot be compared: {obstacle}."
+    sentence = Message("{name} cannot be compared: {obstacle}.", name=parameter.name, obstacle=obstacle)
     return Difference(name=parameter.name, unit=parameter.unit, sentence=sentence)
 
 
 def _obstacle(a: RecordedParameter, b: RecordedParameter) -> str:
     """Why one cannot be subtracted from the other; empty where it can."""
-    for which, parameter in (("first", a), ("second", b)):
+    lacking = ((Message("the first record has no value"), a), (Message("the second record has no value"), b))
+    for said, parameter in lacking:
         if parameter.value is None:
-            return f"the {which} record has no value" + (f" ({parameter.reason})" if parameter.reason else "")
+            return Message("{said} ({reason})", said=said, reason=parameter.reason) if parameter.reason else said
     if a.unit != b.unit:
-        return f"it is in {a.unit} in the first record and in {b.unit} in the second"
+        return Message(
+            "it is in {first} in the first record and in {second} in the second", first=a.unit, second=b.unit
+        )
     if a.given != b.given:
-        return f"the first value stands {_standing(a, b)}, the second {_standing(b, a)}"
+        return Message(
+            "the first value stands for {first}, the second for {second}", first=_standing(a, b), second=_standing(b, a)
+        )
     return ""
 
 
 def _standing(parameter: RecordedParameter, other: RecordedParameter) -> str:
     """For which values of other parameters it stands, or for which as fitted that the other one takes as given."""
     if parameter.given:
-        return f"for {', '.join(given.words for given in parameter.given)}"
-    return f"for {', '.join(given.name for given in other.given)} as fitted"
+        return ", ".join(given.words for given in parameter.given)
+    return Message("{names} as fitted", names=", ".join(given.name for given in other.given))
 
 
 def _freedom(a: RecordedParameter, b: RecordedParameter, u: float) -> float:
@@ -127,13 +152,22 @@ def _two_sided_p(significance: float, freedom: float) -> float:
     return float(2.0 * stdtr(freedom, -abs(significance)))
 
 
-def _sentence(a: RecordedParameter, difference: float, u: float, p_value: float | None, same_file: bool) -> str:
-    change = f"{a.name} changed by {difference:+.3g} {a.unit}, standard uncertainty {u:.2g} {a.unit}"
+def _sentence(a: RecordedParameter, difference: float, u: float, p_value: float | None, same_file: bool) -> Message:
+    change = Message(
+        "{name} changed by {difference:+.3g} {unit}, standard uncertainty {uncertainty:.2g} {unit}",
+        name=a.name,
+        difference=difference,
+        uncertainty=u,
+        unit=a.unit,
+    )
     if same_file and difference == 0.0:
-        return f"{a.name} did not change: both records come from one raw file."
+        return Message("{name} did not change: both records come from one raw file.", name=a.name)
     if same_file:
-        return f"{change}: both records come from one raw file, so this is what the analysis changed."
+        return Message(
+            "{change}: both records come from one raw file, so this is what the analysis changed.", change=change
+        )
     if p_value is None:
-        return f"{change}."
-    judgement = "significant" if p_value < SIGNIFICANT_P else "not significant"
-    return f"{change}: {judgement} (p = {p_value:.2g})."
+        return Message("{change}.", change=change)
+    if p_value < SIGNIFICANT_P:
+        return Message("{change}: significant (p = {p_value:.2g}).", change=change, p_value=p_value)
+    return Message("{change}: not significant (p = {p_value:.2g}).", change=change, p_value=p_value)

@@ -16,15 +16,37 @@ from tumble.calibrations.records.canonical import canonical_text
 from tumble.calibrations.records.errors import StoreError
 from tumble.calibrations.records.schema import METADATA, STORE, STORE_VERSION
 from tumble.calibrations.records.transactions import BEGIN, immediately
+from tumble.messages import Message
+from tumble.system_errors import reason
 
 _CAUSES = (
-    ("database or disk is full", "the disk is full", "free some space and try again"),
-    ("readonly database", "the store is not writable", "check the rights of file and folder, or choose another store"),
-    ("database is locked", "another program keeps the store locked", "close that program and try again"),
-    ("unable to open database file", "the file cannot be opened", "check that the folder exists and is writable"),
-    ("not a database", "this is not a database", "move the file away, or choose another store"),
-    ("malformed", "the database is damaged", "restore it from a backup; the raw files are not affected"),
-    ("disk I/O error", "the disk failed to read or write", "check disk and connection, and try again"),
+    ("database or disk is full", Message("the disk is full"), Message("free some space and try again")),
+    (
+        "readonly database",
+        Message("the store is not writable"),
+        Message("check the rights of file and folder, or choose another store"),
+    ),
+    (
+        "database is locked",
+        Message("another program keeps the store locked"),
+        Message("close that program and try again"),
+    ),
+    (
+        "unable to open database file",
+        Message("the file cannot be opened"),
+        Message("check that the folder exists and is writable"),
+    ),
+    ("not a database", Message("this is not a database"), Message("move the file away, or choose another store")),
+    (
+        "malformed",
+        Message("the database is damaged"),
+        Message("restore it from a backup; the raw files are not affected"),
+    ),
+    (
+        "disk I/O error",
+        Message("the disk failed to read or write"),
+        Message("check disk and connection, and try again"),
+    ),
 )
 """Part of SQLite's message (sqlite3ErrStr), what happened, what to do."""
 
@@ -43,17 +65,23 @@ def open_database(path: Path, busy_timeout_s: float) -> Engine:
         if not path.exists():
             _make(path, busy_timeout_s)
         elif not (path.is_file() or path.is_dir()):
-            raise StoreError(path, "this is no file but a device or a pipe", "choose another store")
+            raise StoreError(path, Message("this is no file but a device or a pipe"), Message("choose another store"))
         elif path.is_file() and not path.stat().st_size:
-            raise StoreError(path, "this file is empty and no store", "restore it from a backup, or remove it")
+            raise StoreError(
+                path, Message("this file is empty and no store"), Message("restore it from a backup, or remove it")
+            )
     engine = _engine(path, busy_timeout_s)
     with storage_errors(path), engine.connect() as connection:
         version = _version(connection, path)
     if version > STORE_VERSION:
         raise StoreError(
             path,
-            f"a newer version of the program made this store (version {version}, known up to {STORE_VERSION})",
-            "update the program",
+            Message(
+                "a newer version of the program made this store (version {version}, known up to {known})",
+                version=version,
+                known=STORE_VERSION,
+            ),
+            Message("update the program"),
         )
     return engine
 
@@ -92,17 +120,23 @@ def storage_errors(path: Path) -> Iterator[None]:
     except (DBAPIError, sqlite3.Error) as error:
         raise _store_error(path, str(error.orig if isinstance(error, DBAPIError) else error)) from error
     except JSONDecodeError as error:
-        raise StoreError(path, f"a record is damaged ({error})", "restore the file from a backup") from error
+        raise StoreError(
+            path, Message("a record is damaged ({error})", error=error), Message("restore the file from a backup")
+        ) from error
     except OSError as error:
-        happened = (error.strerror or str(error)).lower()
-        raise StoreError(path, happened, "check the folder of the store and its rights, or choose another") from error
+        remedy = Message("check the folder of the store and its rights, or choose another")
+        raise StoreError(path, reason(error), remedy) from error
 
 
 def _store_error(path: Path, message: str) -> StoreError:
     for part, happened, remedy in _CAUSES:
         if part in message:
             return StoreError(path, happened, remedy)
-    return StoreError(path, f"the database refused ({message})", "nothing was written; report this")
+    return StoreError(
+        path,
+        Message("the database refused ({message})", message=message),
+        Message("nothing was written; report this"),
+    )
 
 
 def _engine(path: Path, busy_timeout_s: float) -> Engine:
@@ -131,10 +165,14 @@ def _begin(connection: Connection) -> None:
 def _version(connection: Connection, path: Path) -> int:
     """Version of the store. Raises `StoreError` where the database is none."""
     if STORE.name not in inspect(connection).get_table_names():
-        raise StoreError(path, "this database holds something else", "move the file away, or choose another store")
+        raise StoreError(
+            path, Message("this database holds something else"), Message("move the file away, or choose another store")
+        )
     version: int | None = connection.execute(select(STORE.c.version)).scalar_one_or_none()
     if version is None:
-        raise StoreError(path, "this store does not say its version: it is damaged", "restore it from a backup")
+        raise StoreError(
+            path, Message("this store does not say its version: it is damaged"), Message("restore it from a backup")
+        )
     return version
 
 

@@ -2,6 +2,8 @@
 
 from pathlib import Path
 
+from tumble.messages import Message
+
 
 class StoreError(Exception):
     """The store cannot be opened, read or written. Nothing is half-written.
@@ -10,7 +12,7 @@ class StoreError(Exception):
     """
 
     def __init__(self, path: Path, happened: str, remedy: str) -> None:
-        super().__init__(f"{path}: {happened}; {remedy}")
+        super().__init__(Message("{path}: {happened}; {remedy}", path=path, happened=happened, remedy=remedy))
         self.path = path
         self.happened = happened
         self.remedy = remedy

@@ -14,6 +14,7 @@ from typing import Any
 from tumble.calibrations.core.provenance import LimitCheck, Provenance, Source
 from tumble.calibrations.core.verdict import Judgement, Model, Outcome, Verdict, verdict_from_json
 from tumble.calibrations.records.parameter import named
+from tumble.messages import Message
 
 JUDGED_SINCE = 3
 """The format from which on a record holds a verdict with its reasons."""
@@ -60,8 +61,8 @@ def verdict_of(result: Mapping[str, Any], limits: Sequence[LimitCheck]) -> Verdi
             Judgement(
                 name=check.name,
                 outcome=Outcome.PASS if check.inside else Outcome.FAIL,
-                reason="judged by an earlier version, by the value of the declared model alone",
-                remedy="analyse it again",
+                reason=Message("judged by an earlier version, by the value of the declared model alone"),
+                remedy=Message("analyse it again"),
             )
             for check in limits
         ),

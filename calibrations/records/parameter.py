@@ -5,6 +5,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from tumble.messages import Message
+
 
 @dataclass(frozen=True, kw_only=True)
 class Given:
@@ -49,8 +51,8 @@ class RecordedParameter:
     def condition(self) -> str:
         """On what the value stands though that was not measured; empty where it stands by itself."""
         if self.given:
-            return f"given {', '.join(given.words for given in self.given)}"
-        return f"rests on {self.rests_on} alone" if self.rests_on else ""
+            return Message("given {values}", values=", ".join(given.words for given in self.given))
+        return Message("rests on {name} alone", name=self.rests_on) if self.rests_on else ""
 
 
 def parameters_from_json(stored: Sequence[Mapping[str, Any]]) -> dict[str, RecordedParameter]:

@@ -22,6 +22,7 @@ from tumble.calibrations.records.rows import parameter_rows, record_from_row, re
 from tumble.calibrations.records.schema import PARAMETERS, RECORDS
 from tumble.calibrations.records.times import utc_now, utc_text
 from tumble.calibrations.records.transactions import migrate, reading, writing
+from tumble.messages import Message
 
 _NEWER = RECORDS.alias("newer")
 _STANDS = ~exists().where(_NEWER.c.supersedes == RECORDS.c.id)
@@ -56,7 +57,11 @@ class Store:
     def existing(cls, folder: Path) -> "Store":
         """Open a store to read in it; raise `StoreError` rather than make one."""
         if not (folder / DATABASE).is_file():
-            raise StoreError(folder, f"there is no {DATABASE} in this folder", "name the folder of a store")
+            raise StoreError(
+                folder,
+                Message("there is no {file} in this folder", file=DATABASE),
+                Message("name the folder of a store"),
+            )
         return cls(folder)
 
     def migrate(self) -> Path | None:
@@ -98,10 +103,21 @@ class Store:
         with storage_errors(self.path), reading(self._engine) as connection:
             found: Sequence[str] = connection.execute(query.order_by(RECORDS.c.id).limit(5)).scalars().all()
         if not found:
-            raise RecordError(f"{self.path}: no record has an id that begins with {id_prefix!r}; list the records")
+            raise RecordError(
+                Message(
+                    "{path}: no record has an id that begins with {id_prefix!r}; list the records",
+                    path=self.path,
+                    id_prefix=id_prefix,
+                )
+            )
         if len(found) > 1:
             raise RecordError(
-                f"{self.path}: {id_prefix!r} fits several records ({', '.join(found)}); give more of the id"
+                Message(
+                    "{path}: {id_prefix!r} fits several records ({ids}); give more of the id",
+                    path=self.path,
+                    id_prefix=id_prefix,
+                    ids=", ".join(found),
+                )
             )
         return found[0]
 
@@ -177,5 +193,10 @@ class Store:
         try:
             return record_from_row(row)
         except (AttributeError, KeyError, TypeError, ValueError) as error:
-            happened = f"record {row['id']} is damaged ({type(error).__name__}: {error})"
-            raise StoreError(self.path, happened, "restore the file from a backup") from error
+            happened = Message(
+                "record {id} is damaged ({error_type}: {error})",
+                id=row["id"],
+                error_type=type(error).__name__,
+                error=error,
+            )
+            raise StoreError(self.path, happened, Message("restore the file from a backup")) from error

@@ -2,6 +2,8 @@
 
 from datetime import UTC, datetime
 
+from tumble.messages import Message
+
 
 def utc_now() -> datetime:
     """Time of the computer's clock."""
@@ -17,7 +19,7 @@ def utc_text(time: datetime) -> str:
         For a time without time zone.
     """
     if time.tzinfo is None:
-        raise ValueError(f"{time.isoformat()} has no time zone; add one, for example {time.isoformat()}Z")
+        raise ValueError(Message("{time} has no time zone; add one, for example {time}Z", time=time.isoformat()))
     return time.astimezone(UTC).isoformat(timespec="microseconds").removesuffix("+00:00") + "Z"
 
 

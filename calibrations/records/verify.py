@@ -1,17 +1,19 @@
 """Whether a record can be believed: file and record untouched, and the numbers come back."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Final
 
+from tumble.calibrations.core.verdict import Model
 from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.records.export import document, is_intact
 from tumble.calibrations.records.parameter import RecordedParameter, parameters_from_json
 from tumble.calibrations.records.raw import file_sha256
 from tumble.calibrations.records.record import Record
 from tumble.calibrations.records.rows import parameter_rows, record_row
+from tumble.messages import Message
 
 if TYPE_CHECKING:
     from tumble.calibrations.records.store import Store
@@ -59,7 +61,9 @@ class ParameterCheck:
     @property
     def words(self) -> str:
         """What to call it in a sentence."""
-        return self.name if self.model == "declared" else f"{self.name} of the {self.model} model"
+        if self.model == Model.DECLARED:
+            return self.name
+        return Message("{name} of the augmented model", name=self.name)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -93,20 +97,48 @@ class Verification:
     @property
     def sentences(self) -> tuple[str, ...]:
         """The findings in words."""
-        lines = [f"Raw file {source.path}: {source.state}." for source in self.sources]
-        lines.append(f"Altered in the store: {', '.join(self.altered)}." if self.altered else "The record is intact.")
+        return (*map(_source_sentence, self.sources), self._record_sentence, self._refit_sentence, *self._remarks())
+
+    @property
+    def _record_sentence(self) -> Message:
+        if not self.altered:
+            return Message("The record is intact.")
+        return Message("Altered in the store: {parts}.", parts=Message.joined(", ", self.altered))
+
+    @property
+    def _refit_sentence(self) -> Message:
         different = [check.words for check in self.parameters if not check.agrees]
         if different:
-            lines.append(f"Fitted again, these do not come back: {', '.join(different)}.")
-        elif self.parameters:
-            lines.append(f"Fitted again, every parameter comes back to {TOLERANCE:g} of its standard uncertainty.")
-        else:
-            lines.append("Nothing was fitted again.")
+            return Message(
+                "Fitted again, these do not come back: {parameters}.", parameters=Message.joined(", ", different)
+            )
+        if not self.parameters:
+            return Message("Nothing was fitted again.")
+        return Message(
+            "Fitted again, every parameter comes back to {tolerance:g} of its standard uncertainty.",
+            tolerance=TOLERANCE,
+        )
+
+    def _remarks(self) -> Iterator[Message]:
         if self.unknown:
-            lines.append(f"This program cannot carry out the method {self.unknown}; update it.")
+            yield Message("This program cannot carry out the method {method}; update it.", method=self.unknown)
         if self.recorded_with != self.verified_with:
-            lines.append(f"Recorded with version {self.recorded_with}, verified with {self.verified_with}.")
-        return tuple(lines)
+            yield Message(
+                "Recorded with version {recorded}, verified with {verified}.",
+                recorded=self.recorded_with,
+                verified=self.verified_with,
+            )
+
+
+def _source_sentence(source: SourceCheck) -> Message:
+    return Message("Raw file {path}: {state}.", path=source.path, state=_STATES[source.state])
+
+
+_STATES: Final = {
+    RawFile.INTACT: Message("intact"),
+    RawFile.CHANGED: Message("changed"),
+    RawFile.MISSING: Message("missing"),
+}
 
 
 def verify(record: Record, store: "Store", refit: Refit | None, program_version: str) -> Verification:
@@ -147,11 +179,11 @@ def _state(path: Path, sha256: str) -> RawFile:
 def altered(record: Record, store: "Store") -> tuple[str, ...]:
     """What the store holds differently from what was recorded, see `Verification.altered`."""
     row, parameters = store.rows(record)
-    columns = [f"column {name}" for name, value in record_row(record).items() if row[name] != value]
+    columns = [Message("column {name}", name=name) for name, value in record_row(record).items() if row[name] != value]
     return (
-        *(() if is_intact(document(record)) else ("content",)),
+        *(() if is_intact(document(record)) else (Message("content"),)),
         *columns,
-        *(() if _by_name(parameters) == _by_name(parameter_rows(record)) else ("parameters",)),
+        *(() if _by_name(parameters) == _by_name(parameter_rows(record)) else (Message("parameters"),)),
     )
 
 

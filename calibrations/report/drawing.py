@@ -12,6 +12,9 @@ from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
 
 from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.report.figure_texts import put_into_words
+from tumble.calibrations.report.language import language, say
+from tumble.messages import Language
 
 COLOURS: Final = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 """Okabe and Ito 2008, strongest first; one for each mount."""
@@ -74,15 +77,18 @@ def sheet(width_in: float, height_in: float, rows: int = 1, columns: int = 1) ->
 def to_svg(figure: Figure, name: str, description: str) -> Markup:
     """The figure as an SVG element for a page that has others, the same bytes for the same figure.
 
-    Its ids begin with `name`; `description` is what a screen reader says.
+    Its ids begin with `name`; `description` is what a screen reader says. Messages in it are put into the language of
+    the page, numbers along its axes too.
     """
+    if language() is not Language.ENGLISH:
+        put_into_words(figure)
     _lay_out(figure)
     buffer = io.StringIO()
     figure.savefig(buffer, format="svg", metadata=dict.fromkeys(("Creator", "Date", "Format", "Type")))
     text = buffer.getvalue()
     text = text[text.index("<svg") :]
     text = re.sub(r'(\bid="|href="#|url\(#)', rf"\g<1>{name}-", text)
-    return Markup(text.replace("<svg ", f'<svg role="img" aria-label="{escape(description)}" ', 1))
+    return Markup(text.replace("<svg ", f'<svg role="img" aria-label="{escape(say(description))}" ', 1))
 
 
 def _lay_out(figure: Figure) -> None:

@@ -3,14 +3,20 @@
 from collections.abc import Sequence
 
 from tumble.calibrations.core.view import Section
+from tumble.calibrations.report.language import written_in
 from tumble.calibrations.report.templates import templates
+from tumble.messages import Language
 
 
-def page(kind: str, title: str, sections: Sequence[Section], notices: Sequence[str] = ()) -> str:
-    """One HTML page that needs nothing else; the same input gives the same text."""
+def page(
+    kind: str,
+    title: str,
+    sections: Sequence[Section],
+    notices: Sequence[str] = (),
+    language: Language = Language.ENGLISH,
+) -> str:
+    """One HTML page in a language that needs nothing else; the same input gives the same text."""
     shown = [section for section in sections if not section.empty]
-    return (
-        templates()
-        .get_template("sections.html.j2")
-        .render(kind=kind, title=title, sections=shown, notices=list(notices))
-    )
+    template = templates().get_template("sections.html.j2")
+    with written_in(language):
+        return template.render(kind=kind, title=title, sections=shown, notices=list(notices))

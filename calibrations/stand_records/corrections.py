@@ -11,6 +11,7 @@ from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.quantities import format_concise
 from tumble.calibrations.stand_records.head_map import HeadMap
 from tumble.calibrations.stand_records.terms import BACKLASH, Term, harmonic_term
+from tumble.messages import Message
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -64,12 +65,19 @@ class Corrections:
         here = self.place(term)
         values, covariance = self.values[here], self.covariance[here, here]
         if term.size == 1:
-            return f"{term.label} {format_concise(float(values[0]), float(np.sqrt(covariance[0, 0])), term.unit)}"
+            value = format_concise(float(values[0]), float(np.sqrt(covariance[0, 0])), term.unit)
+            return Message("{term} {value}", term=term.label, value=value)
         amplitude = float(np.linalg.norm(values))
         along = values / amplitude
         text = format_concise(amplitude, float(np.sqrt(along @ covariance @ along)), term.unit)
-        phase = f", phase {np.degrees(np.arctan2(values[1], values[0])) % 360.0:.0f}°" if term.size == 2 else ""
-        return f"{term.label} amplitude {text}{phase}"
+        if term.size != 2:  # a sine and a cosine
+            return Message("{term} amplitude {amplitude}", term=term.label, amplitude=text)
+        return Message(
+            "{term} amplitude {amplitude}, phase {phase_deg:.0f}°",
+            term=term.label,
+            amplitude=text,
+            phase_deg=np.degrees(np.arctan2(values[1], values[0])) % 360.0,
+        )
 
     def as_json(self) -> dict[str, Any]:
         """Plain data; the inverse of `corrections_from_json`."""

@@ -9,6 +9,7 @@ from typing import Any
 from tumble.calibrations.records.canonical import canonical_sha256, plain
 from tumble.calibrations.records.times import read_time, utc_text
 from tumble.calibrations.stand_records.corrections import Corrections, corrections_from_json
+from tumble.messages import Message
 
 FORMAT_VERSION = 1
 
@@ -20,6 +21,11 @@ class Status(StrEnum):
     """One unit says so: shown, not applied."""
     IN_FORCE = "in force"
     """Units agree on it."""
+
+    @property
+    def words(self) -> Message:
+        """The same for a reader."""
+        return Message("in force") if self is Status.IN_FORCE else Message("provisional")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -81,7 +87,7 @@ class Validity:
             " °C": (self.temperature_degc, _within(measured.temperature_degc, 2.0)),
         }
         return [
-            f"{now[0]:.4g} to {now[1]:.4g}{unit}, known for {known[0]:.4g} to {known[1]:.4g}{unit}"
+            Message("{range}, known for {known}", range=_range(now, unit), known=_range(known, unit))
             for unit, (known, now) in pairs.items()
             if known and now and (now[0] < known[0] or now[1] > known[1])
         ]
@@ -93,6 +99,10 @@ class Validity:
 
 def _hull(*ranges: tuple[float, float]) -> tuple[float, float]:
     return min(low for low, _ in ranges), max(high for _, high in ranges)
+
+
+def _range(ends: tuple[float, float], unit: str) -> str:
+    return f"{ends[0]:.4g} to {ends[1]:.4g}{unit}"
 
 
 def _within(measured: tuple[float, float] | None, margin: float) -> tuple[float, float] | None:

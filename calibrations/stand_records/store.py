@@ -26,6 +26,7 @@ from tumble.calibrations.stand_records.record import (
     content,
     record_from_content,
 )
+from tumble.messages import Message
 
 
 class StandRecords:
@@ -91,7 +92,13 @@ class StandRecords:
         """Return the record with this id. Raises `RecordError` where there is none."""
         found = self._records(select(STAND_RECORDS).where(STAND_RECORDS.c.id == record_id))
         if not found:
-            raise RecordError(f"{self.path}: there is no stand record {record_id}; name the store that holds it")
+            raise RecordError(
+                Message(
+                    "{path}: there is no stand record {record_id}; name the store that holds it",
+                    path=self.path,
+                    record_id=record_id,
+                )
+            )
         return found[0]
 
     def in_force(self, identity: StandIdentity) -> StandRecord | None:

@@ -4,15 +4,26 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Final
 
-BACKLASH: Final = "backlash"
+from tumble.messages import Message
+
+ECCENTRICITY: Final = Message.named("head_eccentricity", "eccentricity of the head's circle")
+SECOND_HARMONIC: Final = Message.named("head_second_harmonic", "second harmonic of the head's circle")
+GRADUATION: Final = Message.named("graduation", "graduation error")
+"""Waves of any order above the second, each an effect of its own."""
+BACKLASH: Final = Message("backlash")
+AXIS_TILT: Final = Message.named("axis_tilt", "tilt of the head's axis")
+DAQ_NONLINEARITY: Final = Message.named("daq_nonlinearity", "nonlinearity of the DAQ")
+RANGE_STEP: Final = Message.named("range_step", "step between ranges")
 HEAD_COURSE: Final = "head_course"
 """An error of the head that no effect of the catalogue describes, as all harmonics that the settings can tell."""
-_ORDERS: Final = {"head_eccentricity": 1, "head_second_harmonic": 2}
-_VOLTAGE: Final = {"axis_tilt": "deg", "daq_nonlinearity": "V", "range_step": "V"}
+_ORDERS: Final[Mapping[str, int]] = {ECCENTRICITY: 1, SECOND_HARMONIC: 2}
+_VOLTAGE: Final[Mapping[str, str]] = {AXIS_TILT: "deg", DAQ_NONLINEARITY: "V", RANGE_STEP: "V"}
 """Effects that are taken off the voltage, with the unit of their coefficients."""
 
-LASTING: Final = (*_ORDERS, "graduation", BACKLASH, *_VOLTAGE)
+LASTING: Final[tuple[str, ...]] = (*_ORDERS, GRADUATION, BACKLASH, *_VOLTAGE)
 """Effects of the catalogue that stay with a stand; a seat, a leaning base or a settling belongs to the run."""
+_NAMES: Final[Mapping[str, str]] = {name: name for name in LASTING}
+"""What a reader is shown for the name of an effect, which a record holds as text."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -29,7 +40,7 @@ class Term:
     @property
     def size(self) -> int:
         """Number of coefficients: a sine and a cosine for each order, and for a wave of the voltage."""
-        return 2 * len(self.orders) if self.orders else 2 if self.effect == "daq_nonlinearity" else 1
+        return 2 * len(self.orders) if self.orders else 2 if self.effect == DAQ_NONLINEARITY else 1
 
     @property
     def unit(self) -> str:
@@ -45,16 +56,20 @@ class Term:
     def label(self) -> str:
         """What to call it in a sentence."""
         if self.effect == HEAD_COURSE:
-            return f"an error of the head of any shape (1 to {max(self.orders)} per turn)"
+            return Message("an error of the head of any shape (1 to {highest} per turn)", highest=max(self.orders))
+        name = _NAMES.get(self.effect, self.effect)
+        if self.effect == GRADUATION:
+            return Message("{effect} ({order} per turn)", effect=name, order=self.orders[0])
+        if not self.scanned:
+            return name
         scanned = ", ".join(f"{key.removesuffix('_V')} {value:.4g} V" for key, value in self.scanned.items())
-        order = f"{self.orders[0]} per turn" if self.effect == "graduation" else scanned
-        return f"{self.effect} ({order})" if order else self.effect
+        return Message("{effect} ({values})", effect=name, values=scanned)
 
 
 def harmonic_term(order: int) -> Term:
     """An error of the head so many times a turn, by the name that the catalogue has for it."""
     named = {number: name for name, number in _ORDERS.items()}
-    return Term(effect=named.get(order, "graduation"), orders=(order,))
+    return Term(effect=named.get(order, GRADUATION), orders=(order,))
 
 
 def head_course(highest: int) -> Term:

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from scipy.special import fdtrc
 
 from tumble.calibrations.core.arrays import FloatArray
-from tumble.calibrations.tracing.seen import SEEN, Seen, beside
+from tumble.calibrations.tracing.linearised import RESOLVED, PartialRegression, orthogonal_to
 
 WITHIN: Final = 0.1
 """What varies by less than this part within blocks is a function of the block."""
@@ -43,25 +43,25 @@ class Lack:
     """Chance of so much lack of fit by the scatter within blocks; 1 where nothing can be tested."""
 
 
-def lack_of_fit(seen: Seen, block: IntArray) -> Lack:
+def lack_of_fit(partial: PartialRegression, block: IntArray) -> Lack:
     """The effect against what blocks differ by beyond it, with a number for each: a level, or a size of its own."""
-    everything = np.column_stack([seen.others, seen.own])
-    rest = float(np.sum(beside(everything, seen.left) ** 2))
-    explained = float(np.sum((seen.own.T @ seen.left) ** 2))
-    constant = not seen.own.size or within(seen.stated, block) < WITHIN
-    level = seen.root if constant else seen.signal
+    everything = np.column_stack([partial.others, partial.own])
+    rest = float(np.sum(orthogonal_to(everything, partial.left) ** 2))
+    explained = float(np.sum((partial.own.T @ partial.left) ** 2))
+    constant = not partial.own.size or within(partial.stated, block) < WITHIN
+    level = partial.root if constant else partial.signal
     power = np.asarray(np.bincount(block, level**2), dtype=float)
-    told = power > SEEN**2 * power.max(initial=0.0)
-    inside = _off_blocks(np.column_stack([everything, seen.left]), level, block, np.where(told, power, np.inf))
+    resolved = power > RESOLVED**2 * power.max(initial=0.0)
+    inside = _off_blocks(np.column_stack([everything, partial.left]), level, block, np.where(resolved, power, np.inf))
     left, values, _ = np.linalg.svd(inside[:, :-1], full_matrices=False)
-    scatter = float(np.sum(beside(left[:, values > SEEN], inside[:, -1]) ** 2))
-    rank = int(np.count_nonzero(told)) + int(np.count_nonzero(values > SEEN))
+    scatter = float(np.sum(orthogonal_to(left[:, values > RESOLVED], inside[:, -1]) ** 2))
+    rank = int(np.count_nonzero(resolved)) + int(np.count_nonzero(values > RESOLVED))
     return _judged(
         blocks=len(np.unique(block)),
         inside_too=not constant,
-        explained=(explained, seen.own.shape[1]),
+        explained=(explained, partial.own.shape[1]),
         between=(max(rest - scatter, 0.0), rank - everything.shape[1]),
-        inside=(scatter, len(seen.left) - rank),
+        inside=(scatter, len(partial.left) - rank),
     )
 
 
@@ -105,10 +105,10 @@ def _off_blocks(columns: FloatArray, level: FloatArray, block: IntArray, power: 
     return np.asarray(columns - level[:, None] * (sums / power[:, None])[block])
 
 
-def held_out_gain(seen: Seen, block: IntArray) -> float:
+def held_out_gain(partial: PartialRegression, block: IntArray) -> float:
     """By how much the sum of squares of errors of blocks that are held out falls with the effect."""
-    with_it = np.column_stack([seen.others, seen.own])
-    return press(seen.others, seen.left, block) - press(with_it, seen.left, block)
+    with_it = np.column_stack([partial.others, partial.own])
+    return press(partial.others, partial.left, block) - press(with_it, partial.left, block)
 
 
 def press(directions_: FloatArray, output: FloatArray, block: IntArray) -> float:
@@ -124,9 +124,9 @@ def press(directions_: FloatArray, output: FloatArray, block: IntArray) -> float
     lengths = np.diff(starts, append=len(order))
     if len(starts) == len(output):
         alone = 1.0 - np.sum(directions_**2, axis=1)
-        told = alone > _RIDGE
+        resolved = alone > _RIDGE
         left = output - directions_ @ shown
-        return float(np.sum(np.where(told, left / np.where(told, alone, 1.0), output) ** 2))
+        return float(np.sum(np.where(resolved, left / np.where(resolved, alone, 1.0), output) ** 2))
     alike = (starts[lengths == length, None] + np.arange(length) for length in np.unique(lengths))
     return sum(_blocks_error(directions_[order[rows]], output[order[rows]], shown) for rows in alike)
 

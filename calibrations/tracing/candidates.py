@@ -73,7 +73,7 @@ def _numbered(tried: Sequence[tuple[Effect[Any], Sequence[Form]]], rows: int, sp
                 columns=slice(start, start + width),
                 penalty=_penalty(width, chance, rows, spare) + handicap + form.penalty,
                 repeat_penalty=_penalty(width, second, rows, spare) + handicap + form.penalty,
-                chance=_doubted(len(tried) * len(forms), form.penalty),
+                chance=_chance(len(tried) * len(forms), form.penalty),
             )
             start += width
 
@@ -91,12 +91,12 @@ def _seen_in_several_rows(form: Form, span: FloatArray) -> bool:
     return bool(np.all(rest >= _REST * squares.sum(axis=0)))
 
 
-def _doubted(tried: int, doubt: float) -> float:
-    """Chance at which one of so many shapes is believed; doubt in -2 ln L changes its odds by exp(-doubt/2).
+def _chance(tried: int, penalty: float) -> float:
+    """Significance level of one of so many shapes; a penalty in -2 ln L changes its odds by exp(-penalty/2).
 
-    What is expected rather than sought (doubt below 0) is no false alarm, and shares that chance with nothing.
+    What is expected rather than sought (penalty below 0) is no false alarm, and shares that chance with nothing.
     """
-    return float(FALSE_ALARM / (tried if doubt >= 0.0 else 1) * np.exp(-doubt / 2.0))
+    return float(FALSE_ALARM / (tried if penalty >= 0.0 else 1) * np.exp(-penalty / 2.0))
 
 
 def _penalty(width: int, chance: float, rows: int, spare: int) -> float:

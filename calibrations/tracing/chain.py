@@ -3,7 +3,7 @@
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import Any, Generic, Protocol, TypeVar
+from typing import Any, Final, Generic, Protocol, TypeVar
 
 from tumble.calibrations.core.blas_threads import one_blas_thread
 from tumble.calibrations.core.sentences import deviations, series
@@ -13,9 +13,10 @@ from tumble.calibrations.tracing.findings import EffectFound
 from tumble.calibrations.tracing.probe import Probe
 from tumble.calibrations.tracing.rivals import rivals
 from tumble.calibrations.tracing.table import Extensible
+from tumble.messages import Message
 
 FUTILE = 2
-"""After so many experiments in a row that told nothing apart, none is run any more."""
+"""After so many experiments in a row that separated nothing, none is run any more."""
 _MOST_NEAR = 8
 """Of explanations that are not quite rivals only the nearest are planned for, where there are many."""
 
@@ -28,6 +29,20 @@ class Ended(StrEnum):
     NOTHING_AVAILABLE = "no available experiment"
     NOT_AS_PROMISED = "not as promised"
     ENOUGH = "as many as were asked for"
+
+    @property
+    def words(self) -> Message:
+        """The same for a reader."""
+        return _ENDINGS[self]
+
+
+_ENDINGS: Final = {
+    Ended.NOTHING_TO_TELL: Message("nothing to tell apart"),
+    Ended.TOLD_APART: Message("told apart"),
+    Ended.NOTHING_AVAILABLE: Message("no available experiment"),
+    Ended.NOT_AS_PROMISED: Message("not as promised"),
+    Ended.ENOUGH: Message("as many as were asked for"),
+}
 
 
 class ClosedLoop(Protocol):
@@ -82,7 +97,12 @@ class Link(Generic[L]):
     @property
     def did(self) -> str:
         """What was run, and why."""
-        return f"ran {self.experiment.programme} to tell {self._name} from {series(self._others, 'and')}"
+        return Message(
+            "ran {programme} to tell {name} from {others}",
+            programme=self.experiment.programme,
+            name=self._name,
+            others=series(self._others),
+        )
 
     @property
     def separated(self) -> tuple[str, ...]:
@@ -94,7 +114,7 @@ class Link(Generic[L]):
 
     @property
     def futile(self) -> bool:
-        """Whether it told nothing apart, though it was to do so by itself."""
+        """Whether it separated nothing, though it was to do so by itself."""
         return not (self.separated or self.experiment.together or self.experiment.runs > 1)
 
     @property
@@ -119,17 +139,25 @@ class Link(Generic[L]):
         """What follows from it, in words that go after `decides`."""
         left = self.rivals_after
         if not left:
-            return f"against {series(self.rivals_before, 'and')}: something else was found instead"
+            return Message("against {names}: something else was found instead", names=series(self.rivals_before))
         if not self.separated:
-            return f"nothing: it could still be {series(left, 'or')}"
-        gone = series([name for name in self.rivals_before if name not in left], "and")
-        return f"against {gone}: {series(left, 'or')} {'remains' if len(left) == 1 else 'remain'}"
+            return Message("nothing: it could still be {names}", names=series(left, "or"))
+        return Message.counted(
+            "against {gone}: {left} remains",
+            "against {gone}: {left} remain",
+            count=len(left),
+            gone=series([name for name in self.rivals_before if name not in left]),
+            left=series(left, "or"),
+        )
 
     @property
     def comparison(self) -> str:
         """What was expected of it, and what came."""
-        realised = "none" if self.realised is None else deviations(self.realised)
-        return f"expected difference {deviations(self.experiment.separation)}, realised {realised}"
+        return Message(
+            "expected difference {expected}, realised {realised}",
+            expected=deviations(self.experiment.separation),
+            realised=Message("none") if self.realised is None else deviations(self.realised),
+        )
 
     @property
     def _name(self) -> str:
@@ -163,7 +191,7 @@ class Chain(Generic[L]):
 
     @property
     def futile(self) -> int:
-        """How many experiments in a row have told nothing apart, though each was to do so by itself."""
+        """How many experiments in a row have separated nothing, though each was to do so by itself."""
         count = 0
         for link in reversed(self.links):
             if not link.futile:
@@ -245,13 +273,25 @@ def cannot(experiments: Sequence[Experiment], elsewhere: Mapping[str, tuple[Expe
         By programme, an experiment that would help, and why it cannot be run.
     """
     sentences = [
-        f"No experiment that can be run here tells {each.separates[0]} from {series(each.separates[1:], 'or')}: they "
-        f"would differ by {deviations(each.separation)} at most, and {APART**0.5:.0f} are needed."
+        Message(
+            "No experiment that can be run here tells {name} from {rivals}: they would differ by {difference} at most, "
+            "and {needed:.0f} are needed.",
+            name=each.separates[0],
+            rivals=series(each.separates[1:], "or"),
+            difference=deviations(each.separation),
+            needed=APART**0.5,
+        )
         for each in experiments
         if not each.command
     ]
     sentences += [
-        f"{name} would tell {each.separates[0]} from {series(each.separates[1:])}, but it cannot be run here: {reason}."
-        for name, (each, reason) in elsewhere.items()
+        Message(
+            "{programme} would tell {name} from {rivals}, but it cannot be run here: {reason}.",
+            programme=programme,
+            name=each.separates[0],
+            rivals=series(each.separates[1:]),
+            reason=reason,
+        )
+        for programme, (each, reason) in elsewhere.items()
     ]
-    return " ".join(sentences)
+    return Message.joined(" ", sentences) if sentences else ""

@@ -7,11 +7,17 @@ from typing import Final, Generic, Literal, TypeAlias, TypeVar
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
+from tumble.messages import Message
 
 Owner: TypeAlias = Literal["unit", "stand", "daq", "reference"]
 Variable: TypeAlias = Literal["angle", "acceleration", "time", "temperature", "direction", "realisation", "order"]
 """On what an effect, or structure without a name, may depend."""
-OWNER_WORDS: Final[Mapping[str, str]] = {"unit": "unit", "stand": "stand", "daq": "DAQ", "reference": "reference"}
+OWNER_WORDS: Final[Mapping[str, Message]] = {
+    "unit": Message("unit"),
+    "stand": Message("stand"),
+    "daq": Message("DAQ"),
+    "reference": Message("reference"),
+}
 """What an effect belongs to, as a reader calls it."""
 
 
@@ -48,7 +54,10 @@ class Effect(Generic[Seen]):
     """A physical effect that the declared model of its kind of table lacks."""
 
     name: str
-    """A word of the contract, or of the user; of several that share one, the word with something added."""
+    """A word of the contract, or of the user; of several that share one, the word with something added.
+
+    `Message.named` where a reader is shown words in its place, in the language that is theirs.
+    """
     family: str = ""
     """The word that several share; empty where `name` is it."""
     belongs_to: Owner
@@ -60,7 +69,7 @@ class Effect(Generic[Seen]):
     at: Callable[[Seen, float], Form] | None = None
     """The form for any value of what is scanned, where that is a continuous quantity."""
     random: bool = False
-    """Whether the coefficients are levels drawn at random, as many as there are seats or turn-ons."""
+    """Whether it is a random effect: a level for every seat or turn-on."""
     additive: bool = False
     """Whether coefficients of two forms add up to one reported coefficient; otherwise the larger is reported."""
     depends_on: Variable = "acceleration"

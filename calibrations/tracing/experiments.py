@@ -7,8 +7,7 @@ from itertools import combinations
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
-from tumble.calibrations.core.sentences import deviations, series
-from tumble.calibrations.tracing.effect import OWNER_WORDS
+from tumble.calibrations.tracing.experiment_sentences import no_programme, promised, qualified
 from tumble.calibrations.tracing.probe import Probe
 from tumble.calibrations.tracing.rivals import Rival
 from tumble.calibrations.tracing.separation import Difference, Outlook, PlannedRows, Question
@@ -131,18 +130,11 @@ def _experiment(question: Question, offer: _Offer, probe: Probe, apart: list[int
     separation = float((offer.separations(sure=True)[apart] if sure else separations).min())
     rivals = tuple(question.rivals[rival] for rival in apart)
     others = [other.programme for other in offer.probes if other is not probe]
-    remarks = [
-        f", if {' and '.join(_needed(question, offer, apart))} is the true one" * (not sure),
-        f"; only together with {' '.join(others)}" * bool(others),
-        f"; run it {offer.runs} times" * (offer.runs > 1),
-    ]
+    needed = () if sure else _needed(question, offer, apart)
     return Experiment(
         separates=(question.name, *rivals),
         programme=probe.programme,
-        why=(
-            f"{probe.programme} {probe.does}: {question.name} then differs from {series(rivals)} by "
-            f"{'at least ' * (len(rivals) > 1)}{deviations(separation)}{''.join(remarks)}"
-        ),
+        why=qualified(promised(probe, question.name, rivals, separation), needed, others, offer.runs),
         command=probe.command,
         separation=separation,
         stand_time_s=offer.runs * probe.stand_time_s,
@@ -177,15 +169,11 @@ def _needed(question: Question, offer: _Offer, apart: list[int]) -> list[str]:
 def _nothing(question: Question, left: list[int], nearest: _Offer, otherwise: str) -> Experiment:
     rivals = tuple(question.rivals[rival] for rival in left)
     separation = float(nearest.separations(sure=False)[left].max())
-    owners = sorted({f"the {OWNER_WORDS[question.belongs_to(name)]}" for name in (question.name, *rivals)})
-    exchange = f"; as they belong to {series(owners)}, exchange one of these" if len(owners) > 1 else ""
+    owners = {question.belongs_to(name) for name in (question.name, *rivals)}
     return Experiment(
         separates=(question.name, *rivals),
         programme="",
-        why=(
-            f"no programme that comes along tells {question.name} from {series(rivals, 'or')}: they differ by "
-            f"{deviations(separation)} at most{exchange}{otherwise and f'; {otherwise}'}"
-        ),
+        why=no_programme(question.name, rivals, separation, owners, otherwise),
         command="",
         separation=separation,
         stand_time_s=0.0,

@@ -9,6 +9,7 @@ from tumble.calibrations.tracing.judged import Judged
 from tumble.calibrations.tracing.rivals import CLOSE, Rival
 from tumble.calibrations.tracing.table import Table
 from tumble.calibrations.tracing.trace import Trace, Tracer
+from tumble.messages import Message
 
 RIVALS_APART = 2.0
 """A parameter that differs between rivals by more than so many standard uncertainties is not identifiable."""
@@ -23,7 +24,11 @@ def unless_rivals_differ(parameter: Parameter, other: float, name: str, rival: s
     if abs(other - parameter.value) <= RIVALS_APART * parameter.standard_uncertainty:
         return parameter
     return parameter.withheld(
-        f"it differs between {name} and {rival}, which this experiment does not clearly tell apart"
+        Message(
+            "it differs between {name} and {rival}, which this experiment does not clearly tell apart",
+            name=name,
+            rival=rival,
+        )
     )
 
 

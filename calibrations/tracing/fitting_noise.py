@@ -90,7 +90,7 @@ def best_walk(table: Table, forms: Sequence[Form], noise: NoiseModel) -> tuple[N
 
 
 def best_level(table: Table, forms: Sequence[Form], noise: NoiseModel, name: str) -> NoiseModel:
-    """The noise with the levels of an effect drawn with the variance that fits best."""
+    """The noise with an effect as a random one, with the variance that fits best."""
     deviance = table.deviance_by_noise(forms)
 
     def at(logarithm: float) -> NoiseModel:

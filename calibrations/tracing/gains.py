@@ -12,8 +12,8 @@ import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.tracing.effect import Form
+from tumble.calibrations.tracing.linearised import directions, orthogonal_to
 from tumble.calibrations.tracing.noise import NoiseModel
-from tumble.calibrations.tracing.seen import beside, directions
 from tumble.calibrations.tracing.table import Table
 
 _RATIOS: Final = 10.0 ** np.arange(-3.5, 4.6, 0.4)
@@ -62,7 +62,7 @@ def seen_beside(table: Table, forms: Sequence[Form], noise: NoiseModel) -> Besid
     span = directions(white(columns * root[:, None]))
     everything = np.column_stack([table.declared, *(form.columns for form in forms)])
     misfit = white((table.output - everything @ table.model.coefficients(theta)) * root)
-    rest = beside(span, misfit)
+    rest = orthogonal_to(span, misfit)
     return Beside(
         root=root,
         taken=np.column_stack([white.taken, white(span)]),

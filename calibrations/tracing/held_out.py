@@ -28,7 +28,7 @@ def held_out_rms(tracer: Tracer[Any], trace: Trace, parts: Iterable[BoolArray]) 
     """Root mean square error of predicting each of the parts, rows held out, after a search among the others.
 
     Effects are chosen anew from the other rows, from their scans as they stand, in the noise of the whole table. What
-    has no name is predicted by its mean given the other rows; what is drawn at random (levels, a walk) cannot be, and
+    has no name is predicted by its mean given the other rows; what is random (levels, a walk) cannot be, and
     counts as error. Where folds of the other rows are predicted better by the declared model alone, so is the part.
     Parts without which the others do not tell the declared model are passed over; None where that is every one.
     """

@@ -16,6 +16,7 @@ from tumble.calibrations.tracing.linear import LinearFit, fit_linear
 from tumble.calibrations.tracing.noise import NoiseModel
 from tumble.calibrations.tracing.table import Table
 from tumble.calibrations.tracing.trace import Trace
+from tumble.messages import Message
 
 _T = TypeVar("_T", bound=Table)
 
@@ -29,8 +30,12 @@ class LinearExplained(Explained[_T, LinearFit]):
 
     @property
     def withheld(self) -> tuple[str, ...]:
-        """What would fit the rows and does not stand, in sentences; shapes without a name are not told of."""
-        return tuple(f"{each.name} is not stated: {each.reason}." for each in self.judged.withheld if not each.unnamed)
+        """What would fit the rows and does not stand, in sentences; shapes without a name are left out."""
+        return tuple(
+            Message("{name} is not stated: {reason}.", name=each.name, reason=each.reason)
+            for each in self.judged.withheld
+            if not each.unnamed
+        )
 
     def effects(self, fit: LinearFit) -> tuple[EffectFound, ...]:
         """What was found, in the order of the evidence, with the coefficients of a fit."""

@@ -1,4 +1,4 @@
-"""Autocorrelated noise, beside white noise: flicker, random walk, and levels drawn anew at every seat or turn-on.
+"""Autocorrelated noise, beside white noise: flicker, random walk, and random effects of every seat or turn-on.
 
 A mean-free random walk is a sum of cosines with variances falling as 1/k² (Karhunen-Loève expansion of the centred
 Wiener process), flicker one with variances falling as 1/k (power spectral density h/f). A walk with a corner is pulled

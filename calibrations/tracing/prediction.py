@@ -60,7 +60,7 @@ class Prediction:
     def output_v(self, scene: View) -> FloatArray:
         """What the effect adds to the output, shape (rows,)."""
         if not self._own:
-            return self._drawn_v(scene)
+            return self._random_v(scene)
         return np.asarray(sum(_columns(scene, item)[:, : len(values)] @ values for item, values in self._own))
 
     def left(self, scene: View, weights: FloatArray, outputs: FloatArray) -> FloatArray:
@@ -119,10 +119,10 @@ class Prediction:
             columns += [_columns(scene, item), *([] if change is None else [change])]
         return np.column_stack(columns)
 
-    def _drawn_v(self, scene: View) -> FloatArray:
-        """An effect that is drawn at random, as it was in the table.
+    def _random_v(self, scene: View) -> FloatArray:
+        """A random effect, as it was in the table.
 
-        A level that is still to be drawn is taken as the mean of the others, a walk to stay where it is.
+        A level that is not known yet is taken as the mean of the others, a walk to stay where it is.
         """
         root = np.sqrt(self._base.weights)
         residual = self._residual_v * root

@@ -47,7 +47,7 @@ class Problem:
         self.most = most
         length = np.linalg.norm(columns, axis=0)
         self._scale = np.where(length > 0, length, 1.0)
-        self._footing = whitened_fit
+        self._whitened_fit = whitened_fit
         self._split = whitened_fit.split(columns / self._scale).by_columns()
         projected, orthogonal = self._split.projected, self._split.orthogonal
         output = whitened_fit.output
@@ -94,8 +94,8 @@ class Problem:
         return self._explained[chosen]
 
     def _fitted(self, chosen: tuple[int, ...]) -> Explanation:
-        fit = self._footing.fit(self._split.pick(self.columns_of(chosen)))
-        return Explanation(chosen=chosen, fit=fit, deviance=self._footing.deviance(fit))
+        fit = self._whitened_fit.fit(self._split.pick(self.columns_of(chosen)))
+        return Explanation(chosen=chosen, fit=fit, deviance=self._whitened_fit.deviance(fit))
 
     def best_forms(self, worth: FloatArray) -> list[int]:
         """Number of the candidate of each effect that is worth most, by the worth of all candidates."""
@@ -136,14 +136,14 @@ class Problem:
         """
         picked = self._split.pick(self.columns_of(explanation.chosen))
         q, _ = np.linalg.qr(picked.orthogonal)
-        slopes = self._footing.declared.slopes(explanation.fit.theta)
+        slopes = self._whitened_fit.declared.slopes(explanation.fit.theta)
         size, parameters = slopes.shape
         jacobian = np.zeros((size + q.shape[1], parameters + picked.projected.shape[1]))
-        jacobian[:size, :parameters] = self._footing.r @ slopes
+        jacobian[:size, :parameters] = self._whitened_fit.r @ slopes
         jacobian[:size, parameters:] = picked.projected
         jacobian[size:, parameters:] = q.T @ picked.orthogonal
         directions = _directions(jacobian)
-        output = self._footing.output
+        output = self._whitened_fit.output
         seen = np.concatenate([output.projected[:, 0], q.T @ output.orthogonal[:, 0]])
         rest = output.orthogonal[:, 0] - q @ seen[size:]
         left = seen - directions @ (directions.T @ seen)

@@ -22,7 +22,7 @@ class Sample:
     memory: Memory
     root_weights: FloatArray
     """Shape (rows,)."""
-    _footings: dict[NoiseModel, WhitenedFit] = field(default_factory=dict, repr=False, compare=False)
+    _whitened_fits: dict[NoiseModel, WhitenedFit] = field(default_factory=dict, repr=False, compare=False)
 
     def turned(self, columns: FloatArray) -> FloatArray:
         """Weigh and turn columns, shape (rows, n)."""
@@ -30,10 +30,10 @@ class Sample:
 
     def whitened_fit(self, noise: NoiseModel) -> WhitenedFit:
         """The declared model in a kind of noise."""
-        if noise not in self._footings:
+        if noise not in self._whitened_fits:
             white, rows = self.memory.whitening(noise), len(self.root_weights)
-            self._footings[noise] = WhitenedFit(self.declared, self.output, white, rows)
-        return self._footings[noise]
+            self._whitened_fits[noise] = WhitenedFit(self.declared, self.output, white, rows)
+        return self._whitened_fits[noise]
 
     def deviance_by_noise(self, columns: FloatArray) -> Callable[[NoiseModel], float]:
         """-2 ln L with further columns, shape (rows, n), as a function of the noise, up to a constant of the table.
@@ -44,7 +44,7 @@ class Sample:
         together = np.column_stack([self.declared.functions, self.turned(columns), self.output])
         short = np.concatenate([together[:size], np.linalg.qr(together[size:], mode="r")])
         sample = replace(
-            self, declared=self.declared.with_functions(short[:, :functions]), output=short[:, -1], _footings={}
+            self, declared=self.declared.with_functions(short[:, :functions]), output=short[:, -1], _whitened_fits={}
         )
 
         def deviance(noise: NoiseModel) -> float:

@@ -1,7 +1,8 @@
 """What tracing found, in words."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Final
 
 from tumble.calibrations.core.quantities import format_concise, format_number, format_probability
 from tumble.calibrations.core.rows import SetAside
@@ -9,14 +10,34 @@ from tumble.calibrations.core.sentences import series
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.tracing.effect import OWNER_WORDS, Quantity
 from tumble.calibrations.tracing.findings import EffectFound, Unexplained
+from tumble.calibrations.tracing.variables import VARIABLE_WORDS
+from tumble.messages import Message
 
 
 def unexplained_sentence(unexplained: Unexplained) -> str:
     """Where structure without a name is."""
-    return f"No effect of the catalogue explains what depends on {unexplained.depends_on}: {unexplained.description}."
+    return Message(
+        "No effect of the catalogue explains what depends on {variable}: {description}.",
+        variable=VARIABLE_WORDS.get(unexplained.depends_on, unexplained.depends_on),
+        description=unexplained.description,
+    )
 
 
-_UNIT_SUFFIXES = ("_deg", "_s", "_V")
+def nothing_looked_for(reason: str) -> Message:
+    """That no effect was looked for, and why."""
+    return Message("Nothing is looked for: {reason}.", reason=reason)
+
+
+_UNIT_SUFFIXES = ("_degC", "_deg", "_s", "_V")
+_COEFFICIENTS: Final[Mapping[str, Message]] = {
+    "amplitude": Message("amplitude"),
+    "phase": Message("phase"),
+    "order": Message.named("order", "periods per turn"),
+    "slope": Message("slope"),
+    "step": Message("step"),
+    "at": Message("at"),
+}
+"""What coefficients without a symbol of their own are called."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -49,7 +70,13 @@ def _coefficients(effect: EffectFound) -> str:
     if len(effect.coefficients) == 1:
         (quantity,) = effect.coefficients.values()
         return _quantity(quantity)
-    return ", ".join(f"{_without_unit(key)} {_quantity(quantity)}" for key, quantity in effect.coefficients.items())
+    return Message.joined(
+        ", ",
+        [
+            Message("{name} {value}", name=_spelt(key), value=_quantity(quantity))
+            for key, quantity in effect.coefficients.items()
+        ],
+    )
 
 
 def _quantity(quantity: Quantity) -> str:
@@ -58,12 +85,14 @@ def _quantity(quantity: Quantity) -> str:
     return f"{quantity.value:g}" if quantity.value.is_integer() else format_number(quantity.value, quantity.unit, 4)
 
 
-def _without_unit(key: str) -> str:
+def _spelt(key: str) -> str:
     """The name of a coefficient without the unit that its value states."""
     suffix = next((suffix for suffix in _UNIT_SUFFIXES if key.endswith(suffix)), "")
-    return key.removesuffix(suffix)
+    name = key.removesuffix(suffix)
+    return _COEFFICIENTS.get(name, name)
 
 
+_NOT_USED = Message("Rows that were not used")
 _LISTED = 6
 """Of the rows that are set aside so many are listed, the rest counted."""
 
@@ -71,8 +100,9 @@ _LISTED = 6
 def set_aside_section(name: str, aside: Sequence[SetAside]) -> Section:
     """Which rows of a table were not used, and why; empty where all were."""
     if not aside:
-        return Section(title="Rows that were not used")
-    listed = series([f"{entry.row} ({entry.reason})" for entry in aside[:_LISTED]])
-    more = f" and {len(aside) - _LISTED} more" if len(aside) > _LISTED else ""
-    lines = (f"{name}: set aside: rows {listed}{more}",)
-    return Section(title="Rows that were not used", lines=lines, brief=True)
+        return Section(title=_NOT_USED)
+    listed = series([Message("{row} ({reason})", row=entry.row, reason=entry.reason) for entry in aside[:_LISTED]])
+    if len(aside) > _LISTED:
+        listed = Message("{rows} and {count} more", rows=listed, count=len(aside) - _LISTED)
+    lines = (Message("{name}: set aside: rows {rows}", name=name, rows=listed),)
+    return Section(title=_NOT_USED, lines=lines, brief=True)

@@ -15,7 +15,9 @@ from tumble.calibrations.tracing.declared import Declared
 from tumble.calibrations.tracing.effect import Effect, Form, Structure, Variable
 from tumble.calibrations.tracing.noise import WHITE, Memory, NoiseModel, scaled_levels, slow_modes
 from tumble.calibrations.tracing.sample import Sample, sample
+from tumble.calibrations.tracing.variables import counted_blocks
 from tumble.calibrations.tracing.whitened import Fitted
+from tumble.messages import Message
 
 
 class View(Protocol):
@@ -74,8 +76,13 @@ class Table:
     @property
     def not_traced(self) -> str:
         """Why nothing is looked for; empty where it is."""
-        few = self.rows < self.fewest_rows
-        return f"{self.rows} rows are too few; at least {self.fewest_rows} are needed" if few else ""
+        if self.rows >= self.fewest_rows:
+            return ""
+        return Message("{rows} rows are too few; at least {fewest} are needed", rows=self.rows, fewest=self.fewest_rows)
+
+    def counted_blocks(self, variable: Variable, count: int) -> Message:
+        """So many blocks of a variable, by what these are called: `7 settings`."""
+        return counted_blocks(variable, count)
 
     def blocks(self, variable: Variable) -> NDArray[np.int64]:  # noqa: ARG002
         """Number of the block of each row: rows that share a value of the variable say nothing new of a shape.

@@ -20,9 +20,10 @@ from tumble.calibrations.tracing.noise import WHITE, NoiseModel
 from tumble.calibrations.tracing.problem import Explanation, Problem
 from tumble.calibrations.tracing.search import penalties, search, settled
 from tumble.calibrations.tracing.table import Table
+from tumble.messages import Message
 
 _NOTICED = 3.84
-WALK = "bias_random_walk"
+WALK = Message.named("bias_random_walk", "random walk of the bias")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -63,9 +64,9 @@ class Trace:
     @property
     def names(self) -> tuple[str, ...]:
         """Names of all effects of the catalogue that were found, those that are autocorrelated noise included."""
-        drawn = [name for name, _ in self.noise.levels if not name.startswith(MARK)]
+        random = [name for name, _ in self.noise.levels if not name.startswith(MARK)]
         walk = [WALK] if self.noise.walk else []
-        return tuple(dict.fromkeys([*(found.effect.name for found in self.named), *drawn, *walk]))
+        return tuple(dict.fromkeys([*(found.effect.name for found in self.named), *random, *walk]))
 
     @property
     def forms(self) -> list[Form]:
@@ -181,12 +182,12 @@ class Tracer(Generic[_T]):
         return list(dict.fromkeys(noises))
 
     def _with_random_effects(self, trace: Trace) -> Trace:
-        """A trace with the levels of its effects drawn; settled again where there are any."""
-        drawn = self._with_random_levels(trace)
-        if drawn.noise.levels == trace.noise.levels:
+        """A trace with random effects in its noise; settled again where there are any."""
+        random = self._with_random_levels(trace)
+        if random.noise.levels == trace.noise.levels:
             return trace
-        again = self._with_random_levels(self._settled(drawn.noise, drawn))
-        best = min(drawn, again, key=penalised_deviance)
+        again = self._with_random_levels(self._settled(random.noise, random))
+        best = min(random, again, key=penalised_deviance)
         names = [name for name, _ in best.noise.levels if not name.startswith(MARK)]
         return min((best, *(self._without(best, name) for name in names)), key=penalised_deviance)
 

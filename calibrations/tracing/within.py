@@ -1,4 +1,4 @@
-"""What changes between two visits to one setting: seen free of whatever the settings differ by."""
+"""What changes between two visits to one setting, free of whatever the settings differ by."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -16,6 +16,7 @@ from tumble.calibrations.tracing.findings import EffectFound, Unexplained
 from tumble.calibrations.tracing.linear_loop import LinearExplained, explain_linear
 from tumble.calibrations.tracing.noise import Memory
 from tumble.calibrations.tracing.table import Table, View
+from tumble.messages import Message
 
 _SPREAD = 0.25
 """Where so much of the scatter of the times lies within settings, they are what shows a drift."""
@@ -59,9 +60,17 @@ class Within:
 
 
 def too_few(rows: int, fewest: int, counted: str, visits: int = 0) -> str:
-    """Why nothing is looked for in so many settings, `counted` in words, that were visited so often; else empty."""
-    visited = f" (visited {visits} times)" if visits else ""
-    return f"{rows} {counted}{visited} are too few; at least {fewest} are needed" if rows < fewest else ""
+    """Why nothing is looked for in so many rows, `counted` in words, that were visited so often; else empty."""
+    if rows >= fewest:
+        return ""
+    if not visits:
+        return Message("{counted} are too few; at least {fewest} are needed", counted=counted, fewest=fewest)
+    return Message(
+        "{counted} (visited {visits} times) are too few; at least {fewest} are needed",
+        counted=counted,
+        visits=visits,
+        fewest=fewest,
+    )
 
 
 def lies_within(times: FloatArray, setting: NDArray[np.int64]) -> bool:

@@ -3,7 +3,10 @@
 from binascii import crc_hqx
 from typing import Final, Literal
 
-from cantools.database.can import Message, Signal
+from cantools.database.can import Message as DbcMessage
+from cantools.database.can import Signal
+
+from tumble.messages import Message
 
 _START: Final = 0xFFFF
 _BITS: Final = 16
@@ -21,10 +24,16 @@ class Checksum:
         The signal is not 16 bits wide, or does not begin at a byte.
     """
 
-    def __init__(self, message: Message, signal: Signal) -> None:
+    def __init__(self, message: DbcMessage, signal: Signal) -> None:
         first = 0 if signal.byte_order == "little_endian" else 7
         if signal.length != _BITS or signal.start % 8 != first:
-            raise ValueError(f"signal {signal.name} of message {message.name} is not two whole bytes")
+            raise ValueError(
+                Message(
+                    "signal {signal} of message {message} is not two whole bytes",
+                    signal=signal.name,
+                    message=message.name,
+                )
+            )
         self._at = signal.start // 8
         self._order: Literal["little", "big"] = "little" if signal.byte_order == "little_endian" else "big"
         self._identifier = message.frame_id.to_bytes(4 if message.is_extended_frame else 2, "little")

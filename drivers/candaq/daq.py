@@ -13,6 +13,7 @@ from tumble.drivers.clock import Clock
 from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
 from tumble.drivers.links.can_link import CanLink
 from tumble.drivers.protocols import Identity, SampleBlock
+from tumble.messages import Message
 
 TRIES: Final = 3
 REPLY_TIMEOUT_S: Final = 0.5
@@ -88,8 +89,8 @@ class CanDaq:
         if not (1 <= samples <= MOST_SAMPLES and 0.0 < rate_hz < math.inf):
             raise DeviceError(
                 DEVICE,
-                f"{samples} samples at {rate_hz:g} Hz cannot be taken",
-                f"ask for 1 to {MOST_SAMPLES} samples at a positive rate",
+                Message("{samples} samples at {rate_hz:g} Hz cannot be taken", samples=samples, rate_hz=rate_hz),
+                Message("ask for 1 to {most} samples at a positive rate", most=MOST_SAMPLES),
             )
         complaint = ""
         for _ in range(2):
@@ -104,15 +105,20 @@ class CanDaq:
                     temperature_degc=collection.temperature_degc,
                 )
             self._send(0, 0.0)
-        happened = f"{complaint}, twice in a row{self._inbox.words}"
-        raise DeviceError(DEVICE, happened, "check the load of the bus, cable and termination")
+        happened = Message("{complaint}, twice in a row{dropped}", complaint=complaint, dropped=self._inbox.words)
+        raise DeviceError(DEVICE, happened, Message("check the load of the bus, cable and termination"))
 
     def _complaint(self, collection: Collection, samples: int) -> str:
         """What is wrong with a block; empty where it is whole."""
         if collection.missing or collection.doubled:
-            return f"{collection.missing} of {samples} voltage frames were lost and {collection.doubled} came twice"
+            return Message(
+                "{missing} of {samples} voltage frames were lost and {doubled} came twice",
+                missing=collection.missing,
+                samples=samples,
+                doubled=collection.doubled,
+            )
         if self._frames.has("Temperature") and collection.temperature_degc is None:
-            return "every temperature frame was lost"
+            return Message("every temperature frame was lost")
         return ""
 
     def _stream(self, samples: int, rate_hz: float) -> Collection:
@@ -135,8 +141,8 @@ class CanDaq:
                     return frame
         raise NoReplyError(
             DEVICE,
-            f"gave no answer in {TRIES} tries{self._inbox.words}",
-            "check its power and the DBC file, then resume",
+            Message("gave no answer in {tries} tries{dropped}", tries=TRIES, dropped=self._inbox.words),
+            Message("check its power and the DBC file, then resume"),
         )
 
     def _repeats(self, frame: Frame, samples: int, rate_hz: float) -> bool:

@@ -9,6 +9,7 @@ from tumble.drivers.candaq.frames import DaqFrames
 from tumble.drivers.candaq.free import FreeRunningDaq
 from tumble.drivers.driver import Bench, Driver
 from tumble.drivers.tables import DaqTable, OnCan
+from tumble.messages import Message
 
 
 class CanDaqTable(OnCan, DaqTable):
@@ -22,7 +23,7 @@ class CanDaqTable(OnCan, DaqTable):
     @model_validator(mode="after")
     def _of_a_file(self) -> "CanDaqTable":
         if self.signals and not self.dbc:
-            raise ValueError("signals are named, and no DBC file that has them: give dbc, too")
+            raise ValueError(Message("signals are named, and no DBC file that has them: give dbc, too"))
         return self
 
 
@@ -32,7 +33,9 @@ def frames_of(table: CanDaqTable, folder: Path) -> DaqFrames:
     try:
         return DaqFrames.from_file(path, table.signals)
     except (OSError, ValueError) as error:
-        raise ValueError(f"{path}: {error}; name the DBC file of the DAQ in the stand file") from error
+        raise ValueError(
+            Message("{path}: {error}; name the DBC file of the DAQ in the stand file", path=path, error=error)
+        ) from error
 
 
 def _connect(table: CanDaqTable, bench: Bench) -> CanDaq | FreeRunningDaq:

@@ -17,6 +17,7 @@ from cantools.database.namedsignalvalue import NamedSignalValue
 from tumble.drivers.candaq.checksum import Checksum
 from tumble.drivers.candaq.naming import CRC, Part, SignalNames, load_dbc, named_parts, own_parts
 from tumble.drivers.candaq.units import unit_of
+from tumble.messages import Message
 
 OVERLOAD_V: Final = 9.9e37
 """How the value named Overload is told, as SCPI instruments do."""
@@ -110,7 +111,7 @@ class DaqFrames:
         try:
             data = part.message.encode(rest | told, strict=False)
         except (Error, OverflowError) as error:
-            raise ValueError(f"{name}: {error}") from error
+            raise ValueError(Message("{name}: {error}", name=name, error=error)) from error
         return part.message.frame_id, data if checksum is None else checksum.put_into(data)
 
     def encode_voltage(self, voltage_v: float, number: int, epoch: int) -> tuple[int, bytes]:
@@ -142,20 +143,20 @@ class DaqFrames:
     def _frame(self, part: Part, extended: bool, data: bytes) -> Frame | None:
         """A frame as a message here; None where it has none of its signals, which then come at other times."""
         if extended != part.message.is_extended_frame:
-            raise SpoiltFrameError("frames with an identifier of another length than the DBC file says")
+            raise SpoiltFrameError(Message("frames with an identifier of another length than the DBC file says"))
         if len(data) != part.message.length:
-            raise SpoiltFrameError("frames of another length than the DBC file says")
+            raise SpoiltFrameError(Message("frames of another length than the DBC file says"))
         checksum = self._checksums.get(part.name)
         if checksum is not None and not checksum.fits(data):
-            raise SpoiltFrameError("frames with a wrong checksum")
+            raise SpoiltFrameError(Message("frames with a wrong checksum"))
         try:
             decoded = part.message.decode_simple(data)
         except Exception as error:  # cantools raises several kinds, for example for an unknown multiplexer
-            raise SpoiltFrameError("frames that the DBC file does not explain") from error
+            raise SpoiltFrameError(Message("frames that the DBC file does not explain")) from error
         found = {name: signal for name, signal in part.signals.items() if signal.name in decoded}
         values = {name: self._ours(part.name, name, decoded[signal.name]) for name, signal in found.items()}
         if any(isinstance(values.get(name), str) for name in _COUNTED):
-            raise SpoiltFrameError("frames whose counter is no number")
+            raise SpoiltFrameError(Message("frames whose counter is no number"))
         return Frame(name=part.name, signals=values) if values.keys() - _COUNTED else None
 
     def _ours(self, message: str, name: str, value: float | str | NamedSignalValue) -> Value:

@@ -12,6 +12,7 @@ from tumble.drivers.clock import Clock
 from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
 from tumble.drivers.links.can_link import CanLink
 from tumble.drivers.protocols import Identity, SampleBlock
+from tumble.messages import Message
 
 FIRST_FRAME_S: Final = 2.0
 """How long the first frame may be waited for, in real time."""
@@ -92,7 +93,11 @@ class FreeRunningDaq:
             block, complaint = self._block(samples, rate_hz)
             if not complaint:
                 return block
-        raise DeviceError(DEVICE, f"{complaint}, twice in a row", "check the load of the bus, cable and termination")
+        raise DeviceError(
+            DEVICE,
+            Message("{complaint}, twice in a row", complaint=complaint),
+            Message("check the load of the bus, cable and termination"),
+        )
 
     def _block(self, samples: int, rate_hz: float) -> tuple[SampleBlock, str]:
         """A block, and what is wrong with it; empty where it is whole."""
@@ -103,7 +108,9 @@ class FreeRunningDaq:
         others: dict[str, list[float]] = {"Temperature": [], "Time": []}
         moments_s: list[float] = []
         while len(voltages_v) < samples:
-            frame = self._next(deadline_s, f"sent {len(voltages_v)} of {samples} voltages")
+            frame = self._next(
+                deadline_s, Message("sent {given} of {samples} voltages", given=len(voltages_v), samples=samples)
+            )
             if frame.name == "Voltage":
                 voltages_v.append(frame.number("Voltage"))
                 counters.append(frame.number("Counter"))
@@ -124,7 +131,11 @@ class FreeRunningDaq:
             return ""
         steps = np.diff(counters) % self._frames.counts
         wrong = int(np.count_nonzero(steps != 1))
-        return f"{wrong} of {len(counters)} voltage frames did not follow the one before" if wrong else ""
+        if not wrong:
+            return ""
+        return Message(
+            "{wrong} of {frames} voltage frames did not follow the one before", wrong=wrong, frames=len(counters)
+        )
 
     def _check_rate(self, moments_s: list[float], rate_hz: float) -> None:
         """Make sure that the frames came at the rate that the stand file says. Raises `DeviceError`."""
@@ -132,13 +143,21 @@ class FreeRunningDaq:
         taken_s, planned_s = moments_s[-1] - moments_s[0], steps / rate_hz
         ratio = max(taken_s, planned_s) / max(min(taken_s, planned_s), 1e-9)
         if ratio > _RATE_RATIO and abs(taken_s - planned_s) > _RATE_S:
-            happened = (
-                f"sends {steps / max(taken_s, 1e-9):.3g} samples a second by itself, and {rate_hz:g} were asked for"
+            happened = Message(
+                "sends {found_hz:.3g} samples a second by itself, and {rate_hz:g} were asked for",
+                found_hz=steps / max(taken_s, 1e-09),
+                rate_hz=rate_hz,
             )
-            raise DeviceError(DEVICE, happened, "write the rate at which it sends as rate_hz into the stand file")
+            raise DeviceError(
+                DEVICE, happened, Message("write the rate at which it sends as rate_hz into the stand file")
+            )
 
     def _await(self, name: str, deadline_s: float) -> Frame:
-        happened = f"sent no {self._frames.place_of(name)} within {FIRST_FRAME_S:g} s"
+        happened = Message(
+            "sent no {frame} within {patience_s:g} s",
+            frame=self._frames.place_of(name),
+            patience_s=FIRST_FRAME_S,
+        )
         while (frame := self._next(deadline_s, happened)).name != name:
             pass
         return frame
@@ -147,6 +166,8 @@ class FreeRunningDaq:
         """The next frame. Raises `NoReplyError`, which says what `happened`, after the deadline."""
         frame = self._inbox.next(deadline_s)
         if frame is None:
-            remedy = "check its power, and whether the DBC file is its own"
-            raise NoReplyError(DEVICE, f"{happened}{self._inbox.words}", remedy)
+            remedy = Message("check its power, and whether the DBC file is its own")
+            raise NoReplyError(
+                DEVICE, Message("{happened}{dropped}", happened=happened, dropped=self._inbox.words), remedy
+            )
         return frame

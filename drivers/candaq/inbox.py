@@ -10,8 +10,9 @@ import can
 from tumble.drivers.candaq.frames import DaqFrames, Frame, SpoiltFrameError
 from tumble.drivers.links.can_link import CanLink
 from tumble.drivers.links.tally import Tally
+from tumble.messages import Message
 
-DEVICE: Final = "CAN DAQ"
+DEVICE: Final = Message("CAN DAQ")
 """What errors call it."""
 
 MOST_WAITING: Final = 100_000
@@ -56,14 +57,17 @@ class Inbox:
     @property
     def words(self) -> str:
         """The same within a sentence about frames that did not come; empty where nothing was dropped."""
-        counts = ", ".join(filter(None, (self._tally.words, self._link.tally.words)))
-        return f" ({counts})" if counts else ""
+        counts = [tally.words for tally in (self._tally, self._link.tally) if tally.words]
+        return Message(" ({counts})", counts=Message.joined(", ", counts)) if counts else ""
 
     def _hear(self, message: can.Message) -> None:
         try:
             frames = self._frames.read(message.arbitration_id, message.is_extended_id, bytes(message.data))
         except SpoiltFrameError as error:
-            self._tally.count(f"{error} dropped", f"{message.arbitration_id:X}h {message.data.hex()}")
+            self._tally.count(
+                Message("{error} dropped", error=error),
+                f"{message.arbitration_id:X}h {message.data.hex()}",
+            )
             return
         for frame in frames:
             if self._received.qsize() >= MOST_WAITING:  # nobody measures, and the DAQ sends all the same

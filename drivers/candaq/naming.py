@@ -7,8 +7,11 @@ from pathlib import Path
 from typing import Final
 
 from cantools.database import load_string
-from cantools.database.can import Database, Message, Signal
+from cantools.database.can import Database, Signal
+from cantools.database.can import Message as DbcMessage
 from cantools.database.errors import Error
+
+from tumble.messages import Message
 
 SignalNames = Mapping[str, Mapping[str, str]]
 """By message and signal as they are called here, `MESSAGE.SIGNAL` as the DBC file calls it."""
@@ -37,7 +40,7 @@ class Part:
     """A message as it is called here: the message of the DBC file in which it is, and its signals there."""
 
     name: str
-    message: Message
+    message: DbcMessage
     signals: Mapping[str, Signal]
 
 
@@ -58,7 +61,7 @@ def load_dbc(path: Path, strict: bool) -> Database:
     try:
         database = load_string(read_dbc(path), "dbc", strict=strict)
     except Error as error:
-        raise ValueError(f"{path} is no DBC file ({error})") from error
+        raise ValueError(Message("{path} is no DBC file ({error})", path=path, error=error)) from error
     assert isinstance(database, Database)
     return database
 
@@ -69,8 +72,12 @@ def own_parts(database: Database) -> list[Part]:
     missing = next((name for name in SIGNALS if name not in messages), None)
     if missing:
         raise ValueError(
-            f"the DBC file has no message {missing}; see the one that comes along for all names, or write in "
-            f"[daq.signals] what it calls them; it has {_offered(messages)}"
+            Message(
+                "the DBC file has no message {missing}; see the one that comes along for all names, or write "
+                "in [daq.signals] what it calls them; it has {offered}",
+                missing=missing,
+                offered=_offered(messages),
+            )
         )
     return [
         _part(messages[name], {signal: signal for signal in signals}, name)
@@ -91,34 +98,64 @@ def _check_keys(names: SignalNames) -> None:
     for name, signals in names.items():
         if unknown := sorted(set(signals) - set(_KNOWN.get(name, ()))):
             known = ", ".join(f"{message}.{signal}" for message in _KNOWN for signal in _KNOWN[message])
-            raise ValueError(f"[daq.signals] names {name}.{unknown[0]}, and there may be {known}")
+            raise ValueError(
+                Message(
+                    "[daq.signals] names {name}.{unknown}, and there may be {known}",
+                    name=name,
+                    unknown=unknown[0],
+                    known=known,
+                )
+            )
     told = "Command" in names or "Started" in names
     needed = SIGNALS if told else {"Voltage": ("Voltage",)}
     missing = [f"{name}.{s}" for name, signals in needed.items() for s in signals if s not in names.get(name, {})]
     if missing:
-        why = "a DAQ that is told to begin needs it" if told else "it is what is measured"
-        raise ValueError(f"[daq.signals] does not say which signal is {missing[0]}; {why}")
+        why = Message("a DAQ that is told to begin needs it") if told else Message("it is what is measured")
+        raise ValueError(
+            Message("[daq.signals] does not say which signal is {missing}; {why}", missing=missing[0], why=why)
+        )
 
 
-def _named_part(name: str, signals: Mapping[str, str], messages: Mapping[str, Message]) -> Part:
+def _named_part(name: str, signals: Mapping[str, str], messages: Mapping[str, DbcMessage]) -> Part:
     places = {signal: place.rpartition(".")[::2] for signal, place in signals.items()}
     for signal, (message, _) in places.items():
         if message not in messages:
             said = f"{name}.{signal} = {signals[signal]!r}"
-            raise ValueError(f"[daq.signals] {said}: the DBC file has no such message; it has {_offered(messages)}")
+            raise ValueError(
+                Message(
+                    "[daq.signals] {said}: the DBC file has no such message; it has {offered}",
+                    said=said,
+                    offered=_offered(messages),
+                )
+            )
     if len(found := sorted({message for message, _ in places.values()})) > 1:
-        raise ValueError(f"[daq.signals] {name} is in the messages {' and '.join(found)}; it must be in one")
+        raise ValueError(
+            Message(
+                "[daq.signals] {name} is in the messages {found}; it must be in one",
+                name=name,
+                found=Message("{first} and {last}", first=", ".join(found[:-1]), last=found[-1]),
+            )
+        )
     if not found:
-        raise ValueError(f"[daq.signals] {name} names no signal; write MESSAGE.SIGNAL of the DBC file, or leave it out")
+        raise ValueError(
+            Message(
+                "[daq.signals] {name} names no signal; write MESSAGE.SIGNAL of the DBC file, or leave it out", name=name
+            )
+        )
     return _part(messages[found[0]], {signal: there for signal, (_, there) in places.items()}, name)
 
 
-def _part(message: Message, names: Mapping[str, str], name: str) -> Part:
+def _part(message: DbcMessage, names: Mapping[str, str], name: str) -> Part:
     present = {signal.name: signal for signal in message.signals}
     for there in names.values():
         if there not in present:
             raise ValueError(
-                f"message {message.name} of the DBC file has no signal {there}; it has {_offered(present)}"
+                Message(
+                    "message {message} of the DBC file has no signal {signal}; it has {offered}",
+                    message=message.name,
+                    signal=there,
+                    offered=_offered(present),
+                )
             )
     signals = {signal: present[there] for signal, there in names.items()}
     if all(signal == there for signal, there in names.items()) and CRC in present:
@@ -129,5 +166,5 @@ def _part(message: Message, names: Mapping[str, str], name: str) -> Part:
 def _offered(names: Mapping[str, object]) -> str:
     """Some names, for whoever has to choose."""
     listed = sorted(names)
-    more = f" and {len(listed) - _MOST_OFFERED} more" if len(listed) > _MOST_OFFERED else ""
+    more = Message(" and {count} more", count=len(listed) - _MOST_OFFERED) if len(listed) > _MOST_OFFERED else ""
     return (", ".join(listed[:_MOST_OFFERED]) or "none") + more

@@ -5,6 +5,8 @@ from typing import Final
 
 from cantools.database.can import Signal
 
+from tumble.messages import Message
+
 
 @dataclass(frozen=True)
 class Unit:
@@ -29,6 +31,8 @@ _VOLTS: Final = {"v": OURS, "volt": OURS, "volts": OURS, "mv": Unit(1e-3), "uv":
 _SECONDS: Final = {"s": OURS, "sec": OURS, "ms": Unit(1e-3), "us": _MICRO, "µs": _MICRO, "μs": _MICRO}
 _TEMPERATURES: Final = {"k": Unit(1.0, -273.15), "°f": _FAHRENHEIT, "degf": _FAHRENHEIT}
 
+_WORDS: Final = {"Voltage": Message("voltage"), "Time": Message("time")}
+
 
 def unit_of(what: str, signal: Signal) -> Unit:
     """Unit of a signal that tells `what`; ours where it says none, and °C where its unit of temperature is no other.
@@ -43,6 +47,11 @@ def unit_of(what: str, signal: Signal) -> Unit:
         return OURS
     if unit not in known:
         raise ValueError(
-            f"signal {signal.name} of the DBC file is in {signal.unit}, which is no unit of a {what.lower()}"
+            Message(
+                "signal {signal} of the DBC file is in {unit}, which is no unit of a {what}",
+                signal=signal.name,
+                unit=signal.unit,
+                what=_WORDS[what],
+            )
         )
     return known[unit]

@@ -14,6 +14,7 @@ from tumble.drivers.errors import DeviceError, LimitError, NoReplyError, Referen
 from tumble.drivers.limits import check_limits
 from tumble.drivers.links.can_link import CanLink
 from tumble.drivers.protocols import Identity, PositionerStatus
+from tumble.messages import Message
 
 ANSWER_S: Final = 2.0
 """How long the drive may take to change its state or mode, or to take a set-point, in real seconds."""
@@ -100,7 +101,7 @@ class Cia402Head:
         self._node.write_where_offered(objects.QUICK_STOP_OPTION, _STAY_STOPPED)  # optional (CiA 402-2)
         if states.is_moving(self._node.read(objects.STATUSWORD)):
             self.stop()
-            self._await("come to rest", states.TARGET_REACHED, states.TARGET_REACHED)
+            self._await(Message("come to rest"), states.TARGET_REACHED, states.TARGET_REACHED)
         self._homed = modes.says_homed(self._node, ANSWER_S)
         self._believe()
 
@@ -143,16 +144,19 @@ class Cia402Head:
         counts = self._counts(angle_deg)
         self._refuse_fault()
         if not self._referenced:
-            raise ReferenceLostError(self._node.device, "has lost its reference", "home it before it is moved")
+            raise ReferenceLostError(
+                self._node.device, Message("has lost its reference"), Message("home it before it is moved")
+            )
         self._enable(Mode.PROFILE_POSITION)
         self._node.write(objects.PROFILE_VELOCITY, max(1, round(abs(self._speed_deg_s * self._steps_per_deg))))
         self._node.write(objects.TARGET_POSITION, counts)
-        self._await("be ready for a set-point", states.ACKNOWLEDGED, 0)  # this bit says "homed" in the mode before
+        # This bit says "homed" in the mode before.
+        self._await(Message("be ready for a set-point"), states.ACKNOWLEDGED, 0)
         self._set_out(target=counts)
         self._control(states.ENABLE | states.START | states.AT_ONCE)
-        self._await("take the set-point", states.ACKNOWLEDGED, states.ACKNOWLEDGED)
+        self._await(Message("take the set-point"), states.ACKNOWLEDGED, states.ACKNOWLEDGED)
         self._control(states.ENABLE)
-        self._await("be ready for the next set-point", states.ACKNOWLEDGED, 0)
+        self._await(Message("be ready for the next set-point"), states.ACKNOWLEDGED, 0)
 
     def status(self) -> PositionerStatus:
         """Read position and motion back.
@@ -188,7 +192,7 @@ class Cia402Head:
             self._control(states.DISABLE_VOLTAGE)
             self._control(states.FAULT_RESET)
             self._node.emergency = None
-            self._await("leave its fault", states.STATUS[State.FAULT][0], 0x40)
+            self._await(Message("leave its fault"), states.STATUS[State.FAULT][0], 0x40)
         if self._node.read(objects.ERROR_REGISTER):
             raise self._node.fault(self._error_code())
         self._node.emergency = None
@@ -204,8 +208,12 @@ class Cia402Head:
         check_limits(self._node.device, angle_deg, self._limits_deg)
         counts = round(angle_deg * self._steps_per_deg)
         if abs(counts) > _MOST_COUNTS:
-            happened = f"cannot count to {angle_deg:g} deg, which are {counts} of its position units"
-            raise LimitError(self._node.device, happened, "choose coarser position units in the drive")
+            happened = Message(
+                "cannot count to {angle_deg:g} deg, which are {counts} of its position units",
+                angle_deg=angle_deg,
+                counts=counts,
+            )
+            raise LimitError(self._node.device, happened, Message("choose coarser position units in the drive"))
         return counts
 
     @property
@@ -235,10 +243,10 @@ class Cia402Head:
         while (state := modes.state(self._node)) is not State.ENABLED:
             if state in states.TOWARDS_ENABLED:
                 self._control(states.TOWARDS_ENABLED[state])
-            self._pause(deadline_s, "become enabled")
+            self._pause(deadline_s, Message("become enabled"))
         if not modes.shows(self._node, mode, ANSWER_S):
             self._refuse_fault()
-            raise self._did_not(f"enter the mode {mode.name.lower().replace('_', ' ')}")
+            raise self._did_not(Message("enter the mode {mode}", mode=mode.name.lower().replace("_", " ")))
 
     def _error_code(self) -> int:
         """What the drive says of its fault; 0 where it does not (603Fh is optional in CiA 402)."""
@@ -252,8 +260,10 @@ class Cia402Head:
         if state in (State.FAULT, State.FAULT_REACTION):
             return self._node.fault(self._error_code())
         if state is State.ENABLED and statusword & states.MOTION_ERROR:
-            what = "homing failed" if mode == Mode.HOMING else "the head does not follow its set-point"
-            return DeviceError(self._node.device, what, "look for what blocks it, then resume the run")
+            what = (
+                Message("homing failed") if mode == Mode.HOMING else Message("the head does not follow its set-point")
+            )
+            return DeviceError(self._node.device, what, Message("look for what blocks it, then resume the run"))
         return None
 
     def _tell_once(self, complaint: DeviceError | None) -> None:
@@ -286,4 +296,6 @@ class Cia402Head:
         time.sleep(modes.POLL_S)
 
     def _did_not(self, what: str) -> NoReplyError:
-        return NoReplyError(self._node.device, f"did not {what}", "check its supply and its parameters")
+        return NoReplyError(
+            self._node.device, Message("did not {what}", what=what), Message("check its supply and its parameters")
+        )

@@ -18,6 +18,7 @@ from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
 from tumble.drivers.links.can_link import CanLink
 from tumble.drivers.links.patience import in_words
 from tumble.drivers.links.tally import Tally
+from tumble.messages import Message
 
 TRIES: Final = 3
 REPLY_TIMEOUT_S: Final = 0.5
@@ -53,7 +54,7 @@ class DriveNode:
     """
 
     def __init__(self, link: CanLink, node_id: int) -> None:
-        self.device = f"CAN drive, node {node_id}"
+        self.device = Message("CAN drive, node {node_id}", node_id=node_id)
         self.booted = False
         """Whether it has told of a start since this was last set to false."""
         self.emergency: int | None = None
@@ -94,16 +95,16 @@ class DriveNode:
         if self._beats and not self._alive():
             raise LinkLostError(
                 self.device,
-                f"has given no heartbeat for {PATIENCE_S:g} s",
-                "check its power and the cable; the run can be resumed",
+                Message("has given no heartbeat for {patience_s:g} s", patience_s=PATIENCE_S),
+                Message("check its power and the cable; the run can be resumed"),
             )
 
     def fault(self, code: int) -> DeviceError:
         """The error that says what the drive complains of."""
         return DeviceError(
             self.device,
-            f"reports {emergency_words(code)}",
-            "remove the cause, make sure that the head is free to turn, then resume the run",
+            Message("reports {emergency}", emergency=emergency_words(code)),
+            Message("remove the cause, make sure that the head is free to turn, then resume the run"),
         )
 
     def read(self, index: int, subindex: int = 0) -> int:
@@ -163,7 +164,7 @@ class DriveNode:
             except SdoAbortedError as error:
                 raise self._refused(variable, error) from error
             except Exception as error:  # canopen raises several kinds for an answer that is none
-                reason = "" if isinstance(error, SdoCommunicationError) else f" that can be read ({in_words(error)})"
+                reason = "" if isinstance(error, SdoCommunicationError) else in_words(error)
                 time.sleep(_LATE_S)
         raise self._silent(reason)
 
@@ -175,8 +176,13 @@ class DriveNode:
     def _refused(self, variable: ODVariable, error: SdoAbortedError) -> DeviceError:
         return DeviceError(
             self.device,
-            f"refused object {variable.index:04X}h ({variable.name.lower()}): {abort_words(error.code)}",
-            "check that it is a CiA 402 drive with profile position and homing, and its parameters",
+            Message(
+                "refused object {index:04X}h ({name}): {reason}",
+                index=variable.index,
+                name=variable.name.lower(),
+                reason=abort_words(error.code),
+            ),
+            Message("check that it is a CiA 402 drive with profile position and homing, and its parameters"),
         )
 
     def _alive(self) -> bool:
@@ -185,10 +191,18 @@ class DriveNode:
     def _silent(self, reason: str) -> DeviceError:
         """The error for a node that does not answer: is it there at all?"""
         self._link.check()
-        happened = f"gave no SDO answer{reason} in {TRIES} tries"
+        happened = Message("gave no SDO answer in {tries} tries", tries=TRIES)
+        if reason:
+            happened = Message(
+                "gave no SDO answer that can be read ({reason}) in {tries} tries", reason=reason, tries=TRIES
+            )
         if self._alive():
-            return NoReplyError(self.device, happened, "switch it off and on, then resume the run")
-        return LinkLostError(self.device, f"{happened} and no heartbeat", "check its power, node number and cable")
+            return NoReplyError(self.device, happened, Message("switch it off and on, then resume the run"))
+        return LinkLostError(
+            self.device,
+            Message("{happened} and no heartbeat", happened=happened),
+            Message("check its power, node number and cable"),
+        )
 
     def _hear_heartbeat(self, state: int) -> None:
         self._heard_s = time.monotonic()
@@ -222,12 +236,13 @@ class _LinkNetwork(canopen.Network):
             return
         try:
             if message.is_extended_id:
-                raise ValueError("an identifier here has 11 bits")
+                raise ValueError(Message("an identifier here has 11 bits"))
             if can_id & _FUNCTION == _SDO_ANSWER and len(data) != _SDO_BYTES:
-                raise ValueError("an SDO answer has 8 bytes")
+                raise ValueError(Message("an SDO answer has 8 bytes"))
             self.notify(can_id, data, message.timestamp)
         except Exception as error:  # canopen raises several kinds, and nobody would see them in this thread
             if can_id & _NODE == self._node_id:
                 self._tally.count(
-                    "messages dropped that cannot be read", f"{can_id:X}h {data.hex()}: {in_words(error)}"
+                    Message("messages dropped that cannot be read"),
+                    f"{can_id:X}h {data.hex()}: {in_words(error)}",
                 )

@@ -5,6 +5,8 @@ from dataclasses import dataclass, field
 from typing import Self
 from urllib.parse import parse_qsl
 
+from tumble.messages import Message
+
 Option = int | float | str
 """What python-can takes as an option of an interface."""
 
@@ -27,7 +29,9 @@ class CanAddress:
         place, _, query = url.partition("?")
         interface, colon, channel = place.partition(":")
         if not (interface and colon and channel):
-            raise ValueError(f"{url!r} names no CAN bus; write INTERFACE:CHANNEL, for example socketcan:can0")
+            raise ValueError(
+                Message("{url!r} names no CAN bus; write INTERFACE:CHANNEL, for example socketcan:can0", url=url)
+            )
         options = {name: _plain(text) for name, text in parse_qsl(query)}
         return cls(interface=interface, channel=channel, options=options)
 

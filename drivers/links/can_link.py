@@ -16,6 +16,7 @@ from tumble.drivers.links.places import check_server
 from tumble.drivers.links.slcan import SlcanBus
 from tumble.drivers.links.socketcand import SocketcandBus
 from tumble.drivers.links.tally import Tally
+from tumble.messages import Message
 
 SEND_TIMEOUT_S: Final = 1.0
 """How long a frame may be tried to be sent, in real time."""
@@ -54,11 +55,11 @@ class CanLink:
         self.address = address
         self.generation = 0
         """How often the bus has been opened."""
-        self.tally = Tally(f"CAN bus {address.url}")
+        self.tally = Tally(Message("CAN bus {url}", url=address.url))
         """What was dropped, and what was tried again."""
         self._lock = threading.Lock()
         self._listeners: list[Listener] = []
-        self._trouble = "it is closed"
+        self._trouble: str = Message("it is closed")
         self._bus: can.BusABC | None = None
         self._thread: threading.Thread | None = None
         self.reopen(self.generation)
@@ -98,7 +99,7 @@ class CanLink:
             self.generation += 1
             self._trouble = ""
             self._bus = bus
-            name = f"receiving from {self.address.url}"
+            name = Message("receiving from {url}", url=self.address.url)
             self._thread = threading.Thread(target=self._receive, args=(bus,), name=name, daemon=True)
             self._thread.start()
         return self.generation
@@ -106,7 +107,7 @@ class CanLink:
     def close(self) -> None:
         """Leave the bus; a closed link stays closed until it is reopened."""
         bus, self._bus = self._bus, None
-        self._trouble = "it is closed"
+        self._trouble = Message("it is closed")
         if self._thread is not None:
             self._thread.join()
         if bus is not None:
@@ -120,16 +121,16 @@ class CanLink:
 
     def _lost(self) -> LinkLostError:
         return LinkLostError(
-            f"CAN bus {self.address.url}",
-            f"the link is lost ({self._trouble})",
-            "check interface, cable, termination and bit rate; the run can be resumed",
+            Message("CAN bus {url}", url=self.address.url),
+            Message("the link is lost ({trouble})", trouble=self._trouble),
+            Message("check interface, cable, termination and bit rate; the run can be resumed"),
         )
 
     def _bears(self, error: Exception) -> bool:
         """Whether to try to send again after an error."""
         if is_gone(error) or self._trouble:
             return False
-        self.tally.count("frames sent only after a failure", in_words(error))
+        self.tally.count(Message("frames sent only after a failure"), in_words(error))
         return True
 
     def _receive(self, bus: can.BusABC) -> None:
@@ -151,18 +152,21 @@ class CanLink:
         if is_gone(error) or failing_s > FAILING_S:
             raise error
         if isinstance(error, (can.CanError, OSError)):
-            self.tally.count("failures to receive, tried again", in_words(error))
+            self.tally.count(Message("failures to receive, tried again"), in_words(error))
             time.sleep(PAUSE_S)
         else:
-            self.tally.count("cut or garbled frames dropped", in_words(error))
+            self.tally.count(Message("cut or garbled frames dropped"), in_words(error))
 
     def _deliver(self, message: can.Message | None) -> None:
         if message is None:
             return
         if message.is_error_frame and message.arbitration_id & BUS_OFF:
-            self._trouble = "bus-off: too many errors on the wire, and the interface took itself off"
+            self._trouble = Message("bus-off: too many errors on the wire, and the interface took itself off")
         if unusable := _unusable(message):
-            self.tally.count(f"{unusable} dropped", f"identifier {message.arbitration_id:X}h")
+            self.tally.count(
+                Message("{unusable} dropped", unusable=unusable),
+                Message("identifier {can_id:X}h", can_id=message.arbitration_id),
+            )
             return
         for listener in list(self._listeners):
             listener(message)
@@ -171,10 +175,10 @@ class CanLink:
 def _unusable(message: can.Message) -> str:
     """What kind of frame it is, where no instrument here could use it; else empty."""
     kinds = {
-        "error frames": message.is_error_frame,
-        "remote frames": message.is_remote_frame,
-        "CAN FD frames": message.is_fd,
-        "cut frames": len(message.data) != message.dlc,
+        Message("error frames"): message.is_error_frame,
+        Message("remote frames"): message.is_remote_frame,
+        Message("CAN FD frames"): message.is_fd,
+        Message("cut frames"): len(message.data) != message.dlc,
     }
     return next((kind for kind, holds in kinds.items() if holds), "")
 

@@ -5,6 +5,8 @@ import time
 from collections.abc import Callable, Iterator
 from typing import Final, TypeVar
 
+from tumble.messages import Message
+
 PAUSE_S: Final = 0.005
 """Between two tries, in real time."""
 
@@ -60,7 +62,9 @@ def patiently(action: Callable[[], Result], granted_s: float, bearable: Callable
 def in_words(error: BaseException) -> str:
     """Why something failed; the kind of error too, where that says more than its text."""
     text = str(error)
-    return text if text and isinstance(error, OSError) else f"{type(error).__name__}: {text}".removesuffix(": ")
+    if text and isinstance(error, OSError):
+        return text
+    return Message("{kind}: {text}", kind=type(error).__name__, text=text) if text else type(error).__name__
 
 
 def _causes(error: BaseException | None) -> Iterator[BaseException]:

@@ -9,6 +9,7 @@ from typing import Final
 from urllib.parse import urlsplit
 
 from tumble.drivers.links.can_address import CanAddress
+from tumble.messages import Message
 
 LOOPBACK: Final = "127.0.0.1"
 _NETWORKED: Final = ("socket", "rfc2217")
@@ -50,7 +51,11 @@ def check_network(url: str) -> None:
         place = urlsplit(url)
         host, port = place.hostname, place.port
     if not host or port not in _PORTS:
-        raise ValueError(f"{url!r} names no host and port; write such as socket://127.0.0.1:7001, with a port to 65535")
+        raise ValueError(
+            Message(
+                "{url!r} names no host and port; write such as socket://127.0.0.1:7001, with a port to 65535", url=url
+            )
+        )
 
 
 def check_scheme(url: str) -> None:
@@ -58,7 +63,14 @@ def check_scheme(url: str) -> None:
     scheme, is_url, _ = url.partition("://")
     if is_url and scheme.casefold() not in _SCHEMES:
         known = ", ".join(f"{known}://" for known in _SCHEMES)
-        raise ValueError(f"{url!r} begins with {scheme}://, and a serial line with a port name or {known}")
+        raise ValueError(
+            Message(
+                "{url!r} begins with {scheme}://, and a serial line with a port name or {known}",
+                url=url,
+                scheme=scheme,
+                known=known,
+            )
+        )
 
 
 def check_server(bus: CanAddress) -> None:
@@ -67,12 +79,20 @@ def check_server(bus: CanAddress) -> None:
         return
     if not (bus.options.get("host") and bus.options.get("port") in _PORTS):
         raise ValueError(
-            f"{bus.url!r} names no server; write such as socketcand:can0?host=127.0.0.1&port=29536, a port to 65535"
+            Message(
+                "{url!r} names no server; write such as socketcand:can0?host=127.0.0.1&port=29536, a port to 65535",
+                url=bus.url,
+            )
         )
     if unknown := [name for name in bus.options if name not in _OF_SERVERS]:
         raise ValueError(
-            f"{bus.url!r}: socketcand has no option {', '.join(unknown)}, only {', '.join(_OF_SERVERS)}; leave it out "
-            "(the bit rate is set at the server)"
+            Message(
+                "{url!r}: socketcand has no option {unknown}, only {known}; leave it out (the bit rate "
+                "is set at the server)",
+                url=bus.url,
+                unknown=", ".join(unknown),
+                known=", ".join(_OF_SERVERS),
+            )
         )
 
 

@@ -12,6 +12,7 @@ import serial
 
 from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
 from tumble.drivers.links.patience import in_words, is_passing, patiently
+from tumble.messages import Message
 
 WRITE_TIMEOUT_S: Final = 2.0
 MOST_LINE_BYTES: Final = 1 << 20
@@ -93,13 +94,19 @@ class SerialLink:
             if time.monotonic() > deadline_s:
                 raise NoReplyError(
                     self.device,
-                    f"gave no answer at {self.url} within {timeout_s:g} s",
-                    "check that it is switched on and that address and baud rate are right",
+                    Message("gave no answer at {url} within {timeout_s:g} s", url=self.url, timeout_s=timeout_s),
+                    Message("check that it is switched on and that address and baud rate are right"),
                 )
             self._receive()
             if len(self._waiting) > MOST_LINE_BYTES and terminator not in self._waiting:
                 self._waiting.clear()
-                raise self._chatters(f"sent {MOST_LINE_BYTES} bytes at {self.url} without the end of a line")
+                raise self._chatters(
+                    Message(
+                        "sent {most} bytes at {url} without the end of a line",
+                        most=MOST_LINE_BYTES,
+                        url=self.url,
+                    )
+                )
         end = self._waiting.index(terminator) + len(terminator)
         line = bytes(self._waiting[:end])
         del self._waiting[:end]
@@ -138,8 +145,8 @@ class SerialLink:
         except Exception as error:  # pyserial lets through what the system's terminals raise
             raise LinkLostError(
                 self.device,
-                f"cannot be reached at {self.url} ({in_words(error)})",
-                "check cable, power and port, and the url in the stand file",
+                Message("cannot be reached at {url} ({reason})", url=self.url, reason=in_words(error)),
+                Message("check cable, power and port, and the url in the stand file"),
             ) from error
 
     def close(self) -> None:
@@ -170,7 +177,7 @@ class SerialLink:
         while port.in_waiting and (data := port.read(_CHUNK_BYTES if self._is_socket else port.in_waiting)):
             thrown_away += len(data)
             if thrown_away > MOST_STALE_BYTES or time.monotonic() > deadline_s:
-                raise self._chatters(f"sends without pause at {self.url}")
+                raise self._chatters(Message("sends without pause at {url}", url=self.url))
 
     def _receive(self) -> None:
         """Take what has come; wait a moment for the first byte."""
@@ -189,7 +196,7 @@ class SerialLink:
     def _watched(self) -> Iterator[serial.Serial]:
         """The open port; whatever fails there closes it and is told as a lost link."""
         if self._port is None:
-            raise self._lost("the port is closed")
+            raise self._lost(Message("the port is closed"))
         try:
             yield self._port
         except DeviceError:
@@ -200,12 +207,16 @@ class SerialLink:
 
     def _chatters(self, how: str) -> NoReplyError:
         return NoReplyError(
-            self.device, f"{how}, unasked", "check the baud rate, and that nothing else talks on this line"
+            self.device,
+            Message("{how}, unasked", how=how),
+            Message("check the baud rate, and that nothing else talks on this line"),
         )
 
     def _lost(self, why: str) -> LinkLostError:
         return LinkLostError(
-            self.device, f"the link at {self.url} is lost ({why})", "check cable and power; the run can be resumed"
+            self.device,
+            Message("the link at {url} is lost ({why})", url=self.url, why=why),
+            Message("check cable and power; the run can be resumed"),
         )
 
 

@@ -7,6 +7,8 @@ from typing import Any, Final
 import can
 from can.interfaces.slcan import slcanBus
 
+from tumble.messages import Message
+
 MOST_LINE_BYTES: Final = 256
 """More without the end of a line is noise; the longest line, of CAN FD, has 138 bytes and a time stamp."""
 LINE_ENDS: Final = re.compile(rb"[\r\a]")
@@ -44,7 +46,7 @@ class SlcanBus(slcanBus):
         while not (end := LINE_ENDS.search(self._heard)):
             if len(self._heard) > MOST_LINE_BYTES:
                 self._heard.clear()
-                raise ValueError(f"{MOST_LINE_BYTES} bytes without the end of a line")
+                raise ValueError(Message("{most} bytes without the end of a line", most=MOST_LINE_BYTES))
             came = self.serialPortOrig.read(1)
             self._heard += came + self.serialPortOrig.read(self.serialPortOrig.in_waiting)
             if not came and deadline_s is not None and time.monotonic() > deadline_s:
@@ -65,14 +67,16 @@ def message_of(line: bytes) -> can.Message | None:
         return can.Message(is_fd=True)
     if _ANSWER.fullmatch(line):
         return None
-    raise ValueError(f"{line!r} is no frame")
+    raise ValueError(Message("{line!r} is no frame", line=line))
 
 
 def _data_frame(line: bytes, standard: bytes | None, extended: bytes | None, length: bytes, _: bytes) -> can.Message:
     digits = line[(4 if standard else 9) + 1 :]
     wanted = 2 * int(length)
     if len(digits) - wanted not in (0, 4, 8):
-        raise ValueError(f"{line!r} does not have the {int(length)} bytes that it says")
+        raise ValueError(
+            Message("{line!r} does not have the {length} bytes that it says", line=line, length=int(length))
+        )
     return can.Message(
         arbitration_id=int(standard or extended or b"", 16),
         is_extended_id=standard is None,

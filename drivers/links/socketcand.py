@@ -9,6 +9,8 @@ from typing import Final
 
 import can
 
+from tumble.messages import Message
+
 CONNECT_TIMEOUT_S: Final = 2.0
 """For the connection, each answer of the server, and whatever is sent."""
 MOST_MESSAGE_BYTES: Final = 256
@@ -74,7 +76,7 @@ class SocketcandBus(can.BusABC):
         start = max(self._heard.rfind(b"<", 0, end), 0)
         if junk := bytes(self._heard[:start]).strip():
             del self._heard[:start]
-            raise ValueError(f"{junk!r} is no message")
+            raise ValueError(Message("{text!r} is no message", text=junk))
         text = bytes(self._heard[start:end])
         del self._heard[:end]
         return text
@@ -85,17 +87,17 @@ class SocketcandBus(can.BusABC):
             return
         data = self._socket.recv(_CHUNK_BYTES)
         if not data:
-            raise ConnectionAbortedError("the server has closed the connection")
+            raise ConnectionAbortedError(Message("the server has closed the connection"))
         self._heard += data
         if len(self._heard) > MOST_MESSAGE_BYTES and b">" not in self._heard:
             self._heard.clear()
-            raise ValueError(f"{MOST_MESSAGE_BYTES} bytes without the end of a message")
+            raise ValueError(Message("{most} bytes without the end of a message", most=MOST_MESSAGE_BYTES))
 
     def _say(self, text: str) -> None:
         try:
             self._socket.sendall(text.encode())
         except TimeoutError as error:  # who knows how much of it has gone
-            raise ConnectionAbortedError("the server does not take what is sent") from error
+            raise ConnectionAbortedError(Message("the server does not take what is sent")) from error
 
     def _expect(self, answer: bytes) -> None:
         deadline_s = time.monotonic() + CONNECT_TIMEOUT_S
@@ -104,8 +106,10 @@ class SocketcandBus(can.BusABC):
             if text == answer:
                 return
             if text is not None:
-                raise ConnectionRefusedError(f"the server answered {text!r}, where {answer!r} was expected")
-        raise TimeoutError(f"the server gave no answer where {answer!r} was expected")
+                raise ConnectionRefusedError(
+                    Message("the server answered {text!r}, where {answer!r} was expected", text=text, answer=answer)
+                )
+        raise TimeoutError(Message("the server gave no answer where {answer!r} was expected", answer=answer))
 
 
 def message_of(text: bytes) -> can.Message | None:
@@ -123,4 +127,4 @@ def message_of(text: bytes) -> can.Message | None:
         return can.Message(arbitration_id=int(error[1], 16) & 0x1FFFFFFF, is_error_frame=True)
     if text in _ANSWERS:
         return None
-    raise ValueError(f"{text!r} is no message")
+    raise ValueError(Message("{text!r} is no message", text=text))

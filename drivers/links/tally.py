@@ -3,6 +3,8 @@
 from threading import Lock
 from typing import Final
 
+from tumble.messages import Message
+
 TOLD_EVERY: Final = 10
 """A number is told again once it is so many times as great."""
 _LONGEST_EXAMPLE: Final = 60
@@ -42,17 +44,20 @@ class Tally:
     def words(self) -> str:
         """Everything so far in a few words; empty where there is nothing."""
         with self._lock:
-            return ", ".join(f"{what}: {count}" for what, count in self._counts.items())
+            counts = [Message("{what}: {times}", what=what, times=times) for what, times in self._counts.items()]
+            return Message.joined(", ", counts) if counts else ""
 
     def _telling(self, times: int) -> tuple[str, ...]:
         with self._lock:
             due = [what for what, count in self._counts.items() if self._due(what, count, times)]
             self._told |= {what: self._counts[what] for what in due}
-            return tuple(f"{self._place}: {what}: {self._counts[what]}{self._example(what)}" for what in due)
+            return tuple(map(self._sentence, due))
+
+    def _sentence(self, what: str) -> str:
+        said = Message("{place}: {what}: {times}", place=self._place, what=what, times=self._counts[what])
+        example = self._first[what]
+        return Message("{said} (the first: {example})", said=said, example=example) if example else said
 
     def _due(self, what: str, count: int, times: int) -> bool:
         told = self._told.get(what, 0)
         return count > told and count >= times * told
-
-    def _example(self, what: str) -> str:
-        return f" (the first: {self._first[what]})" if self._first[what] else ""

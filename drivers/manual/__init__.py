@@ -5,6 +5,6 @@
 """
 
 from tumble.drivers.manual.head import Eyepiece, ManualHead
-from tumble.drivers.manual.reading import format_dms, parse_reading
+from tumble.drivers.manual.reading import format_dms, on_the_circle, parse_reading
 
-__all__ = ["Eyepiece", "ManualHead", "format_dms", "parse_reading"]
+__all__ = ["Eyepiece", "ManualHead", "format_dms", "on_the_circle", "parse_reading"]

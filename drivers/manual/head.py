@@ -5,6 +5,7 @@ from typing import Protocol
 from tumble.drivers.clock import Clock
 from tumble.drivers.limits import check_limits
 from tumble.drivers.protocols import Identity, PositionerStatus
+from tumble.messages import Message
 
 
 class Eyepiece(Protocol):
@@ -80,7 +81,7 @@ class ManualHead:
 
     def start_move(self, angle_deg: float) -> None:
         """Ask for a setting. Raises `LimitError` outside the limits, or for what is no angle."""
-        check_limits("manual head", angle_deg, self._limits_deg)
+        check_limits(Message("manual head"), angle_deg, self._limits_deg)
         if angle_deg == self._setting_deg and not self._awaited:
             return
         self._setting_deg, self._awaited = angle_deg, True

@@ -3,6 +3,8 @@
 import re
 from typing import Final
 
+from tumble.messages import Message
+
 _NUMBER = r"(\d+(?:[.,]\d+)?)"
 _DEGREE_END = r"(?:\s*(?:°|º|deg|d|:)\s*|\s+)"
 _MINUTE_END = r"(?:\s*(?:′|'|min|m|:)\s*|\s+)"
@@ -27,14 +29,20 @@ def parse_reading(text: str) -> float:
     """
     found = _READING.fullmatch(text.strip())
     if found is None:
-        raise ValueError(f"{text.strip()!r} is no angle; type degrees, minutes and seconds, such as 12 34 56, or 12.5")
+        raise ValueError(
+            Message(
+                "{text!r} is no angle; type degrees, minutes and seconds, such as 12 34 56, or 12.5", text=text.strip()
+            )
+        )
     sign, *written = found.groups()
     parts = [part for part in written if part is not None]
     if any("." in part or "," in part for part in parts[:-1]):
-        raise ValueError(f"{text.strip()!r} has a fraction before its last number; type it without")
+        raise ValueError(Message("{text!r} has a fraction before its last number; type it without", text=text.strip()))
     degrees, minutes, seconds = (*(float(part.replace(",", ".")) for part in parts), 0.0, 0.0)[:3]
     if minutes >= 60.0 or seconds >= 60.0:
-        raise ValueError(f"{text.strip()!r} has 60 minutes or seconds, or more; type it with fewer than 60")
+        raise ValueError(
+            Message("{text!r} has 60 minutes or seconds, or more; type it with fewer than 60", text=text.strip())
+        )
     size_deg = (degrees * 3600.0 + minutes * 60.0 + seconds) / 3600.0
     return -size_deg if sign in {"-", "−", "–"} else size_deg
 
@@ -46,3 +54,9 @@ def format_dms(angle_deg: float) -> str:
     seconds = f"{tenths_left // 10:02d}" + (f".{tenths_left % 10}" if tenths_left % 10 else "")
     sign = "-" if angle_deg < 0 and tenths else ""
     return f"{sign}{minutes // 60}° {minutes % 60:02d}′ {seconds}″"
+
+
+def on_the_circle(angle_deg: float) -> str:
+    """An angle as the circle of a head shows it, from 0° to 360°: `35° 00′ 00″` for 395 degrees."""
+    tenths = round(angle_deg * 36000.0) % (360 * 36000)
+    return format_dms(tenths / 36000.0)

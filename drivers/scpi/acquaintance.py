@@ -13,8 +13,9 @@ from tumble.drivers.scpi.measurement import Setting, setting, voltage, written
 from tumble.drivers.scpi.models import UNKNOWN, Model, known
 from tumble.drivers.scpi.plain import PlainExchange, answered
 from tumble.drivers.scpi.taking import same
+from tumble.messages import Message
 
-DEVICE: Final = "multimeter"
+DEVICE: Final = Message("multimeter")
 USUAL_LINE_HZ: Final = 50.0
 """Where the frequency of the power line cannot be asked: at 60 Hz integration is shorter, and of whole cycles, too."""
 TRIAL_PATIENCE: Final = 2
@@ -92,8 +93,8 @@ def _line_hz(exchange: Exchange, dialect: Dialect) -> float:
     try:
         return parse_number(field)
     except CorruptReplyError as error:
-        happened = f"says that its power line has {field} Hz"
-        raise DeviceError(DEVICE, happened, "check that it speaks SCPI as a 34461A does") from error
+        happened = Message("says that its power line has {answer} Hz", answer=field)
+        raise DeviceError(DEVICE, happened, Message("check that it speaks SCPI as a 34461A does")) from error
 
 
 class _Trial:
@@ -129,7 +130,9 @@ class _Trial:
 
     def _find_marks(self) -> None:
         if not self._exchange.number():
-            self._remarks.append("does not keep a number (*ESE); the order of its answers is told by its identity")
+            self._remarks.append(
+                Message("does not keep a number (*ESE); the order of its answers is told by its identity")
+            )
 
     def _find_error_queue(self) -> None:
         self._exchange.say("*CLS")
@@ -140,7 +143,7 @@ class _Trial:
                 raise
             self._exchange.has_error_queue = False
             self._remarks.append(
-                "cannot be asked for errors (SYST:ERR?); a command that it refuses is seen by reading back"
+                Message("cannot be asked for errors (SYST:ERR?); a command that it refuses is seen by reading back")
             )
 
     def _choose_language(self) -> None:
@@ -150,8 +153,13 @@ class _Trial:
             if answer is None or not same(value, answer):
                 raise DeviceError(
                     DEVICE,
-                    f"speaks {answer or 'an unknown language'} and not {value} ({header})",
-                    f"choose {value} in its menu, and switch it off and on again",
+                    Message(
+                        "speaks {answer} and not {value} ({header})",
+                        answer=answer or Message("an unknown language"),
+                        value=value,
+                        header=header,
+                    ),
+                    Message("choose {value} in its menu, and switch it off and on again", value=value),
                 )
 
     def _knows(self, command: str) -> bool:
@@ -174,7 +182,7 @@ class _Trial:
         if answer is None or answer.strip('"') not in self._dialect.functions:
             self._exchange.errors()
             self._leave_out(function="")
-            self._remarks.append("cannot be asked what it measures (FUNC?)")
+            self._remarks.append(Message("cannot be asked what it measures (FUNC?)"))
 
     def _try_settings(self, line_hz: float) -> None:
         block = voltage(self._model, line_hz, self._range_v, TRIAL_READINGS, TRIAL_HZ)
@@ -189,21 +197,24 @@ class _Trial:
     def _do_without(self, header: str, answer: str | None) -> None:
         kept = tuple(text for text in self._dialect.settings if text.split(" ")[0] != header)
         self._leave_out(settings=kept)
-        how = "does not know" if answer is None else f"answers {answer} to"
-        self._remarks.append(f"{how} {header}, which is left as it is")
+        unknown = Message("does not know {header}, which is left as it is", header=header)
+        other = Message("answers {answer} to {header}, which is left as it is", answer=answer, header=header)
+        self._remarks.append(unknown if answer is None else other)
 
     def _try_reading(self, line_hz: float, checksummed: bool) -> None:
         """Whether readings can be asked for twice."""
         kept = self._kept(line_hz)
         if self._dialect.singly:
-            self._remarks.append("is used by the SCPI that all have, its readings are taken one by one")
+            self._remarks.append(Message("is used by the SCPI that all have, its readings are taken one by one"))
         if kept:
             return
         self._leave_out(keeps=False)
         if not checksummed:
             self._remarks.append(
-                "gives every reading once only, and this line has no checksum: a digit that is garbled on the way is "
-                "not seen; connect it by network, or judge its readings by their scatter"
+                Message(
+                    "gives every reading once only, and this line has no checksum: a digit that is garbled on the "
+                    "way is not seen; connect it by network, or judge its readings by their scatter"
+                )
             )
 
     def _kept(self, line_hz: float) -> bool:

@@ -23,6 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tumble.drivers.protocols import Identity
+from tumble.messages import Message
 
 TERMINATOR = b"\n"
 TAGS = 256
@@ -85,11 +86,13 @@ def parse_reply(line: bytes, tag: int, queries: int) -> tuple[str, ...]:
     """
     first, *answers, last = _fields(line, at_least=2)
     if parse_integer(first) != parse_integer(last):
-        raise CorruptReplyError("begin and end of the line belong to different requests")
+        raise CorruptReplyError(Message("begin and end of the line belong to different requests"))
     if parse_integer(first) != tag:
-        raise StaleReplyError(f"answer number {first} instead of {tag}")
+        raise StaleReplyError(Message("answer number {first} instead of {tag}", first=first, tag=tag))
     if len(answers) != queries:
-        raise CorruptReplyError(f"{len(answers)} answers to {queries} questions")
+        raise CorruptReplyError(
+            Message("{answers} answers to {queries} questions", answers=len(answers), queries=queries)
+        )
     return tuple(answers)
 
 
@@ -97,7 +100,7 @@ def agreed(answers: Sequence[str]) -> tuple[str, ...]:
     """The first half of answers to queries that were asked twice. Raises `CorruptReplyError` if the second differs."""
     half = len(answers) // 2
     if tuple(answers[:half]) != tuple(answers[half:]):
-        raise CorruptReplyError("two copies of the same answer differ")
+        raise CorruptReplyError(Message("two copies of the same answer differ"))
     return tuple(answers[:half])
 
 
@@ -113,7 +116,7 @@ def parse_identity(line: bytes, tag: int) -> Identity:
     """
     first, name = _fields(line, at_least=2, at_most=2)
     if parse_integer(first) != tag:
-        raise StaleReplyError(f"answer number {first} instead of {tag}")
+        raise StaleReplyError(Message("answer number {first} instead of {tag}", first=first, tag=tag))
     return parse_name(name)
 
 
@@ -121,7 +124,7 @@ def parse_name(name: str) -> Identity:
     """Read the answer to `*IDN?` alone. Raises `CorruptReplyError`."""
     parts = [part.strip() for part in name.split(",", 3)]
     if len(parts) != 4 or not all(parts[:3]):
-        raise CorruptReplyError(f"{name!r} is not maker, model, serial number and firmware")
+        raise CorruptReplyError(Message("{name!r} is not maker, model, serial number and firmware", name=name))
     maker, model, serial, firmware = parts
     return Identity(model=f"{maker} {model}", serial=serial, firmware=firmware)
 
@@ -130,7 +133,7 @@ def parse_line(line: bytes) -> str:
     """The one answer in a line. Raises `CorruptReplyError` where it is no text, or none."""
     text = line.strip(b"\r\n ")
     if not text or not all(0x20 <= octet < 0x7F for octet in text):
-        raise CorruptReplyError(f"{line[:40]!r} is no answer in plain text")
+        raise CorruptReplyError(Message("{line!r} is no answer in plain text", line=line[:40]))
     return text.decode("ascii")
 
 
@@ -140,7 +143,7 @@ def parse_readings(field: str) -> NDArray[np.float64]:
     Raises `CorruptReplyError` where anything is not a number of IEEE 488.2-1992, 8.7.
     """
     if not _READINGS.fullmatch(field):
-        raise CorruptReplyError(f"{field[:40]!r} is not a list of numbers")
+        raise CorruptReplyError(Message("{field!r} is not a list of numbers", field=field[:40]))
     tokens = [_WORDS.get(token, token) for token in field.split(",")]
     values = np.array(tokens, dtype=np.float64)
     values[values == NOT_A_NUMBER] = np.nan
@@ -151,7 +154,7 @@ def parse_number(field: str) -> float:
     """Read one number. Raises `CorruptReplyError` where it is not exactly one."""
     values = parse_readings(field)
     if len(values) != 1:
-        raise CorruptReplyError(f"{field[:40]!r} is not one number")
+        raise CorruptReplyError(Message("{field!r} is not one number", field=field[:40]))
     return float(values[0])
 
 
@@ -163,10 +166,12 @@ def parse_error(field: str) -> QueueEntry:
     """
     found = _ERROR.fullmatch(field)
     if found is None:
-        raise CorruptReplyError(f"{field[:40]!r} is not an entry of an error queue")
+        raise CorruptReplyError(Message("{field!r} is not an entry of an error queue", field=field[:40]))
     entry = QueueEntry(number=int(found[1]), text=found[2] if found[3] is None else found[3].strip())
     if (entry.number == 0) != entry.text.casefold().startswith(_ALL_WELL):
-        raise CorruptReplyError(f"{field[:40]!r} has a number and a text that do not belong together")
+        raise CorruptReplyError(
+            Message("{field!r} has a number and a text that do not belong together", field=field[:40])
+        )
     return entry
 
 
@@ -175,17 +180,17 @@ def _fields(line: bytes, *, at_least: int, at_most: int | None = None) -> list[s
     try:
         text = line.decode("ascii").rstrip("\r\n")
     except UnicodeDecodeError:
-        raise CorruptReplyError("a character that is not ASCII") from None
+        raise CorruptReplyError(Message("a character that is not ASCII")) from None
     fields: list[str] = _FIELD.findall(text)
     if ";".join(fields) != text:
-        raise CorruptReplyError("a quotation mark without its other half")
+        raise CorruptReplyError(Message("a quotation mark without its other half"))
     if not at_least <= len(fields) <= (at_most or len(fields)):
-        raise CorruptReplyError(f"{len(fields)} answers in a line")
+        raise CorruptReplyError(Message("{answers} answers in a line", answers=len(fields)))
     return fields
 
 
 def parse_integer(field: str) -> int:
     """Read the number of a request. Raises `CorruptReplyError`."""
     if not _INTEGER.fullmatch(field):
-        raise CorruptReplyError(f"{field[:20]!r} is not the number of a request")
+        raise CorruptReplyError(Message("{field!r} is not the number of a request", field=field[:20]))
     return int(field)

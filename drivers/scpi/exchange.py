@@ -20,13 +20,16 @@ from tumble.drivers.scpi.codec import (
     parse_reply,
     request,
 )
+from tumble.messages import Message
 
 ATTEMPTS: Final = 3
 LONGEST_QUEUE: Final = 50
 """An error queue that does not end after so many entries is no error queue."""
 MOST_STALE: Final = 8
 """More answers to earlier requests than this cannot be on their way."""
-ENTRY_LOST: Final = QueueEntry(number=-1, text="an answer of the error queue came to harm, and what it said is lost")
+ENTRY_LOST: Final = QueueEntry(
+    number=-1, text=Message("an answer of the error queue came to harm, and what it said is lost")
+)
 
 Answer = TypeVar("Answer")
 
@@ -137,7 +140,7 @@ class Exchange(ABC):
             if entry.number == 0:
                 return entries + [ENTRY_LOST] * bool(lost)
             entries.append(entry)
-        raise self._unbelievable("its error queue has no end")
+        raise self._unbelievable(Message("its error queue has no end"))
 
     def _await(self, read: Callable[[bytes], Answer], timeout_s: float) -> Answer:
         """The first line that answers no earlier request."""
@@ -147,7 +150,7 @@ class Exchange(ABC):
                 return read(line)
             except StaleReplyError:
                 continue
-        raise CorruptReplyError("nothing but answers to earlier requests")
+        raise CorruptReplyError(Message("nothing but answers to earlier requests"))
 
     def _given_up(self, failure: Exception) -> DeviceError:
         return failure if isinstance(failure, NoReplyError) else self._unbelievable(str(failure))
@@ -155,13 +158,13 @@ class Exchange(ABC):
     def _unbelievable(self, why: str) -> DeviceError:
         return DeviceError(
             self._device,
-            f"gave no answer that can be believed in {ATTEMPTS} attempts ({why})",
-            "check cable, earth and baud rate, and that nobody else talks to it",
+            Message("gave no answer that can be believed in {attempts} attempts ({why})", attempts=ATTEMPTS, why=why),
+            Message("check cable, earth and baud rate, and that nobody else talks to it"),
         )
 
     def _insist(self, attempt: Callable[[int], Answer]) -> Answer:
         """Try up to `ATTEMPTS` times; the attempt is told its number."""
-        failure: Exception = CorruptReplyError("it was not asked")
+        failure: Exception = CorruptReplyError(Message("it was not asked"))
         silences = 0
         for number in range(ATTEMPTS):
             try:
@@ -181,7 +184,7 @@ class Exchange(ABC):
             if current == previous:
                 return current
             previous = current
-        raise self._unbelievable("its identity is another one every time")
+        raise self._unbelievable(Message("its identity is another one every time"))
 
 
 class CompoundExchange(Exchange):

@@ -7,6 +7,7 @@ from typing import Final
 from tumble.drivers.errors import DeviceError
 from tumble.drivers.scpi.dialects import Dialect
 from tumble.drivers.scpi.models import Model
+from tumble.messages import Message
 
 TEMPERATURE_S: Final = 5.0
 """A reading of temperature takes less than this, in real seconds."""
@@ -83,9 +84,9 @@ def temperature(dialect: Dialect, sensor: str) -> Measurement:
     """
     if not dialect.temperature:
         raise DeviceError(
-            "multimeter",
-            f"is not known to measure temperature ({dialect.name} dialect)",
-            "leave temperature_sensor out of the stand file",
+            Message("multimeter"),
+            Message("is not known to measure temperature ({dialect} dialect)", dialect=dialect.name),
+            Message("leave temperature_sensor out of the stand file"),
         )
     command, *settings = dialect.temperature
     return Measurement(
@@ -125,7 +126,11 @@ def _values(model: Model, line_hz: float, range_v: float | None, count: int, rat
     fitting = [nplc for nplc in model.nplc if nplc / line_hz <= interval_s * (1.0 + TOLERANCE)]
     most_hz = model.most_hz or (line_hz / model.nplc[0] if model.nplc else rate_hz)
     if rate_hz > most_hz * (1.0 + TOLERANCE) or (model.nplc and not fitting):
-        raise DeviceError("multimeter", f"cannot take {rate_hz:g} samples a second", f"ask for {most_hz:g} at most")
+        raise DeviceError(
+            Message("multimeter"),
+            Message("cannot take {rate_hz:g} samples a second", rate_hz=rate_hz),
+            Message("ask for {most_hz:g} at most", most_hz=most_hz),
+        )
     nplc = fitting[-1] if fitting else 0.0
     return {
         "expected_v": "DEF" if range_v is None else range_v,

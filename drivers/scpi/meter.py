@@ -14,6 +14,7 @@ from tumble.drivers.scpi.acquaintance import DEVICE, Acquaintance, acquaint
 from tumble.drivers.scpi.exchange import Link
 from tumble.drivers.scpi.measurement import Measurement, temperature, voltage
 from tumble.drivers.scpi.taking import perform, perform_singly
+from tumble.messages import Message
 
 MOST_AT_ONCE: Final = 10_000
 """Readings that are fetched in one answer, at most."""
@@ -115,8 +116,8 @@ class ScpiMultimeter:
             The meter or the way to it is gone.
         """
         if samples < 1 or not rate_hz > 0.0:
-            happened = f"{samples} samples at {rate_hz:g} Hz cannot be taken"
-            raise DeviceError(DEVICE, happened, "ask for at least one sample at a positive rate")
+            happened = Message("{samples} samples at {rate_hz:g} Hz cannot be taken", samples=samples, rate_hz=rate_hz)
+            raise DeviceError(DEVICE, happened, Message("ask for at least one sample at a positive rate"))
         began_s = self._clock.monotonic_s()
         taken = self._taken(self._acquaintance(), samples, rate_hz)
         return SampleBlock(

@@ -19,6 +19,7 @@ from tumble.drivers.scpi.dialects import (
     TRUEVOLT_TIMER,
     Dialect,
 )
+from tumble.messages import Message
 
 DECADES_V: Final = (0.1, 1.0, 10.0, 100.0, 1000.0)
 TWICE_DECADES_V: Final = (0.2, 2.0, 20.0, 200.0, 1000.0)
@@ -95,8 +96,13 @@ def known(identity: Identity) -> Model:
     model = MODELS.get(name.upper())
     if model is None or not maker.casefold().startswith(model.makers):
         raise DeviceError(
-            "multimeter",
-            f"says that it is {identity.model!r}, which is not among the meters that are known by name",
-            f'write dialect = "common" in [daq] to use it as any meter with SCPI, or connect {", ".join(MODELS)}',
+            Message("multimeter"),
+            Message(
+                "says that it is {model!r}, which is not among the meters that are known by name", model=identity.model
+            ),
+            Message(
+                'write dialect = "common" in [daq] to use it as any meter with SCPI, or connect {models}',
+                models=", ".join(MODELS),
+            ),
         )
     return model

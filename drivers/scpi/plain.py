@@ -30,6 +30,7 @@ from tumble.drivers.scpi.codec import (
     parse_name,
 )
 from tumble.drivers.scpi.exchange import Exchange, Link
+from tumble.messages import Message
 
 EVERYBODYS_BITS: Final = 0b10111101
 """Bits of the event register that IEEE 488.2 gives a meaning to which no multimeter leaves out."""
@@ -116,7 +117,7 @@ class PlainExchange(Exchange):
         self._check(tag, extra_s)
         half = len(answers) // 2
         if answers[:half] != answers[half:]:
-            raise CorruptReplyError("two copies of the same answer differ")
+            raise CorruptReplyError(Message("two copies of the same answer differ"))
         return answers[:half]
 
     def _answer(self, query: str, extra_s: float) -> str:
@@ -139,7 +140,9 @@ class PlainExchange(Exchange):
         try:
             self._passed(answer, tag)
         except StaleReplyError as error:
-            raise CorruptReplyError(f"{answer[:40]!r} where the number of the request should be") from error
+            raise CorruptReplyError(
+                Message("{answer!r} where the number of the request should be", answer=answer[:40])
+            ) from error
 
     def _passed(self, answer: str, tag: int) -> None:
         """Raises `StaleReplyError` where a line is not that of the mark."""
@@ -148,7 +151,7 @@ class PlainExchange(Exchange):
         except CorruptReplyError:
             right = False
         if not right:
-            raise StaleReplyError(f"{answer[:40]!r} answers something else")
+            raise StaleReplyError(Message("{answer!r} answers something else", answer=answer[:40]))
 
     @property
     def _mark(self) -> str:

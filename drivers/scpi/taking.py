@@ -13,8 +13,9 @@ from tumble.drivers.scpi.codec import CorruptReplyError, parse_number, parse_rea
 from tumble.drivers.scpi.exchange import ATTEMPTS, Exchange
 from tumble.drivers.scpi.measurement import TOLERANCE, Measurement
 from tumble.drivers.scpi.plain import PlainExchange
+from tumble.messages import Message
 
-REMEDY: Final = "check the settings of the stand file"
+REMEDY: Final = Message("check the settings of the stand file")
 
 Taken = TypeVar("Taken")
 
@@ -58,11 +59,15 @@ def _insisted(exchange: Exchange, measurement: Measurement, take: Callable[[], T
         except NoReplyError as error:
             if not (isinstance(exchange, PlainExchange) and exchange.answers()):
                 raise
-            happened = f"it answers, though not to {measurement.fetch} ({error.happened})"
+            happened = Message(
+                "it answers, though not to {fetch} ({happened})", fetch=measurement.fetch, happened=error.happened
+            )
         except DeviceError as error:
             happened = error.happened
     raise DeviceError(
-        "multimeter", f"failed to measure {ATTEMPTS} times: {happened}", "look at its display, then resume the run"
+        Message("multimeter"),
+        Message("failed to measure {attempts} times: {happened}", attempts=ATTEMPTS, happened=happened),
+        Message("look at its display, then resume the run"),
     )
 
 
@@ -110,16 +115,18 @@ def _set_up(exchange: Exchange, measurement: Measurement, commands: Sequence[str
     answers = list(exchange.ask(*measurement.questions, commands=commands))
     complaints = [str(entry) for entry in exchange.errors()]
     if measurement.function and (function := answers.pop(0)).strip('"') not in measurement.functions:
-        complaints.append(f"it measures {function}")
+        complaints.append(Message("it measures {function}", function=function))
     for (header, value), answer in zip(measurement.settings, answers, strict=True):
         if not same(value, answer):
-            complaints.append(f"{header} is {answer} instead of {value}")
+            complaints.append(
+                Message("{header} is {answer} instead of {value}", header=header, answer=answer, value=value)
+            )
     _complain(complaints)
 
 
 def _complain(complaints: Iterable[str]) -> None:
     if said := ", ".join(complaints):
-        raise DeviceError("multimeter", said, REMEDY)
+        raise DeviceError(Message("multimeter"), said, REMEDY)
 
 
 def _fetched(exchange: Exchange, measurement: Measurement, transfer_s: float) -> str:
@@ -129,15 +136,23 @@ def _fetched(exchange: Exchange, measurement: Measurement, transfer_s: float) ->
     try:
         return exchange.ask_once(measurement.fetch, extra_s)
     except CorruptReplyError as error:
-        raise DeviceError("multimeter", f"gave readings that came to harm ({error})", "check the cable") from error
+        raise DeviceError(
+            Message("multimeter"),
+            Message("gave readings that came to harm ({error})", error=error),
+            Message("check the cable"),
+        ) from error
 
 
 def _readings(field: str, count: int) -> NDArray[np.float64]:
     try:
         readings = parse_readings(field)
     except CorruptReplyError as error:
-        raise DeviceError("multimeter", f"gave readings that are none ({error})", "check its language") from error
+        raise DeviceError(
+            Message("multimeter"),
+            Message("gave readings that are none ({error})", error=error),
+            Message("check its language"),
+        ) from error
     if len(readings) != count:
-        happened = f"gave {len(readings)} of {count} readings"
-        raise DeviceError("multimeter", happened, "check that nobody else talks to it")
+        happened = Message("gave {given} of {count} readings", given=len(readings), count=count)
+        raise DeviceError(Message("multimeter"), happened, Message("check that nobody else talks to it"))
     return readings

@@ -9,6 +9,7 @@ from tumble.drivers.errors import DeviceError
 from tumble.drivers.protocols import Identity, SampleBlock
 from tumble.drivers.simulated.effects import Effects
 from tumble.drivers.simulated.geometry import FloatArray
+from tumble.messages import Message
 
 OVERLOAD_V = 9.9e37
 """How SCPI instruments write infinity (SCPI-1999, volume 1, 7.2.1.5)."""
@@ -106,9 +107,9 @@ class SimulatedDaq:
         """
         if samples < 1 or not rate_hz > 0.0:
             raise DeviceError(
-                "simulated DAQ",
-                f"{samples} samples at {rate_hz:g} Hz cannot be taken",
-                "ask for at least one sample at a positive rate",
+                Message("simulated DAQ"),
+                Message("{samples} samples at {rate_hz:g} Hz cannot be taken", samples=samples, rate_hz=rate_hz),
+                Message("ask for at least one sample at a positive rate"),
             )
         started_s = self._clock.monotonic_s()
         times_s = started_s + np.arange(samples) / rate_hz

@@ -2,6 +2,8 @@
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
+from tumble.messages import Message
+
 
 class Table(BaseModel):
     """A table of the stand file: no unknown key, no change after reading."""
@@ -41,8 +43,11 @@ class Misreading(Table):
     def _one_error_per_row(self) -> "Misreading":
         if isinstance(self.error_deg, tuple) and len(self.error_deg) != len(self.rows):
             raise ValueError(
-                f"misreading names {len(self.rows)} rows but {len(self.error_deg)} errors; "
-                "give one error_deg for all, or one for each row"
+                Message(
+                    "misreading names {rows} rows but {errors} errors; give one error_deg for all, or one for each row",
+                    rows=len(self.rows),
+                    errors=len(self.error_deg),
+                )
             )
         return self
 
@@ -128,7 +133,11 @@ class Effects(UnitEffects):
         unknown = sorted(set(table) - set(cls.model_fields)) if isinstance(table, dict) else []
         if unknown:
             raise ValueError(
-                f"unknown effect {', '.join(map(repr, unknown))}; known are {', '.join(sorted(cls.model_fields))}"
+                Message(
+                    "unknown effect {unknown}; known are {known}",
+                    unknown=", ".join(map(repr, unknown)),
+                    known=", ".join(sorted(cls.model_fields)),
+                )
             )
         return table
 

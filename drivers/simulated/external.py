@@ -7,6 +7,7 @@ from typing import TypeAlias
 from tumble.drivers.errors import DeviceError, is_of_the_user
 from tumble.drivers.own_file import load_from_file
 from tumble.drivers.text import reason_of
+from tumble.messages import Message
 
 Response: TypeAlias = Callable[[float, float, float, float, float], float]
 """`response(ax_g, ay_g, az_g, temperature_degC, time_s) -> volts`, noise-free."""
@@ -21,7 +22,9 @@ def load_function(reference: str, base_path: Path) -> Callable[..., float]:
     """
     function = load_from_file(reference, base_path)
     if not callable(function):
-        raise ValueError(f"{reference} is no function; name one, or correct the stand file")
+        raise ValueError(
+            Message("{reference} is no function; name one, or correct the stand file", reference=reference)
+        )
 
     def call(*given: float) -> float:
         try:
@@ -31,7 +34,7 @@ def load_function(reference: str, base_path: Path) -> Callable[..., float]:
         except BaseException as error:
             if is_of_the_user(error):
                 raise
-            failed = f"{reference} failed ({reason_of(error)})"
-            raise DeviceError("simulated stand", failed, "correct it, then resume") from error
+            failed = Message("{reference} failed ({reason})", reference=reference, reason=reason_of(error))
+            raise DeviceError(Message("simulated stand"), failed, Message("correct it, then resume")) from error
 
     return call

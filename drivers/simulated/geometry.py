@@ -12,6 +12,8 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from tumble.messages import Message
+
 FloatArray = NDArray[np.float64]
 
 OX: Final = (1.0, 0.0, 0.0)
@@ -44,7 +46,7 @@ SEATS: Final = MappingProxyType(
 def seat(mount: str) -> FloatArray:
     """Look up a mount in `SEATS`. Raises `ValueError` for one that does not exist."""
     if mount not in SEATS:
-        raise ValueError(f"there is no mount {mount!r}; known are {', '.join(SEATS)}")
+        raise ValueError(Message("there is no mount {mount!r}; known are {known}", mount=mount, known=", ".join(SEATS)))
     return SEATS[mount]
 
 

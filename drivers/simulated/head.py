@@ -12,8 +12,9 @@ from tumble.drivers.protocols import Identity, PositionerStatus
 from tumble.drivers.simulated.effects import Effects
 from tumble.drivers.simulated.external import HeadError
 from tumble.drivers.simulated.geometry import FloatArray
+from tumble.messages import Message
 
-DEVICE = "simulated head"
+DEVICE = Message("simulated head")
 ROUNDING_S = 1e-9
 """A move that ends sooner than this has ended: clock times are sums of floating-point numbers."""
 

@@ -7,6 +7,7 @@ from pydantic import Field, field_validator, model_validator
 
 from tumble.drivers.simulated.effects import Effects, Table
 from tumble.drivers.simulated.presets import PRESETS, UnitParameters
+from tumble.messages import Message
 
 ParameterName = Literal["u0", "kx", "ky", "kz", "kxy", "alpha0_deg"]
 
@@ -56,7 +57,9 @@ class Simulated(Table):
     @classmethod
     def _known_preset(cls, name: str) -> str:
         if name not in PRESETS:
-            raise ValueError(f"unknown preset {name!r}; known are {', '.join(sorted(PRESETS))}")
+            raise ValueError(
+                Message("unknown preset {name!r}; known are {known}", name=name, known=", ".join(sorted(PRESETS)))
+            )
         return name
 
     @model_validator(mode="after")
@@ -64,8 +67,11 @@ class Simulated(Table):
         names = self.effects.of_the_unit()
         if self.response is not None and names:
             raise ValueError(
-                f"effects of the unit ({', '.join(names)}) have nothing to act on where 'response' takes the "
-                "place of the unit; write them into that function"
+                Message(
+                    "effects of the unit ({names}) have nothing to act on where 'response' takes the place of the "
+                    "unit; write them into that function",
+                    names=", ".join(names),
+                )
             )
         return self
 

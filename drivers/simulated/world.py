@@ -1,7 +1,7 @@
 """The simulated world: a unit on a head in a room, wired to a DAQ."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +17,7 @@ from tumble.drivers.simulated.noise import RandomWalk, Stream, flicker, generato
 from tumble.drivers.simulated.room import Room
 from tumble.drivers.simulated.settings import Simulated
 from tumble.drivers.simulated.unit import Accelerometer, ExternalUnit, Unit
+from tumble.drivers.tables import MOUNT
 
 
 class WiredUnit:
@@ -117,6 +118,11 @@ class SimulatedWorld:
     def mount(self) -> str:
         """Mount in which the unit sits."""
         return self._bench.mount
+
+    @property
+    def setters(self) -> Mapping[str, Callable[[str], None]]:
+        """What a person may set here between dwells, by condition."""
+        return {MOUNT: self.seat}
 
     def seat(self, mount: str) -> None:
         """Seat the unit in another mount. Raises `ValueError` for one that does not exist."""

@@ -16,6 +16,8 @@ from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import Final
 
+from tumble.messages import Message
+
 LINE_END: Final = b"\n"
 """Ends every line; devices send a carriage return before it."""
 BROADCAST: Final = 0
@@ -47,7 +49,7 @@ class Request:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Message:
+class DeviceMessage:
     """What a device sends. An alert has no id; an info has neither state nor warning."""
 
     kind: Kind
@@ -64,11 +66,11 @@ class Message:
     continues: bool = False
     """More of `data` follows in an info."""
 
-    def continued_by(self, info: "Message") -> "Message":
+    def continued_by(self, info: "DeviceMessage") -> "DeviceMessage":
         """The message with the next part of its data. Raises `GarbledError` where the info is no such part."""
         word, _, rest = info.data.partition(" ")
         if info.kind is not Kind.INFO or word != "cont":
-            raise GarbledError(f"{info.data!r} does not continue a reply")
+            raise GarbledError(Message("{data!r} does not continue a reply", data=info.data))
         return replace(self, data=f"{self.data} {rest}", continues=info.continues)
 
 
@@ -87,7 +89,7 @@ def encode_request(request: Request) -> bytes:
     return _line("/", " ".join(words), checksum=True)
 
 
-def encode_message(message: Message, *, checksum: bool) -> bytes:
+def encode_message(message: DeviceMessage, *, checksum: bool) -> bytes:
     """The message as a device writes it."""
     words = [f"{message.device:02d}", str(message.axis)]
     if message.message_id is not None:
@@ -113,7 +115,7 @@ def parse_request(line: bytes) -> Request:
     text, _ = _checked(line)
     match = _REQUEST.fullmatch(text)
     if not match:
-        raise GarbledError(f"{line!r} is no request")
+        raise GarbledError(Message("{line!r} is no request", line=line))
     device, axis, message_id, command = match.groups()
     return Request(
         device=int(device or BROADCAST),
@@ -123,7 +125,7 @@ def parse_request(line: bytes) -> Request:
     )
 
 
-def parse_message(line: bytes, *, checksum: bool) -> Message:
+def parse_message(line: bytes, *, checksum: bool) -> DeviceMessage:
     """Read what a device sent.
 
     Parameters
@@ -140,12 +142,12 @@ def parse_message(line: bytes, *, checksum: bool) -> Message:
     """
     text, checked = _checked(line)
     if checksum and not checked:
-        raise GarbledError(f"{line!r} has no checksum")
+        raise GarbledError(Message("{line!r} has no checksum", line=line))
     match = next((match for form in _FORMS if (match := form.fullmatch(text))), None)
     if not match:
-        raise GarbledError(f"{line!r} is no message of a device")
+        raise GarbledError(Message("{line!r} is no message of a device", line=line))
     part = match.groupdict()
-    return Message(
+    return DeviceMessage(
         kind=Kind(part["kind"]),
         device=int(part["device"]),
         axis=int(part["axis"]),
@@ -168,9 +170,9 @@ def parse_flags(data: str) -> tuple[str, ...]:
     """
     count, *flags = data.split(" ")
     if not _COUNT.fullmatch(count) or int(count) != len(flags):
-        raise GarbledError(f"{data!r} does not hold as many flags as it says")
+        raise GarbledError(Message("{data!r} does not hold as many flags as it says", data=data))
     if not all(_FLAG.fullmatch(flag) for flag in flags):
-        raise GarbledError(f"{data!r} holds something that is no flag")
+        raise GarbledError(Message("{data!r} holds something that is no flag", data=data))
     return tuple(flags)
 
 
@@ -199,11 +201,11 @@ def _line(first: str, text: str, *, checksum: bool, end: bytes = LINE_END) -> by
 def _checked(line: bytes) -> tuple[str, bool]:
     """Text of a line before the colon, and whether it had a checksum, which then was right."""
     if line[-1:] not in (b"\n", b"\r"):
-        raise GarbledError(f"{line!r} does not end")
+        raise GarbledError(Message("{line!r} does not end", line=line))
     head, colon, footer = line.rstrip(b"\r\n").partition(b":")
     if colon and footer != b"%02X" % lrc(head[1:]):
-        raise GarbledError(f"{line!r} has a wrong checksum")
+        raise GarbledError(Message("{line!r} has a wrong checksum", line=line))
     try:
         return head.decode("ascii"), bool(colon)
     except UnicodeDecodeError as error:
-        raise GarbledError(f"{line!r} is no text") from error
+        raise GarbledError(Message("{line!r} is no text", line=line)) from error

@@ -8,14 +8,15 @@ from tumble.drivers.zaber.codec import (
     BROADCAST,
     LINE_END,
     MESSAGE_IDS,
+    DeviceMessage,
     GarbledError,
     Kind,
-    Message,
     Request,
     encode_request,
     parse_message,
 )
 from tumble.drivers.zaber.warnings import rejection
+from tumble.messages import Message
 
 ATTEMPTS: Final = 3
 """How often what may be repeated is tried."""
@@ -50,7 +51,9 @@ class RejectedError(DeviceError):
 
     def __init__(self, device: str, command: str, reason: str) -> None:
         happened, remedy = rejection(reason)
-        super().__init__(device, f"refuses {command!r}: it {happened}", remedy)
+        super().__init__(
+            device, Message("refuses {command!r}: it {happened}", command=command, happened=happened), remedy
+        )
         self.reason = reason
 
 
@@ -87,7 +90,7 @@ class Conversation:
         """Begin anew on a new link. Raises `LinkLostError`."""
         self._link.reopen()
 
-    def repeat(self, command: str, *, axis: bool = True) -> Message:
+    def repeat(self, command: str, *, axis: bool = True) -> DeviceMessage:
         """Ask what may be asked twice, up to `ATTEMPTS` times.
 
         Raises
@@ -104,7 +107,7 @@ class Conversation:
                     raise
         return self.once(command, axis=axis)
 
-    def once(self, command: str, *, axis: bool = True) -> Message:
+    def once(self, command: str, *, axis: bool = True) -> DeviceMessage:
         """Send a command, to the axis or to the whole device, and return what the device says to it.
 
         Raises
@@ -139,24 +142,28 @@ class Conversation:
         number = self._axis if axis else BROADCAST
         return Request(device=self._device, axis=number, message_id=message_id, command=command)
 
-    def _continued(self, reply: Message, request: Request, deadline_s: float) -> Message:
+    def _continued(self, reply: DeviceMessage, request: Request, deadline_s: float) -> DeviceMessage:
         try:
             return reply.continued_by(self._next(request, Kind.INFO, deadline_s))
         except GarbledError as error:
-            raise self._unclear(request, f"was garbled ({error})") from error
+            raise self._unclear(request, Message("was garbled ({error})", error=error)) from error
 
-    def _next(self, request: Request, kind: Kind, deadline_s: float) -> Message:
+    def _next(self, request: Request, kind: Kind, deadline_s: float) -> DeviceMessage:
         """The next message that belongs to the request."""
         while True:
             try:
                 if time.monotonic() > deadline_s:
-                    raise NoReplyError(self.name, "sends other messages without pause", "see what else talks there")
+                    raise NoReplyError(
+                        self.name, Message("sends other messages without pause"), Message("see what else talks there")
+                    )
                 line = self._link.read_line(LINE_END, deadline_s - time.monotonic())
                 message = parse_message(line, checksum=self.checksums)
             except NoReplyError as error:
-                raise self._unclear(request, f"did not come within {self._timeout_s:g} s") from error
+                raise self._unclear(
+                    request, Message("did not come within {timeout_s:g} s", timeout_s=self._timeout_s)
+                ) from error
             except GarbledError as error:
-                raise self._unclear(request, f"was garbled ({error})") from error
+                raise self._unclear(request, Message("was garbled ({error})", error=error)) from error
             sender = message.device, message.axis, message.message_id
             if message.kind is kind and sender == (request.device, request.axis, request.message_id):
                 return message
@@ -164,6 +171,6 @@ class Conversation:
     def _unclear(self, request: Request, how: str) -> UnclearError:
         return UnclearError(
             self.name,
-            f"the answer to {request.command or 'a status request'!r} {how}",
-            "check power, cable, device number and baud rate, and what else talks on this line",
+            Message("the answer to {command!r} {how}", command=request.command or "a status request", how=how),
+            Message("check power, cable, device number and baud rate, and what else talks on this line"),
         )

@@ -5,6 +5,7 @@ from pydantic import Field
 from tumble.drivers.driver import Bench, Driver
 from tumble.drivers.tables import HeadTable, OnSerialLine
 from tumble.drivers.zaber.head import ZaberHead
+from tumble.messages import Message
 
 
 class ZaberTable(OnSerialLine, HeadTable):
@@ -17,7 +18,7 @@ class ZaberTable(OnSerialLine, HeadTable):
 
 def _connect(table: ZaberTable, bench: Bench) -> ZaberHead:
     return ZaberHead(
-        bench.links.serial(table, "dividing head"),
+        bench.links.serial(table, Message("dividing head")),
         device=table.device,
         axis=table.axis,
         limits_deg=table.limits_deg,

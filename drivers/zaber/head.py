@@ -7,9 +7,10 @@ from tumble.drivers.clock import Clock
 from tumble.drivers.errors import DeviceError, LimitError, NoReplyError, ReferenceLostError
 from tumble.drivers.limits import check_limits
 from tumble.drivers.protocols import Identity, PositionerStatus
-from tumble.drivers.zaber.codec import GarbledError, Message, parse_flags
+from tumble.drivers.zaber.codec import DeviceMessage, GarbledError, parse_flags
 from tumble.drivers.zaber.conversation import ATTEMPTS, Conversation, Link, RejectedError, UnclearError
 from tumble.drivers.zaber.warnings import STOPPING, UNREFERENCED
+from tumble.messages import Message
 
 TIMEOUT_S: Final = 0.6
 """A device answers within a few milliseconds; a USB converter or a busy computer may add some tenths of a second."""
@@ -55,7 +56,7 @@ class ZaberHead:
         axis: int = 1,
         timeout_s: float = TIMEOUT_S,
     ) -> None:
-        name = f"Zaber head (device {device}, axis {axis})"
+        name = Message("Zaber head (device {device}, axis {axis})", device=device, axis=axis)
         self._conversation = Conversation(link, device=device, axis=axis, name=name, timeout_s=timeout_s)
         self._steps_per_deg = steps_per_deg
         self._limits_deg = limits_deg
@@ -114,7 +115,9 @@ class ZaberHead:
         """
         check_limits(self._conversation.name, angle_deg, self._limits_deg)
         if not self.status().referenced:
-            raise ReferenceLostError(self._conversation.name, "does not know its angle", "home it before it moves")
+            raise ReferenceLostError(
+                self._conversation.name, Message("does not know its angle"), Message("home it before it moves")
+            )
         steps = round(angle_deg * self._steps_per_deg)
         try:
             self._begin(f"move abs {steps}", arrived=lambda status: self._steps(status) == steps)
@@ -153,20 +156,22 @@ class ZaberHead:
                     return
                 self._under_way = True
 
-    def _read(self, reply: Message, flags: frozenset[str]) -> PositionerStatus:
+    def _read(self, reply: DeviceMessage, flags: frozenset[str]) -> PositionerStatus:
         if self._under_way and (met := [flag for flag in STOPPING if flag in flags]):
             self._under_way = False
             happened, remedy = STOPPING[met[0]]
             raise DeviceError(
-                self._conversation.name, f"{happened} (flag {met[0]})", f"{remedy}, then resume the run; it homes first"
+                self._conversation.name,
+                Message("{happened} (flag {flag})", happened=happened, flag=met[0]),
+                Message("{remedy}, then resume the run; it homes first", remedy=remedy),
             )
         try:
             angle_deg = int(reply.data) / self._steps_per_deg
         except ValueError as error:
             raise DeviceError(
                 self._conversation.name,
-                f"gives {reply.data!r} for its position",
-                "check model, axis number and firmware",
+                Message("gives {data!r} for its position", data=reply.data),
+                Message("check model, axis number and firmware"),
             ) from error
         unreferenced = flags & UNREFERENCED or any(flag.startswith("F") for flag in flags)
         return PositionerStatus(
@@ -176,7 +181,7 @@ class ZaberHead:
             referenced=not unreferenced,
         )
 
-    def _flags(self, reply: Message) -> frozenset[str]:
+    def _flags(self, reply: DeviceMessage) -> frozenset[str]:
         """All flags; they are asked for only where the one in the reply may hide others that matter."""
         if reply.warning[0] not in "FW":
             return frozenset({reply.warning})
@@ -192,8 +197,12 @@ class ZaberHead:
                 garbled = error
         raise DeviceError(
             self._conversation.name,
-            f"gave no list of warnings that can be believed in {ATTEMPTS} attempts ({garbled})",
-            "check model and firmware, and what else talks on this line",
+            Message(
+                "gave no list of warnings that can be believed in {attempts} attempts ({reason})",
+                attempts=ATTEMPTS,
+                reason=garbled,
+            ),
+            Message("check model and firmware, and what else talks on this line"),
         ) from garbled
 
     def _steps(self, status: PositionerStatus) -> int:

@@ -7,56 +7,82 @@ order here is that of severity.
 from types import MappingProxyType
 from typing import Final
 
+from tumble.messages import Message
+
 UNREFERENCED: Final = frozenset({"WR", "WH"})
 """The axis does not know where it is: no reference position, or not homed since it was switched on."""
 
 STOPPING: Final = MappingProxyType(
     {
-        "FF": ("reports a critical system error", "have it serviced"),
-        "FN": ("does not know the stage plugged into it", "plug in a stage that the controller supports"),
-        "FZ": ("has no active stage", "activate the stage at the controller"),
-        "FH": ("was switched off by its emergency stop", "release the emergency stop when the stand is safe"),
-        "FV": ("has its drive disabled by a wrong supply voltage", "check the power supply"),
-        "FO": ("has its drive disabled", "enable the drive"),
-        "FC": ("draws too much current at switch-on", "have it serviced"),
-        "FM": ("has its drive disabled by a hot motor", "let it cool and check the load"),
-        "FD": ("has its drive disabled", "check supply, temperature and current"),
-        "FQ": ("reports an encoder error: its angle cannot be trusted", "have the encoder serviced"),
-        "FI": ("missed the index of its encoder", "have the encoder serviced"),
-        "FA": ("cannot synchronise its encoder", "have the encoder serviced"),
-        "FR": ("has its drive disabled by overload", "check the load"),
-        "FS": ("stalled and stopped", "remove what blocks it"),
-        "FB": ("left the bounds of a streamed motion", "let no other program move it"),
-        "FP": ("left the path of a streamed motion", "let no other program move it"),
-        "FE": ("ran into a limit", "check limits and home sensor"),
-        "FT": ("twisted its cable too far", "unwind the cable by hand"),
-        "WL": ("met a limit sensor where none should be", "look for what blocks it and check the home sensor"),
-        "WS": ("stalled and recovered by itself", "look for what blocks it"),
-        "WM": ("was displaced while it stood still", "look for what pushed it"),
-        "NC": ("is being turned by its knob", "leave the knob alone while a run is on"),
+        "FF": (Message("reports a critical system error"), Message("have it serviced")),
+        "FN": (
+            Message("does not know the stage plugged into it"),
+            Message("plug in a stage that the controller supports"),
+        ),
+        "FZ": (Message("has no active stage"), Message("activate the stage at the controller")),
+        "FH": (
+            Message("was switched off by its emergency stop"),
+            Message("release the emergency stop when the stand is safe"),
+        ),
+        "FV": (Message("has its drive disabled by a wrong supply voltage"), Message("check the power supply")),
+        "FO": (Message("has its drive disabled"), Message("enable the drive")),
+        "FC": (Message("draws too much current at switch-on"), Message("have it serviced")),
+        "FM": (Message("has its drive disabled by a hot motor"), Message("let it cool and check the load")),
+        "FD": (Message("has its drive disabled"), Message("check supply, temperature and current")),
+        "FQ": (Message("reports an encoder error: its angle cannot be trusted"), Message("have the encoder serviced")),
+        "FI": (Message("missed the index of its encoder"), Message("have the encoder serviced")),
+        "FA": (Message("cannot synchronise its encoder"), Message("have the encoder serviced")),
+        "FR": (Message("has its drive disabled by overload"), Message("check the load")),
+        "FS": (Message("stalled and stopped"), Message("remove what blocks it")),
+        "FB": (Message("left the bounds of a streamed motion"), Message("let no other program move it")),
+        "FP": (Message("left the path of a streamed motion"), Message("let no other program move it")),
+        "FE": (Message("ran into a limit"), Message("check limits and home sensor")),
+        "FT": (Message("twisted its cable too far"), Message("unwind the cable by hand")),
+        "WL": (
+            Message("met a limit sensor where none should be"),
+            Message("look for what blocks it and check the home sensor"),
+        ),
+        "WS": (Message("stalled and recovered by itself"), Message("look for what blocks it")),
+        "WM": (Message("was displaced while it stood still"), Message("look for what pushed it")),
+        "NC": (Message("is being turned by its knob"), Message("leave the knob alone while a run is on")),
     }
 )
 """What happened and what to do, for every flag that spoils a move."""
 
 _REJECTIONS: Final = MappingProxyType(
     {
-        "AGAIN": ("is not ready for the command", "try again"),
-        "BADAXIS": ("has no such axis", "check the axis number in the stand file"),
-        "BADCOMMAND": ("does not know the command", "check model and firmware"),
-        "BADDATA": ("finds the value out of range", "check steps_per_deg and the limits set in the device"),
-        "BADMESSAGEID": ("does not understand the message id", "check the firmware"),
-        "DEVICEONLY": ("takes the command for the whole device only", "check the axis number in the stand file"),
-        "DRIVERDISABLED": ("has its drive disabled", "look for the cause at the device and enable the drive"),
-        "FULL": ("has no room for the command", "try again"),
-        "INACTIVE": ("has no active stage", "activate the stage at the controller"),
-        "LOCKSTEP": ("has the axis tied to another", "untie it at the controller"),
-        "NOACCESS": ("does not allow the command", "check the access level of the device"),
-        "PARKED": ("is parked", "unpark it"),
-        "STATUSBUSY": ("is moving", "stop it first"),
+        "AGAIN": (Message("is not ready for the command"), Message("try again")),
+        "BADAXIS": (Message("has no such axis"), Message("check the axis number in the stand file")),
+        "BADCOMMAND": (Message("does not know the command"), Message("check model and firmware")),
+        "BADDATA": (
+            Message("finds the value out of range"),
+            Message("check steps_per_deg and the limits set in the device"),
+        ),
+        "BADMESSAGEID": (Message("does not understand the message id"), Message("check the firmware")),
+        "DEVICEONLY": (
+            Message("takes the command for the whole device only"),
+            Message("check the axis number in the stand file"),
+        ),
+        "DRIVERDISABLED": (
+            Message("has its drive disabled"),
+            Message("look for the cause at the device and enable the drive"),
+        ),
+        "FULL": (Message("has no room for the command"), Message("try again")),
+        "INACTIVE": (Message("has no active stage"), Message("activate the stage at the controller")),
+        "LOCKSTEP": (Message("has the axis tied to another"), Message("untie it at the controller")),
+        "NOACCESS": (Message("does not allow the command"), Message("check the access level of the device")),
+        "PARKED": (Message("is parked"), Message("unpark it")),
+        "STATUSBUSY": (Message("is moving"), Message("stop it first")),
     }
 )
 
 
 def rejection(reason: str) -> tuple[str, str]:
     """What a rejection means and what to do."""
-    return _REJECTIONS.get(reason, (f"rejects the command ({reason})", "look the reason up in the device's manual"))
+    return _REJECTIONS.get(
+        reason,
+        (
+            Message("rejects the command ({reason})", reason=reason),
+            Message("look the reason up in the device's manual"),
+        ),
+    )

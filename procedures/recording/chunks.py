@@ -8,6 +8,8 @@ import zstandard
 from mcap.records import Chunk, McapRecord
 from mcap.stream_reader import breakup_chunk
 
+from tumble.messages import Message
+
 LARGEST_CHUNK: Final = 32 * 2**20
 """Bytes of a chunk once it is unpacked; a recording ends each at 1 MiB."""
 
@@ -28,7 +30,7 @@ def unpacked(chunk: Chunk) -> list[McapRecord]:
     """
     data = _decompressed(chunk)
     if len(data) != chunk.uncompressed_size or zlib.crc32(data) != chunk.uncompressed_crc:
-        raise ValueError("a chunk fails its checksum")
+        raise ValueError(Message("a chunk fails its checksum"))
     return breakup_chunk(replace(chunk, compression="", data=data))
 
 
@@ -36,10 +38,16 @@ def _decompressed(chunk: Chunk) -> bytes:
     if not chunk.compression:
         return chunk.data
     if chunk.compression != "zstd":
-        raise ValueError(f"a chunk is compressed by {chunk.compression}")
+        raise ValueError(Message("a chunk is compressed by {compression}", compression=chunk.compression))
     size: int = zstandard.get_frame_parameters(chunk.data).content_size
     if size != chunk.uncompressed_size:
-        raise ValueError("a chunk says two different sizes")
+        raise ValueError(Message("a chunk says two different sizes"))
     if size > LARGEST_CHUNK:
-        raise TooLargeError(f"holds a chunk of {size / 2**20:.0f} MiB, packed into {len(chunk.data)} bytes")
+        raise TooLargeError(
+            Message(
+                "holds a chunk of {size_mib:.0f} MiB, packed into {packed} bytes",
+                size_mib=size / 2**20,
+                packed=len(chunk.data),
+            )
+        )
     return zstandard.ZstdDecompressor().decompress(chunk.data)

@@ -9,13 +9,16 @@ from pathlib import Path
 from typing import Final, TypeAlias
 
 from mcap.opcode import Opcode
-from mcap.records import Attachment, Channel, Chunk, DataEnd, Footer, Message, Metadata, Statistics
+from mcap.records import Attachment, Channel, Chunk, DataEnd, Footer, Metadata, Statistics
+from mcap.records import Message as McapMessage
 
+from tumble.messages import Message
 from tumble.procedures.recording.chunks import TooLargeError, unpacked
 from tumble.procedures.recording.errors import RecordingError
 from tumble.procedures.recording.frames import UNREADABLE, BrokenOff, Frame, frames, parsed
 from tumble.procedures.recording.header import NEWEST_VERSION, Header, header_from_strings, is_intact
 from tumble.procedures.recording.schemas import HEADER_METADATA, PROGRAMME_ATTACHMENT
+from tumble.system_errors import reason
 
 _SUMMARY_CRC_BYTES: Final = 4
 _ATTACHMENT_CRC_BYTES: Final = 4
@@ -72,16 +75,18 @@ def contents(path: Path, wanted: Collection[str]) -> Iterator[Content]:
     reading = _Reading(path, wanted)
     try:
         if not stat.S_ISREG(path.stat().st_mode):
-            raise RecordingError(path, "is no file", "name a recording")
+            raise RecordingError(path, Message("is no file"), Message("name a recording"))
         with path.open("rb") as stream, suppress(BrokenOff):
             for frame in frames(stream):
                 yield from reading.content(frame)
             yield from reading.end()
     except OSError as error:
-        raise RecordingError(path, f"cannot be read ({error.strerror or error})", "check the name") from error
+        raise RecordingError(
+            path, Message("cannot be read ({reason})", reason=reason(error)), Message("check the name")
+        ) from error
     if not reading.begun:
-        happened = "is not a recording, or was cut off before its header was complete"
-        raise RecordingError(path, happened, "nothing can be recovered from it")
+        happened = Message("is not a recording, or was cut off before its header was complete")
+        raise RecordingError(path, happened, Message("nothing can be recovered from it"))
 
 
 @contextmanager
@@ -90,8 +95,10 @@ def understood(path: Path) -> Iterator[None]:
     try:
         yield
     except (KeyError, TypeError, ValueError, IndexError) as error:
-        happened = f"holds something that a recording does not have ({type(error).__name__}: {error})"
-        raise RecordingError(path, happened, "it was altered or written by another program") from error
+        happened = Message(
+            "holds something that a recording does not have ({kind}: {error})", kind=type(error).__name__, error=error
+        )
+        raise RecordingError(path, happened, Message("it was altered or written by another program")) from error
 
 
 class _Reading:
@@ -124,9 +131,11 @@ class _Reading:
             try:
                 yield from self._kinds[frame.opcode](frame)
             except UNREADABLE:
-                yield self._damage(f"the record at byte {frame.place} cannot be read")
+                yield self._damage(Message("the record at byte {place} cannot be read", place=frame.place))
         elif frame.opcode not in _WITHOUT_CONTENT:
-            yield self._damage(f"the record at byte {frame.place} is of no kind that a recording has")
+            yield self._damage(
+                Message("the record at byte {place} is of no kind that a recording has", place=frame.place)
+            )
 
     def end(self) -> Iterator[Content]:
         """What a file adds that ends as a closed file does."""
@@ -143,15 +152,15 @@ class _Reading:
         if attachment.name == PROGRAMME_ATTACHMENT and self._programme is None:
             self._programme = attachment.data
         if crc != zlib.crc32(frame.body[:-_ATTACHMENT_CRC_BYTES]):
-            yield self._damage("the programme in it fails its checksum")
+            yield self._damage(Message("the programme in it fails its checksum"))
 
     def _metadata(self, frame: Frame) -> Iterator[Content]:
         metadata = parsed(Metadata, frame)
         if metadata.name != HEADER_METADATA or self.begun:
-            yield self._damage(f"the record at byte {frame.place} is not one that a recording has")
+            yield self._damage(Message("the record at byte {place} is not one that a recording has", place=frame.place))
             return
         if self._programme is None:
-            yield self._damage("the programme in it is missing")
+            yield self._damage(Message("the programme in it is missing"))
         header = _header(self._path, metadata.metadata, self._programme or b"")
         self.begun, self._protected = True, header.protected
         yield header
@@ -162,21 +171,27 @@ class _Reading:
         try:
             records = unpacked(parsed(Chunk, frame))
         except TooLargeError as error:
-            raise RecordingError(self._path, str(error), "no recording has such a one: leave the file alone") from error
+            raise RecordingError(
+                self._path, str(error), Message("no recording has such a one: leave the file alone")
+            ) from error
         for record in records:
             if isinstance(record, Channel):
                 self._topics[record.id] = record.topic
-            elif isinstance(record, Message):
+            elif isinstance(record, McapMessage):
                 yield from self._message(record)
 
-    def _message(self, message: Message) -> Iterator[Content]:
+    def _message(self, message: McapMessage) -> Iterator[Content]:
         """A message; they are numbered from 1."""
         if message.sequence != self._messages + 1:
             yield self._damage(_gap(self._messages + 1, message.sequence))
         self._messages = message.sequence
         if message.channel_id not in self._topics:
             self._topics[message.channel_id] = ""
-            yield self._damage(f"it is lost what message {message.sequence} and others of its kind are about")
+            yield self._damage(
+                Message(
+                    "it is lost what message {sequence} and others of its kind are about", sequence=message.sequence
+                )
+            )
         topic = self._topics[message.channel_id]
         if topic in self._wanted:
             yield Said(topic=topic, data=message.data, log_time_ns=message.log_time)
@@ -185,25 +200,31 @@ class _Reading:
         stated = parsed(DataEnd, frame).data_section_crc
         self._summary_crc = 0
         if stated != frame.crc_before and (stated or self._protected):
-            yield self._damage("its data fail their checksum")
+            yield self._damage(Message("its data fail their checksum"))
 
     def _statistics(self, frame: Frame) -> Iterator[Content]:
         counted = parsed(Statistics, frame).message_count
         if counted != self._messages:
-            yield self._damage(f"{counted} messages were written to it, and the last that is there is {self._messages}")
+            yield self._damage(
+                Message(
+                    "{counted} messages were written to it, and the last that is there is {present}",
+                    counted=counted,
+                    present=self._messages,
+                )
+            )
 
     def _footer(self, frame: Frame) -> Iterator[Content]:
         crc = zlib.crc32(frame.head + frame.body[:-_SUMMARY_CRC_BYTES], self._summary_crc or 0)
         if self._summary_crc is None or parsed(Footer, frame).summary_crc != crc:
-            yield self._damage("its index fails its checksum")
+            yield self._damage(Message("its index fails its checksum"))
 
 
 def _gap(expected: int, found: int) -> str:
     if found <= expected:
-        return f"message {found} stands where message {expected} belongs"
-    return (
-        f"messages {expected} to {found - 1} are missing" if found > expected + 1 else f"message {expected} is missing"
-    )
+        return Message("message {found} stands where message {expected} belongs", found=found, expected=expected)
+    if found == expected + 1:
+        return Message("message {expected} is missing", expected=expected)
+    return Message("messages {expected} to {last} are missing", expected=expected, last=found - 1)
 
 
 def _header(path: Path, strings: dict[str, str], programme: bytes) -> Header:
@@ -211,9 +232,19 @@ def _header(path: Path, strings: dict[str, str], programme: bytes) -> Header:
         text = programme.decode()
         header = header_from_strings(strings, text)
     if header.format_version > NEWEST_VERSION:
-        happened = f"has format version {header.format_version}, this program reads up to {NEWEST_VERSION}"
-        raise RecordingError(path, happened, f"read it with tumble {header.program_version} or newer")
+        happened = Message(
+            "has format version {format_version}, this program reads up to {newest}",
+            format_version=header.format_version,
+            newest=NEWEST_VERSION,
+        )
+        raise RecordingError(
+            path,
+            happened,
+            Message("read it with tumble {program_version} or newer", program_version=header.program_version),
+        )
     if not is_intact(strings, text):
-        happened = "has a header that was damaged or altered (its SHA-256 differs)"
-        raise RecordingError(path, happened, "serial number, stand and programme stand in it: restore it from a copy")
+        happened = Message("has a header that was damaged or altered (its SHA-256 differs)")
+        raise RecordingError(
+            path, happened, Message("serial number, stand and programme stand in it: restore it from a copy")
+        )
     return header

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
+from tumble.messages import Message
 from tumble.procedures.events import FinishReason, WarningRaised
 from tumble.procedures.recording.reader import Recording
 
@@ -12,25 +13,39 @@ _TOLD = 5
 def warnings(recording: Recording) -> Iterator[str]:
     """Yield the warnings of the run itself, then what a file that was cut off or damaged lacks."""
     yield from (event.message for event in recording.events if isinstance(event, WarningRaised))
-    kept = f"its {len(recording.points)} complete points are used"
+    kept = Message("its {count} complete points are used", count=len(recording.points))
     if recording.damage:
-        yield f"{recording.path} is damaged: {_some(recording.damage)}; {kept}"
+        yield Message("{path} is damaged: {some}; {kept}", path=recording.path, some=_some(recording.damage), kept=kept)
     elif not recording.closed:
-        yield f"{recording.path} was cut off or damaged; {kept}"
+        yield Message("{path} was cut off or damaged; {kept}", path=recording.path, kept=kept)
     elif recording.ending is None:
-        yield f"{recording.path} holds no end of the run; {kept}"
+        yield Message("{path} holds no end of the run; {kept}", path=recording.path, kept=kept)
     if recording.missing:
-        yield f"{recording.path} lacks {_listed(recording.missing)}, recorded before others that are there; {kept}"
+        yield Message(
+            "{path} lacks {listed}, recorded before others that are there; {kept}",
+            path=recording.path,
+            listed=_listed(recording.missing),
+            kept=kept,
+        )
     if recording.ending is not None and recording.ending.reason is not FinishReason.COMPLETED:
-        yield f"{recording.path} holds a run that ended early ({recording.ending.reason}); {kept}"
+        yield Message(
+            "{path} holds a run that ended early ({reason}); {kept}",
+            path=recording.path,
+            reason=Message.marked(recording.ending.reason),
+            kept=kept,
+        )
 
 
 def _listed(missing: Sequence[int]) -> str:
-    points = "point" if len(missing) == 1 else f"{len(missing)} points,"
-    return f"{points} {_some([str(index) for index in missing])} (counted from 0)"
+    return Message.counted(
+        "point {points} (counted from 0)",
+        "{count} points, {points} (counted from 0)",
+        count=len(missing),
+        points=_some([str(index) for index in missing]),
+    )
 
 
 def _some(clauses: Sequence[str]) -> str:
     """The first few, and how many more there are."""
-    more = [f"and {len(clauses) - _TOLD} more"] if len(clauses) > _TOLD else []
-    return ", ".join([*clauses[:_TOLD], *more])
+    more = [Message("and {count} more", count=len(clauses) - _TOLD)] if len(clauses) > _TOLD else []
+    return Message.joined(", ", [*clauses[:_TOLD], *more])

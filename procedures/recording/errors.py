@@ -2,6 +2,8 @@
 
 from pathlib import Path
 
+from tumble.messages import Message
+
 
 class RecordingError(Exception):
     """A recording cannot be written, or cannot be read.
@@ -10,7 +12,7 @@ class RecordingError(Exception):
     """
 
     def __init__(self, path: Path, happened: str, remedy: str) -> None:
-        super().__init__(f"{path}: {happened}; {remedy}")
+        super().__init__(Message("{path}: {happened}; {remedy}", path=path, happened=happened, remedy=remedy))
         self.path = path
         self.happened = happened
         self.remedy = remedy

@@ -7,6 +7,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Final
 
+from tumble.messages import Message
 from tumble.procedures.recording.errors import RecordingError
 
 _KEPT: Final = "kept"
@@ -83,8 +84,12 @@ class JournalFile:
             self._stream.close()
             raise RecordingError(
                 self.path,
-                f"was cut from {self._durable} to {size} bytes by another program while it was written",
-                "keep other programs from it",
+                Message(
+                    "was cut from {durable} to {size} bytes by another program while it was written",
+                    durable=self._durable,
+                    size=size,
+                ),
+                Message("keep other programs from it"),
             )
 
     def _is_there(self) -> bool:
@@ -103,8 +108,10 @@ class JournalFile:
             self._go_on_in(kept)
             raise RecordingError(
                 path,
-                f"was replaced by another file while it was written, and is kept in {kept.name}",
-                "give it its name back, then resume the run",
+                Message(
+                    "was replaced by another file while it was written, and is kept in {kept_name}", kept_name=kept.name
+                ),
+                Message("give it its name back, then resume the run"),
             ) from error
 
     def _go_on_in(self, path: Path) -> None:

@@ -17,6 +17,8 @@ from mcap.exceptions import McapError
 from mcap.opcode import Opcode
 from mcap.writer import MCAP0_MAGIC
 
+from tumble.messages import Message
+
 LARGEST_RECORD: Final = 32 * 2**20
 """Bytes. A chunk is ended at 1 MiB, and the header of a recording is a few kilobytes."""
 UNREADABLE: Final = (McapError, struct.error, zstandard.ZstdError, ValueError, MemoryError, OverflowError)
@@ -93,5 +95,7 @@ def parsed(kind: Readable[_Record], frame: Frame) -> _Record:
     stream = ReadDataStream(BytesIO(frame.body))
     record = kind.read(stream)
     if stream.count != len(frame.body):
-        raise ValueError(f"a record of {len(frame.body)} bytes has content of {stream.count}")
+        raise ValueError(
+            Message("a record of {count} bytes has content of {stated}", count=len(frame.body), stated=stream.count)
+        )
     return record

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import MISSING, dataclass, fields
 from typing import Any
 
+from tumble.messages import Message
 from tumble.procedures.registry import FIRST
 
 FORMAT_VERSION = 3
@@ -74,7 +75,7 @@ class Header:
     def __post_init__(self) -> None:
         object.__setattr__(self, "follows", tuple(self.follows))  # a list in a recording
         if "simulated" in self.stand:
-            raise ValueError("the stand in a recording's header must be without its [simulated] table")
+            raise ValueError(Message("the stand in a recording's header must be without its [simulated] table"))
 
 
 def written_version(method: str) -> int:

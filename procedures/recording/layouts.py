@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from tumble.messages import Message
 from tumble.procedures.layout import Layout
 from tumble.procedures.recording.errors import RecordingError
 from tumble.procedures.recording.header import Header
@@ -19,8 +20,19 @@ def layout_of(path: Path, header: Header) -> Layout:
     try:
         method = find_method(header.method)
     except ValueError as error:
-        raise RecordingError(path, f"is of a method that is not installed here ({error})", "install it") from error
+        raise RecordingError(
+            path, Message("is of a method that is not installed here ({error})", error=error), Message("install it")
+        ) from error
     if header.method_version > method.version:
-        happened = f"is of version {header.method_version} of {header.method}, and {method.version} is installed"
-        raise RecordingError(path, happened, f"read it with tumble {header.program_version} or newer")
+        happened = Message(
+            "is of version {method_version} of {method}, and {version} is installed",
+            method_version=header.method_version,
+            method=header.method,
+            version=method.version,
+        )
+        raise RecordingError(
+            path,
+            happened,
+            Message("read it with tumble {program_version} or newer", program_version=header.program_version),
+        )
     return method.procedure_part.layout

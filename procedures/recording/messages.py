@@ -32,6 +32,7 @@ from tumble.procedures.events import (
 )
 from tumble.procedures.layout import Fields, Layout
 from tumble.procedures.recording.blocks import split
+from tumble.procedures.recording.said import message_of, said_of
 from tumble.procedures.recording.schemas import ANSWER, EVENT, POINT, SAMPLES, STEP, TEMPERATURE, positioner_topic
 from tumble.procedures.steps import Ask, Point, Step
 
@@ -136,6 +137,8 @@ def _as_it_is(record: type[Any], values: Mapping[str, Any]) -> Entry:
     if record is PointVerified:
         renamed = {name: values[other] for name, other in _OTHER_NAMES.items()}
         values = {"channel": VOLTAGE, **values, **renamed}
+    if "said" in values:
+        values = {**values, "message": message_of(values["message"], values["said"])}
     converted = {field.name: _from_json(field.type, values[field.name]) for field in fields(record)}
     entry: Entry = record(**converted)
     return entry
@@ -162,6 +165,8 @@ def _with_kind(record: ReadingAnswered | Announcement) -> Fields:
     values = asdict(record)
     if isinstance(record, PointVerified):
         values = {_OTHER_NAMES.get(name, name): value for name, value in values.items()}
+    if isinstance(record, WarningRaised | RunFinished):
+        values["said"] = said_of(record.message)
     return {"kind": _KINDS[type(record)], **values}
 
 

@@ -7,6 +7,7 @@ from typing import TypeVar
 
 import orjson
 
+from tumble.messages import Message
 from tumble.procedures.events import ConditionAnswered, FinishReason, ReadingAnswered, RunFinished, SamplesAcquired
 from tumble.procedures.recording.blocks import join
 from tumble.procedures.recording.contents import Closed, Content, Damage, Said, contents, understood
@@ -122,8 +123,11 @@ def _bounded(path: Path, found: Iterator[Content]) -> Iterator[Content]:
     for entry in found:
         size += len(entry.data) if isinstance(entry, Said) else 0
         if size > _LARGEST_JOURNAL:
-            happened = f"says more than {_LARGEST_JOURNAL / 2**20:.0f} MiB of its run, samples left out"
-            raise RecordingError(path, happened, "no run of this program does: leave the file alone")
+            happened = Message(
+                "says more than {most_mib:.0f} MiB of its run, samples left out",
+                most_mib=_LARGEST_JOURNAL / 2**20,
+            )
+            raise RecordingError(path, happened, Message("no run of this program does: leave the file alone"))
         yield entry
 
 

@@ -50,6 +50,7 @@ _EVENT_FIELDS: Final[Mapping[str, tuple[str, str]]] = MappingProxyType(
         "state": ("string", "state into which the run went over"),
         "reason": ("string", "why"),
         "message": ("string", "for the reader of the result"),
+        "said": ("object", "template, plural and fields of the message, by which it is put into another language"),
         "prompt": ("string", "what the operator was asked"),
         "setting_deg": _SETTING,
         "instrument": ("string", "name of the instrument at the stand"),

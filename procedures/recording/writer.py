@@ -10,6 +10,7 @@ from typing import Final, Self
 from mcap.writer import LIBRARY_IDENTIFIER, Writer
 
 from tumble.drivers.clock import Clock
+from tumble.messages import Message
 from tumble.procedures.events import ConditionAnswered, Event, PointCompleted, ReadingAnswered, RunFinished
 from tumble.procedures.recording.contents import Said
 from tumble.procedures.recording.errors import RecordingError
@@ -18,6 +19,7 @@ from tumble.procedures.recording.header import Header, header_to_strings
 from tumble.procedures.recording.layouts import layout_of
 from tumble.procedures.recording.messages import encode, to_messages
 from tumble.procedures.recording.schemas import HEADER_METADATA, PROGRAMME_ATTACHMENT, json_schema, schema_name
+from tumble.system_errors import reason
 
 _DURABLE: Final = (PointCompleted, ConditionAnswered, ReadingAnswered, RunFinished)
 
@@ -64,7 +66,7 @@ class Recorder:
             self._stream = JournalFile(path)
         except FileExistsError as error:
             raise RecordingError(
-                path, "exists already", "recordings are not overwritten: choose another name"
+                path, Message("exists already"), Message("recordings are not overwritten: choose another name")
             ) from error
         except OSError as error:
             raise _storage_error(path, error) from error
@@ -91,14 +93,17 @@ class Recorder:
         Returns a sentence where the file had been removed and was put back.
         """
         if self._stream.closed:
-            raise RecordingError(self.path, "is closed already", "start another recording")
+            raise RecordingError(self.path, Message("is closed already"), Message("start another recording"))
         wall_ns, monotonic_s = self._clock.wall_ns(), self._clock.monotonic_s() + self._elsewhen_s
         with self._storage():
             for topic, fields in to_messages(event, self._layout):
                 self._append(topic, wall_ns, encode({"monotonic_s": monotonic_s, **fields}))
             put_back = isinstance(event, _DURABLE) and self._make_durable()
         if put_back:
-            return f"{self.path}: was removed while it was written, and was put back; leave it there until the run ends"
+            return Message(
+                "{path}: was removed while it was written, and was put back; leave it there until the run ends",
+                path=self.path,
+            )
         return None
 
     def close(self) -> None:
@@ -146,5 +151,5 @@ class Recorder:
 
 
 def _storage_error(path: Path, error: OSError) -> RecordingError:
-    happened = f"cannot be written ({error.strerror or error})"
-    return RecordingError(path, happened, "make sure that the folder exists, is writable and has room")
+    happened = Message("cannot be written ({reason})", reason=reason(error))
+    return RecordingError(path, happened, Message("make sure that the folder exists, is writable and has room"))

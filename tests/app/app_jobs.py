@@ -110,7 +110,7 @@ def _explain_once(observations, *stand):
 @contextmanager
 def tracing_once():
     """The same rows of the same stand are traced once, from whatever file they come."""
-    with patch("tumble.app.analysing.explain", _explain_once), patch("tumble.app.closing.explain", _explain_once):
+    with patch("tumble.app.methods.dividing_head.job.explain", _explain_once):
         yield
 
 

@@ -5,8 +5,8 @@ import shutil
 import pytest
 from two_axes import CHANNELS, TWO_AXES
 
-from tumble.app.available import available
 from tumble.app.measurements import read_measurement
+from tumble.app.methods.dividing_head.experiments import available
 from tumble.app.resuming import find, resume
 from tumble.app.running import Job, run
 from tumble.app.same_stand import load_same_stand

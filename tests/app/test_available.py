@@ -5,17 +5,24 @@ import pytest
 from app_jobs import STAND
 
 from tumble.app.acting import AtStand, DeclinedError, prepare
-from tumble.app.available import NO_THERMOMETER, NOBODY_WARMS, available, programme_of
 from tumble.app.exits import JobError
+from tumble.app.methods.dividing_head.experiments import (
+    NO_THERMOMETER,
+    NOBODY_WARMS,
+    available,
+    offered,
+    programme_of,
+)
 from tumble.app.stand import load_stand
 from tumble.app.wiring import connect
 from tumble.calibrations.methods.dividing_head.observations import Observations
-from tumble.calibrations.methods.dividing_head.probes import PROBES, Probe
+from tumble.calibrations.methods.dividing_head.probes import PROBES
 from tumble.procedures.operator import Answer
 
 TABLE = Observations(row=np.array([1]), angle_deg=np.zeros(1), voltage_v=np.ones(1), temperature_degc=np.full(1, 23.0))
 BACK = next(probe for probe in PROBES if probe.programme == "probe-back")
 WARM = next(probe for probe in PROBES if probe.programme == "probe-warm")
+LATER = offered(next(probe for probe in PROBES if probe.programme == "probe-later"))
 
 
 @pytest.fixture
@@ -55,7 +62,7 @@ def test_a_mount_that_the_seat_does_not_allow_is_refused_with_the_reason(stand):
     [("cable_turns = 0.5", -180.0, 73), ("cable_turns = 0.25", -90.0, 37), ("cable_turns = 2.0", 0.0, 80)],
 )
 def test_a_probe_is_as_long_as_the_head_may_turn(stand, head, first_deg, points):
-    probe = available(stand(head), TABLE, attended=True).probe("probe-back")
+    probe = available(stand(head), TABLE, attended=True).offer("probe-back").probe
     assert (probe.start_deg, probe.points) == (first_deg, points)
 
 
@@ -67,7 +74,9 @@ def test_where_there_is_hardly_any_room_there_is_no_probe(stand):
 
 def test_a_mounting_takes_as_long_as_the_stand_says(stand):
     slow, quick = (available(stand(f"mounting_s = {each}"), TABLE, attended=True) for each in (600.0, 0.0))
-    assert slow.probe("probe-back").stand_time_s - quick.probe("probe-back").stand_time_s == pytest.approx(600.0)
+    assert slow.offer("probe-back").probe.stand_time_s - quick.offer("probe-back").probe.stand_time_s == pytest.approx(
+        600.0
+    )
 
 
 @pytest.mark.parametrize("probe", PROBES, ids=lambda probe: probe.programme)
@@ -105,20 +114,20 @@ def at_stand(stand, folder, operator):
 def test_who_is_asked_to_warm_the_unit_may_decline(stand, tmp_path):
     person = Person(confirmed=False)
     with pytest.raises(DeclinedError, match="does not warm the unit") as raised:
-        prepare(at_stand(stand, tmp_path, person), WARM)
-    assert raised.value.mount == ""
+        prepare(at_stand(stand, tmp_path, person), offered(WARM))
+    assert (raised.value.condition, raised.value.value) == ("temperature", "warm")
     assert person.asked[0].startswith("Bring the unit to a temperature about 10 K higher")
 
 
 def test_what_shall_be_measured_later_waits_for_that_long(stand, tmp_path):
     at = at_stand(stand, tmp_path, Person(confirmed=True))
     began_s = at.connected.stand.clock.monotonic_s()
-    prepare(at, Probe(programme="later", does="", wait_s=7200.0))
+    prepare(at, LATER)
     assert at.connected.stand.clock.monotonic_s() - began_s == pytest.approx(7200.0)
 
 
 def test_a_wait_can_be_stopped_before_anything_moves(stand, tmp_path):
     at = at_stand(stand, tmp_path, Person(confirmed=True))
     with pytest.raises(JobError, match="stopped while waiting; nothing moved") as raised:
-        prepare(at, Probe(programme="later", does="", wait_s=7200.0), stopped=lambda: True)
+        prepare(at, LATER, stopped=lambda: True)
     assert raised.value.status == 4

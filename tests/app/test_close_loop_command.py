@@ -155,7 +155,7 @@ def test_a_calibration_is_stored_and_reported_with_its_loop(calibrated):
 
 
 def test_a_record_with_its_loop_is_verified(calibrated, monkeypatch):
-    monkeypatch.setattr("tumble.app.analysing.explain", explain)
+    monkeypatch.setattr("tumble.app.methods.dividing_head.job.explain", explain)
     ran = tumble("records", "verify", "--store", calibrated.store)
 
     assert (ran.status, "every parameter comes back" in ran.out) == (0, True)

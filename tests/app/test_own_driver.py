@@ -6,7 +6,8 @@ from pathlib import Path
 import pytest
 from app_jobs import STAND, tumble
 
-from tumble.app.stand import RecordedStand, load_stand
+from tumble.app.methods.dividing_head.uncertainty import HeadStand
+from tumble.app.stand import load_stand
 from tumble.procedures.errors import InputError
 
 OWN = """
@@ -66,7 +67,7 @@ def test_a_driver_that_cannot_be_used_is_told_with_its_line(own, tmp_path, old, 
 def test_an_analysis_needs_no_driver(own):
     recorded = own("[head]\n", "[head]\ngear = 3\naccuracy_arcsec = 4.0\n").recorded
 
-    assert RecordedStand.model_validate(recorded).uncertainty.head_accuracy_arcsec == 4.0
+    assert HeadStand.model_validate(recorded).uncertainty.head_accuracy_arcsec == 4.0
 
 
 def test_there_is_no_emulator_for_it(own, tmp_path):

@@ -114,7 +114,7 @@ def test_a_comparison_knows_two_analyses_of_one_raw_file(copied):
 
 
 def test_an_untouched_record_is_verified(calibrated, monkeypatch):
-    monkeypatch.setattr("tumble.app.analysing.explain", explain)
+    monkeypatch.setattr("tumble.app.methods.dividing_head.job.explain", explain)
 
     ran = tumble("records", "verify", "--store", calibrated.store)
 

@@ -159,7 +159,7 @@ def test_a_list_has_a_line_for_every_version(known):
 
 
 def test_records_are_derived_again_from_their_raw_files(known, monkeypatch):
-    monkeypatch.setattr("tumble.app.analysing.explain", explain)
+    monkeypatch.setattr("tumble.app.methods.dividing_head.job.explain", explain)
 
     ran = tumble("stand", "verify", "--store", known[0] / "store")
 

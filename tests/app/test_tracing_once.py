@@ -5,14 +5,14 @@ import math
 import pytest
 from app_jobs import tumble
 
-from tumble.app import closing
+from tumble.app.methods.dividing_head import job
 
 
 @pytest.fixture
 def traced(monkeypatch):
     """Rows of every table that is traced."""
-    rows, explain = [], closing.explain
-    monkeypatch.setattr(closing, "explain", lambda table, *more: rows.append(len(table)) or explain(table, *more))
+    rows, explain = [], job.explain
+    monkeypatch.setattr(job, "explain", lambda table, *more: rows.append(len(table)) or explain(table, *more))
     return rows
 
 

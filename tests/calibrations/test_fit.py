@@ -91,11 +91,11 @@ def test_the_profile_interval_ends_where_the_misfit_has_grown_by_k_squared():
     assert grown == pytest.approx([4e-8, 4e-8], rel=1e-3)
 
 
-def test_alpha0_is_not_told_without_curvature():
+def test_alpha0_is_not_identifiable_without_curvature():
     c = compressed(table(*FLIPS, sweep("face-up"), unit=dict(UNIT, kxy=0.0)))
     fit = joint_fit(c)
 
-    assert not alpha0_profile(c, fit, 1e-8, 1.96).told
+    assert not alpha0_profile(c, fit, 1e-8, 1.96).identifiable
 
 
 @pytest.mark.parametrize(("freedom", "k"), [(1, 12.71), (2, 4.30), (5, 2.57), (10, 2.23), (20, 2.09), (50, 2.01)])

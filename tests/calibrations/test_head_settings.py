@@ -52,7 +52,7 @@ def test_a_constant_does_not_fit_five_settings_by_their_repeats(five):
     assert five.reversal.differs
 
 
-def test_no_harmonic_of_a_turn_is_told_from_forty_one_degrees(five):
+def test_no_harmonic_of_a_turn_is_identifiable_from_forty_one_degrees(five):
     assert five.effects == ()
     assert five.unexplained[0].depends_on == "angle"
     assert "F(9, 38) = 497" in five.unexplained[0].description
@@ -117,7 +117,7 @@ def test_a_drift_is_seen_between_the_visits_of_a_setting():
     assert loop.augmented.residual_rms < 1.2e-3
 
 
-def test_backlash_is_told_from_its_settings():
+def test_backlash_is_distinguished_from_its_settings():
     loop = close_reference_loop(cycles(lambda a, d, t: 0.01 * (d < 0)))
     assert named(loop) == ["backlash"]
     assert not loop.agreements[1].contradicted

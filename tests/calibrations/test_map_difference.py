@@ -45,7 +45,7 @@ def test_the_slopes_of_both_are_nearly_the_same(joints):
 
 def test_where_side_and_direction_are_the_same_rows_that_is_said(joints):
     said = " ".join(sentences(joints, "a.csv", "b.csv"))
-    assert "backlash and the shape of the error are the same rows and cannot be told apart" in said
+    assert "backlash and the shape of the error are the same rows and not distinguishable" in said
     assert "backlash" not in [change.name for change in joints.changes]
     assert "the weaker test" in said
 

@@ -19,7 +19,7 @@ def record(tmp_path):
     def make(raw="aa", freedom=float("inf"), **fields):
         told = {"value": 1.0, "standard_uncertainty": 3e-4, "type_a": 3e-4, "interval_95": (0.9, 1.1), **fields}
         # What a value is given by stands in the same record.
-        conditions = {"alpha0": calibration().parameters["alpha0"]} if "given_alpha0_deg" in fields else {}
+        conditions = {"alpha0": calibration().parameters["alpha0"]} if "given" in fields else {}
         kx = Parameter(**({"name": "kx", "unit": "V/g", "degrees_of_freedom": freedom} | told))
         return store.add(
             entry(replace(calibration(), parameters={kx.name: kx, **conditions})),
@@ -83,7 +83,7 @@ UNTOLD = {"value": None, "standard_uncertainty": None, "type_a": None, "freedom"
         (UNTOLD | {"reason": "one mount"}, "the second record has no value (one mount)"),
         (UNTOLD, "the second record has no value"),
         ({"unit": "mV/g"}, "it is in V/g in the first record and in mV/g in the second"),
-        ({"given_alpha0_deg": 0.0}, "the first value stands for alpha0 as fitted, the second for alpha0 = 0°"),
+        ({"given": {"alpha0": 0.0}}, "the first value stands for alpha0 as fitted, the second for alpha0 = 0°"),
     ],
 )
 def test_what_cannot_be_subtracted_is_said_so(record, fields, obstacle):
@@ -93,7 +93,7 @@ def test_what_cannot_be_subtracted_is_said_so(record, fields, obstacle):
 
 
 def test_values_for_the_same_given_alpha0_are_compared(record):
-    kx, *_ = compare(record(given_alpha0_deg=0.0), record("bb", given_alpha0_deg=0.0, value=1.1))
+    kx, *_ = compare(record(given={"alpha0": 0.0}), record("bb", given={"alpha0": 0.0}, value=1.1))
     assert kx.difference == pytest.approx(0.1)
 
 

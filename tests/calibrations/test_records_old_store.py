@@ -170,7 +170,7 @@ def test_an_old_record_is_superseded_by_a_new_one(folder):
 def test_a_migration_that_fails_leaves_the_store_as_it_was(folder, monkeypatch):
     before = dump(folder / DATABASE)
     monkeypatch.setattr(running, "update", no_room)
-    with pytest.raises(StoreError, match="no space left"):
+    with pytest.raises(StoreError, match="No space left"):
         Store(folder).migrate()
     monkeypatch.undo()
     assert dump(folder / DATABASE) == before

@@ -125,12 +125,12 @@ def test_rounding_is_tolerated(store, record):
     assert verify(record, store, lambda *_: shifted("kx", -5e-7), "0.1.0").verified
 
 
-def test_a_value_that_the_refit_cannot_tell_does_not_come_back(store, record):
+def test_a_value_that_the_refit_does_not_identify_does_not_come_back(store, record):
     assert "kz" in failing(verify(record, store, lambda *_: entry(sweep_only()), "0.1.0"))
 
 
 def test_a_value_that_stands_for_another_alpha0_does_not_come_back(store, record):
-    given = replace(calibration().parameters["ky"], given_alpha0_deg=0.0)
+    given = replace(calibration().parameters["ky"], given={"alpha0": 0.0})
     again = replace(calibration(), parameters=calibration().parameters | {"ky": given})
     assert failing(verify(record, store, lambda *_: entry(again), "0.1.0")) == ["ky"]
 

@@ -62,11 +62,11 @@ def test_every_element_of_the_section_is_closed(k_xx_section):
     assert parsed(k_xx_section).open == []
 
 
-def test_a_parameter_taken_back_is_followed_by_its_reason():
+def test_a_parameter_that_is_withheld_is_followed_by_its_reason():
     parameters = dict(with_k_xx().augmented.parameters)
     parameters["kz"] = replace(parameters["kz"], value=None, reason="it differs between k_xx and k_yy")
     loop = replace(with_k_xx(), augmented=replace(with_k_xx().augmented, parameters=parameters))
-    assert "kz cannot be told: it differs between k_xx and k_yy." in text_of(section(loop))
+    assert "kz is not identifiable: it differs between k_xx and k_yy." in text_of(section(loop))
 
 
 def test_where_nothing_was_found_the_section_says_so_and_shows_nothing():
@@ -152,10 +152,10 @@ def test_every_experiment_stands_with_its_rivals_its_decision_and_the_error_befo
     first = Stage(loop=replace(with_k_xx(), effects=(rivals,)), behind={"k_xx": 0.0, "k_yy": 1.0})
     after = Stage(loop=replace(with_k_xx(), effects=(alone,)), behind={"k_xx": 0.0, "k_yy": 25.0})
     done = Link(experiment=experiment(), recording="x.mcap", stand_time_s=480.0, before=first, after=after)
-    page = with_chain(Chain(first=first, links=(done,), why="Everything that was found is told apart."))
+    page = with_chain(Chain(first=first, links=(done,), why="Everything that was found is distinguished."))
     text = text_of(page)
-    assert re.search(r"k_xx or k_yy probe-edge 8 20 25 against k_yy: k_xx remains \d+ µV → [\d.]+ µV", text)
-    assert "Everything that was found is told apart." in text
+    assert re.search(r"k_xx or k_yy probe-edge 8 4.5 5.0 against k_yy: k_xx remains \d+ µV → [\d.]+ µV", text)
+    assert "Everything that was found is distinguished." in text
     labels = [ET.fromstring(plot).get("aria-label") for plot in re.findall(r"<svg.*?</svg>", page, flags=re.DOTALL)]
     assert "Explanations after each experiment: k_xx, k_yy" in labels
     assert parsed(page).open == []

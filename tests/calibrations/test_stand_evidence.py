@@ -57,14 +57,14 @@ def test_what_a_run_cannot_tell_is_left_out_of_its_estimate():
     assert run_on(forward).estimate([ECCENTRICITY, Term(effect="backlash")]).terms == (ECCENTRICITY,)
 
 
-def test_an_effect_with_rivals_is_told_of_and_not_taken():
+def test_an_effect_with_rivals_is_mentioned_and_not_taken():
     run = eccentric_run()
     (effect,) = run.loop.effects
     doubtful = replace(run, loop=replace(run.loop, effects=(replace(effect, also_possible=("k_xx",)),)))
 
     assert doubtful.terms == ()
     assert doubts(doubtful) == [
-        "this run alone does not tell head_eccentricity from k_xx, and by itself says nothing of it"
+        "in this run alone head_eccentricity is not distinguishable from k_xx: by itself it says nothing of it"
     ]
 
 

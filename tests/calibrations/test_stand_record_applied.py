@@ -104,7 +104,7 @@ def test_a_run_that_the_record_corrects_contradicts_nothing():
     assert list(contradictions(run, record)) == []
 
 
-def test_a_head_that_changed_is_told_of_with_numbers():
+def test_a_head_that_changed_is_reported_with_numbers():
     record = learned()
     changed = corrected(rows(7, ANOTHER, lambda angle: 0.08 * np.sin(np.deg2rad(angle + 90.0))), record)
 
@@ -116,7 +116,7 @@ def test_a_head_that_changed_is_told_of_with_numbers():
     assert sentence.endswith("; derive it anew with tumble stand learn")
 
 
-def test_an_effect_that_a_record_does_not_have_is_told_of():
+def test_an_effect_that_a_record_does_not_have_is_reported():
     record = learned()
     more = corrected(rows(7, ANOTHER, backlash_deg=0.05), record)
 

@@ -100,7 +100,7 @@ def test_ranges_grow_with_what_was_measured():
     assert (wider.measured_from, wider.measured_to) == ("2026-11-24T10:00", "2026-11-24T10:00")
 
 
-def test_a_table_beyond_the_ranges_is_told_of():
+def test_a_table_beyond_the_ranges_is_reported():
     table = replace(rows(), temperature_degc=np.full(288, 30.0))
 
     assert VALID.exceeded_by(validity_of(table)) == ["32 to 28 °C, known for 22 to 24 °C"]

@@ -64,18 +64,18 @@ def test_a_break_is_found_where_it_is_and_predicts_runs_that_were_left_out():
     assert parameter.augmented.held_out_rms < 0.5 * parameter.polynomials[3].held_out_rms
 
 
-def test_ageing_from_run_to_run_is_told_from_temperature_where_the_order_was_shuffled():
+def test_ageing_from_run_to_run_is_distinguished_from_temperature_where_the_order_was_shuffled():
     assert names(close_temperature_loop(runs(a_mV=lambda at, order: 0.4 * order))) == ["run_drift"]
 
 
-def test_where_every_run_was_warmer_it_is_said_that_ageing_cannot_be_told():
+def test_where_every_run_was_warmer_it_is_said_that_ageing_is_not_distinguishable():
     loop = close_temperature_loop(runs(order=np.arange(1.0, 16.0), a_mV=lambda at, order: 0.4 * order))
-    assert loop.unknowable[0].startswith("Every run was warmer than the one before it")
+    assert loop.limits[0].startswith("Every run was warmer than the one before it")
 
 
 def test_of_constants_nothing_is_said_to_be_found():
     loop = close_temperature_loop(runs(**{f"p{n}_ppm": lambda at, order: 0 * at for n in range(4)}))
-    assert not any("was found" in sentence for sentence in loop.unknowable)
+    assert not any("was found" in sentence for sentence in loop.limits)
 
 
 def test_times_say_which_run_was_made_when(tmp_path):
@@ -88,7 +88,7 @@ def test_times_say_which_run_was_made_when(tmp_path):
 
 def test_few_runs_are_too_few_and_that_is_said():
     loop = close_temperature_loop(runs(temperature_degc=[0, 10, 20, 30], a_mV=lambda at, order: at))
-    assert loop.unknowable[0] == "Nothing is looked for: 4 rows are too few; at least 6 are needed."
+    assert loop.limits[0] == "Nothing is looked for: 4 rows are too few; at least 6 are needed."
 
 
 def test_a_column_of_remarks_is_left_out(tmp_path):

@@ -37,8 +37,7 @@ def test_two_temperatures_carry_no_cubic_however_often_they_were_visited():
     assert names == []
     assert [polynomial.power for polynomial in parameter.polynomials] == [0]
     assert (
-        loop.unknowable[0]
-        == "Nothing is looked for: 2 temperatures (visited 16 times) are too few; at least 6 are needed."
+        loop.limits[0] == "Nothing is looked for: 2 temperatures (visited 16 times) are too few; at least 6 are needed."
     )
     assert parameter.augmented.parameters["constant"].value is None
     assert document(loop)["rows"]["temperatures"] == 2

@@ -25,7 +25,7 @@ def link(before, after, **fields):
 THREE = stage(("k_xx", "k_yy", "k_zz"))
 
 
-def test_an_experiment_tells_apart_what_is_no_rival_any_more():
+def test_an_experiment_separates_what_is_no_rival_any_more():
     done = link(THREE, stage(("k_yy", "k_xx"), k_zz=50.0))
     assert done.separated == ("k_xx", "k_yy", "k_zz")
     assert done.rivals_after == ("k_yy", "k_xx")
@@ -39,13 +39,13 @@ def test_the_true_one_may_be_one_that_was_only_possible():
     assert done.decision == "against k_xx and k_yy: k_zz remains"
 
 
-def test_an_experiment_that_leaves_all_rivals_has_told_nothing_apart():
+def test_an_experiment_that_leaves_all_rivals_has_separated_nothing():
     done = link(THREE, THREE)
     assert (done.separated, done.realised) == ((), None)
     assert done.decision == "nothing: it could still be k_xx, k_yy or k_zz"
 
 
-def test_where_something_else_is_found_none_of_the_names_is_told_from_another():
+def test_where_something_else_is_found_none_of_the_names_is_distinguished():
     done = link(THREE, stage(("backlash",)))
     assert done.separated == ()
     assert done.decision == "against k_xx, k_yy and k_zz: something else was found instead"
@@ -71,7 +71,7 @@ def test_what_is_said_of_an_experiment_is_all_in_the_document():
     ],
     ids=["none", "one", "two", "then one that tells", "one of several runs", "one of two"],
 )
-def test_only_what_should_have_told_something_by_itself_counts_as_futile(links, futile):
+def test_only_what_should_have_separated_something_by_itself_counts_as_futile(links, futile):
     assert Chain(first=THREE, links=tuple(links)).futile == futile
 
 
@@ -92,7 +92,7 @@ def test_where_no_programme_helps_there_is_no_cheapest():
     assert cheapest([experiment("", command="")]) is None
 
 
-def test_why_nothing_more_is_told_apart_names_what_would_help_elsewhere():
+def test_why_nothing_more_is_distinguished_names_what_would_help_elsewhere():
     nothing = experiment("", ("k_xx", "k_yy"), command="", separation=0.3)
     elsewhere = {"probe-end": (experiment("probe-end"), "the seat allows face-up only")}
     assert cannot([nothing], elsewhere) == (

@@ -58,10 +58,10 @@ def test_an_uncertainty_that_is_no_number_is_null():
     assert document(loop)["effects"][0]["coefficients"]["k_xx"]["standard_uncertainty"] is None
 
 
-def test_a_parameter_taken_back_is_null_with_its_reason_and_a_conditional_one_says_for_what():
+def test_a_parameter_that_is_withheld_is_null_with_its_reason_and_a_conditional_one_says_for_what():
     parameters = dict(clean().augmented.parameters)
     parameters["kx"] = replace(parameters["kx"], value=None, standard_uncertainty=None, reason="because")
-    parameters["ky"] = replace(parameters["ky"], given_alpha0_deg=0.0)
+    parameters["ky"] = replace(parameters["ky"], given={"alpha0": 0.0})
     stated = document(replace(clean(), augmented=replace(clean().augmented, parameters=parameters)))["augmented"]
     assert (stated["parameters"]["kx"]["value"], stated["parameters"]["kx"]["reason"]) == (None, "because")
     assert stated["parameters"]["ky"]["given"] == {"alpha0": 0.0}

@@ -41,7 +41,7 @@ def test_nine_settings_in_four_pieces_name_no_effect():
 def test_what_nine_settings_leave_is_said_with_its_size():
     assert nine().unexplained.description == (
         "9 settings over 180° differ from the model by 17 mV where repeats scatter by 510 µV, in no shape that so many "
-        "can tell"
+        "can show"
     )
 
 
@@ -136,7 +136,7 @@ def test_a_clean_table_of_few_settings_is_not_said_to_leave_nothing():
     assert text.startswith("6 settings over 225° leave 1 number beyond the model")
 
 
-def test_a_cubic_that_is_plain_is_told_by_seventeen_settings():
+def test_a_cubic_that_is_plain_is_identified_by_seventeen_settings():
     angles_deg = np.linspace(0.0, 340.0, 17)
     loop = close_loop(pieces(angles_deg, 10, lambda angle_deg: 5e-3 * np.sin(np.deg2rad(angle_deg)) ** 3))
 

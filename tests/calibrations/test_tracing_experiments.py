@@ -130,7 +130,7 @@ def test_no_rivals_ask_for_no_experiment():
     assert proposed(base, trace, found) == ()
 
 
-def test_once_per_turn_and_a_square_are_told_apart_by_a_turn_of_90_degrees():
+def test_once_per_turn_and_a_square_are_distinguished_by_a_turn_of_90_degrees():
     own = programme(FLIPS, BACK, DOWN, realisations=2)
     base, trace, found = traced(runs(own, extra_v=k_xx, seed=2))
     assert behind(found, "k_xx", "head_eccentricity") < 4.0
@@ -146,7 +146,7 @@ def test_once_per_turn_and_a_square_are_told_apart_by_a_turn_of_90_degrees():
     assert behind(after, "k_xx", "head_eccentricity") > experiment.separation / 4
 
 
-def test_squares_of_the_three_projections_are_told_apart_by_another_mount():
+def test_squares_of_the_three_projections_are_distinguished_by_another_mount():
     own = programme(FLIPS, UP, realisations=3)
 
     def square(columns):
@@ -163,7 +163,7 @@ def test_squares_of_the_three_projections_are_told_apart_by_another_mount():
     assert "k_xx" in after
 
 
-def test_what_only_the_voltmeter_can_tell_is_said_and_has_no_command():
+def test_what_only_the_voltmeter_can_separate_is_said_and_has_no_command():
     def cube(columns):
         return 4e-4 * ax_g(columns) ** 3
 
@@ -204,7 +204,7 @@ def answers(monkeypatch, names, separations):
     ]
 
 
-def test_experiments_are_proposed_until_every_rival_is_told_apart(monkeypatch):
+def test_experiments_are_proposed_until_every_rival_is_distinguished(monkeypatch):
     def separations(mounts):
         each = [20.0 * ("edge" in mounts), 20.0 * ("end" in mounts), 20.0 * ("end" in mounts)]
         return [each, each]
@@ -215,7 +215,7 @@ def test_experiments_are_proposed_until_every_rival_is_told_apart(monkeypatch):
     ]
 
 
-def test_two_mounts_are_proposed_together_where_neither_tells_anything_alone(monkeypatch):
+def test_two_mounts_are_proposed_together_where_neither_separates_anything_alone(monkeypatch):
     def separations(mounts):
         return [[20.0 * ({"face-down", "edge"} <= set(mounts))]] * 2
 
@@ -252,7 +252,7 @@ def test_of_two_mounts_each_shows_its_own_rows(monkeypatch):
     assert seen == [{"face-down"}, {"edge"}]
 
 
-def test_an_experiment_that_tells_only_if_the_rival_is_true_says_so(monkeypatch):
+def test_an_experiment_that_separates_only_if_the_rival_is_true_says_so(monkeypatch):
     def separations(mounts):
         return [[0.0], [30.0 * ("edge" in mounts)]]
 

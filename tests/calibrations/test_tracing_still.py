@@ -58,20 +58,20 @@ def test_one_that_was_left_still_on_purpose_is_not_asked_about():
 
 
 @pytest.mark.parametrize("procedure", [None, "still"])
-def test_the_slope_with_temperature_is_told_over_all_and_at_both_ends(procedure):
+def test_the_slope_with_temperature_is_stated_over_all_and_at_both_ends(procedure):
     temperature, _ = document(close_loop(left_still(procedure)))["still"]
     assert (temperature["variable"], temperature["unit"]) == ("temperature", "V/K")
     assert temperature["value"] == pytest.approx(-1.87e-3, rel=0.1)
     assert temperature["first"] < temperature["value"] < temperature["last"] < 0.0
 
 
-def test_no_parameter_is_told_in_one_pose():
+def test_no_parameter_is_identifiable_in_one_pose():
     parameters = close_loop(left_still("still")).augmented.parameters
     assert [parameters[name].value for name in ("u0", "kx")] == [None, None]
 
 
-def test_temperature_and_time_that_went_together_are_not_told_apart():
-    assert "which of the two it follows cannot be told" in headline(close_loop(left_still("still")))
+def test_temperature_and_time_that_went_together_are_not_distinguishable():
+    assert "which of the two it follows is not distinguishable" in headline(close_loop(left_still("still")))
 
 
 def test_an_output_that_follows_nothing_says_so():

@@ -8,13 +8,13 @@ from loop_examples import clean, found, misread, with_k_xx
 from tumble.calibrations.methods.dividing_head.loop.misreading import Misreading
 from tumble.calibrations.methods.dividing_head.loop.sentences import (
     comparisons,
+    dependence,
     findings,
     findings_of,
     found_sentences,
     headline,
-    leaning,
     misread_text,
-    untold,
+    not_identifiable,
 )
 from tumble.calibrations.tracing.findings import Unexplained
 
@@ -135,7 +135,7 @@ def test_what_was_not_tested_or_not_held_out_is_said():
 def moved(**changes):
     """The line of kz after it was changed from 2(1) mV/g."""
     loop = with_k_xx()
-    before = {"value": 2e-3, "standard_uncertainty": 1e-3, "given_alpha0_deg": None}
+    before = {"value": 2e-3, "standard_uncertainty": 1e-3, "given": {}}
     declared = with_parameters(loop.declared, "kz", **before)
     augmented = with_parameters(loop.augmented, "kz", **{**before, **changes})
     return line_of(replace(loop, declared=declared, augmented=augmented), "kz")
@@ -151,27 +151,28 @@ def test_a_change_far_below_the_uncertainty_is_none():
 
 
 def test_values_for_different_alpha0_are_not_subtracted():
-    line = moved(value=4.5e-3, given_alpha0_deg=0.0)
+    line = moved(value=4.5e-3, given={"alpha0": 0.0})
     assert (line.augmented, line.change) == ("4.5(10) mV/g, given alpha0 = 0°", "")
 
 
-def test_what_cannot_be_told_any_more_has_its_reason():
+def test_what_is_not_identifiable_any_more_has_its_reason():
     loop = with_k_xx()
-    taken_back = with_parameters(loop.augmented, "kz", value=None, reason="it differs between k_xx and k_yy")
-    loop = replace(loop, augmented=taken_back)
-    assert line_of(loop, "kz").augmented == "cannot be told"
-    assert ("kz", "it differs between k_xx and k_yy") in untold(loop)
+    withheld = with_parameters(loop.augmented, "kz", value=None, reason="it differs between k_xx and k_yy")
+    loop = replace(loop, augmented=withheld)
+    assert line_of(loop, "kz").augmented == "not identifiable"
+    assert ("kz", "it differs between k_xx and k_yy") in not_identifiable(loop)
 
 
 def test_what_rests_on_kxy_alone_is_said_with_what_would_settle_it():
-    leaning_on_kxy = {
+    resting_on_kxy = {
         "rests_on": "kxy",
-        "remark": "told through the curvature kxy alone",
+        "remark": "identifiable through the curvature kxy alone",
         "settled_by": ("edge", "end"),
     }
-    augmented = with_parameters(with_parameters(clean().augmented, "ky", **leaning_on_kxy), "alpha0", **leaning_on_kxy)
+    augmented = with_parameters(with_parameters(clean().augmented, "ky", **resting_on_kxy), "alpha0", **resting_on_kxy)
 
-    assert leaning(replace(clean(), augmented=augmented)) == (
-        "ky and alpha0 rest on kxy alone: told through the curvature kxy alone; a sweep in edge or end would settle it"
+    assert dependence(replace(clean(), augmented=augmented)) == (
+        "ky and alpha0 rest on kxy alone: identifiable through the curvature kxy alone; a sweep in edge or end would "
+        "settle it"
     )
-    assert leaning(clean()) == ""
+    assert dependence(clean()) == ""

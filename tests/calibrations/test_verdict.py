@@ -94,7 +94,7 @@ def test_a_bad_unit_does_not_pass_by_a_value_that_rests_on_the_curvature():
     judgement = only(loop_of("seed", "small k_xx", ky=0.06), KY)
 
     assert judgement.outcome == "not_decided"
-    assert judgement.reason.startswith("it rests on kxy alone: told through the curvature kxy alone")
+    assert judgement.reason.startswith("it rests on kxy alone: identifiable through the curvature kxy alone")
     assert judgement.remedy.startswith(
         "one sweep in face-down, edge-back or end would settle it: tumble run --programme"
     )
@@ -137,7 +137,7 @@ def test_a_sweep_alone_does_not_decide_on_what_k_xx_would_imitate():
     judgement = only(loop_of("sweep"), limit("u0", 2.4995, 2.5005))
 
     assert judgement.outcome == "not_decided"
-    assert judgement.reason.startswith("it rests on the absence of k_xx, which these data cannot see")
+    assert judgement.reason.startswith("it rests on the absence of k_xx, which these data cannot show")
 
 
 def test_it_decides_where_no_such_effect_could_carry_it_over_the_limits():
@@ -170,7 +170,7 @@ def withheld(name):
 @pytest.mark.parametrize(
     ("changes", "reason"),
     [
-        ({"given_alpha0_deg": 0.0}, "it stands for alpha0 = 0° only"),
+        ({"given": {"alpha0": 0.0}}, "it stands for alpha0 = 0° only"),
         ({"rests_on": "kxy"}, "it rests on kxy alone"),
     ],
 )

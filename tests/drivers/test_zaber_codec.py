@@ -3,9 +3,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tumble.drivers.zaber.codec import (
+    DeviceMessage,
     GarbledError,
     Kind,
-    Message,
     Request,
     encode_message,
     encode_request,
@@ -16,7 +16,7 @@ from tumble.drivers.zaber.codec import (
 DATA = st.from_regex(r"[a-zA-Z0-9.+-]{1,12}( [a-zA-Z0-9.+-]{1,12}){0,4}", fullmatch=True)
 IDS = st.none() | st.integers(0, 99)
 REPLIES = st.builds(
-    Message,
+    DeviceMessage,
     kind=st.just(Kind.REPLY),
     device=st.integers(1, 99),
     axis=st.integers(0, 9),
@@ -59,7 +59,7 @@ def test_a_device_ignores_what_is_no_request(line):
 
 
 def test_a_reply_says_state_flag_and_data():
-    assert parse_message(b"@01 1 06 OK BUSY WR -1250:CD\r\n", checksum=True) == Message(
+    assert parse_message(b"@01 1 06 OK BUSY WR -1250:CD\r\n", checksum=True) == DeviceMessage(
         kind=Kind.REPLY, device=1, axis=1, message_id=6, busy=True, warning="WR", data="-1250"
     )
 
@@ -70,7 +70,7 @@ def test_a_rejection_says_why():
 
 
 def test_an_alert_is_told_from_a_reply():
-    assert parse_message(b"!01 1 IDLE --\r\n", checksum=False) == Message(kind=Kind.ALERT, device=1, axis=1)
+    assert parse_message(b"!01 1 IDLE --\r\n", checksum=False) == DeviceMessage(kind=Kind.ALERT, device=1, axis=1)
 
 
 def test_a_reply_goes_on_in_infos():

@@ -63,7 +63,7 @@ def test_measured_flips_tell_cross_axis_terms_for_a_given_alpha0_only(shared, ax
     found = calibration(shared / "data" / f"flip_mpu9250_{axis}.csv").parameters
 
     assert (found["alpha0"].value, found["kxy"].value) == (None, None)
-    assert (found["ky"].given_alpha0_deg, found["kz"].given_alpha0_deg) == (0.0, 0.0)
+    assert found["ky"].given == found["kz"].given == {"alpha0": 0.0}
 
 
 def test_the_flips_of_the_y_sensor_do_not_close(shared):

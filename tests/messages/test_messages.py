@@ -3,7 +3,7 @@ import pickle
 
 import pytest
 
-from tumble.messages import Language, Message, translatable, translate
+from tumble.messages import Language, Message, translatable, translate, with_wording
 
 
 def test_a_message_is_its_english_text():
@@ -86,6 +86,23 @@ def test_a_copy_can_still_be_put_into_a_language(again):
     message = again(Message.counted("{count} row {{}} {why}", "{count} rows {{}} {why}", count=2, why=Message("none")))
     assert message == "2 rows {} none"
     assert message.in_language(Language.GERMAN) == "2 rows {} keine"
+
+
+@pytest.fixture
+def scale_drift():
+    return Message.named("scale_drift", "scale factor drift")
+
+
+def test_a_name_of_a_document_stays_itself_in_english_and_is_worded_in_another_language(scale_drift):
+    said = Message("none of {names}", names=scale_drift)
+    assert said == said.in_language(Language.ENGLISH) == "none of scale_drift"
+    assert scale_drift.in_language(Language.GERMAN) == "Drift des Skalenfaktors"
+    assert scale_drift.worded(Language.ENGLISH) == "scale factor drift"
+
+
+def test_a_name_that_lost_its_wording_finds_it_again(scale_drift):
+    assert translate(with_wording("scale_" + "drift"), Language.GERMAN) == "Drift des Skalenfaktors"
+    assert with_wording("magnet") == translate(with_wording("magnet"), Language.GERMAN) == "magnet"
 
 
 def test_a_template_is_only_marked():

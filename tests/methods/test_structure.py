@@ -1,6 +1,7 @@
 """Only a method's own packages, and the registry, name it."""
 
 import ast
+import re
 from graphlib import TopologicalSorter
 from pathlib import Path
 
@@ -9,9 +10,11 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 NAMES = sorted(path.name for path in (ROOT / "calibrations" / "methods").iterdir() if (path / "method.py").is_file())
-GENERIC = ("calibrations", "procedures", "drivers", "emulators")
+GENERIC = ("calibrations", "procedures", "drivers", "emulators", "app", "window")
 FIRST = ROOT / "procedures" / "registry.py"
 """Says which method files of version 0.1 are of, which do not say it themselves."""
+INSTRUMENTS = ROOT / "drivers" / "protocols.py"
+"""Names an instrument that is called like a method."""
 MIGRATIONS = ROOT / "calibrations" / "records"
 """Holds what records of version 0.1 leave unsaid."""
 
@@ -19,17 +22,24 @@ MIGRATIONS = ROOT / "calibrations" / "records"
 def generic_files():
     for folder in GENERIC:
         for path in sorted((ROOT / folder).rglob("*.py")):
-            if "methods" not in path.relative_to(ROOT).parts and path != FIRST and MIGRATIONS not in path.parents:
+            if (
+                "methods" not in path.relative_to(ROOT).parts
+                and path not in (FIRST, INSTRUMENTS)
+                and MIGRATIONS not in path.parents
+            ):
                 yield path
 
 
 def names_in(path):
-    """Literals and imported modules of a file."""
+    """Literals, identifiers and imported modules of a file, identifiers in small letters with underscores."""
     for node in ast.walk(ast.parse(path.read_text("utf-8"))):
         if isinstance(node, ast.Constant) and isinstance(node.value, str):
             yield node.value
         if isinstance(node, ast.ImportFrom) and node.module:
             yield from node.module.split(".")
+        for attribute in ("id", "name", "attr", "arg", "asname"):
+            if isinstance(named := getattr(node, attribute, None), str):
+                yield re.sub(r"(?<=[a-z])(?=[A-Z])", "_", named).lower()
 
 
 def test_there_are_methods():
@@ -38,10 +48,29 @@ def test_there_are_methods():
 
 @pytest.mark.parametrize("name", ["dividing_head", "head_reference"])
 def test_no_generic_file_names_a_method(name):
-    assert [path.relative_to(ROOT) for path in generic_files() if name in names_in(path)] == []
+    word = re.compile(rf"(?<![a-z]){name}(?![a-z])")
+    assert [path.relative_to(ROOT) for path in generic_files() if any(map(word.search, names_in(path)))] == []
+
+
+@pytest.mark.parametrize("package", ["calibrations", "procedures", "app"])
+@pytest.mark.parametrize("name", NAMES)
+def test_a_methods_package_imports_no_other_method(name, package):
+    others = {f"methods.{other}" for other in NAMES if other != name}
+    for path in (ROOT / package / "methods" / name).rglob("*.py"):
+        modules = {
+            node.module for node in ast.walk(ast.parse(path.read_text("utf-8"))) if isinstance(node, ast.ImportFrom)
+        }
+        assert not [module for module in modules if module and any(other in module for other in others)]
 
 
 def test_nothing_imports_in_a_circle():
     graph = grimp.build_graph("tumble", exclude_type_checking_imports=True, cache_dir=None)
     imported = {module: graph.find_modules_directly_imported_by(module) for module in graph.modules}
     assert len(list(TopologicalSorter(imported).static_order())) > 500  # raises `CycleError` on a circle
+
+
+def test_nothing_in_the_window_names_the_type_of_what_imports_it():
+    graph = grimp.build_graph("tumble", exclude_type_checking_imports=False, cache_dir=None)
+    window = graph.find_descendants("tumble.window")
+    imported = {module: graph.find_modules_directly_imported_by(module) & window for module in window}
+    assert set(TopologicalSorter(imported).static_order()) == window  # raises `CycleError` on a circle

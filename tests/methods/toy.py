@@ -93,7 +93,6 @@ class Clock:
     version: int = 1
     title: str = "A clock against a better one"
     columns: str = "a clock (clock_h, late_s)"
-    at_stand: bool = False
 
     def reads(self, header, numbers):
         return {"clock_h", "late_s"} <= set(header)

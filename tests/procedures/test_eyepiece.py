@@ -6,15 +6,18 @@ from fakes import QUICK, FakeDaq, FakeHead, MemorySink, point_at
 
 from tumble.drivers.clock import VirtualClock
 from tumble.drivers.manual import ManualHead
+from tumble.drivers.manual.reading import on_the_circle
 from tumble.drivers.protocols import Stand
 from tumble.procedures.engine import Engine
 from tumble.procedures.events import FinishReason, PointCompleted, ReadingAnswered, ReadingRequested
+from tumble.procedures.eyepiece import OperatorEyepiece
+from tumble.procedures.methods.dividing_head.contradiction import contradiction
 from tumble.procedures.methods.dividing_head.doubt import doubt
-from tumble.procedures.methods.dividing_head.eyepiece import OperatorEyepiece, on_the_circle
 from tumble.procedures.methods.dividing_head.layout import dwell_at
 from tumble.procedures.methods.dividing_head.rows import row_of
 from tumble.procedures.operator import Answers, ScriptedOperator
 from tumble.procedures.programme import programme_from_text
+from tumble.procedures.second_look import ReadAgain
 
 SWEEP = programme_from_text('name = "a"\n[[procedure]]\nkind = "sweep"\nstep_deg = 30\npoints = 12\n', "a.toml")
 
@@ -52,7 +55,7 @@ def run(readings, programme=SWEEP, journal=None):
         sink,
         QUICK,
         (),
-        eyepiece,
+        ReadAgain(eyepiece, contradiction),
     )
     if journal is None:
         return engine.run(programme.procedure()), sink

@@ -153,3 +153,8 @@ def test_input_that_cannot_be_read_is_told_with_its_reason():
     console.ask(mounting("edge"))
     with pytest.raises(UnansweredError, match=r"the answer could not be read .UnicodeDecodeError: .* resume the run"):
         answer_of(console)
+
+
+@pytest.mark.parametrize(("word", "confirmed"), [("ja", True), ("так", True), ("nein", False), ("ні", False)])
+def test_a_yes_and_a_no_of_every_language_are_understood(word, confirmed):
+    assert understand(word, "edge").confirmed is confirmed

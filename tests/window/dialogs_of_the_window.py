@@ -51,8 +51,8 @@ def _export_over(driver, path):
 DIALOGS = {
     "what went wrong": lambda driver, path: driver.window.tell(ValueError("bent")),
     "what a person can mend": lambda driver, path: driver.window.stand.open(path.with_name("absent.toml")),
-    "keys": lambda driver, path: menus._show_keys(driver.window),
-    "language": lambda driver, path: menus._tell_language_later(driver.window),
+    "keys": lambda driver, path: driver.window.menus._show_keys(),
+    "language": lambda driver, path: driver.window.menus._tell_language_later(),
     "stand file": lambda driver, path: driver.window.stand._choose(),
     "programme": lambda driver, path: driver.run.form._choose_file(),
     "export": lambda driver, path: driver.window.records._ask_for_export("20260101-1"),

@@ -1,11 +1,17 @@
 import re
+from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QCoreApplication, QSettings, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QAbstractButton, QLabel, QWidget
 
+from tumble.app.running import failure
+from tumble.drivers.errors import CHECK_CABLE, NO_ANSWER, DeviceError, LinkLostError
+from tumble.drivers.simulated.daq import SimulatedDaq
 from tumble.messages import Language, Message, translate
+from tumble.procedures.errors import StopRequestedError
+from tumble.procedures.outcome import outcome_of
 from tumble.window.look.language import speak
 from tumble.window.look.numbers import local, minutes, parse_number
 from tumble.window.look.sentences import in_language
@@ -77,25 +83,20 @@ def test_dialogs_of_qt_speak_german(german):
 
 
 def test_what_the_engine_says_is_said_in_german(german):
-    said = in_language("dividing head: does not answer; check its cable, then resume the run")
+    said = in_language(str(DeviceError(Message("dividing head"), NO_ANSWER, CHECK_CABLE)))
     assert said == "Teilkopf: antwortet nicht; Kabel prüfen, dann den Lauf fortsetzen"
 
 
-def test_effects_within_a_clause_are_named_in_the_language(german):
-    said = in_language("What the declared model leaves was traced to k_xx, backlash and axis_tilt.")
-    effects = "Nichtlinearität zweiter Ordnung k_xx, Umkehrspiel und Neigung der Teilkopfachse"
-    assert said == f"Die Residuen des angegebenen Modells wurden zurückgeführt auf: {effects}."
-
-
-def test_a_message_needs_no_clauses(german):
+def test_a_message_is_put_into_the_language_with_its_numbers(german):
     assert in_language(Message("The run is over: {message}.", message="1.5")) == "Der Lauf ist beendet: 1,5."
 
 
 def test_what_the_engine_says_is_said_in_the_language(ukrainian):
-    said = in_language("the operator stopped the run; 3 complete points kept in x.mcap; tumble resume goes on")
-    assert (
-        said
-        == "оператор зупинив прогін; повних точок збережено: 3, у x.mcap; прогін можна продовжити на екрані «Записи»"
+    stopped = outcome_of(StopRequestedError(Message("the operator stopped the run")), [], True, "head")
+    said = in_language(str(failure(stopped, Path("x.mcap"))))
+    assert said == (
+        "оператор зупинив прогін; 0 повних точок збережено в x.mcap; "
+        "прогін можна продовжити на екрані «Записи» або командою tumble resume"
     )
 
 
@@ -123,3 +124,43 @@ def test_keys_reach_every_screen(driver):
     for key, screen in zip("1234", driver.window._in_order, strict=True):
         driver.press(getattr(Qt.Key, f"Key_{key}"), Qt.KeyboardModifier.ControlModifier)
         driver.wait(screen.isVisible)
+
+
+ENGLISH = re.compile(r"\b(the|is|are|not|and|has|have|then|check|after|at|of|to|it|its|no|with|where|give|cannot)\b")
+"""Words without which hardly an English sentence is made, and which are none in German or Ukrainian."""
+
+
+def fails_at(monkeypatch, number, error):
+    """Have the DAQ fail once."""
+    acquire, calls = SimulatedDaq.acquire, []
+
+    def failing(*arguments):
+        calls.append(arguments)
+        if len(calls) == number:
+            raise error
+        return acquire(*arguments)
+
+    monkeypatch.setattr(SimulatedDaq, "acquire", failing)
+
+
+@pytest.mark.parametrize("language", [Language.GERMAN, Language.UKRAINIAN])
+def test_a_fault_in_mid_run_leaves_no_english_sentence(driver, tiny, tmp_path, monkeypatch, language):
+    QSettings().setValue("look/language", str(language))
+    driver.running._restart()
+    fails_at(monkeypatch, 3 * 2 + 2, DeviceError(Message("multimeter"), NO_ANSWER, CHECK_CABLE))
+    driver.start(tiny)
+    driver.wait(lambda: driver.complaints)
+    (told,) = driver.complaints
+    assert len(told) > 50
+    assert ENGLISH.findall((told + driver.log).replace(str(tmp_path), "")) == []
+
+
+def test_a_link_that_comes_back_is_told_in_german_by_log_and_result(driver, tiny, no_report, monkeypatch):
+    QSettings().setValue("look/language", str(Language.GERMAN))
+    driver.running._restart()
+    fails_at(monkeypatch, 3 * 2 + 2, LinkLostError(Message("multimeter"), NO_ANSWER, CHECK_CABLE))
+    driver.start(tiny)
+    driver.wait_for_result()
+    assert "Multimeter: antwortet nicht; Fortsetzung wird versucht" in driver.log
+    assert "Multimeter: antwortet nicht; Fortsetzung wird versucht" in driver.window.result._notices.text()
+    assert ENGLISH.findall(driver.log) == []

@@ -131,7 +131,11 @@ def test_nothing_that_moves_waits_behind_a_run(driver, long):
     worker = driver.window.worker
     driver.window.stand.simulation.speed.setCurrentIndex(2)
     driver.start(long)
-    for move in (lambda: worker.move_to(700.0), lambda: worker.move_by(90.0), worker.home):
+    for move in (
+        lambda: worker.move_to("head", 700.0),
+        lambda: worker.move_by("head", 90.0),
+        lambda: worker.home("head"),
+    ):
         move()
     driver.wait_for_points(1)
     driver.press(Qt.Key.Key_F12)
@@ -147,10 +151,10 @@ def test_what_is_told_of_a_stand_that_was_left_is_not_shown(driver, stands):
     driver.window.stand.open(a)
     worker, left = driver.window.worker, driver.window.worker.session
     driver.window.stand.open(b)
-    worker._tell(left, worker.head_seen, PositionerStatus(angle_deg=123.0, moving=True, device_time_s=0.0))
+    worker._tell(left, worker.position_seen, "head", PositionerStatus(angle_deg=123.0, moving=True, device_time_s=0.0))
     driver.bot.wait(50)
-    assert driver.window.stand.dial.accessibleName() == ""
-    assert driver.run.view.dial.accessibleName() == ""
+    assert driver.window.stand.dials.of("head").accessibleName() == ""
+    assert driver.run.view.dials.of("head").accessibleName() == ""
 
 
 def test_a_stand_that_was_chosen_is_not_connected_though_the_one_before_was(driver, stands):

@@ -31,7 +31,7 @@ def reach(driver, programme, state):
     asked = state is State.AWAITING_OPERATOR
     driver.start(programme, imagined=not asked)
     if asked:
-        driver.wait(lambda: driver.run.view.asks_mount)
+        driver.wait(lambda: driver.run.view.asks)
     else:
         driver.wait_for_points(2)
     if state is State.PAUSED:
@@ -91,7 +91,7 @@ def test_the_button_stops_a_jog(slow):
     slow.bot.mouseClick(slow.window.stop_bar.button, Qt.MouseButton.LeftButton)
     slow.wait(lambda: not slow.window.busy)
     slow.bot.wait(300)
-    assert stand.dial.accessibleName() != "700.0000°"
+    assert stand.dials.of("head").accessibleName() != "700.0000°"
 
 
 def test_the_stop_key_stops_a_run_with_a_dialog_open_which_stays(slow, long, tmp_path):
@@ -127,7 +127,7 @@ def test_a_head_that_still_turns_when_the_window_is_left_is_stopped(slow, monkey
     stand = slow.window.stand
     stand.connect_button.click()
     slow.wait(stand.jog.isEnabled)
-    slow.window.worker.move_to(700.0)
+    slow.window.worker.move_to("head", 700.0)
     slow.wait(lambda: slow.window.busy)
     slow.window.leave()
     slow.wait(lambda: not slow.window.isVisible())

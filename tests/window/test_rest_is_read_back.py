@@ -51,7 +51,7 @@ def test_it_pauses_until_the_standstill_was_read_back_and_shows_where_that_is(ru
     running.wait(lambda: running.run.state is State.PAUSED)
     assert list(dict.fromkeys(texts))[-2:] == ["Pausing…", "Paused; the head stands"]
     head = running.window.worker.session.connected.stand.positioners["head"].status()
-    for dial in (running.run.view.dial, running.window.stand.dial):
+    for dial in (running.run.view.dials.of("head"), running.window.stand.dials.of("head")):
         assert (dial._status.angle_deg, dial._status.moving) == (head.angle_deg, False)
 
 
@@ -101,7 +101,7 @@ def test_closing_while_a_jog_moves_the_head_asks_stops_and_closes(connected):
     stand.connect_button.click()
     connected.wait(stand.jog.isEnabled)
     head = connected.window.worker.session.connected.stand.positioners["head"]
-    connected.window.worker.move_to(700.0)
+    connected.window.worker.move_to("head", 700.0)
     connected.wait(lambda: head.status().moving)
     connected.window.close()
     assert connected.window.isVisible()

@@ -34,19 +34,19 @@ def test_the_head_goes_where_it_is_told(driver):
     stand = connect(driver)
     driver.type("12 30", stand.jog.angle)
     driver.press(Qt.Key.Key_F8)
-    driver.wait(lambda: stand.dial.accessibleName() == "12.5000°")
+    driver.wait(lambda: stand.dials.of("head").accessibleName() == "12.5000°")
     stand.jog.step.setCurrentIndex(stand.jog.step.findText("10°"))
     driver.press(Qt.Key.Key_Right, Qt.KeyboardModifier.ControlModifier)
-    driver.wait(lambda: stand.dial.accessibleName() == "22.5000°")
+    driver.wait(lambda: stand.dials.of("head").accessibleName() == "22.5000°")
     driver.press(Qt.Key.Key_Home, Qt.KeyboardModifier.ControlModifier)
-    driver.wait(lambda: stand.dial.accessibleName() == "0.0000°")
+    driver.wait(lambda: stand.dials.of("head").accessibleName() == "0.0000°")
 
 
 def test_enter_in_the_field_of_the_angle_moves_nothing(driver):
     stand = connect(driver)
     driver.scan("45", at=stand.jog.angle)
     driver.bot.wait(300)
-    assert stand.dial.accessibleName() == "0.0000°"
+    assert stand.dials.of("head").accessibleName() == "0.0000°"
 
 
 def test_an_angle_outside_the_limits_is_refused(driver):

@@ -41,7 +41,7 @@ def moving(qtbot, connected, driver_of):
     def begin(open_it, *arguments):
         open_it(driver, *arguments)
         driver.wait(lambda: window.dialogs.open or QApplication.activePopupWidget())
-        window.worker.move_to(-170.0 if head_deg(driver) > 300.0 else 750.0)
+        window.worker.move_to("head", -170.0 if head_deg(driver) > 300.0 else 750.0)
         driver.wait(lambda: window.worker.busy)
         return driver
 
@@ -54,7 +54,7 @@ def moving(qtbot, connected, driver_of):
 
 
 def head_deg(driver):
-    return driver.window.stand.dial._status.angle_deg
+    return driver.window.stand.dials.of("head")._status.angle_deg
 
 
 def press_stop(window):

@@ -19,7 +19,7 @@ def test_seed_from_serial_number_to_stored_record(driver, tmp_path):
 
     (record,) = Store.existing(tmp_path / "store").find(serial_number="SN-1")
     assert len(driver.run.view.points) == 430
-    assert driver.run.view.map.done == 430
+    assert driver.run.view.overview.done == 430
     assert presentation.concluded.record_id == record.id
     assert driver.window.result.table.texts()[1][0] == "kx"
     assert driver.window.result.table.texts()[1][1].endswith("V/g")
@@ -30,7 +30,7 @@ def test_seed_from_serial_number_to_stored_record(driver, tmp_path):
 def test_a_person_confirms_every_mount_shown_by_a_picture(driver, write, no_report):
     driver.start(write("two.toml", TWO_MOUNTS), imagined=False)
     for mount in ("face-up", "edge"):
-        driver.wait(lambda mount=mount: driver.run.view.asks_mount and driver.run.view.mount_prompt.mount == mount)
+        driver.wait(lambda mount=mount: driver.run.view.asks and driver.run.view.prompt.value == mount)
         driver.press(Qt.Key.Key_F9)
     driver.wait_for_result()
     assert driver.log.count("The unit sits in the mount") == 2
@@ -38,16 +38,16 @@ def test_a_person_confirms_every_mount_shown_by_a_picture(driver, write, no_repo
 
 def test_a_scan_never_starts_motion(driver, write):
     driver.start(write("two.toml", TWO_MOUNTS), imagined=False)
-    driver.wait(lambda: driver.run.view.asks_mount)
+    driver.wait(lambda: driver.run.view.asks)
     for target in (
         driver.window,
         driver.run.form.serial,
         driver.run.start_button,
-        driver.run.view.mount_prompt.confirm,
+        driver.run.view.prompt.confirm,
     ):
         driver.scan("SN 2 yes face-up", at=target)
     driver.bot.wait(100)
-    assert driver.run.view.asks_mount
+    assert driver.run.view.asks
     assert driver.run.view.points == []
 
 

@@ -9,8 +9,8 @@ from tumble.drivers.errors import DeviceError
 from tumble.drivers.simulated.daq import SimulatedDaq
 from tumble.procedures.events import FinishReason
 from tumble.procedures.recording.reader import read_recording
+from tumble.window.methods.dividing_head.live_fit import fit_live
 from tumble.window.widgets.problem import ProblemDialog, keep_details
-from tumble.window.work.live_fit import fit_live
 
 LOST = DeviceError("voltmeter", "does not answer", "check its cable, then resume the run")
 
@@ -64,7 +64,13 @@ def test_a_run_that_a_fault_ended_is_offered_and_goes_on_to_its_record(driver, t
     driver.window.open(records)
     records.refresh()
     driver.wait(lambda: records.cut_off.table.rowCount() == 1)
-    assert records.cut_off.table.texts()[0][:4] == ["SN-1", "tiny", "2", "device fault"]
+    assert records.cut_off.table.texts()[0][:5] == [
+        "SN-1",
+        "An accelerometer on a dividing head",
+        "tiny",
+        "2",
+        "device fault",
+    ]
     records.tabs.setCurrentWidget(records.cut_off)
     driver.press(Qt.Key.Key_F7)
     presentation = driver.wait_for_result()
@@ -93,7 +99,7 @@ def test_an_exception_anywhere_becomes_a_dialog_and_stops_the_run(driver, long, 
 
 
 def test_a_fault_in_the_analysis_is_a_dialog_too(driver, tiny, monkeypatch):
-    monkeypatch.setattr("tumble.app.analysing.explain", lambda *_: 1 / 0)
+    monkeypatch.setattr("tumble.app.methods.dividing_head.job.explain", lambda *_: 1 / 0)
     driver.start(tiny)
     driver.wait(lambda: driver.complaints)
     assert driver.complaints == ["A fault of the program; the head was told to stop."]
@@ -117,14 +123,14 @@ def test_a_programme_that_the_stand_forbids_moves_nothing(driver, write):
 def test_a_gross_error_is_ringed_at_once(driver, write, no_report):
     driver.start(write("sweep.toml", TINY.replace("points = 6", "points = 36").replace("60.0", "10.0")))
     driver.wait_for_points(36)
-    points = driver.run.view.points
+    points = driver.run.view.figures.points
     spoilt = [
         *points[:20],
         type(points[20])(**{**vars(points[20]), "voltage_v": points[20].voltage_v + 0.2}),
         *points[21:],
     ]
-    driver.run.view.residual.draw_fit(spoilt, fit_live(spoilt))
-    assert driver.run.view.residual.ringed == 1
+    driver.run.view.figures.residual.draw_fit(spoilt, fit_live(spoilt))
+    assert driver.run.view.figures.residual.ringed == 1
 
 
 def test_details_of_a_user_without_a_home_are_kept_nowhere(monkeypatch):

@@ -27,7 +27,7 @@ def driver(lent_driver):
 def begin(driver, write):
     driver.window.stand.open(write("manual.toml", MANUAL))
     driver.start(write("thirty.toml", THIRTY), imagined=False)
-    driver.wait(lambda: driver.run.view.asks_mount)
+    driver.wait(lambda: driver.run.view.asks)
     driver.press(Qt.Key.Key_F9)
     driver.wait(driver.run.reading.isVisible)
 
@@ -70,7 +70,7 @@ def test_a_reading_that_the_voltage_contradicts_is_asked_about(driver, write):
     answer(driver, f"{angle + 10:g}")  # insisted on; the simulated hand turned the head to the setting all the same
     assert "a wrong degree?" in driver.run.reading.prompt
     answer(driver, f"{angle:g}")
-    assert driver.run.view.points[-1].angle_deg == angle
+    assert driver.run.view.points[-1].positions_deg["head"] == angle
 
 
 def test_what_is_no_angle_is_asked_for_again(driver, write):

@@ -1,7 +1,7 @@
 """What happens in a run as sentences in the language of the window."""
 
 from tumble.drivers.manual import format_dms
-from tumble.messages import Message
+from tumble.messages import translate
 from tumble.procedures.events import (
     ConditionAnswered,
     ConditionRequested,
@@ -15,40 +15,34 @@ from tumble.procedures.events import (
     StateChanged,
     WarningRaised,
 )
-from tumble.window.look.clause_translation import by_clauses
+from tumble.window.look.conditions import ConditionWords
 from tumble.window.look.language import spoken, tr
-from tumble.window.look.names import mount_name
+from tumble.window.look.names import instrument_name
 from tumble.window.look.numbers import local
 
 
-def sentence_of(event: Event) -> str:
-    """What the log says of an event; empty where it says nothing."""
+def sentence_of(event: Event, words: ConditionWords) -> str:
+    """What the log says of an event, in a method's `words` for what the operator sets; empty where it says nothing."""
     match event:
         case Identified():
-            names = {"head": tr("Dividing head"), "daq": tr("Voltmeter")}
             said = tr(
                 "{instrument}: {model}, serial number {serial}, firmware {firmware}.",
-                instrument=names.get(event.instrument, event.instrument),
+                instrument=instrument_name(event.instrument),
                 model=event.model,
                 serial=event.serial or "—",
                 firmware=event.firmware or "—",
             )
         case ConditionRequested():
-            said = tr("The unit is to be seated in the mount {mount}.", mount=mount_name(event.value))
+            said = words.requested(event.condition, event.value)
         case ConditionAnswered(confirmed=True):
-            said = tr("The unit sits in the mount {mount}.", mount=mount_name(event.value))
+            said = words.confirmed(event.condition, event.value)
         case ReadingAnswered():
             answer = event.answer or tr("as set")
             said = tr("Set to {setting}; read: {answer}.", setting=format_dms(event.setting_deg), answer=answer)
         case RunResumed():
             said = tr("The run goes on; {points} points are there already.", points=event.points)
         case PointVerified():
-            said = tr(
-                "Point {point} was taken again: {now:.6f} V now, {before:.6f} V before.",
-                point=event.point,
-                now=event.now,
-                before=event.recorded,
-            )
+            said = _taken_again(event)
         case StateChanged(state=State.PAUSED | State.STANDSTILL):
             said = state_name(event.state) + "."
         case WarningRaised():
@@ -58,6 +52,24 @@ def sentence_of(event: Event) -> str:
         case _:
             return ""
     return local(said)
+
+
+def _taken_again(event: PointVerified) -> str:
+    """In volts where the name of the channel ends in these."""
+    if not event.channel.endswith("_v"):
+        return tr(
+            "Point {point} was taken again: {channel} {now:.7g} now, {before:.7g} before.",
+            point=event.point,
+            channel=event.channel,
+            now=event.now,
+            before=event.recorded,
+        )
+    return tr(
+        "Point {point} was taken again: {now:.6f} V now, {before:.6f} V before.",
+        point=event.point,
+        now=event.now,
+        before=event.recorded,
+    )
 
 
 def state_name(state: State) -> str:
@@ -73,5 +85,5 @@ def state_name(state: State) -> str:
 
 
 def in_language(text: str) -> str:
-    """What was said in English in the language of the window, as far as it is known there."""
-    return local(text.in_language(spoken()) if isinstance(text, Message) else by_clauses(text))
+    """A message, or a text that is a key of the catalogue, in the language of the window; any other as it is."""
+    return local(translate(text, spoken()))

@@ -1,5 +1,6 @@
 """Runs that came to no record, and going on with one of them."""
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
@@ -24,7 +25,7 @@ class CutOffView(QWidget):
         super().__init__(parent)
         self._runs: tuple[CutOff, ...] = ()
         self._allowed = True
-        self.table = Table((tr("unit"), tr("programme"), tr("points"), tr("ended"), tr("recording")))
+        self.table = Table((tr("unit"), tr("method"), tr("programme"), tr("points"), tr("ended"), tr("recording")))
         self.resume_button = MotionButton(tr("Go on with it"), "F7")
         self.resume_button.clicked.connect(self._resume)
         self.table.itemSelectionChanged.connect(self._refresh)
@@ -32,13 +33,14 @@ class CutOffView(QWidget):
         layout.addWidget(self.table, stretch=1)
         layout.addWidget(self.resume_button)
 
-    def show_runs(self, runs: "tuple[CutOff, ...]") -> None:
-        """Show other runs, the newest one chosen."""
+    def show_runs(self, runs: "tuple[CutOff, ...]", titles: Mapping[str, str]) -> None:
+        """Show other runs, the newest one chosen, with the `titles` of methods by name."""
         self._runs = runs
         self.table.fill(
             [
                 (
                     run.serial_number,
+                    in_language(titles.get(run.method, run.method)),
                     run.programme_name,
                     str(run.points),
                     in_language(run.ending) or tr("broke off"),

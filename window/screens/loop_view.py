@@ -1,4 +1,4 @@
-"""The closed loop: what was found, what cannot be told, before and after, and the next experiment."""
+"""The closed loop: what was found, what is not identifiable, before and after, and the next experiment."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
@@ -13,7 +13,7 @@ from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
 from tumble.window.widgets.motion_button import MotionButton
 from tumble.window.widgets.table import Table
-from tumble.window.work.presentation import Presentation
+from tumble.window.work.presentation import LoopSummary
 
 if TYPE_CHECKING:
     from tumble.calibrations.tracing.experiments import Experiment
@@ -40,7 +40,7 @@ class LoopView(QWidget):
             )
         )
         self.comparisons = Table(("", tr("declared model"), tr("with what was found"), tr("change")))
-        self.untold = _wrapped()
+        self.not_identifiable = _wrapped()
         self.experiments = QListWidget()
         self.experiments.setWordWrap(True)
         self.experiments.setMinimumHeight(70)
@@ -59,13 +59,13 @@ class LoopView(QWidget):
             layout.addWidget(title)
             layout.addWidget(part)
         layout.addWidget(self.run_button)
-        layout.addWidget(self.untold)
+        layout.addWidget(self.not_identifiable)
         layout.addStretch(1)
 
-    def show_presentation(self, presentation: Presentation) -> None:
-        """Show another result."""
-        self._experiments = presentation.concluded.traced.loop.next_experiment
-        self.headline.setText(in_language(presentation.headline))
+    def show_loop(self, loop: LoopSummary) -> None:
+        """Show that of another result."""
+        self._experiments = tuple(loop.experiments)
+        self.headline.setText(in_language(loop.headline))
         self.findings.fill(
             [
                 (
@@ -75,27 +75,23 @@ class LoopView(QWidget):
                     local(found.coefficients),
                     local(found.p_value),
                 )
-                for found in presentation.findings
+                for found in loop.findings
             ]
         )
-        self.comparisons.fill(
-            [
-                tuple(map(in_language, (line.name, line.declared, line.augmented, line.change)))
-                for line in presentation.comparisons
-            ]
-        )
+        self.comparisons.fill([tuple(map(in_language, line)) for line in loop.comparisons])
         self.findings.show_whole()
         self.comparisons.show_whole()
-        told = [
-            tr("{name} cannot be told: {reason}", name=n, reason=in_language(why)) for n, why in presentation.untold
+        reasons = [
+            tr("{name} is not identifiable: {reason}", name=n, reason=in_language(why))
+            for n, why in loop.not_identifiable
         ]
-        self.untold.setText(
-            local("\n".join([*told, *([in_language(presentation.leaning)] if presentation.leaning else [])]))
+        self.not_identifiable.setText(
+            local("\n".join([*reasons, *([in_language(loop.dependence)] if loop.dependence else [])]))
         )
         self._list_experiments(self._experiments)
         shown = {
-            self.findings: bool(presentation.findings),
-            self.comparisons: bool(presentation.comparisons),
+            self.findings: bool(loop.findings),
+            self.comparisons: bool(loop.comparisons),
             self.experiments: bool(self._experiments),
         }
         for part, title in self._titles.items():

@@ -1,6 +1,6 @@
 """The screen Records: what was measured, compared, verified, written elsewhere, and what came to no end."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
@@ -10,13 +10,13 @@ from PySide6.QtWidgets import QHBoxLayout, QPushButton, QTabWidget, QVBoxLayout,
 
 from tumble.calibrations.core.quantities import format_concise
 from tumble.calibrations.core.verdict import Outcome
-from tumble.calibrations.records.parameter import RecordedParameter
 from tumble.calibrations.records.record import Record
 from tumble.procedures.errors import InputError
 from tumble.window.look.language import tr
 from tumble.window.look.numbers import local
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
+from tumble.window.registry import window_part
 from tumble.window.screens.cut_off_view import CutOffView
 from tumble.window.screens.stand_records import StandRecords
 from tumble.window.widgets.dialog import FileDialog, QuestionDialog
@@ -27,6 +27,7 @@ from tumble.window.widgets.trend_plot import TrendPlot
 from tumble.window.work import records as store
 from tumble.window.work.activity import Resumption
 from tumble.window.work.background import Background
+from tumble.window.work.headline import headline
 
 if TYPE_CHECKING:
     from tumble.calibrations.records.compare import Difference
@@ -57,11 +58,12 @@ class RecordsScreen(QWidget):
         self.table = Table(
             (
                 tr("unit"),
+                tr("method"),
                 tr("programme"),
                 tr("measured"),
                 tr("revision"),
                 tr("verdict"),
-                "kx",
+                tr("result"),
                 tr("record"),
             )
         )
@@ -128,18 +130,18 @@ class RecordsScreen(QWidget):
 
     def _show(self, found: store.Found) -> None:
         self.records = found.records
-        self.table.fill([self._line(record) for record in found.records])
+        self.table.fill([self._line(record, found.titles) for record in found.records])
         self.search.offer(found.programmes)
         self.trend.show_records(found.records)
-        self.cut_off.show_runs(found.cut_off)
+        self.cut_off.show_runs(found.cut_off, found.titles)
         self.found_cut_off.emit(found.cut_off)
         self.stands.show_records(found.stands)
         title = tr("Runs without a record")
         self.tabs.setTabText(1, f"{title} ({len(found.cut_off)})" if found.cut_off else title)
         self._refresh_buttons()
 
-    def _line(self, record: Record) -> tuple[str, ...]:
-        kx, origin = record.values.get("kx"), record.provenance
+    def _line(self, record: Record, titles: Mapping[str, str]) -> tuple[str, ...]:
+        origin = record.provenance
         verdicts = {
             Outcome.PASS: tr("✓ inside"),
             Outcome.FAIL: tr("✗ outside"),
@@ -148,11 +150,12 @@ class RecordsScreen(QWidget):
         }
         return (
             origin.serial_number,
+            in_language(titles.get(record.method, record.method)),
             origin.programme_name,
             (origin.measured_at or f"{record.created_at:%Y-%m-%dT%H:%M}").replace("T", " ")[:16],
             str(record.revision),
             verdicts[record.verdict.outcome],
-            _value(kx) if kx else "",
+            _headline(record),
             record.id,
         )
 
@@ -241,9 +244,11 @@ class RecordsScreen(QWidget):
         self.resume_wanted.emit(resumption, resumption.unfinished.recording.points)
 
 
-def _value(parameter: RecordedParameter) -> str:
-    """A value with the condition on which it stands; empty where there is none."""
-    if parameter.value is None:
+def _headline(record: Record) -> str:
+    """The parameter that stands for the result, with the condition on which it stands; empty where none has a value."""
+    parameter = headline(record, window_part(record.method).headline)
+    if parameter is None or parameter.value is None:
         return ""
     value = local(format_concise(parameter.value, parameter.standard_uncertainty, parameter.unit))
-    return f"{value} ({in_language(parameter.condition)})" if parameter.condition else value
+    condition = f" ({in_language(parameter.condition)})" if parameter.condition else ""
+    return f"{parameter.name} = {value}{condition}"

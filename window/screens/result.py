@@ -1,6 +1,6 @@
 """The screen Result: what a calibration says, and what to do next."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 
@@ -13,17 +13,19 @@ from tumble.app.stand import LoadedStand, same_instruments
 from tumble.calibrations.core.verdict import Model, Outcome, Verdict
 from tumble.procedures.errors import InputError
 from tumble.procedures.programme import load_programme
+from tumble.procedures.registry import FIRST
 from tumble.window.look.language import tr
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
 from tumble.window.look.theme import colours
+from tumble.window.parts import ResultTab
+from tumble.window.registry import window_part
 from tumble.window.screens.loop_view import LoopView
 from tumble.window.widgets.correlation_table import CorrelationTable
-from tumble.window.widgets.result_plots import FitPlot, ResidualFigure
 from tumble.window.widgets.table import Table
 from tumble.window.work.activity import Concluded, FurtherExperiment
 from tumble.window.work.background import Background
-from tumble.window.work.presentation import Presentation, present
+from tumble.window.work.presentation import Presentation
 
 
 class ResultScreen(QWidget):
@@ -52,9 +54,10 @@ class ResultScreen(QWidget):
                 tr("condition"),
             )
         )
-        self.fit, self.residuals = FitPlot(), ResidualFigure()
         self.correlation, self.loop = CorrelationTable(), LoopView()
-        self.tabs = QTabWidget()
+        self.tabs, self._part = QTabWidget(), window_part(FIRST)
+        self._own: Sequence[ResultTab] = ()
+        """Tabs of the method that is shown."""
         self._lay_out()
         self.report_button.clicked.connect(self._open_report)
         self.loop.experiment_wanted.connect(self._run_experiment)
@@ -67,7 +70,7 @@ class ResultScreen(QWidget):
     def show_result(self, concluded: Concluded, store: Path) -> None:
         """Show a result as soon as it is worked out."""
         self._store = store
-        self._background.start(partial(present, concluded), self._show)
+        self._background.start(partial(window_part(concluded.method).present, concluded), self._show)
 
     def _show_nothing(self) -> None:
         self.verdict.setText(tr("There is no result yet: run a programme, or open a record."))
@@ -78,10 +81,33 @@ class ResultScreen(QWidget):
         self.presentation = presentation
         self._show_head(presentation)
         self._show_table(presentation)
-        self.fit.show_rows(presentation.models["declared"])
-        for part in (self.residuals, self.correlation, self.loop):
-            part.show_presentation(presentation)
+        self._take_tabs_of(presentation.concluded.method)
+        for tab in self._own:
+            tab.show(presentation)
+        self._show_generic_tabs(presentation)
         self.tabs.setEnabled(True)
+
+    def _take_tabs_of(self, method: str) -> None:
+        """Put the tabs of another method between the parameters and the correlations."""
+        if window_part(method) is self._part and self._own:
+            return
+        for tab in self._own:
+            self.tabs.removeTab(self.tabs.indexOf(tab.widget))
+            tab.widget.deleteLater()
+        self._part = window_part(method)
+        self._own = self._part.tabs()
+        for place, tab in enumerate(self._own, 1):
+            self.tabs.insertTab(place, tab.widget, tab.title)
+
+    def _show_generic_tabs(self, presentation: Presentation) -> None:
+        """Correlations and closed loop, each where the method states one."""
+        correlations, loop = presentation.correlations, presentation.loop
+        self.tabs.setTabVisible(self.tabs.indexOf(self.correlation), correlations is not None)
+        self.tabs.setTabVisible(self.tabs.indexOf(self.loop), loop is not None)
+        if correlations is not None:
+            self.correlation.show_correlations(correlations)
+        if loop is not None:
+            self.loop.show_loop(loop)
 
     def _show_head(self, presentation: Presentation) -> None:
         concluded = presentation.concluded
@@ -134,12 +160,11 @@ class ResultScreen(QWidget):
         head.addWidget(self.report_button)
         for title, part in (
             (tr("Parameters"), self.table),
-            (tr("Fit"), self.fit),
-            (tr("Residuals"), self.residuals),
             (tr("Correlations"), self.correlation),
             (tr("Closed loop"), self.loop),
         ):
             self.tabs.addTab(part, title)
+        self._take_tabs_of(FIRST)
         layout = QVBoxLayout(self)
         layout.addLayout(head)
         layout.addWidget(self._subject)

@@ -27,7 +27,7 @@ from tumble.window.widgets.run_form import RunForm
 from tumble.window.work.activity import Activity, Calibration, Concluded
 from tumble.window.work.background import Background
 from tumble.window.work.bridge import EventBridge
-from tumble.window.work.operator import SEATED, WindowOperator
+from tumble.window.work.operator import CONFIRMED, WindowOperator
 from tumble.window.work.stand_worker import StandWorker
 
 if TYPE_CHECKING:
@@ -64,11 +64,8 @@ class RunScreen(QWidget):
         self._worker, self._operator, self._store, self._attendant = worker, operator, store, attendant
         self._now, self._broken_off = RunState(), False
         self._setting_deg = 0.0
-        self.form, self.view, self.reading = (
-            RunForm(lambda: worker.session.loaded),
-            RunView(background),
-            ReadingPrompt(),
-        )
+        self.form, self.reading = RunForm(lambda: worker.session.loaded), ReadingPrompt()
+        self.view = RunView(background, self.form.chosen_or_shipped())
         self.offered = ResumeOffer()
         self.start_button = MotionButton(tr("Start"), "F5")
         self.pause_button = MotionButton(tr("Pause"), "F6")
@@ -91,7 +88,7 @@ class RunScreen(QWidget):
     def show_stand(self) -> None:
         """Show what there is to do on the stand that is chosen now."""
         self.form.plan_anew()
-        self.view.see(None)
+        self._forget_positions()
         self._see_rest()
 
     def offer(self, runs: "Sequence[CutOff]") -> None:
@@ -119,7 +116,7 @@ class RunScreen(QWidget):
             self.refused.emit(error)
             return False
         self.form.serial.setText(activity.job.serial_number)
-        self.view.begin(plan, points)
+        self.view.begin(activity.job.programme, plan, points)
         self._bar.setRange(0, plan.dwells)
         self._count(len(points), None)
         self._now.phase, self._broken_off = Phase.RUNNING, False
@@ -140,18 +137,18 @@ class RunScreen(QWidget):
         self.offered.wanted.connect(self.resume_wanted)
         self.form.changed.connect(self._refresh)
         self.form.dialog_wanted.connect(self.dialog_wanted)
-        self.view.mount_prompt.seated.connect(self._seated)
+        self.view.confirmed.connect(self._confirm)
         self.reading.answered.connect(self._operator.answer)
         bridge.announced.connect(self._hear)
-        bridge.head_seen.connect(self.view.see)
+        bridge.position_seen.connect(self.view.see)
         bridge.progressed.connect(self._count)
-        self._operator.mount_asked.connect(self.view.ask_mount)
+        self._operator.condition_asked.connect(self.view.ask)
         self._operator.reading_asked.connect(self._ask_reading)
         worker = self._worker
-        worker.head_seen.connect(self.view.see)
-        worker.head_seen.connect(self._see_head)
+        worker.position_seen.connect(self.view.see)
+        worker.position_seen.connect(self._see_position)
         worker.connected.connect(self._see_rest)
-        worker.disconnected.connect(lambda: self.view.see(None))
+        worker.disconnected.connect(self._forget_positions)
         worker.restless.connect(self._see_unrest)
         worker.working.connect(self._refresh)
         worker.stage.connect(self._conclude)
@@ -186,7 +183,7 @@ class RunScreen(QWidget):
                 self._setting_deg = setting_deg
             case RunFinished(at_standstill=at_standstill):
                 self._ask_nothing()
-                self._now.restless = not at_standstill
+                self._now.settle(at_standstill)
 
     def _pause(self) -> None:
         self._now.pausing = True
@@ -198,16 +195,25 @@ class RunScreen(QWidget):
         self._worker.resume()
         self._refresh()
 
-    def _see_head(self, status: PositionerStatus) -> None:
-        if self._now.restless and not status.moving:
-            self._see_rest()
+    def _forget_positions(self) -> None:
+        self.view.dials.show_positioners(self._positioners)
+
+    @property
+    def _positioners(self) -> tuple[str, ...]:
+        return tuple(self._worker.session.loaded.file.positioners)
+
+    def _see_position(self, name: str, status: PositionerStatus) -> None:
+        before = self._now.restless
+        self._now.see(name, status.moving, self._positioners)
+        if before != self._now.restless:
+            self._refresh()
 
     def _see_rest(self, *_: object) -> None:
-        self._now.restless = False
+        self._now.settle(at_standstill=True)
         self._refresh()
 
     def _see_unrest(self) -> None:
-        self._now.restless = True
+        self._now.settle(at_standstill=False)
         self._refresh()
 
     def _change(self, state: State) -> None:
@@ -220,10 +226,10 @@ class RunScreen(QWidget):
         self.reading.show()
         self.reading.ask(self._setting_deg, prompt)
 
-    def _seated(self) -> None:
-        if self.view.asks_mount:
+    def _confirm(self) -> None:
+        if self.view.asks:
             self.view.ask_nothing()
-            self._operator.answer(SEATED)
+            self._operator.answer(CONFIRMED)
 
     def _ask_nothing(self) -> None:
         self.view.ask_nothing()

@@ -1,6 +1,7 @@
 """Where a run stands, and what may be said of that."""
 
-from dataclasses import dataclass
+from collections.abc import Collection
+from dataclasses import dataclass, field
 from enum import Enum, auto
 
 from tumble.procedures.events import State
@@ -26,7 +27,9 @@ class RunState:
     pausing: bool = False
     """Whether a pause was asked for that has not begun."""
     restless: bool = False
-    """Whether the standstill of the head could not be read back."""
+    """Whether the standstill of a positioner could not be read back."""
+    resting: set[str] = field(default_factory=set)
+    """Positioners that were seen at rest since then, by name."""
 
     @property
     def paused(self) -> bool:
@@ -37,6 +40,16 @@ class RunState:
         """Take over what the engine tells."""
         self.state = state
         self.pausing = self.pausing and state is not State.PAUSED
+
+    def settle(self, at_standstill: bool) -> None:
+        """Something ended, and the standstill of the stand was read back or was not."""
+        self.restless, self.resting = not at_standstill, set()
+
+    def see(self, name: str, moving: bool, positioners: Collection[str]) -> None:
+        """A positioner was seen; whatever was restless is at rest once every one of the stand was seen so."""
+        self.resting = self.resting - {name} if moving else self.resting | {name}
+        if self.resting.issuperset(positioners):
+            self.restless = False
 
     def end(self) -> None:
         """The run is over."""

@@ -1,66 +1,63 @@
-"""What a run looks like while it goes on."""
+"""What a run looks like while it goes on, whichever its method."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Final
 
-import numpy as np
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
 
 from tumble.drivers.protocols import Block, PositionerStatus
 from tumble.procedures.events import Event, PointCompleted, SamplesAcquired, StepStarted, WarningRaised
-from tumble.procedures.methods.dividing_head.rows import Row, row_of
 from tumble.procedures.plan import Plan
-from tumble.procedures.steps import Dwell, Point
+from tumble.procedures.programme import Programme
+from tumble.procedures.steps import Ask, Dwell, Point
 from tumble.window.look.sentences import sentence_of
-from tumble.window.widgets.dial import Dial
-from tumble.window.widgets.pose_map import PoseMap
-from tumble.window.widgets.prompts import MountPrompt
+from tumble.window.registry import window_part
+from tumble.window.widgets.dials import Dials
 from tumble.window.widgets.run_log import RunLog
-from tumble.window.widgets.run_plots import OutputPlot, ResidualPlot, SamplesPlot, TemperaturePlot
+from tumble.window.widgets.run_plots import SamplesPlot, TemperaturePlot
 from tumble.window.widgets.splitter import Splitter
 from tumble.window.work.background import Background
-from tumble.window.work.live_fit import LiveFit, fit_live
 
 _REDRAW_MS: Final = 50
 _REFIT_MS: Final = 400
 
 
 class RunView(QWidget):
-    """Map of poses, dial or mount prompt, plots and log; drawn anew a few times a second, whatever the engine does."""
+    """Overview, dials or prompt, plots and log; drawn anew a few times a second, whatever the engine does."""
 
-    def __init__(self, background: Background, parent: QWidget | None = None) -> None:
+    confirmed = Signal()
+    """What was asked for is set."""
+
+    def __init__(self, background: Background, programme: Programme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._background = background
-        self.points: list[Row] = []
+        self.points: list[Point] = []
         self._step: Dwell | None = None
         self._block: Block | None = None
-        self._drawn = self._fitted = 0
-        self._fitting = False
-        self._stale: dict[Callable[[], None], None] = {}
-        """What is to be drawn anew, in order."""
-        self.fit: LiveFit | None = None
-        self.dial, self.mount_prompt, self.map, self.log = Dial(), MountPrompt(), PoseMap(), RunLog()
-        self.output, self.residual = OutputPlot(), ResidualPlot()
+        self._drawn = 0
+        self.dials, self.log = Dials(), RunLog()
         self.temperature, self.samples = TemperaturePlot(), SamplesPlot()
         self._place = QStackedWidget()
+        self._make_parts(programme)
         self._lay_out()
         self._redraw = QTimer(self, interval=_REDRAW_MS)
         self._redraw.timeout.connect(self._draw)
         self._refit = QTimer(self, interval=_REFIT_MS)
-        self._refit.timeout.connect(self._fit)
+        self._refit.timeout.connect(self._analyse)
         self._redraw.start()
         self._refit.start()
 
-    def begin(self, plan: Plan, points: Sequence[Point] = ()) -> None:
-        """Show a run that begins, or goes on after some points."""
-        self.points = [row_of(point) for point in points]
+    def begin(self, programme: Programme, plan: Plan, points: Sequence[Point] = ()) -> None:
+        """Show a run that begins, or goes on after some points, by the method that its programme names."""
+        self._take_parts_of(programme)
+        self.points = list(points)
         dwells = [planned.step for planned in plan.steps if isinstance(planned.step, Dwell)]
-        self.map.show_plan(dwells, done=len(self.points))
-        self._step, self._block, self.fit = None, None, None
-        self._drawn, self._fitted = -1, 0
-        self._show_fit(None)
-        self.samples.forget()
+        self.overview.show_plan(dwells, points)
+        self.figures.begin(points)
+        self._step, self._block = None, None
+        self._drawn = -1
+        self.samples.begin(programme.layout.channels)
         self.ask_nothing()
         self.log.clear()
 
@@ -69,43 +66,64 @@ class RunView(QWidget):
         match event:
             case StepStarted(step=Dwell() as dwell):
                 self._step = dwell
-                self.map.begin(dwell)
+                self.overview.begin(dwell)
             case SamplesAcquired(block=block):
                 self._block = block
             case PointCompleted(point=point):
-                self.points.append(row_of(point))
-                if self._step is not None:
-                    self.map.complete(self._step)
-        if sentence := sentence_of(event):
+                self._complete(point)
+        if sentence := sentence_of(event, self._part.words):
             self.log.say(sentence, warning=isinstance(event, WarningRaised))
 
-    def see(self, status: PositionerStatus | None) -> None:
-        """Show where the head is; None where nobody knows."""
-        self.dial.show_status(status)
+    def see(self, name: str, status: PositionerStatus) -> None:
+        """Show where a positioner is."""
+        self.dials.show_status(name, status)
 
-    def ask_mount(self, mount: str) -> None:
-        """Put the picture of a mount in the place of the dial."""
-        self.mount_prompt.ask(mount)
-        self._place.setCurrentWidget(self.mount_prompt)
+    def ask(self, ask: Ask) -> None:
+        """Put what is to be set in the place of the dials."""
+        self.prompt.ask(ask)
+        self._place.setCurrentWidget(self.prompt)
 
     def ask_nothing(self) -> None:
-        """Show the dial again."""
-        self._place.setCurrentWidget(self.dial)
+        """Show the dials again."""
+        self._place.setCurrentWidget(self.dials)
 
     @property
-    def asks_mount(self) -> bool:
-        """Whether a mount is asked for."""
-        return self._place.currentWidget() is self.mount_prompt
+    def asks(self) -> bool:
+        """Whether a condition is asked for."""
+        return self._place.currentWidget() is self.prompt
+
+    def _complete(self, point: Point) -> None:
+        self.points.append(point)
+        self.figures.add(point)
+        if self._step is not None:
+            self.overview.complete(self._step, point)
+
+    def _make_parts(self, programme: Programme) -> None:
+        layout, self._part = programme.layout, window_part(programme.method)
+        self.prompt, self.overview = self._part.prompt(layout), self._part.overview(layout)
+        self.figures = self._part.figures(layout, self._background)
+        self.prompt.confirmed.connect(self.confirmed)
+        self._place.addWidget(self.prompt)
+
+    def _take_parts_of(self, programme: Programme) -> None:
+        """Put the parts of another method in the places of those that are there."""
+        if window_part(programme.method) is self._part:
+            return
+        prompt, overview, figures = self.prompt, self.overview, self.figures
+        self._make_parts(programme)
+        self._place.removeWidget(prompt)
+        prompt.deleteLater()
+        self._left.replace(overview, self.overview)
+        self._right.replace(figures, self.figures)
 
     def _lay_out(self) -> None:
-        for part in (self.dial, self.mount_prompt):
-            self._place.addWidget(part)
-        left = Splitter(Qt.Orientation.Vertical, (self._place, self.map), (3, 2))
+        self._place.insertWidget(0, self.dials)
+        self._left = Splitter(Qt.Orientation.Vertical, (self._place, self.overview), (3, 2))
         small = Splitter(Qt.Orientation.Horizontal, (self.temperature, self.samples), (1, 1))
-        right = Splitter(Qt.Orientation.Vertical, (self.output, self.residual, small, self.log), (5, 4, 4, 3))
+        self._right = Splitter(Qt.Orientation.Vertical, (self.figures, small, self.log), (9, 4, 3))
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(Splitter(Qt.Orientation.Horizontal, (left, right), (2, 3)))
+        layout.addWidget(Splitter(Qt.Orientation.Horizontal, (self._left, self._right), (2, 3)))
 
     def _draw(self) -> None:
         """Draw the newest samples, and one of the plots that are not up to date: all at once would be felt."""
@@ -116,44 +134,11 @@ class RunView(QWidget):
             self._block = None
         if len(self.points) != self._drawn:
             self._drawn = len(self.points)
-            self._stale |= {self._draw_output: None, self._draw_temperature: None}
-        if self._stale:
-            draw = next(iter(self._stale))
-            del self._stale[draw]
-            draw()
+            self.figures.draw_later(self._draw_temperature)
+        self.figures.draw_next()
 
-    def _draw_output(self) -> None:
-        self.output.draw_points(self.points, np.array([_volts(point) for point in self.points]))
+    def _analyse(self) -> None:
+        self.figures.analyse()
 
     def _draw_temperature(self) -> None:
         self.temperature.draw_points(self.points)
-
-    def _draw_curves(self) -> None:
-        self.output.draw_curves(self.fit.curves if self.fit else {})
-
-    def _draw_residual(self) -> None:
-        self.residual.draw_fit(self.points, self.fit)
-
-    def _fit(self) -> None:
-        if self._fitting or len(self.points) == self._fitted:
-            return
-        points = tuple(self.points)
-        self._fitting, self._fitted = True, len(points)
-        self._background.start(lambda: fit_live(points), self._show_fit, self._without_fit)
-
-    def _show_fit(self, fit: LiveFit | None) -> None:
-        self._fitting = False
-        if fit is not None and fit.points > len(self.points):
-            return  # another run has begun meanwhile
-        self.fit = fit
-        self._stale |= {self._draw_residual: None, self._draw_curves: None}
-
-    def _without_fit(self, error: Exception) -> None:
-        """Points from which nothing can be fitted yet: the analysis after the run says why. Other errors are told."""
-        self._show_fit(None)
-        if not isinstance(error, ValueError | ArithmeticError):
-            self._background.failed.emit(error)
-
-
-def _volts(row: Row) -> float:
-    return row.voltage_v if abs(row.voltage_v) < 1e30 else float("nan")

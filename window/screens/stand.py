@@ -14,8 +14,8 @@ from tumble.procedures.events import Event, Identified
 from tumble.window.look.language import tr
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
-from tumble.window.widgets.dial import Dial
 from tumble.window.widgets.dialog import FileDialog
+from tumble.window.widgets.dials import Dials
 from tumble.window.widgets.instrument_table import InstrumentTable
 from tumble.window.widgets.jog import Jog
 from tumble.window.widgets.simulation_settings import SimulationSettings
@@ -41,7 +41,9 @@ class StandScreen(QWidget):
         self._worker, self._operator = worker, operator
         self._connected = self._by_hand = False
         self._warnings: tuple[str, ...] = ()
-        self.dial, self.table, self.jog = Dial(), InstrumentTable(), Jog()
+        self._lost: set[str] = set()
+        """Positioners that do not know their angle."""
+        self.dials, self.table, self.jog = Dials(), InstrumentTable(), Jog()
         self.simulation = SimulationSettings()
         self.connect_button, self.disconnect_button = (
             QPushButton(tr("&Connect")),
@@ -76,6 +78,7 @@ class StandScreen(QWidget):
         place = str(loaded.path) if loaded.path else tr("the simulated stand that is built in")
         self._name.setText(f"<b>{escape(loaded.file.name)}</b><br>{escape(place)}")
         self.table.show_stand(loaded)
+        self.jog.show_positioners(tuple(loaded.file.positioners))
         self.simulation.setVisible(loaded.file.simulates)
         QSettings().setValue("stand/path", str(loaded.path) if loaded.path else "")
         self._show_disconnected()  # the one before is left, and what that tells is no longer heard
@@ -93,8 +96,8 @@ class StandScreen(QWidget):
         worker.connected.connect(self._show_connected)
         worker.disconnected.connect(self._show_disconnected)
         worker.working.connect(self._refresh)
-        worker.head_seen.connect(self._see)
-        bridge.head_seen.connect(self._see)
+        worker.position_seen.connect(self._see)
+        bridge.position_seen.connect(self._see)
         bridge.announced.connect(self._hear)
 
     def _lay_out(self) -> None:
@@ -114,7 +117,7 @@ class StandScreen(QWidget):
         for part in (self.table, self.simulation, self._notice, self.jog):
             column.addWidget(part)
         column.addStretch(1)
-        halves = Splitter(Qt.Orientation.Horizontal, (self.dial, facts), (1, 1))
+        halves = Splitter(Qt.Orientation.Horizontal, (self.dials, facts), (1, 1))
         layout = QVBoxLayout(self)
         layout.addLayout(choice)
         layout.addWidget(halves, stretch=1)
@@ -132,26 +135,29 @@ class StandScreen(QWidget):
             self.refused.emit(error)
 
     def _show_connected(self, identity: StandIdentity) -> None:
-        self._connected, self._by_hand = True, identity.status.by_hand
+        self._connected = True
+        self._by_hand = any(status.by_hand for status in identity.statuses.values())
         self.table.show_stand(self.loaded)  # what is due may have changed since
-        self.table.show_identity("head", identity.head)
-        self.table.show_identity("daq", identity.daq)
+        for name, instrument in identity.instruments.items():
+            self.table.show_identity(name, instrument)
         self._warnings = identity.warnings
-        self._see(identity.status)
+        for name, status in identity.statuses.items():
+            self._see(name, status)
         self._refresh()
 
     def _show_disconnected(self) -> None:
         self._connected = False
-        for key in ("head", "daq"):
-            self.table.show_identity(key, None)
-        self.dial.show_status(None)
+        self.table.forget_identities()
+        self.dials.show_positioners(tuple(self.loaded.file.positioners))
+        self._lost = set()
         self._notice.clear()
         self._refresh()
 
-    def _see(self, status: PositionerStatus) -> None:
-        self.dial.show_status(status)
-        unreferenced = [] if status.referenced else [tr("The head does not know its angle: home it first.")]
-        self._notice.setText("\n".join([*map(in_language, self._warnings), *unreferenced]))
+    def _see(self, name: str, status: PositionerStatus) -> None:
+        self.dials.show_status(name, status)
+        self._lost = self._lost - {name} if status.referenced else self._lost | {name}
+        home_first = [tr("The head does not know its angle: home it first.")] if self._lost else []
+        self._notice.setText("\n".join([*map(in_language, self._warnings), *home_first]))
 
     def _hear(self, event: Event) -> None:
         """Show who answers in a run, which asks anew whenever a link was lost."""

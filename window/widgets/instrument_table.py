@@ -10,20 +10,22 @@ from tumble.app.stand import LoadedStand
 from tumble.drivers.protocols import Identity
 from tumble.drivers.tables import Instrument
 from tumble.window.look.language import tr
+from tumble.window.look.names import instrument_name
 from tumble.window.look.plain import PlainLabel
 
 _SOON: Final = timedelta(days=30)
 
 
 class InstrumentTable(QFrame):
-    """Head and DAQ beside each other, one line for each thing that is known."""
+    """The instruments of a stand beside each other, one line for each thing that is known."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("card")
         self._grid = QGridLayout(self)
+        self._instruments: tuple[str, ...] = ()
         self._cells: dict[tuple[str, str], QLabel] = {}
-        names = {
+        self._titles = {
             "driver": tr("Driver"),
             "address": tr("Address"),
             "model": tr("Model"),
@@ -32,33 +34,47 @@ class InstrumentTable(QFrame):
             "certificate": tr("Certificate"),
             "due": tr("Calibration due"),
         }
-        for column, (key, title) in enumerate({"head": tr("Dividing head"), "daq": tr("Voltmeter")}.items(), 1):
-            heading = QLabel(title)
-            heading.setObjectName("heading")
-            self._grid.addWidget(heading, 0, column)
-            self._grid.setColumnStretch(column, 1)
-            for row, name in enumerate(names, 1):
-                self._cells[key, name] = self._cell(row, column)
-        for row, title in enumerate(names.values(), 1):
-            label = QLabel(title)
-            label.setObjectName("pale")
-            self._grid.addWidget(label, row, 0)
 
     def show_stand(self, loaded: LoadedStand) -> None:
         """Show what the stand file says."""
-        self._show_file("head", loaded.file.head)
-        self._show_file("daq", loaded.file.daq)
-        for key in ("head", "daq"):
-            self.show_identity(key, None)
+        tables = {**loaded.file.positioners, **loaded.file.samplers}
+        if tuple(tables) != self._instruments:
+            self._make(tuple(tables))
+        for key, table in tables.items():
+            self._show_file(key, table)
+        self.forget_identities()
 
     def show_identity(self, key: str, identity: Identity | None) -> None:
-        """Show who answers as `head` or `daq`; None where nobody was asked."""
+        """Show who answers as an instrument; None where nobody was asked. One of another stand is passed over."""
+        if key not in self._instruments:
+            return
         for name in ("model", "serial", "firmware"):
             self._say(key, name, getattr(identity, name) if identity else "")
+
+    def forget_identities(self) -> None:
+        """Nobody was asked."""
+        for key in self._instruments:
+            self.show_identity(key, None)
 
     def text(self, key: str, name: str) -> str:
         """What a cell says."""
         return self._cells[key, name].text()
+
+    def _make(self, instruments: tuple[str, ...]) -> None:
+        """A column for each instrument, in place of those that are there."""
+        while (item := self._grid.takeAt(0)) is not None:
+            if (before := item.widget()) is not None:
+                before.hide()  # it is deleted when the event loop comes to it
+                before.deleteLater()
+        for column in range(self._grid.columnCount()):
+            self._grid.setColumnStretch(column, 0)
+        self._instruments = instruments
+        for row, title in enumerate(self._titles.values(), 1):
+            self._grid.addWidget(_label(title, "pale"), row, 0)
+        for column, key in enumerate(instruments, 1):
+            self._grid.addWidget(_label(instrument_name(key), "heading"), 0, column)
+            self._grid.setColumnStretch(column, 1)
+            self._cells |= {(key, name): self._cell(row, column) for row, name in enumerate(self._titles, 1)}
 
     def _cell(self, row: int, column: int) -> QLabel:
         label = PlainLabel()
@@ -87,3 +103,9 @@ class InstrumentTable(QFrame):
         label.setText(text or "—")
         label.setObjectName(kind)
         label.style().polish(label)
+
+
+def _label(text: str, kind: str) -> QLabel:
+    label = PlainLabel(text)
+    label.setObjectName(kind)
+    return label

@@ -1,51 +1,66 @@
-"""What the person at the stand is asked: to seat the unit, shown by a picture, or to set and read a head."""
+"""What the person at the stand is asked: to set a condition, or to set and read a head."""
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QLineEdit, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLineEdit, QVBoxLayout, QWidget
 
-from tumble.procedures.methods.dividing_head.eyepiece import on_the_circle
+from tumble.drivers.manual import on_the_circle
+from tumble.procedures.layout import Layout
+from tumble.procedures.steps import Ask
 from tumble.window.look.language import tr
-from tumble.window.look.names import mount_name
 from tumble.window.look.numbers import local
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
 from tumble.window.widgets.huge_label import HugeLabel
 from tumble.window.widgets.motion_button import MotionButton
-from tumble.window.widgets.pose_picture import PosePicture
 
 
-class MountPrompt(QFrame):
-    """The mount by name and picture, and a button that no scanner can press: the head turns after it."""
+class ConditionPrompt(QFrame):
+    """What is to be set by name, with a picture where there is one, and a button that no scanner can press.
 
-    seated = Signal()
+    What moves the stand is free to move after it.
+    """
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    confirmed = Signal()
+
+    def __init__(self, _: Layout, picture: QWidget | None = None, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("card")
-        self._mount = ""
+        self._value = ""
         self._title = HugeLabel()
         self._title.setMaximumHeight(64)
-        self._picture = PosePicture()
-        self.confirm = MotionButton(tr("It sits there"), "F9")
+        self._task = PlainLabel()
+        self._task.setWordWrap(picture is None)
+        self.confirm = MotionButton(self.button_text(), "F9")
         self.confirm.setObjectName("primary")
-        self.confirm.clicked.connect(self.seated)
-        hint = QLabel(tr("Seat the unit as in the picture,\nat head angle 0°."))
+        self.confirm.clicked.connect(self.confirmed)
         layout = QVBoxLayout(self)
         layout.addWidget(self._title)
-        layout.addWidget(self._picture, stretch=1)
-        layout.addWidget(hint)
+        layout.addWidget(picture or QWidget(), stretch=1)
+        layout.addWidget(self._task)
         layout.addWidget(self.confirm)
 
     @property
-    def mount(self) -> str:
-        """The mount that is asked for."""
-        return self._mount
+    def value(self) -> str:
+        """What the condition is to be."""
+        return self._value
 
-    def ask(self, mount: str) -> None:
-        """Ask for a mount."""
-        self._mount = mount
-        self._title.say(mount_name(mount))
-        self._picture.show_mount(mount)
+    def ask(self, ask: Ask) -> None:
+        """Ask for a condition."""
+        self._value = ask.value
+        self._title.say(self.title(ask))
+        self._task.setText(self.task(ask))
+
+    def title(self, ask: Ask) -> str:
+        """What is asked for in a word or two, large."""
+        return ask.value
+
+    def task(self, ask: Ask) -> str:
+        """What there is to do."""
+        return in_language(ask.task)
+
+    def button_text(self) -> str:
+        """What the button says."""
+        return tr("Done")
 
 
 class ReadingPrompt(QFrame):

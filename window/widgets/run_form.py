@@ -10,7 +10,7 @@ from tumble.app.running import Job
 from tumble.app.stand import LoadedStand
 from tumble.drivers.text import LONGEST_NAME
 from tumble.procedures.errors import InputError
-from tumble.procedures.programme import load_programme, shipped_programmes
+from tumble.procedures.programme import Programme, load_programme, shipped_programmes
 from tumble.window.look.language import tr
 from tumble.window.look.numbers import local, minutes
 from tumble.window.look.plain import PlainLabel
@@ -62,6 +62,13 @@ class RunForm(QWidget):
         """Have the next serial number take the place of the one that is there."""
         self.serial.setFocus()
         self.serial.selectAll()
+
+    def chosen_or_shipped(self) -> Programme:
+        """The programme that is chosen, or the first that comes along where that cannot be read."""
+        try:
+            return load_programme(self.programme.currentText())
+        except InputError:
+            return load_programme(shipped_programmes()[0])
 
     def job(self) -> Job:
         """What is asked for. Raises `InputError`."""

@@ -1,4 +1,4 @@
-"""The bar that is always there: STOP, where the run stands, where the head is."""
+"""The bar that is always there: STOP, where the run stands, where every positioner is."""
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
@@ -34,7 +34,8 @@ class StopBar(QWidget):
             layout.addWidget(label, stretch)
         self._angle.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         layout.addWidget(self.button)
-        self.show_head(None)
+        self._statuses: dict[str, PositionerStatus] = {}
+        self.forget_positions()
 
     def show_state(self, text: str, fault: bool) -> None:
         """Say where the run stands, in red where that is a fault."""
@@ -42,15 +43,24 @@ class StopBar(QWidget):
         self.state.style().polish(self.state)
         self.state.setText(text)
 
-    def show_head(self, status: PositionerStatus | None) -> None:
-        """Show where the head is; None where nobody knows."""
-        if status is None:
-            self._angle.setText(tr("not connected"))
-        elif not status.referenced:
-            self._angle.setText(tr("angle not known"))
-        else:
-            self._angle.setText(f"{'↻ ' if status.moving else ''}{local(format_dms(status.angle_deg))}")
+    def forget_positions(self) -> None:
+        """Nobody knows where anything is."""
+        self._statuses = {}
+        self._angle.setText(tr("not connected"))
+
+    def show_position(self, name: str, status: PositionerStatus) -> None:
+        """Show where a positioner is; several go by their names."""
+        self._statuses[name] = status
+        angles = {each: _angle(known) for each, known in self._statuses.items()}
+        named = (f"{each} {angle}" for each, angle in angles.items())
+        self._angle.setText("\n".join(named if len(angles) > 1 else angles.values()))
 
     def show_busy(self, busy: bool) -> None:
         """Say whether an analysis is under way."""
         self._busy.setText(tr("computing…") if busy else "")
+
+
+def _angle(status: PositionerStatus) -> str:
+    if not status.referenced:
+        return tr("angle not known")
+    return f"{'↻ ' if status.moving else ''}{local(format_dms(status.angle_deg))}"

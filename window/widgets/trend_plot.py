@@ -7,11 +7,13 @@ import numpy as np
 import pyqtgraph as pg
 from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
 
-from tumble.calibrations.methods.dividing_head.model import UNITS
+from tumble.calibrations.records.parameter import RecordedParameter
 from tumble.calibrations.records.record import Record
 from tumble.window.look.language import tr
 from tumble.window.look.numbers import local
 from tumble.window.look.plots import LocalAxis, Plot
+from tumble.window.registry import window_part
+from tumble.window.work.headline import headline
 
 
 class TrendPlot(QWidget):
@@ -20,8 +22,7 @@ class TrendPlot(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.parameter, self.over = QComboBox(), QComboBox()
-        self.parameter.addItems(list(UNITS))
-        self.parameter.setCurrentText("kx")
+        self.parameter.addItem("—")
         self.over.addItem(tr("time"), "time")
         self.over.addItem(tr("units"), "units")
         self.plot = Plot("", "")
@@ -37,9 +38,28 @@ class TrendPlot(QWidget):
         self.plot.recoloured.connect(self._draw)
 
     def show_records(self, records: Sequence[Record]) -> None:
-        """Draw other records."""
+        """Draw other records, of the parameter that is chosen where one of them has it."""
         self._records = records
+        self._offer()
         self._draw()
+
+    def _offer(self) -> None:
+        """Offer the parameters of all records; one whose unit differs between methods once for each."""
+        offered = list(dict.fromkeys(_key(each) for record in self._records for each in record.values.values()))
+        chosen = self.parameter.currentData() or self._headline()
+        self.parameter.blockSignals(True)
+        self.parameter.clear()
+        for name, unit in offered:
+            self.parameter.addItem(name, (name, unit))
+        if not offered:
+            self.parameter.addItem("—")
+        self.parameter.setCurrentIndex(offered.index(chosen) if chosen in offered else 0)
+        self.parameter.blockSignals(False)
+
+    def _headline(self) -> tuple[str, str] | None:
+        """That which stands for the result of the newest record."""
+        found = (headline(record, window_part(record.method).headline) for record in self._records)
+        return next((_key(each) for each in found if each is not None), None)
 
     def _lay_out(self) -> None:
         self.plot.addItem(self._bars)
@@ -55,11 +75,14 @@ class TrendPlot(QWidget):
         layout.addWidget(self.plot, stretch=1)
 
     def _draw(self) -> None:
-        name = self.parameter.currentText()
+        name, unit = self.parameter.currentData() or ("", "")
         told = [
             (record, parameter.value, parameter.interval_95)
             for record in self._records
-            if (parameter := record.values.get(name)) and parameter.value is not None and parameter.interval_95
+            if (parameter := record.values.get(name))
+            and parameter.unit == unit
+            and parameter.value is not None
+            and parameter.interval_95
         ]
         self.drawn = len(told)
         x = self._places([record for record, _, _ in told])
@@ -67,7 +90,7 @@ class TrendPlot(QWidget):
         low, high = np.array([low for *_, (low, _) in told]), np.array([high for *_, (_, high) in told])
         self._bars.setData(x=x, y=y, top=high - y, bottom=y - low, pen=self.plot.pen(self.plot.colours.pale))
         self._marks.setData(x, y, brush=self.plot.colours.accent, pen=None)
-        self.plot.name_axes(self.over.currentText(), local(f"{name} ({UNITS[name].replace('^2', '²')})"))
+        self.plot.name_axes(self.over.currentText(), local(f"{name} ({unit.replace('^2', '²')})" if name else ""))
 
     def _places(self, records: Sequence[Record]) -> "np.ndarray[tuple[int], np.dtype[np.float64]]":
         """Where records stand on the abscissa, which is dressed for it."""
@@ -78,6 +101,10 @@ class TrendPlot(QWidget):
         self.plot.use_bottom_axis(self._numbers)
         self._numbers.setTicks([list(enumerate(units))])
         return np.array([float(units.index(record.provenance.serial_number)) for record in records])
+
+
+def _key(parameter: RecordedParameter) -> tuple[str, str]:
+    return parameter.name, parameter.unit
 
 
 def _moment(record: Record) -> datetime:

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 from tumble.app.running import Job, failure
 from tumble.app.simulation import Past
@@ -13,7 +13,6 @@ from tumble.procedures.announcer import Listener
 from tumble.procedures.progress import Progress
 
 if TYPE_CHECKING:  # the analysis and the store take half a second: a window is up before that
-    from tumble.app.analysing import Traced
     from tumble.app.calibrating import Calibrated
     from tumble.app.resuming import Unfinished
 
@@ -47,7 +46,10 @@ class Activity(Protocol):
 class Concluded:
     """What a run and its analysis left behind."""
 
-    traced: "Traced"
+    method: str
+    """Name of the method, which is shown by its part of the window."""
+    traced: Any
+    """What its analysis gave, which its part of the window shows; without one, a `generic.presenting.Analysed`."""
     recordings: tuple[Path, ...]
     record_id: str = ""
     """Empty where nothing was stored."""
@@ -67,7 +69,7 @@ class Calibration:
         """Do it."""
         from tumble.app.calibrating import calibrate
 
-        return _stored(calibrate(self.job, connected, self.store, listeners, tell))
+        return _stored(self.job, calibrate(self.job, connected, self.store, listeners, tell))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -103,7 +105,7 @@ class Resumption:
             outcome = resume(self.unfinished, self.job, connected, listeners)
         if error := failure(outcome, path):
             raise error
-        return _stored(conclude(path, self.store, tell))
+        return _stored(self.job, conclude(path, self.store, tell))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -132,12 +134,12 @@ class FurtherExperiment:
         )
         closing, began_s = begin(self.before, at), clock.monotonic_s()
         asked = next(each for each in closing.planned if each.programme == job.programme.name)
-        probe = closing.available.probe(asked.programme)
-        prepare(at, probe, connected.control.stop_wanted)
-        recording = run_experiment(at, probe, listeners)
+        offer = closing.available.offer(asked.programme)
+        prepare(at, offer, connected.control.stop_wanted)
+        recording = run_experiment(at, offer, listeners)
         tell("tracing")
         closing = follow(closing, asked, recording, clock.monotonic_s() - began_s, at)
-        return Concluded(traced=closing.traced, recordings=closing.files)
+        return Concluded(method=job.programme.method, traced=closing.traced, recordings=closing.files)
 
 
 def progress_of(activity: Activity, connected: Connected) -> Progress:
@@ -145,5 +147,11 @@ def progress_of(activity: Activity, connected: Connected) -> Progress:
     return Progress(activity.job.plan(), connected.stand.clock, activity.points_done)
 
 
-def _stored(done: "Calibrated") -> Concluded:
-    return Concluded(traced=done.analysed, recordings=(done.recording,), record_id=done.record.id, report=done.report)
+def _stored(job: Job, done: "Calibrated") -> Concluded:
+    return Concluded(
+        method=job.programme.method,
+        traced=done.analysed,
+        recordings=(done.recording,),
+        record_id=done.record.id,
+        report=done.report,
+    )

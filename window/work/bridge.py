@@ -10,7 +10,7 @@ from tumble.procedures.events import ConditionAnswered, Event, PointCompleted
 from tumble.procedures.progress import Progress, TimeLeft
 
 _LOOKS_S: Final = 0.04
-"""Least real time between two sights of a moving head that are passed on."""
+"""Least real time between two sights of a moving positioner that are passed on."""
 
 
 class EventBridge(QObject):
@@ -18,8 +18,8 @@ class EventBridge(QObject):
 
     announced = Signal(object)
     """Every event of a run."""
-    head_seen = Signal(object)
-    """`PositionerStatus`, where the head is on its way; not every one."""
+    position_seen = Signal(str, object)
+    """Name and `PositionerStatus` of a positioner on its way; not every one."""
     progressed = Signal(int, object)
     """Points done, and the `TimeLeft`."""
     failed = Signal(object)
@@ -27,7 +27,7 @@ class EventBridge(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._looked_s = 0.0
+        self._looked_s: dict[str, float] = {}
         self._progress: Progress | None = None
 
     def count(self, progress: Progress) -> None:
@@ -51,9 +51,9 @@ class EventBridge(QObject):
             left: TimeLeft = self._progress.time_left()
             self.progressed.emit(self._progress.done, left)
 
-    def look(self, status: PositionerStatus) -> None:
-        """Pass on where the head is, as often as an eye can follow."""
+    def look(self, name: str, status: PositionerStatus) -> None:
+        """Pass on where a positioner is, as often as an eye can follow."""
         now_s = time.monotonic()
-        if not status.moving or now_s - self._looked_s >= _LOOKS_S:
-            self._looked_s = now_s
-            self.head_seen.emit(status)
+        if not status.moving or now_s - self._looked_s.get(name, 0.0) >= _LOOKS_S:
+            self._looked_s[name] = now_s
+            self.position_seen.emit(name, status)

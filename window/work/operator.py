@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, Signal
 from tumble.procedures.operator import Answer, understand, understand_reading
 from tumble.procedures.steps import Ask
 
-SEATED: Final = "yes"
+CONFIRMED: Final = "yes"
 _BLINK_S: Final = 0.02
 
 
@@ -18,30 +18,30 @@ class WindowOperator(QObject):
     What was said before a question answers nothing.
     """
 
-    mount_asked = Signal(str)
-    """The mount in which the unit shall be seated."""
+    condition_asked = Signal(object)
+    """`Ask`: what is to be set."""
     reading_asked = Signal(str)
     """The prompt for a reading of the head; the setting came with the event before it."""
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._answers: SimpleQueue[str] = SimpleQueue()
-        self._mount: str | None = None
+        self._wanted: str | None = None
 
     def answer(self, text: str) -> None:
         """Answer the question that is open; called in the event loop."""
         self._answers.put(text)
 
     def ask(self, ask: Ask) -> None:
-        """Ask for what is to be set, which is how the unit is seated: the window has its own words and a picture."""
+        """Ask for what is to be set: the window has its own words, and a picture where the method has one."""
         self._forget()
-        self._mount = ask.value
-        self.mount_asked.emit(ask.value)
+        self._wanted = ask.value
+        self.condition_asked.emit(ask)
 
     def ask_reading(self, prompt: str) -> None:
         """Ask for a reading."""
         self._forget()
-        self._mount = None
+        self._wanted = None
         self.reading_asked.emit(prompt)
 
     def poll(self) -> Answer | None:
@@ -50,7 +50,7 @@ class WindowOperator(QObject):
             text = self._answers.get(timeout=_BLINK_S)
         except Empty:
             return None
-        return understand_reading(text) if self._mount is None else understand(text, self._mount)
+        return understand_reading(text) if self._wanted is None else understand(text, self._wanted)
 
     def _forget(self) -> None:
         while not self._answers.empty():

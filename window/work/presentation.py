@@ -1,36 +1,63 @@
-"""A result as the screen shows it, worked out where it keeps nobody waiting."""
+"""A result as the screen Result shows it, worked out where it keeps nobody waiting."""
 
-from collections.abc import Mapping
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
-
-import numpy as np
+from typing import TYPE_CHECKING
 
 from tumble.calibrations.core.arrays import FloatArray
-from tumble.calibrations.core.quantities import format_correlation
-from tumble.calibrations.core.verdict import Model, Verdict
-from tumble.calibrations.methods.dividing_head.result import Calibration
+from tumble.calibrations.core.verdict import Outcome, Verdict
 from tumble.window.work.activity import Concluded
 
 if TYPE_CHECKING:
-    from tumble.calibrations.methods.dividing_head.loop.sentences import Comparison
+    from tumble.calibrations.tracing.experiments import Experiment
     from tumble.calibrations.tracing.sentences import Finding
-
-_MICRO = 1e6
 
 
 @dataclass(frozen=True, kw_only=True)
-class Rows:
-    """The rows of one model, as plots need them."""
+class ParameterLine:
+    """One parameter, every cell as text."""
 
-    mounts: list[str]
-    abscissae: Mapping[str, FloatArray]
-    """`angle`, `turn`, `time`, `temperature`, `realisation`, those that the data have; every one of shape (rows,)."""
-    output_v: FloatArray
-    residual_uv: FloatArray
-    scatter_uv: float
-    curves: Mapping[str, tuple[FloatArray, FloatArray]]
-    """Head angle in degrees and model output in volts, by mount."""
+    name: str
+    value: str
+    """Value and expanded uncertainty with the unit; empty where there is none."""
+    interval: str
+    """The 95% interval."""
+    standard: str
+    """Standard uncertainty."""
+    note: str
+    """The condition under which the value stands."""
+    reason: str = ""
+    """Why there is no value."""
+    limits: str = ""
+    verdict: str = ""
+    outcome: Outcome = Outcome.NO_LIMITS
+
+
+@dataclass(frozen=True, kw_only=True)
+class Correlations:
+    """Correlation coefficients of the parameters."""
+
+    names: Sequence[str]
+    coefficients: FloatArray
+    """Shape (names, names)."""
+    texts: Sequence[Sequence[str]]
+    """The same as text, empty where there is none."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class LoopSummary:
+    """What the closed loop says; what is empty is not shown."""
+
+    experiments: "Sequence[Experiment]"
+    """What to measure next, the best first."""
+    headline: str = ""
+    findings: "Sequence[Finding]" = ()
+    comparisons: Sequence[tuple[str, str, str, str]] = ()
+    """Name, declared model, with what was found, change."""
+    not_identifiable: Sequence[tuple[str, str]] = ()
+    """Names, and why."""
+    dependence: str = ""
+    """Which parameters rest on another one alone."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -39,88 +66,7 @@ class Presentation:
 
     concluded: Concluded
     verdict: Verdict
-    model: Model
-    """Whose values the table holds."""
-    notices: tuple[str, ...]
-    table: tuple[Any, ...]
-    """`tumble.calibrations.methods.dividing_head.report.results.ResultRow`, one for each parameter."""
-    names: tuple[str, ...]
-    correlation: FloatArray
-    correlation_texts: tuple[tuple[str, ...], ...]
-    models: Mapping[str, Rows]
-    """`declared` and, where something was found, `augmented`."""
-    headline: str
-    findings: "tuple[Finding, ...]"
-    comparisons: "tuple[Comparison, ...]"
-    untold: tuple[tuple[str, str], ...]
-    leaning: str
-
-
-def present(concluded: Concluded) -> Presentation:
-    """Work out what there is to show."""
-    from tumble.calibrations.methods.dividing_head.loop.sentences import (
-        comparisons,
-        findings_of,
-        headline,
-        leaning,
-        untold,
-    )
-    from tumble.calibrations.methods.dividing_head.report.results import notices, results
-    from tumble.calibrations.methods.dividing_head.report.subject import Subject
-
-    traced = concluded.traced
-    use, loop = traced.usable, traced.loop
-    subject = Subject(
-        calibration=traced.calibration,
-        provenance=traced.provenance,
-        limits=traced.limits,
-        loop=loop,
-        decided=traced.verdict,
-    )
-    models = {"declared": rows_of(traced.calibration)}
-    if loop.effects or loop.unexplained:
-        models["augmented"] = rows_of(loop.augmented)
-    return Presentation(
-        concluded=concluded,
-        verdict=traced.verdict,
-        model=use.model,
-        notices=tuple(notices(subject)),
-        table=tuple(results(subject)["rows"]),
-        names=tuple(use.calibration.parameters),
-        correlation=use.calibration.correlation,
-        correlation_texts=tuple(tuple(map(_coefficient, row)) for row in use.calibration.correlation),
-        models=models,
-        headline=headline(loop),
-        findings=tuple(findings_of(loop)),
-        comparisons=tuple(comparisons(loop)),
-        untold=tuple(untold(loop)),
-        leaning=leaning(loop),
-    )
-
-
-def rows_of(calibration: Calibration) -> Rows:
-    """What plots need of a calibration."""
-    from tumble.calibrations.methods.dividing_head.report.figures import model_curve
-
-    observations, noise = calibration.observations, calibration.noise
-    mounts = observations.mounts.tolist()
-    curves = {mount: model_curve(calibration, mount) for mount in dict.fromkeys(mounts)}
-    columns = {
-        "angle": observations.angle_deg,
-        "turn": np.mod(observations.angle_deg, 360.0),
-        "time": None if observations.time_s is None else observations.time_s / 60.0,
-        "temperature": observations.temperature_degc,
-        "realisation": observations.realisation,
-    }
-    return Rows(
-        mounts=mounts,
-        abscissae={name: np.asarray(column, float) for name, column in columns.items() if column is not None},
-        output_v=observations.output_v,
-        residual_uv=np.asarray(calibration.residual_v * np.sqrt(calibration.weights) * _MICRO),
-        scatter_uv=(noise.used_v if noise.pure_error_v is None else noise.pure_error_v) * _MICRO,
-        curves={mount: curve for mount, curve in curves.items() if curve is not None},
-    )
-
-
-def _coefficient(value: float) -> str:
-    return "" if not np.isfinite(value) else format_correlation(float(value))
+    notices: Sequence[str]
+    table: Sequence[ParameterLine]
+    correlations: Correlations | None = None
+    loop: LoopSummary | None = None

@@ -3,8 +3,8 @@
 Database and analysis are imported when they are called: a window is up before that.
 """
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from datetime import datetime
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -44,6 +44,8 @@ class Found:
     records: tuple[Record, ...]
     cut_off: "tuple[CutOff, ...]"
     programmes: tuple[str, ...]
+    titles: Mapping[str, str]
+    """What the installed methods measure, in words, by name."""
     stands: "tuple[StandRecord, ...]" = ()
     """Stand records of all stands."""
 
@@ -51,12 +53,14 @@ class Found:
 def search(folder: Path, wanted: Search) -> Found:
     """Look for records and for runs that came to none; a store that is not there holds nothing."""
     from tumble.app.cut_off import cut_off_runs
+    from tumble.app.methods import methods
     from tumble.app.recall import open_store
     from tumble.app.stand_records import list_stand_records
     from tumble.calibrations.records.store import DATABASE
 
+    titles = {method.name: method.title for method in methods()}
     if not (folder / DATABASE).is_file():
-        return Found(records=(), cut_off=cut_off_runs(folder), programmes=())
+        return Found(records=(), cut_off=cut_off_runs(folder), programmes=(), titles=titles)
     found = open_store(folder).find(
         programme_name=wanted.programme_name or None, verdict=wanted.verdict, since=wanted.since, until=wanted.until
     )
@@ -65,6 +69,7 @@ def search(folder: Path, wanted: Search) -> Found:
         records=tuple(record for record in found if part in record.provenance.serial_number.casefold()),
         cut_off=cut_off_runs(folder),
         programmes=tuple(sorted({record.provenance.programme_name for record in found} - {""})),
+        titles=titles,
         stands=list_stand_records(folder),
     )
 
@@ -79,6 +84,7 @@ def open_record(folder: Path, record_id: str) -> Concluded:
     traced = trace(fit(measurement, record.provenance.serial_number, folder=folder))
     page = report_path(folder, record)
     return Concluded(
+        method=record.method,
         traced=traced,
         recordings=(measurement.path,),
         record_id=record.id,
@@ -94,7 +100,7 @@ def analyse_again(folder: Path, record_id: str) -> Concluded:
     record = store(concluded.traced, folder)
     page = report_path(folder, record)
     write_report(concluded.traced, page, record.id, record.revision)
-    return Concluded(traced=concluded.traced, recordings=concluded.recordings, record_id=record.id, report=page)
+    return replace(concluded, record_id=record.id, report=page)
 
 
 def differences(folder: Path, first: str, second: str) -> "tuple[Difference, ...]":

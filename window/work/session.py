@@ -1,8 +1,9 @@
 """The stand of the window, as one object."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import ExitStack, suppress
 from dataclasses import dataclass
+from functools import partial
 from typing import Final
 
 from tumble.app.simulation import Past
@@ -10,9 +11,10 @@ from tumble.app.stand import LoadedStand
 from tumble.app.stand_lock import holding
 from tumble.app.wiring import Attendant, Connected, connect
 from tumble.drivers.errors import DeviceError
-from tumble.drivers.protocols import Identity, PositionerStatus
-from tumble.drivers.tables import DAQ, HEAD
-from tumble.procedures.motion import Motion
+from tumble.drivers.protocols import Identity, Positioner, PositionerStatus, Sampler
+from tumble.messages import Message
+from tumble.procedures.axes import Look
+from tumble.procedures.motion import Motion, standstill
 
 _TOLERANCE_DEG: Final = 0.01
 
@@ -22,9 +24,10 @@ class StandIdentity:
     """A stand that answers."""
 
     loaded: LoadedStand
-    head: Identity
-    daq: Identity
-    status: PositionerStatus
+    instruments: Mapping[str, Identity]
+    """By name."""
+    statuses: Mapping[str, PositionerStatus]
+    """Of the positioners, by name."""
     warnings: tuple[str, ...]
 
 
@@ -35,7 +38,7 @@ class StandSession:
     read from it, and another stand takes its place as a whole. Everything but `loaded` belongs to the stand's thread.
     """
 
-    def __init__(self, loaded: LoadedStand, look: Callable[[PositionerStatus], None]) -> None:
+    def __init__(self, loaded: LoadedStand, look: Look) -> None:
         self.loaded = loaded
         self._look = look
         self._connected: Connected | None = None
@@ -54,19 +57,19 @@ class StandSession:
     def connected(self) -> Connected:
         """The instruments. Raises `DeviceError` where there are none."""
         if self._connected is None:
-            raise DeviceError("stand", "is not connected", "connect it first")
+            raise DeviceError(Message("stand"), Message("is not connected"), Message("connect it first"))
         return self._connected
 
     @property
-    def angle_deg(self) -> float:
-        """Where the head is, as it reads it now. Raises `DeviceError`."""
-        return self.connected.stand.positioners[HEAD].status().angle_deg
+    def statuses(self) -> dict[str, PositionerStatus]:
+        """Where the positioners are, as they read it now, by name. Raises `DeviceError`."""
+        return {name: positioner.status() for name, positioner in self.connected.stand.positioners.items()}
 
-    @property
-    def motion(self) -> Motion:
-        """Moves of the head. Raises `DeviceError`."""
+    def motion(self, name: str) -> Motion:
+        """Moves of a positioner. Raises `DeviceError`."""
         stand = self.connected.stand
-        return Motion(stand.positioners[HEAD], stand.clock, _TOLERANCE_DEG, look=self._look, title=stand.title(HEAD))
+        look = partial(self._look, name)
+        return Motion(stand.positioners[name], stand.clock, _TOLERANCE_DEG, look=look, title=stand.title(name))
 
     def connect(self, attendant: Attendant, past: Sequence[Past] = ()) -> StandIdentity:
         """Reach the instruments, which were left before. Raises `InputError`, `JobError`, `DeviceError`."""
@@ -74,11 +77,12 @@ class StandSession:
             stack.enter_context(holding(self.loaded, "no unit yet"))
             connected = connect(self.loaded, attendant=attendant, past=past)
             stack.callback(connected.links.close)
+            stand = connected.stand
+            instruments: dict[str, Positioner | Sampler] = {**stand.positioners, **stand.samplers}
             identity = StandIdentity(
                 loaded=self.loaded,
-                head=connected.stand.positioners[HEAD].identify(),
-                daq=connected.stand.samplers[DAQ].identify(),
-                status=connected.stand.positioners[HEAD].status(),
+                instruments={name: instrument.identify() for name, instrument in instruments.items()},
+                statuses={name: positioner.status() for name, positioner in stand.positioners.items()},
                 warnings=connected.warnings,
             )
             self._connected, self._held = connected, stack.pop_all()
@@ -90,15 +94,18 @@ class StandSession:
         self._held.close()
 
     def halt(self) -> None:
-        """Tell the head to stop and read its rest back. Raises `DeviceError` where that could not be read."""
+        """Tell every positioner to stop and read its rest back. Raises `DeviceError` where that could not be read."""
         if self._connected is None:
             return
-        motion = self.motion
-        with suppress(Exception):  # `standstill` says it again, over a link that it opens anew
-            motion.brake()
-        if not motion.standstill():
+        stand = self._connected.stand
+        motions = [self.motion(name) for name in stand.positioners]
+        for motion in motions:
+            with suppress(Exception):  # `standstill` says it again, over a link that it opens anew
+                motion.brake()
+        if not standstill(motions, stand.clock):
             remedy = "switch it off and look at it before you touch it"
-            raise DeviceError("dividing head", "its standstill could not be read back", remedy)
+            titles = " or ".join(motion.title for motion in motions)
+            raise DeviceError(titles, "its standstill could not be read back", remedy)
 
 
 def _place(loaded: LoadedStand) -> str:

@@ -11,7 +11,6 @@ from PySide6.QtCore import QObject, Signal, SignalInstance, Slot
 from tumble.app.simulation import Past
 from tumble.app.stand import LoadedStand
 from tumble.app.wiring import Attendant, Connected
-from tumble.drivers.tables import HEAD
 from tumble.procedures.control import Control
 from tumble.procedures.errors import InputError, StopRequestedError
 from tumble.procedures.motion import Motion
@@ -39,8 +38,8 @@ class StandWorker(QObject):
     connected = Signal(object)
     """`StandIdentity`."""
     disconnected = Signal()
-    head_seen = Signal(object)
-    """`PositionerStatus` of a head that nobody moves."""
+    position_seen = Signal(str, object)
+    """Name and `PositionerStatus` of a positioner that nobody moves."""
     working = Signal(bool)
     """Whether an order is under way; leaving a stand is none."""
     stage = Signal(str)
@@ -104,18 +103,21 @@ class StandWorker(QObject):
             )
         return self._begin(partial(self._carry_out, session, activity, attendant), self.broken_off)
 
-    def move_to(self, angle_deg: float) -> None:
-        """Turn the head to an angle."""
-        self._move(lambda motion, checkpoint: motion.travel(angle_deg, checkpoint))
+    def move_to(self, name: str, angle_deg: float) -> None:
+        """Turn a positioner to an angle."""
+        self._move(name, lambda motion, checkpoint: motion.travel(angle_deg, checkpoint))
 
-    def move_by(self, step_deg: float) -> None:
-        """Turn the head by an angle from where it stands."""
+    def move_by(self, name: str, step_deg: float) -> None:
+        """Turn a positioner by an angle from where it stands."""
         session = self.session
-        self._move(lambda motion, checkpoint: motion.travel(session.angle_deg + step_deg, checkpoint))
+        self._move(
+            name,
+            lambda motion, checkpoint: motion.travel(session.statuses[name].angle_deg + step_deg, checkpoint),
+        )
 
-    def home(self) -> None:
-        """Have the head find its reference."""
-        self._move(lambda motion, checkpoint: motion.home(checkpoint))
+    def home(self, name: str) -> None:
+        """Have a positioner find its reference."""
+        self._move(name, lambda motion, checkpoint: motion.home(checkpoint))
 
     def pause(self) -> None:
         """Pause the run."""
@@ -178,8 +180,8 @@ class StandWorker(QObject):
         self._thread.put(partial(action, control), partial(self._end, control, failed or self.failed))
         self.working.emit(True)
 
-    def _move(self, move: Move) -> None:
-        self._begin(partial(self._carry_out_move, self.session, move))
+    def _move(self, name: str, move: Move) -> None:
+        self._begin(partial(self._carry_out_move, self.session, name, move))
 
     def _end(self, control: Control, failed: SignalInstance, error: BaseException | None) -> None:
         self._controls.remove(control)
@@ -220,8 +222,8 @@ class StandWorker(QObject):
         concluded = activity.carry_out(ready, [self._bridge.listen], partial(self._tell, session, self.stage))
         self._tell(session, self.concluded, concluded)
 
-    def _carry_out_move(self, session: StandSession, move: Move, control: Control) -> None:
-        motion = session.motion
+    def _carry_out_move(self, session: StandSession, name: str, move: Move, control: Control) -> None:
+        motion = session.motion(name)
         try:
             move(motion, lambda: _checked(control))
         finally:
@@ -244,7 +246,8 @@ class StandWorker(QObject):
         if not session.is_connected:
             return
         try:
-            self._tell(session, self.head_seen, session.connected.stand.positioners[HEAD].status())
+            for name, status in session.statuses.items():
+                self._tell(session, self.position_seen, name, status)
         except Exception:
             self._leave_stand(session)
             raise

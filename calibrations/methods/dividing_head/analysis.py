@@ -21,6 +21,7 @@ from tumble.calibrations.methods.dividing_head.montecarlo import TRIALS, MonteCa
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.published import published_method
 from tumble.calibrations.methods.dividing_head.result import BudgetLine, Calibration, PerAcceleration
+from tumble.messages import Message
 
 
 @one_blas_thread
@@ -42,7 +43,7 @@ def analyse(observations: Observations, stand: StandUncertainty | None = None, t
         No voltage, or no usable row: one sentence.
     """
     if not len(observations):
-        raise ValueError(f"{observations.source}: no usable row; every one was set aside")
+        raise ValueError(Message("{source}: no usable row; every one was set aside", source=observations.source))
     return assess(fit_jointly(observations), stand or StandUncertainty(), trials)
 
 
@@ -57,7 +58,7 @@ def assess(fitted: Joint, stand: StandUncertainty, trials: int = TRIALS) -> Cali
     parameters = {
         name: _parameter(index, name, verdicts[name], fitted, type_a, combined) for index, name in enumerate(PARAMETERS)
     }
-    told = [name for name in PARAMETERS if parameters[name].value is not None]
+    stated = [name for name in PARAMETERS if parameters[name].value is not None]
     return Calibration(
         observations=fitted.observations,
         parameters=parameters,
@@ -70,8 +71,8 @@ def assess(fitted: Joint, stand: StandUncertainty, trials: int = TRIALS) -> Cali
         lack_of_fit_p=fitted.lack.p_value,
         closure=flip_closure(fitted.observations, fitted.observations.output_v - fitted.residual_v, fitted.error),
         published=published_method(fitted.observations),
-        budget=_budget(fitted, type_a, listed, type_b, told),
-        monte_carlo=_by_name(_simulate(fitted, listed, trials), told) if trials else {},
+        budget=_budget(fitted, type_a, listed, type_b, stated),
+        monte_carlo=_by_name(_simulate(fitted, listed, trials), stated) if trials else {},
         per_acceleration=_per_acceleration(parameters, stand.gravity) if stand.gravity else {},
         warnings=(*fitted.observations.warnings, *_doubts(fitted), *filter(None, [stand.left_out])),
         stand_record=stand.record,
@@ -83,13 +84,21 @@ def _doubts(fitted: Joint) -> tuple[str, ...]:
     p_value, source = fitted.lack.p_value, fitted.observations.source
     if p_value is not None and p_value < LACK_OF_FIT_P:
         return (
-            f"{source}: the declared model does not describe the poses (lack of fit, p = {p_value:.2g}); uncertainties "
-            "rest on that disagreement",
+            Message(
+                "{source}: the declared model does not describe the poses (lack of fit, p = {p_value:.2g}); "
+                "uncertainties rest on that disagreement",
+                source=source,
+                p_value=p_value,
+            ),
         )
     if p_value is not None and p_value > 1 - LACK_OF_FIT_P / 10:
         return (
-            f"{source}: repeats scatter far more than the poses about the model (p = {p_value:.4f}): something changes "
-            "between the realisations, and uncertainties that take rows as independent are too small",
+            Message(
+                "{source}: repeats scatter far more than the poses about the model (p = {p_value:.4f}): something "
+                "changes between the realisations, and uncertainties that take rows as independent are too small",
+                source=source,
+                p_value=p_value,
+            ),
         )
     return ()
 
@@ -103,7 +112,7 @@ def _spread(fitted: Joint, source: Source) -> FloatArray:
 def _parameter(
     index: int, name: str, verdict: Identification, fitted: Joint, type_a: FloatArray, combined: FloatArray
 ) -> Parameter:
-    if not verdict.told:
+    if not verdict.identifiable:
         return Parameter(
             name=name,
             unit=UNITS[name],
@@ -130,7 +139,7 @@ def _parameter(
         type_a=u_a,
         degrees_of_freedom=freedom,
         interval_95=_interval(index, value, u, u_a, freedom, fitted.profile),
-        given_alpha0_deg=verdict.given_alpha0_deg,
+        given=verdict.given,
         rests_on=verdict.rests_on,
         remark=verdict.remark,
         settled_by=verdict.settled_by,
@@ -157,17 +166,17 @@ def _correlation(matrix: FloatArray, parameters: Mapping[str, Parameter]) -> Flo
 
 
 def _budget(
-    fitted: Joint, type_a: FloatArray, listed: tuple[Source, ...], type_b: Mapping[str, FloatArray], told: list[str]
+    fitted: Joint, type_a: FloatArray, listed: tuple[Source, ...], type_b: Mapping[str, FloatArray], stated: list[str]
 ) -> tuple[BudgetLine, ...]:
     def contributions(matrix: FloatArray) -> dict[str, float]:
-        return {name: float(np.sqrt(matrix[i, i])) for i, name in enumerate(PARAMETERS) if name in told}
+        return {name: float(np.sqrt(matrix[i, i])) for i, name in enumerate(PARAMETERS) if name in stated}
 
     noise = fitted.noise
     return (
         BudgetLine(
-            name="scatter of the data",
+            name=Message("scatter of the data"),
             kind="A",
-            symbol=f"{format_number(noise.used_v, 'V')} a dwell",
+            symbol=Message("{scatter} a dwell", scatter=format_number(noise.used_v, "V")),
             contributions=contributions(type_a),
             degrees_of_freedom=noise.used_degrees_of_freedom,
         ),
@@ -191,14 +200,14 @@ def _simulate(fitted: Joint, listed: tuple[Source, ...], trials: int) -> MonteCa
     return monte_carlo(fitted.compressed, fitted.fit, nodes, fitted.noise, errors, trials)
 
 
-def _by_name(simulated: MonteCarlo, told: list[str]) -> dict[str, tuple[float, tuple[float, float]]]:
+def _by_name(simulated: MonteCarlo, stated: list[str]) -> dict[str, tuple[float, tuple[float, float]]]:
     return {
         name: (
             float(simulated.standard_uncertainty[i]),
             (float(simulated.interval_95[i, 0]), float(simulated.interval_95[i, 1])),
         )
         for i, name in enumerate(PARAMETERS)
-        if name in told
+        if name in stated
     }
 
 

@@ -104,8 +104,8 @@ def _declared_alone(compressed: Compressed, further: FloatArray) -> _Rows:
     length = np.sqrt(np.where(squares > SINGULAR**2 * squares.max(), squares, np.inf))
     if further.size:
         left, values, _ = np.linalg.svd(further / np.linalg.norm(further, axis=0))
-        beside = left[:, np.count_nonzero(values > SINGULAR * values[0]) :].T
-        r, z = beside @ r, beside @ z
+        orthogonal = left[:, np.count_nonzero(values > SINGULAR * values[0]) :].T
+        r, z = orthogonal @ r, orthogonal @ z
     return _Rows(r=r, z=z, rest_v2=compressed.rest_v2, length=length)
 
 

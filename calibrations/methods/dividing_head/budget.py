@@ -12,6 +12,7 @@ from tumble.calibrations.methods.dividing_head.effects.scene import Scene
 from tumble.calibrations.methods.dividing_head.poses import mountings
 from tumble.calibrations.methods.dividing_head.stand.columns import corrections_columns_v
 from tumble.calibrations.stand_records.record import StandRecord
+from tumble.messages import Message
 
 _ARCSEC_DEG = 1.0 / 3600.0
 
@@ -46,13 +47,15 @@ class StandUncertainty:
         if not missing:
             return ""
         if len(missing) == len(stated):
-            return (
+            return Message(
                 "the stand's contribution is not included in the stated uncertainty: no stand file says what head, "
-                f"seat and DAQ add; state {', '.join(missing)} in one"
+                "seat and DAQ add; state {keys} in one",
+                keys=", ".join(missing),
             )
-        return (
+        return Message(
             "part of the stand's contribution is not included in the stated uncertainty: the stand file does not state "
-            f"{', '.join(missing)}; state it there, as 0 where it is negligible"
+            "{keys}; state it there, as 0 where it is negligible",
+            keys=", ".join(missing),
         )
 
 
@@ -87,24 +90,24 @@ def sources(scene: Scene, stand: StandUncertainty) -> tuple[Source, ...]:
     settled = settings(np.mod(observations.angle_deg, 360.0))
     listed = (
         Source(
-            name="head reading",
-            symbol=f"{head_arcsec:g}″ at every setting",
+            name=Message("head reading"),
+            symbol=Message("{arcsec:g}″ at every setting", arcsec=head_arcsec),
             errors_v=(slope_v_per_deg * head_arcsec * _ARCSEC_DEG)[:, None],
             shared_by=settled,
         ),
         Source(
-            name="seating",
-            symbol=f"{seat_arcsec:g}″ at every mounting",
+            name=Message("seating"),
+            symbol=Message("{arcsec:g}″ at every mounting", arcsec=seat_arcsec),
             errors_v=(slope_v_per_deg * seat_arcsec * _ARCSEC_DEG)[:, None],
             shared_by=mountings(observations),
         ),
         Source(
-            name="DAQ gain",
-            symbol=f"{gain:g} relative",
+            name=Message("DAQ gain"),
+            symbol=Message("{gain:g} relative", gain=gain),
             errors_v=(observations.output_v * gain)[:, None],
         ),
         Source(
-            name="DAQ offset",
+            name=Message("DAQ offset"),
             symbol=f"{offset_v * 1e6:g} µV",
             errors_v=np.full((len(observations), 1), offset_v),
         ),
@@ -119,8 +122,12 @@ def _recorded(scene: Scene, record: StandRecord) -> Source:
     values, vectors = np.linalg.eigh(corrections.covariance)
     independent = vectors * np.sqrt(np.maximum(values, 0.0))
     return Source(
-        name=f"stand record {record.version}",
-        symbol=f"{len(corrections.values)} coefficients of {len(corrections.terms)} terms, correlated",
+        name=Message("stand record {version}", version=record.version),
+        symbol=Message(
+            "{coefficients} coefficients of {terms} terms, correlated",
+            coefficients=len(corrections.values),
+            terms=len(corrections.terms),
+        ),
         errors_v=corrections_columns_v(corrections, scene) @ independent,
     )
 

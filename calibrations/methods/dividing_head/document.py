@@ -6,7 +6,7 @@ from typing import Any
 from tumble.calibrations.core.documents import rows_json
 from tumble.calibrations.core.verdict import Verdict
 from tumble.calibrations.methods.dividing_head.loop.loop import Loop
-from tumble.calibrations.methods.dividing_head.loop.misreading import Misreading
+from tumble.calibrations.methods.dividing_head.loop.misreading import MISREADING, Misreading
 from tumble.calibrations.methods.dividing_head.loop.reach import Reach
 from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.calibrations.methods.dividing_head.usable import usable
@@ -79,7 +79,7 @@ def model_json(calibration: Calibration) -> dict[str, Any]:
 
 def _effect_json(effect: EffectFound, misread: Sequence[Misreading]) -> dict[str, Any]:
     """An effect that was found; `misread` are the rows of that name."""
-    coefficients = {"coefficients": _misread_json(misread)} if effect.name == "misreading" else {}
+    coefficients = {"coefficients": _misread_json(misread)} if effect.name == MISREADING else {}
     return effect_json(effect) | coefficients
 
 

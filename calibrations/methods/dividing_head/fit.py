@@ -23,7 +23,7 @@ _NODES = np.linspace(-6.0, 6.0, 49)
 
 @dataclass(frozen=True, kw_only=True)
 class JointFit:
-    """Least-squares parameters of the declared model, before anybody asks what they are worth."""
+    """Least-squares parameters of the declared model, identifiable or not."""
 
     theta: FloatArray
     """Parameter vector in the order and units of `model.UNITS`, then the coefficients of further columns.
@@ -90,8 +90,8 @@ class Alpha0Profile:
 
     interval_deg: tuple[float, float]
     """95% interval: where the sum of squares exceeds its minimum by less than the variance times t squared."""
-    told: bool
-    """False where the interval reaches the end of alpha0's range: the data cannot tell it."""
+    identifiable: bool
+    """False where the interval reaches the end of alpha0's range: it is not identifiable."""
     within_deg: FloatArray
     """Values of alpha0 that the interval contains, its ends included, for looking at what they imply."""
 
@@ -108,18 +108,20 @@ def alpha0_profile(compressed: Compressed, fit: JointFit, variance_v2: float, fa
     `variance_v2` is the variance of a row of weight 1, `factor` the Student factor.
     """
     if not np.isfinite(factor):
-        return Alpha0Profile(interval_deg=(-ALPHA0_REACH_DEG, ALPHA0_REACH_DEG), told=False, within_deg=GRID_DEG)
+        return Alpha0Profile(
+            interval_deg=(-ALPHA0_REACH_DEG, ALPHA0_REACH_DEG), identifiable=False, within_deg=GRID_DEG
+        )
     limit = fit.squares_v2 + variance_v2 * factor**2
     scan = conditional(compressed, GRID_DEG)
     centre = float(fit.theta[ALPHA0])
     accepted = scan.squares_v2 <= limit
-    told = not (accepted[0] or accepted[-1]) and abs(centre) < ALPHA0_REACH_DEG and bool(fit.estimable[ALPHA0])
+    identifiable = not (accepted[0] or accepted[-1]) and abs(centre) < ALPHA0_REACH_DEG and bool(fit.estimable[ALPHA0])
     reach = 3 * factor * float(np.sqrt(variance_v2 * (fit.inverse @ fit.inverse.T)[ALPHA0, ALPHA0]))
     low, high = (_crossing(compressed, centre, side * reach, limit) for side in (-1.0, 1.0))
     within = np.concatenate([np.linspace(low, high, 21), GRID_DEG[accepted]])
     if low < 0.0 < high:
         within = np.append(within, 0.0)
-    return Alpha0Profile(interval_deg=(low, high), told=told, within_deg=within)
+    return Alpha0Profile(interval_deg=(low, high), identifiable=identifiable, within_deg=within)
 
 
 def _crossing(compressed: Compressed, centre_deg: float, reach_deg: float, limit_v2: float) -> float:

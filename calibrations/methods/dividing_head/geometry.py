@@ -5,7 +5,7 @@ In the frame that turns with the head, Z lies along the head's horizontal axis a
 positive where a unit axis points down: minus the specific force of IEEE 1293.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import Final
 
@@ -13,18 +13,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tumble.calibrations.core.arrays import FloatArray
+from tumble.messages import Message
 
 _X, _Y, _Z = np.eye(3)
 
-MOUNTS: Final = MappingProxyType(
+MOUNTS: Final[Mapping[str, FloatArray]] = MappingProxyType(
     {
         # Rows: the unit's axes Ox, Oy, Oz in the frame that turns with the head.
-        "face-up": np.array([_X, _Y, _Z]),
-        "face-up-90": np.array([_Y, -_X, _Z]),  # +90° about Oz
-        "face-down": np.array([_X, -_Y, -_Z]),  # 180° about Ox
-        "edge": np.array([_X, -_Z, _Y]),  # -90° about Ox, Oy against Z
-        "edge-back": np.array([_X, _Z, -_Y]),  # +90° about Ox, Oy along Z
-        "end": np.array([_Z, _X, _Y]),  # Ox along Z, Oy along X
+        Message.named("face-up", "face up"): np.array([_X, _Y, _Z]),
+        Message.named("face-up-90", "face up, turned by 90°"): np.array([_Y, -_X, _Z]),  # +90° about Oz
+        Message.named("face-down", "face down"): np.array([_X, -_Y, -_Z]),  # 180° about Ox
+        Message.named("edge", "on edge"): np.array([_X, -_Z, _Y]),  # -90° about Ox, Oy against Z
+        Message.named("edge-back", "on the other edge"): np.array([_X, _Z, -_Y]),  # +90° about Ox, Oy along Z
+        Message.named("end", "on end"): np.array([_Z, _X, _Y]),  # Ox along Z, Oy along X
     }
 )
 """Every mount by name: an orthonormal, right-handed 3 by 3 matrix."""

@@ -12,6 +12,7 @@ from tumble.calibrations.methods.dividing_head.model import coefficients
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.poses import mountings
 from tumble.calibrations.methods.dividing_head.weights import robust_weights
+from tumble.messages import Message
 
 _HUBER = 1.345
 """Tuning of Huber's weights: 95% efficient on normal noise (Huber and Ronchetti, Robust Statistics, 4.5)."""
@@ -52,7 +53,7 @@ def unlike_repeats(
     return tuple(
         SetAside(
             row=int(observations.row[row]),
-            reason=f"gross error: {abs(residual_v[row]) / scale_v:.0f} sigma",
+            reason=Message("gross error: {sigmas:.0f} sigma", sigmas=abs(residual_v[row]) / scale_v),
             gross=True,
         )
         for row in np.flatnonzero(suspects & ~seat_off[mounting]).tolist()

@@ -1,6 +1,8 @@
-"""Which parameters the data can tell, on what the answer rests, and what would settle it."""
+"""Which parameters are identifiable, on what the answer rests, and what would settle it."""
 
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +16,7 @@ from tumble.calibrations.methods.dividing_head.geometry import MOUNTS
 from tumble.calibrations.methods.dividing_head.joint import Joint
 from tumble.calibrations.methods.dividing_head.model import ALPHA0, LINEAR, PARAMETERS, basis, coefficients_jacobian
 from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.messages import Message
 
 SEAT_DEG = 1.0
 """A seat may be this far from the head's zero before anybody notices; for judging what alpha0 = 0 is worth."""
@@ -21,13 +24,13 @@ MATERIAL = 0.1
 """A shift below this part of the standard uncertainty does not matter."""
 _SETTLING_SWEEP_DEG = np.arange(0.0, 400.0, 5.0)
 
-_NO_SPARE_ROWS = "there are no more rows than parameters, so that nothing is left to state an uncertainty by"
+_NO_SPARE_ROWS = Message("there are no more rows than parameters, so that nothing is left to state an uncertainty by")
 _NEEDS = {
-    "kx": "no row has gravity along Ox, or nothing parts it from another parameter",
-    "ky": "no row has gravity along Oy, or nothing parts it from another parameter",
-    "kz": "no row has gravity along Oz, or nothing parts it from another parameter",
-    "kxy": "no row has gravity along Ox and Oy at once",
-    "u0": "the rows do not part it from the other parameters",
+    "kx": Message("no row has gravity along {axis}, or nothing separates it from another parameter", axis="Ox"),
+    "ky": Message("no row has gravity along {axis}, or nothing separates it from another parameter", axis="Oy"),
+    "kz": Message("no row has gravity along {axis}, or nothing separates it from another parameter", axis="Oz"),
+    "kxy": Message("no row has gravity along Ox and Oy at once"),
+    "u0": Message("the rows do not separate it from the other parameters"),
 }
 
 
@@ -35,52 +38,61 @@ _NEEDS = {
 class Identification:
     """What can be said of one parameter."""
 
-    told: bool
+    identifiable: bool
     reason: str = ""
-    """Why it cannot be told, in one sentence; empty where it can."""
-    given_alpha0_deg: float | None = None
-    """The alpha0 for which the value stands, where the data does not tell alpha0; otherwise None."""
+    """Why it is not identifiable, in one sentence; empty where it is."""
+    given: Mapping[str, float] = field(default_factory=dict)
+    """The value of alpha0 for which this one stands, where alpha0 is not identifiable; otherwise empty."""
     rests_on: str = ""
-    """The one parameter without which this one could not be told, or nothing."""
+    """The one parameter without which this one would not be identifiable, or nothing."""
     settled_by: tuple[str, ...] = ()
     """Mounts, each of which alone would end that dependence or make the parameter known."""
     remark: str = ""
-    """What `rests_on` or `given_alpha0_deg` means, in one sentence; empty where there is none."""
+    """What `rests_on` or `given` means, in one sentence; empty where there is none."""
 
 
 def identify(joint: Joint) -> dict[str, Identification]:
     """Judge every parameter of a joint fit, by name.
 
-    A parameter is told only if every alpha0 that its interval contains gives it a bounded interval.
+    A parameter is identifiable only if every alpha0 that its interval contains gives it a bounded interval.
     """
     observations, compressed, fit = joint.observations, joint.compressed, joint.fit
     if joint.noise.used_degrees_of_freedom < 1:
-        return dict.fromkeys(PARAMETERS, Identification(told=False, reason=_NO_SPARE_ROWS))
+        return dict.fromkeys(PARAMETERS, Identification(identifiable=False, reason=_NO_SPARE_ROWS))
     if fit.alpha0_fitted:
-        told = _told_within(compressed, joint.profile.within_deg)
-        verdicts = {name: _linear_verdict(name, bool(ok)) for name, ok in zip(LINEAR, told, strict=True)}
-        verdicts["alpha0"] = Identification(told=True)
+        estimable = _estimable_within(compressed, joint.profile.within_deg)
+        verdicts = {name: _linear_verdict(name, bool(ok)) for name, ok in zip(LINEAR, estimable, strict=True)}
+        verdicts["alpha0"] = Identification(identifiable=True)
         return _with_dependence(observations, compressed, fit, verdicts)
     verdicts = {name: _linear_verdict(name, bool(ok)) for name, ok in zip(LINEAR, fit.estimable[:ALPHA0], strict=True)}
     verdicts["alpha0"] = Identification(
-        told=False,
-        reason=_untold_alpha0(verdicts["kxy"].told),
+        identifiable=False,
+        reason=_ALPHA0_UNBOUNDED[verdicts["kxy"].identifiable],
         settled_by=mounts_that_settle(observations, fit),
     )
     return _with_condition(compressed, fit, joint.noise.used_v**2, verdicts)
 
 
-def _untold_alpha0(kxy_told: bool) -> str:
-    why = "is not large enough" if kxy_told else "cannot be told"
-    return f"its 95% interval reaches 45 deg: only kxy parts it from ky and kz here, and kxy {why}"
+_ALPHA0_UNBOUNDED: Final = {
+    True: Message(
+        "its 95% interval reaches 45 deg: only kxy separates it from ky and kz here, and kxy is not large enough"
+    ),
+    False: Message(
+        "its 95% interval reaches 45 deg: only kxy separates it from ky and kz here, and kxy is not identifiable"
+    ),
+}
+"""Why alpha0 is not identifiable, by whether kxy is."""
 
 
-def _told_within(compressed: Compressed, alpha0_deg: FloatArray) -> NDArray[np.bool_]:
+def _estimable_within(compressed: Compressed, alpha0_deg: FloatArray) -> NDArray[np.bool_]:
     return np.asarray(conditional(compressed, alpha0_deg).estimable[:, :ALPHA0].all(axis=0))
 
 
-def _linear_verdict(name: str, told: bool) -> Identification:
-    return Identification(told=told, reason="" if told else f"its 95% interval is unbounded: {_NEEDS[name]}")
+def _linear_verdict(name: str, identifiable: bool) -> Identification:
+    if identifiable:
+        return Identification(identifiable=True)
+    reason = Message("its 95% interval is unbounded: {need}", need=_NEEDS[name])
+    return Identification(identifiable=False, reason=reason)
 
 
 def _with_condition(
@@ -98,14 +110,23 @@ def _with_condition(
     result = dict(verdicts)
     for index, name in enumerate(LINEAR):
         shift = abs(drift[index]) + (curvature[index] if name != "u0" else 0.0)
-        if verdicts[name].told and shift > MATERIAL * uncertainty[index]:
+        if verdicts[name].identifiable and shift > MATERIAL * uncertainty[index]:
             result[name] = replace(
                 verdicts[name],
-                given_alpha0_deg=0.0,
+                given={"alpha0": 0.0},
                 settled_by=verdicts["alpha0"].settled_by,
-                remark=f"stands for alpha0 = 0 deg; {SEAT_DEG:g} deg of alpha0 would change it by {shift:.2g}",
+                remark=Message(
+                    "stands for alpha0 = 0 deg; {seat_deg:g} deg of alpha0 would change it by {shift:.2g}",
+                    seat_deg=SEAT_DEG,
+                    shift=shift,
+                ),
             )
     return result
+
+
+_THROUGH_CURVATURE: Final = Message(
+    "identifiable through the curvature kxy alone, which an undeclared second-order term imitates"
+)
 
 
 def _with_dependence(
@@ -122,9 +143,9 @@ def _with_dependence(
             verdict,
             rests_on="kxy",
             settled_by=mounts,
-            remark="told through the curvature kxy alone, which an undeclared second-order term imitates",
+            remark=_THROUGH_CURVATURE,
         )
-        if verdict.told and name in lost
+        if verdict.identifiable and name in lost
         else verdict
         for name, verdict in verdicts.items()
     }
@@ -138,7 +159,7 @@ def determined_without_kxy(compressed: Compressed, fit: JointFit) -> NDArray[np.
 
 
 def mounts_that_settle(observations: Observations, fit: JointFit) -> tuple[str, ...]:
-    """Mounts of which one sweep, added to the rows, would tell alpha0 without leaning on kxy."""
+    """Mounts of which one sweep, added to the rows, would make alpha0 identifiable without kxy."""
     theta = fit.theta[: len(PARAMETERS)].copy()
     theta[PARAMETERS.index("kxy")] = 0.0
     theta[PARAMETERS.index("kx")] = theta[PARAMETERS.index("kx")] or 1.0

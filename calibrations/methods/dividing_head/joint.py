@@ -31,6 +31,7 @@ from tumble.calibrations.methods.dividing_head.model import (
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.poses import pose_groups
 from tumble.calibrations.methods.dividing_head.weights import dwell_weights
+from tumble.messages import Message
 
 LACK_OF_FIT_P = 0.01
 """Below this the poses disagree with the model by more than the repeats explain, and their scatter is the ruler."""
@@ -50,7 +51,7 @@ class Noise:
     used_v: float
     """What the uncertainties rest on, for a row of weight 1."""
     used_degrees_of_freedom: int
-    basis: str
+    basis: Message
     """Where `used_v` comes from, in words."""
 
 
@@ -89,7 +90,7 @@ class Joint:
 
 @one_blas_thread
 def fit_jointly(observations: Observations) -> Joint:
-    """Fit the declared model to all rows but gross errors; alpha0 is held at 0 where the data cannot tell it."""
+    """Fit the declared model to all rows but gross errors; alpha0 is held at 0 where it is not identifiable."""
     rejected = gross_errors(observations, basis(observations), pose_groups(observations), len(PARAMETERS))
     return fit_without(observations, rejected)
 
@@ -127,7 +128,7 @@ def fit_rows(
     fit = joint_fit(compressed)
     residual, error, lack, noise = _judge(observations, functions, weights, groups, fit, whiten)
     profile = alpha0_profile(compressed, fit, noise.used_v**2, coverage_factor(noise.used_degrees_of_freedom))
-    if not profile.told:
+    if not profile.identifiable:
         fit = fit_given_alpha0(compressed, 0.0)
         residual, error, lack, noise = _judge(observations, functions, weights, groups, fit, whiten)
     return Joint(
@@ -168,11 +169,11 @@ def _noise(fit: JointFit, rows: int, error: PureError, lack: LackOfFit) -> Noise
         used, used_freedom, basis_text = (
             lack.variance,
             lack.degrees_of_freedom,
-            "scatter of the poses about the model",
+            Message("scatter of the poses about the model"),
         )
     else:
         used, used_freedom = fit.squares_v2 / max(freedom, 1), freedom
-        basis_text = "scatter about the fit, repeats included"
+        basis_text = Message("scatter about the fit, repeats included")
     return Noise(
         pure_error_v=error.standard_deviation if error.degrees_of_freedom else None,
         degrees_of_freedom=error.degrees_of_freedom,

@@ -1,24 +1,25 @@
 """Holds the values to use against the limits of a programme.
 
 Decision rule: simple acceptance (JCGM 106:2012, 8.2). A value inside its limits conforms, one at a limit too, provided
-that the measurement can tell: its capability index C_m = T/(2U) (JCGM 106:2012, 7.6) is no less than 1, so that the 95%
-interval is no wider than the tolerance T; or that the whole interval lies on one side of every limit. Where only one
-limit is given, its distance from zero stands for T/2. What has no value, or one that rests on something that was not
-measured, or that is of a model which the data contradicts, decides nothing; nor does a value that an effect which these
-data cannot see could carry over a limit.
+that the measurement is capable: its capability index C_m = T/(2U) (JCGM 106:2012, 7.6) is no less than 1, so that the
+95% interval is no wider than the tolerance T; or that the whole interval lies on one side of every limit. Where only
+one limit is given, its distance from zero stands for T/2. What has no value, or one that rests on something that was
+not measured, or that is of a model which the data contradicts, decides nothing; nor does a value that an effect which
+these data cannot show could carry over a limit.
 """
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from tumble.calibrations.core.parameter import Parameter
-from tumble.calibrations.core.provenance import LimitCheck
+from tumble.calibrations.core.provenance import LimitCheck, inside
 from tumble.calibrations.core.quantities import format_interval, format_limits, format_number
 from tumble.calibrations.core.verdict import Judgement, Outcome, Verdict
 from tumble.calibrations.methods.dividing_head.doubts import Doubt, condition, contradiction, missing
 from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.calibrations.methods.dividing_head.unseen import MATERIAL, Unseen, unseen
 from tumble.calibrations.methods.dividing_head.usable import usable
+from tumble.messages import Message, with_wording
 
 if TYPE_CHECKING:
     from tumble.calibrations.methods.dividing_head.loop.loop import Loop
@@ -63,19 +64,19 @@ def _judged(parameter: Parameter, limits: LimitCheck, doubt: Doubt | None) -> Ju
         return Judgement(name=parameter.name, outcome=Outcome.NOT_DECIDED, reason=doubt.reason, remedy=doubt.remedy)
     assert parameter.value is not None, "what is missing was asked first"
     outcome = Outcome.PASS if inside(parameter.value, limits) else Outcome.FAIL
-    where = "inside" if outcome is Outcome.PASS else "outside"
-    value = format_number(parameter.value, parameter.unit, 6)
-    return Judgement(name=parameter.name, outcome=outcome, reason=f"{value} lies {where} {_text(parameter, limits)}")
+    return Judgement(name=parameter.name, outcome=outcome, reason=_where(parameter, limits, outcome))
 
 
-def inside(value: float, limits: LimitCheck) -> bool:
-    """Whether a value lies inside its limits; a limit itself does."""
-    above = limits.minimum is None or value >= limits.minimum
-    return above and (limits.maximum is None or value <= limits.maximum)
+def _where(parameter: Parameter, limits: LimitCheck, outcome: Outcome) -> Message:
+    assert parameter.value is not None, "what is missing was asked first"
+    value, text = format_number(parameter.value, parameter.unit, 6), _text(parameter, limits)
+    if outcome is Outcome.PASS:
+        return Message("{value} lies inside {limits}", value=value, limits=text)
+    return Message("{value} lies outside {limits}", value=value, limits=text)
 
 
 def _incapable(parameter: Parameter, limits: LimitCheck) -> Doubt | None:
-    """Whether the uncertainty is too large for these limits to be told apart."""
+    """Whether the uncertainty is too large for these limits."""
     assert parameter.interval_95 is not None, "what is missing was asked first"
     low, high = parameter.interval_95
     spanned = (limits.minimum is not None and low < limits.minimum <= high) or (
@@ -85,13 +86,17 @@ def _incapable(parameter: Parameter, limits: LimitCheck) -> Doubt | None:
         return None
     interval = format_interval(low, high, parameter.unit)
     return Doubt(
-        reason=f"the uncertainty is too large for {_text(parameter, limits)}: the 95% interval is {interval}",
-        remedy="measure with more realisations or less noise, or state better the uncertainties of the stand",
+        reason=Message(
+            "the uncertainty is too large for {limits}: the 95% interval is {interval}",
+            limits=_text(parameter, limits),
+            interval=interval,
+        ),
+        remedy=Message("measure with more realisations or less noise, or state better the uncertainties of the stand"),
     )
 
 
 def _carried_over(calibration: Calibration, limits: LimitCheck, hidden: Sequence[Unseen]) -> Doubt | None:
-    """Whether an effect that these data cannot see could carry a value over a limit."""
+    """Whether an effect that these data cannot show could carry a value over a limit."""
     parameter = calibration.parameters[limits.name]
     value, uncertainty = parameter.value, parameter.standard_uncertainty
     assert value is not None, "what is missing was asked first"
@@ -100,11 +105,13 @@ def _carried_over(calibration: Calibration, limits: LimitCheck, hidden: Sequence
         far = abs(other - value) > MATERIAL * (uncertainty or 0.0)
         if far and inside(other, limits) != inside(value, limits):
             return Doubt(
-                reason=(
-                    f"it rests on the absence of {each.effect}, which these data cannot see: the largest that they "
-                    f"could hide would carry it over the limits, {_text(parameter, limits)}"
+                reason=Message(
+                    "it rests on the absence of {effect}, which these data cannot show: the largest that they "
+                    "could hide would carry it over the limits, {limits}",
+                    effect=with_wording(each.effect),
+                    limits=_text(parameter, limits),
                 ),
-                remedy="measure in more mounts, as the programme reversal does, which tells the two apart",
+                remedy=Message("measure in more mounts, as the programme reversal does, which separates the two"),
             )
     return None
 

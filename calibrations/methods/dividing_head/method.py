@@ -17,6 +17,7 @@ from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.table import read_table
 from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.tracing.sentences import set_aside_section
+from tumble.messages import Message
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -56,9 +57,8 @@ class DividingHead:
 
     name: str = "dividing_head"
     version: int = VERSION
-    title: str = "An accelerometer on a dividing head"
-    columns: str = "an accelerometer on a head (angle_deg, voltage_V)"
-    at_stand: bool = True
+    title: str = Message("An accelerometer on a dividing head")
+    columns: str = Message("an accelerometer on a head (angle_deg, voltage_V)")
 
     def reads(self, header: Sequence[str], numbers: Sequence[str] | None) -> bool:  # noqa: ARG002  # by names alone
         """Whether a table holds angles of a head and the output of a unit."""

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.rows import Kind, Rows, column
 from tumble.calibrations.methods.dividing_head.geometry import MOUNTS
+from tumble.messages import Message
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -43,7 +44,11 @@ class Observations(Rows):
     def output_v(self) -> FloatArray:
         """Output of every row, in volts. Raises `ValueError` where the table holds none."""
         if self.voltage_v is None:
-            raise ValueError(f"{self.source}: there is no column voltage_V; a calibration needs the unit's output")
+            raise ValueError(
+                Message(
+                    "{source}: there is no column voltage_V; a calibration needs the unit's output", source=self.source
+                )
+            )
         return self.voltage_v
 
     @property

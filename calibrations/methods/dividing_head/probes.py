@@ -12,6 +12,7 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.joining import appended
 from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.messages import Message
 
 STEP_DEG = 5.0
 _FEWEST_DWELLS = 18
@@ -26,8 +27,8 @@ class Probe:
 
     programme: str
     """Name of the programme that comes along."""
-    does: str
-    """What it changes, in words that go after its name."""
+    does: Message
+    """What it changes, to stand after its name."""
     mount: str = "face-up"
     order: Literal["up", "there-and-back", "shuffled"] = "up"
     realisations: int = 1
@@ -101,59 +102,59 @@ class Probe:
 PROBES = (
     Probe(
         programme="probe-repeat",
-        does="visits the same poses again, at the temperature as it is now",
+        does=Message("visits the same poses again, at the temperature as it is now"),
         realisations=3,
     ),
     Probe(
         programme="probe-back",
-        does="visits every pose from both sides",
+        does=Message("visits every pose from both sides"),
         order="there-and-back",
         realisations=2,
     ),
     Probe(
         programme="probe-face-down",
-        does="turns Oy over and leaves Ox and the head as they are",
+        does=Message("turns Oy over and leaves Ox and the head as they are"),
         mount="face-down",
         realisations=3,
     ),
     Probe(
         programme="probe-face-up-90",
-        does="turns Ox by 90° on the head, so that errors of the head fall on other values of ax",
+        does=Message("turns Ox by 90° on the head, so that errors of the head fall on other values of ax"),
         mount="face-up-90",
         realisations=3,
     ),
     Probe(
         programme="probe-edge",
-        does="puts Oz in the place of Oy",
+        does=Message("puts Oz in the place of Oy"),
         mount="edge",
         realisations=3,
     ),
     Probe(
         programme="probe-edge-back",
-        does="puts Oz in the place of Oy, turned over",
+        does=Message("puts Oz in the place of Oy, turned over"),
         mount="edge-back",
         realisations=3,
     ),
     Probe(
         programme="probe-end",
-        does="takes ax away and leaves ay and az",
+        does=Message("takes ax away and leaves ay and az"),
         mount="end",
         realisations=3,
     ),
     Probe(
         programme="probe-shuffled",
-        does="takes the angles in no order, so that neither time nor the dwell before goes with them",
+        does=Message("takes the angles in no order, so that neither time nor the dwell before goes with them"),
         order="shuffled",
     ),
     Probe(
         programme="probe-later",
-        does="visits the same poses again, two hours later",
+        does=Message("visits the same poses again, two hours later"),
         realisations=3,
         wait_s=7200.0,
     ),
     Probe(
         programme="probe-warm",
-        does="visits the same poses with the unit 10 K warmer",
+        does=Message("visits the same poses with the unit 10 K warmer"),
         realisations=3,
         warmer_k=10.0,
         wait_s=1800.0,

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from tumble.calibrations.methods.dividing_head.flips import POLES, at_pole
 from tumble.calibrations.methods.dividing_head.model import PARAMETERS
 from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.messages import Message
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -40,8 +41,8 @@ def published_method(observations: Observations) -> dict[str, PublishedValue]:
 
 def _summary(name: str, values: list[float]) -> PublishedValue:
     if not values:
-        missing = "z flip" if name == "kz" else "face-up sweep or flip"
-        return PublishedValue(value=None, standard_uncertainty=None, reason=f"needs a {missing}")
+        reason = Message("needs a z flip") if name == "kz" else Message("needs a face-up sweep or flip")
+        return PublishedValue(value=None, standard_uncertainty=None, reason=reason)
     spread = float(np.std(values, ddof=1) / np.sqrt(len(values))) if len(values) > 1 else None
     return PublishedValue(value=float(np.mean(values)), standard_uncertainty=spread)
 

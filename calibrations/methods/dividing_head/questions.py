@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.compression import compress
 from tumble.calibrations.core.repeats import pure_error
+from tumble.calibrations.core.sentences import series
 from tumble.calibrations.methods.dividing_head.fit import fit_given_alpha0
 from tumble.calibrations.methods.dividing_head.geometry import MOUNTS
 from tumble.calibrations.methods.dividing_head.gross import robust_residual
@@ -19,6 +20,7 @@ from tumble.calibrations.methods.dividing_head.poses import pose_groups
 from tumble.calibrations.methods.dividing_head.realisations import with_passes
 from tumble.calibrations.methods.dividing_head.screening import MOST_V
 from tumble.calibrations.methods.dividing_head.unit_questions import fahrenheit, kelvin
+from tumble.messages import Message, with_wording
 
 _FEWEST_ROWS = 8
 """Fewer rows contradict nothing."""
@@ -67,9 +69,10 @@ def _dead(observations: Observations) -> str:
     """Ask about an output that never changes although the unit was turned; empty where there is nothing to ask."""
     turned = np.ptp(observations.angle_deg) > 1.0
     if turned and np.ptp(observations.output_v) <= _RESOLUTION * np.abs(observations.output_v).max():
-        return (
-            f"{observations.source}: the output is {observations.output_v[0]:g} V in every row, however the head is "
-            "turned; is the unit connected?"
+        return Message(
+            "{source}: the output is {output_v:g} V in every row, however the head is turned; is the unit connected?",
+            source=observations.source,
+            output_v=observations.output_v[0],
         )
     return ""
 
@@ -78,9 +81,12 @@ def _unturned(observations: Observations) -> str:
     """Ask about a head that stands at one angle in one mount, unless the table says that this was meant."""
     if not in_one_pose(observations) or on_purpose(observations):
         return ""
-    return (
-        f"{observations.source}: angle_deg is {observations.angle_deg[0]:g} in every row; was the head never turned? "
-        f"If the unit was left still on purpose, write {PROCEDURE} into the column procedure"
+    return Message(
+        "{source}: angle_deg is {angle_deg:g} in every row; was the head never turned? If the unit was left still on "
+        "purpose, write {procedure} into the column procedure",
+        source=observations.source,
+        angle_deg=observations.angle_deg[0],
+        procedure=PROCEDURE,
     )
 
 
@@ -91,9 +97,10 @@ def _backwards(observations: Observations) -> str:
     back = np.flatnonzero((np.diff(observations.time_s) < 0.0) & (np.diff(observations.runs) == 0))
     if not len(back):
         return ""
-    return (
-        f"{observations.source}: time_s runs backwards at row {observations.row[back[0] + 1]}; are the rows in the "
-        "order in which they were taken? Sort them"
+    return Message(
+        "{source}: time_s runs backwards at row {row}; are the rows in the order in which they were taken? Sort them",
+        source=observations.source,
+        row=observations.row[back[0] + 1],
     )
 
 
@@ -116,9 +123,12 @@ def _radians(observations: Observations) -> str:
     turned = replace(observations, angle_deg=np.rad2deg(observations.angle_deg))
     if _left_v(observations) < _CLEARER / 4 * _left_v(turned) or np.ptp(observations.angle_deg) < np.pi / 2:
         return ""
-    return (
-        f"{observations.source}: angle_deg runs from {observations.angle_deg.min():.4g} to "
-        f"{observations.angle_deg.max():.4g} and the output fits radians; are these radians? Write degrees"
+    return Message(
+        "{source}: angle_deg runs from {lowest:.4g} to {highest:.4g} and the output fits radians; are these radians? "
+        "Write degrees",
+        source=observations.source,
+        lowest=observations.angle_deg.min(),
+        highest=observations.angle_deg.max(),
     )
 
 
@@ -136,15 +146,18 @@ def _mounts(observations: Observations) -> str:
         return ""
     guessed = _guessed_mounts(observations, blocks)
     others = sorted({str(mount) for mount in guessed} - {"face-up"})
-    looks = " and ".join(others) if others else "the unit seated another way about its input axis"
+    other_seat = Message("the unit seated another way about its input axis")
     first = int(np.flatnonzero(off[blocks] > _MOSTLY)[0])
-    return (
-        f"{observations.source}: there is no column mount, but the rows cannot come from one mount: row "
-        f"{observations.row[first]} and others look like {looks}; add the column"
+    return Message(
+        "{source}: there is no column mount, but the rows cannot come from one mount: row {row} and others look like "
+        "{mounts}; add the column",
+        source=observations.source,
+        row=observations.row[first],
+        mounts=series([with_wording(mount) for mount in others]) if others else other_seat,
     )
 
 
-def _beside_two_waves(observations: Observations, inside: NDArray[np.bool_]) -> FloatArray:
+def _orthogonal_to_two_waves(observations: Observations, inside: NDArray[np.bool_]) -> FloatArray:
     angle = np.deg2rad(observations.angle_deg[inside])
     waves = [wave(order * angle) for order in (1, 2) for wave in (np.sin, np.cos)]
     columns, volts = np.column_stack([np.ones_like(angle), *waves]), observations.output_v[inside]
@@ -157,7 +170,7 @@ def _noise_v(observations: Observations, blocks: NDArray[np.int64]) -> float:
     for block in range(int(blocks.max()) + 1):
         inside = blocks == block
         if np.count_nonzero(inside) >= 8:
-            left.append(np.std(_beside_two_waves(observations, inside)))
+            left.append(np.std(_orthogonal_to_two_waves(observations, inside)))
     return float(np.median(left)) if left else float("inf")
 
 
@@ -202,9 +215,11 @@ def _sign(observations: Observations) -> str:
     kx = float(fit.theta[1])
     if not fit.estimable[1] or kx >= 0 or abs(kx) < 10 * _left_v(observations):
         return ""
-    return (
-        f"{observations.source}: kx comes out as {kx:.4g} V/g; is the output inverted, or the sign of g? Here a "
-        "projection is positive where the axis points down"
+    return Message(
+        "{source}: kx comes out as {kx:.4g} V/g; is the output inverted, or the sign of g? Here a projection is "
+        "positive where the axis points down",
+        source=observations.source,
+        kx=kx,
     )
 
 
@@ -218,9 +233,11 @@ def _rounded(observations: Observations) -> str:
     repeats = pure_error(observations.output_v, pose_groups(observations), np.ones(len(observations)))
     if not repeats.degrees_of_freedom or repeats.standard_deviation > step_v / _COARSE:
         return ""
-    return (
-        f"{observations.source}: the output is rounded to {step_v:.4g} V, far more than repeats scatter; what is "
-        "smaller cannot be told from the rounding, so measure with a finer resolution"
+    return Message(
+        "{source}: the output is rounded to {step_v:.4g} V, far more than repeats scatter; what is smaller is not "
+        "distinguishable from the rounding, so measure with a finer resolution",
+        source=observations.source,
+        step_v=step_v,
     )
 
 
@@ -229,4 +246,8 @@ def _millivolts(observations: Observations) -> str:
     largest_v = float(np.abs(observations.output_v).max())
     if largest_v < MOST_V:
         return ""
-    return f"{observations.source}: outputs reach {largest_v:.4g} V; are these millivolts? Write volts"
+    return Message(
+        "{source}: outputs reach {largest_v:.4g} V; are these millivolts? Write volts",
+        source=observations.source,
+        largest_v=largest_v,
+    )

@@ -1,6 +1,6 @@
 """Which rows make a realisation: one pass through the settings, whatever the column says.
 
-A realisation tells what changes from pass to pass (a turn-on, a seat) only if it is one: an unbroken run of rows, over
+A realisation shows what changes from pass to pass (a turn-on, a seat) only if it is one: an unbroken run of rows, over
 settings that come back in others. Pieces of one dwell that are numbered are repeats of their setting, no passes; with
 other numbers, or none, they must say the same.
 """
@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from tumble.calibrations.core.repeats import labels, settings
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.poses import distinct_settings
+from tumble.messages import Message
 
 _MOST = 50
 _COME_BACK = 0.5
@@ -33,22 +34,36 @@ class Passes:
 
 def with_passes(observations: Observations) -> Passes:
     """Number realisations in the order in which they were taken; none where there are no passes."""
-    told = observations.realisation
-    labelled = told is not None and len(np.unique(told)) > 1
-    if told is not None and labelled and _unbroken(told) and _passes(observations, told):
-        return Passes(observations=replace(observations, realisation=_in_order(told)))
+    stated = observations.realisation
+    labelled = stated is not None and len(np.unique(stated)) > 1
+    if stated is not None and labelled and _unbroken(stated) and _passes(observations, stated):
+        return Passes(observations=replace(observations, realisation=_in_order(stated)))
     number = _clear_repeats(observations)
-    found = replace(observations, realisation=number)
-    if number is None:
-        remark = "realisation numbers repeats, not passes through the settings; taken as repeats" if labelled else ""
-    else:
-        count = int(number.max())
-        why = "realisation numbers no passes" if labelled else "there is no column realisation"
-        remark = (
-            f"{why}, yet every pose comes back {count} times; taken as {count} realisations, "
-            f"{'correct' if labelled else 'add'} the column if that is not so"
+    remark = _remark(number, labelled, observations.source)
+    return Passes(observations=replace(observations, realisation=number), remark=remark)
+
+
+def _remark(number: IntArray | None, labelled: bool, source: str) -> str:
+    """What was made of the column, or of its lack."""
+    if number is None and labelled:
+        return Message(
+            "{source}: realisation numbers repeats, not passes through the settings; taken as repeats", source=source
         )
-    return Passes(observations=found, remark=f"{observations.source}: {remark}" if remark else "")
+    if number is None:
+        return ""
+    if labelled:
+        return Message(
+            "{source}: realisation numbers no passes, yet every pose comes back {count} times; taken as {count} "
+            "realisations, correct the column if that is not so",
+            source=source,
+            count=int(number.max()),
+        )
+    return Message(
+        "{source}: there is no column realisation, yet every pose comes back {count} times; taken as {count} "
+        "realisations, add the column if that is not so",
+        source=source,
+        count=int(number.max()),
+    )
 
 
 def _unbroken(number: IntArray) -> bool:

@@ -13,6 +13,7 @@ from tumble.calibrations.methods.dividing_head.model import UNITS
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.published import PublishedValue
 from tumble.calibrations.stand_records.record import StandRecord
+from tumble.messages import Message
 
 SCHEMA = "tumble.fit/1"
 
@@ -104,7 +105,7 @@ class Calibration:
 def closure_json(closure: FlipClosure | None) -> dict[str, Any]:
     """Closure of the flips as `tumble.fit/1` has it."""
     if closure is None:
-        return {"p_value": None, "reason": "there is no complete flip"}
+        return {"p_value": None, "reason": Message("there is no complete flip")}
     result: dict[str, Any] = {
         axis: {"u0_V": mean.u0_v, "standard_uncertainty": mean.standard_uncertainty_v or None}
         for axis, mean in closure.axes.items()
@@ -136,5 +137,5 @@ def _budget_json(line: BudgetLine) -> dict[str, Any]:
 
 
 def _correlation_json(parameters: Mapping[str, Parameter], correlation: FloatArray) -> dict[str, dict[str, float]]:
-    told = [(i, name) for i, name in enumerate(parameters) if parameters[name].value is not None]
-    return {name: {other: float(correlation[i, j]) for j, other in told} for i, name in told}
+    stated = [(i, name) for i, name in enumerate(parameters) if parameters[name].value is not None]
+    return {name: {other: float(correlation[i, j]) for j, other in stated} for i, name in stated}

@@ -7,6 +7,7 @@ import numpy as np
 from tumble.calibrations.core.rows import SetAside
 from tumble.calibrations.core.screening import MOSTLY, beyond, used_without, with_likely_temperatures, without_missing
 from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.messages import Message
 
 MOST_DEG: Final = 1e6
 """Beyond any head: 2,777 turns."""
@@ -28,13 +29,13 @@ def set_aside_bad_rows(observations: Observations) -> Observations:
 def _garbled(observations: Observations) -> tuple[SetAside, ...]:
     """Rows whose angle or voltage is a number that nothing at a stand can give."""
     no_angle = np.abs(observations.angle_deg) > MOST_DEG
-    aside = beyond(observations, "angle_deg", no_angle, "any head")
+    aside = beyond(observations, "angle_deg", no_angle, Message("any head"))
     if observations.voltage_v is None:
         return aside
     no_voltage = (np.abs(observations.voltage_v) > MOST_V) & ~no_angle
     if np.count_nonzero(no_voltage) > MOSTLY * len(observations):
         return aside
-    return (*aside, *beyond(observations, "voltage_v", no_voltage, "any accelerometer", gross=True))
+    return (*aside, *beyond(observations, "voltage_v", no_voltage, Message("any accelerometer"), gross=True))
 
 
 def _with_likely_scatter(observations: Observations) -> Observations:

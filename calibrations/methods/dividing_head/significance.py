@@ -1,4 +1,4 @@
-"""What an experiment could support: sentences that follow from the numbers, for report, terminal and JSON."""
+"""What the numbers say of the parameters: significance, identifiability, dependence and correlation, in sentences."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -13,9 +13,10 @@ from tumble.calibrations.core.sentences import equals, series, significant_digit
 from tumble.calibrations.methods.dividing_head.flips import FlipClosure
 from tumble.calibrations.methods.dividing_head.joint import LACK_OF_FIT_P
 from tumble.calibrations.methods.dividing_head.result import Calibration
+from tumble.messages import Message
 
 STRONG_CORRELATION = 0.9
-"""Above this a parameter cannot be used without the one it hangs together with."""
+"""Above this a parameter cannot be used without the one it is correlated with."""
 
 
 class Kind(StrEnum):
@@ -23,14 +24,14 @@ class Kind(StrEnum):
 
     SIGNIFICANCE = "significance"
     """Whether the 95% interval excludes zero, and how many digits the uncertainty supports."""
-    UNTOLD = "untold"
+    NOT_IDENTIFIABLE = "not_identifiable"
     """Parameters without a value: why."""
     DEPENDENCE = "dependence"
     """On what the values rest."""
     CONDITION = "condition"
     """For which alpha0 the values stand."""
     CORRELATION = "correlation"
-    """Which values hang together."""
+    """Which values are strongly correlated."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -48,12 +49,12 @@ class Statement:
         return {"about": list(self.about), "kind": self.kind.value, "text": self.text}
 
 
-def support(calibration: Calibration) -> tuple[Statement, ...]:
-    """Say of every parameter whether it differs from zero, to how many digits it is known and on what that rests."""
+def statements(calibration: Calibration) -> tuple[Statement, ...]:
+    """Whether each parameter differs from zero, to how many digits it is known, and on what that rests."""
     parameters = tuple(calibration.parameters.values())
     return (
         *_significances(parameters),
-        *_untold(parameters),
+        *_not_identifiable(parameters),
         *_dependences(parameters),
         *_conditions(parameters),
         *_correlations(calibration),
@@ -64,15 +65,21 @@ def closure_sentence(closure: FlipClosure) -> str:
     """Whether the flips agree on u0, by how much the worst two differ, and how likely that is."""
     names = series(list(closure.axes))
     if len(closure.axes) < 2:
-        return f"Only the {names} flip is complete: there is nothing to compare its u0 with."
+        return Message("Only the {axis} flip is complete: there is nothing to compare its u0 with.", axis=names)
     if closure.worst is None or closure.p_value is None:
-        return f"The {names} flips were not repeated, so that their difference cannot be judged."
+        return Message("The {axes} flips were not repeated, so that their difference cannot be judged.", axes=names)
     first, second, difference_v, sigmas = closure.worst
-    verdict = "do not agree" if closure.p_value < LACK_OF_FIT_P else "agree"
-    return (
-        f"The {names} flips {verdict} on u0: the largest difference, {first} - {second}, is "
-        f"{format_number(difference_v, 'V', 2)}, or {sigmas:.1f} standard uncertainties of it "
-        f"(p {equals(closure.p_value)} for all of them together)."
+    agree = Message("The {axes} flips agree on u0", axes=names)
+    disagree = Message("The {axes} flips do not agree on u0", axes=names)
+    return Message(
+        "{verdict}: the largest difference, {first} - {second}, is {difference}, or {sigmas:.1f} standard "
+        "uncertainties of it (p {p_value} for all of them together).",
+        verdict=disagree if closure.p_value < LACK_OF_FIT_P else agree,
+        first=first,
+        second=second,
+        difference=format_number(difference_v, "V", 2),
+        sigmas=sigmas,
+        p_value=equals(closure.p_value),
     )
 
 
@@ -87,23 +94,40 @@ def _significance(parameter: Parameter, value: float, interval: tuple[float, flo
     low, high = interval
     span = format_interval(low, high, parameter.unit)
     if not parameter.significant:
-        return f"{parameter.name} cannot be told from zero: its 95% interval, {span}, includes it."
-    if parameter.rests_on:
-        return (
-            f"{parameter.name} differs from zero if there is no undeclared second-order term: its 95% interval, "
-            f"{span}, excludes it then."
+        return Message(
+            "{name} does not differ significantly from zero: its 95% interval, {interval}, includes it.",
+            name=parameter.name,
+            interval=span,
         )
-    return (
-        f"{parameter.name} differs from zero: its 95% interval, {span}, excludes it. {_digits(value, (high - low) / 2)}"
+    if parameter.rests_on:
+        return Message(
+            "{name} differs from zero if there is no undeclared second-order term: its 95% interval, {interval}, "
+            "excludes it then.",
+            name=parameter.name,
+            interval=span,
+        )
+    return Message(
+        "{name} differs from zero: its 95% interval, {interval}, excludes it. {digits}",
+        name=parameter.name,
+        interval=span,
+        digits=_digits(value, (high - low) / 2),
     )
 
 
 def _digits(value: float, expanded: float) -> str:
     if not expanded > 0:
-        return "No uncertainty is stated, so that its digits cannot be judged."
-    count = significant_digits(value, expanded)
-    relative = f"The expanded uncertainty is {_relative(expanded / abs(value))} of the value and supports"
-    return f"{relative} {count} significant digit{'s' if count > 1 else ''}." if count else f"{relative} its sign only."
+        return Message("No uncertainty is stated, so that its digits cannot be judged.")
+    count, relative = significant_digits(value, expanded), _relative(expanded / abs(value))
+    if not count:
+        return Message(
+            "The expanded uncertainty is {relative} of the value and supports its sign only.", relative=relative
+        )
+    return Message.counted(
+        "The expanded uncertainty is {relative} of the value and supports {count} significant digit.",
+        "The expanded uncertainty is {relative} of the value and supports {count} significant digits.",
+        count=count,
+        relative=relative,
+    )
 
 
 def _relative(ratio: float) -> str:
@@ -113,19 +137,31 @@ def _relative(ratio: float) -> str:
     )
 
 
-def _untold(parameters: Sequence[Parameter]) -> Iterator[Statement]:
+def _not_identifiable(parameters: Sequence[Parameter]) -> Iterator[Statement]:
     """One statement for all parameters that lack a value for the same reason."""
-    untold = [parameter for parameter in parameters if parameter.value is None]
-    for reason, settled_by in dict.fromkeys((p.reason, p.settled_by) for p in untold):
-        names = tuple(p.name for p in untold if (p.reason, p.settled_by) == (reason, settled_by))
-        text = f"{series(names)} cannot be told: {reason}.{_remedy(settled_by)}"
-        yield Statement(about=names, kind=Kind.UNTOLD, text=text)
+    lacking = [parameter for parameter in parameters if parameter.value is None]
+    for reason, settled_by in dict.fromkeys((p.reason, p.settled_by) for p in lacking):
+        names = tuple(p.name for p in lacking if (p.reason, p.settled_by) == (reason, settled_by))
+        said = Message.counted(
+            "{names} is not identifiable: {reason}.",
+            "{names} are not identifiable: {reason}.",
+            count=len(names),
+            names=series(names),
+            reason=reason,
+        )
+        yield Statement(about=names, kind=Kind.NOT_IDENTIFIABLE, text=_with_remedy(said, settled_by))
 
 
-def _remedy(mounts: Sequence[str]) -> str:
+def _with_remedy(said: Message, mounts: Sequence[str]) -> Message:
     if not mounts:
-        return ""
-    return f" {'One sweep in' if len(mounts) == 1 else 'One sweep in any of'} {series(mounts, 'or')} would settle it."
+        return said
+    remedy = Message.counted(
+        "One sweep in {mounts} would settle it.",
+        "One sweep in any of {mounts} would settle it.",
+        count=len(mounts),
+        mounts=series(mounts, "or"),
+    )
+    return Message.joined(" ", [said, remedy])
 
 
 def _dependences(parameters: Sequence[Parameter]) -> Iterator[Statement]:
@@ -134,19 +170,27 @@ def _dependences(parameters: Sequence[Parameter]) -> Iterator[Statement]:
     for reason in dict.fromkeys((p.rests_on, p.remark, p.settled_by) for p in resting):
         names = tuple(p.name for p in resting if (p.rests_on, p.remark, p.settled_by) == reason)
         rests_on, remark, settled_by = reason
-        text = f"{series(names)} rest{'s' if len(names) == 1 else ''} on {rests_on}: {remark}.{_remedy(settled_by)}"
-        yield Statement(about=names, kind=Kind.DEPENDENCE, text=text)
+        said = Message.counted(
+            "{names} rests on {other}: {remark}.",
+            "{names} rest on {other}: {remark}.",
+            count=len(names),
+            names=series(names),
+            other=rests_on,
+            remark=remark,
+        )
+        yield Statement(about=names, kind=Kind.DEPENDENCE, text=_with_remedy(said, settled_by))
 
 
 def _conditions(parameters: Sequence[Parameter]) -> Iterator[Statement]:
     for parameter in parameters:
-        if parameter.value is not None and parameter.given_alpha0_deg is not None:
-            text = f"{parameter.name} {parameter.remark} {parameter.unit}.{_remedy(parameter.settled_by)}"
+        if parameter.value is not None and parameter.given:
+            said = Message("{name} {remark} {unit}.", name=parameter.name, remark=parameter.remark, unit=parameter.unit)
+            text = _with_remedy(said, parameter.settled_by)
             yield Statement(about=(parameter.name,), kind=Kind.CONDITION, text=text)
 
 
 def _correlations(calibration: Calibration) -> Iterator[Statement]:
-    """One statement for every group of parameters that hang together, directly or through another."""
+    """One statement for every group of strongly correlated parameters, directly or through another."""
     names = list(calibration.parameters)
     size = np.nan_to_num(np.abs(calibration.correlation))
     np.fill_diagonal(size, 0.0)
@@ -155,7 +199,7 @@ def _correlations(calibration: Calibration) -> Iterator[Statement]:
         group = _reach(min(left), size)
         left -= group
         if len(group) > 1:
-            yield _hanging_together(sorted(group), names, calibration)
+            yield _correlated(sorted(group), names, calibration)
 
 
 def _reach(start: int, size: np.ndarray) -> set[int]:
@@ -168,16 +212,19 @@ def _reach(start: int, size: np.ndarray) -> set[int]:
     return group
 
 
-def _hanging_together(group: list[int], names: list[str], calibration: Calibration) -> Statement:
+def _correlated(group: list[int], names: list[str], calibration: Calibration) -> Statement:
     about = tuple(names[i] for i in group)
     block = calibration.correlation[np.ix_(group, group)][np.triu_indices(len(group), 1)]
     if len(block) == 1:
         how = f"r = {format_correlation(float(block[0]))}"
     else:
         ends = (float(np.min(np.abs(block))), float(np.max(np.abs(block))))
-        how = f"|r| from {format_correlation(ends[0])} to {format_correlation(ends[1])}"
-    text = (
-        f"{series(about)} hang together ({how}): combinations of them are known better than each alone, "
-        "and what is computed from several of them needs their correlation."
+        low, high = map(format_correlation, ends)
+        how = Message("|r| from {low} to {high}", low=low, high=high)
+    text = Message(
+        "{names} are strongly correlated ({correlation}): combinations of them are known better than each alone, "
+        "and what is computed from several of them needs their correlation.",
+        names=series(about),
+        correlation=how,
     )
     return Statement(about=about, kind=Kind.CORRELATION, text=text)

@@ -4,6 +4,7 @@ import numpy as np
 
 from tumble.calibrations.core.screening import SENSORS_DEGC
 from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.messages import Message
 
 _KELVIN = (200.0, 500.0)
 """Temperatures of a chamber, -73 to 227 °C, in kelvin."""
@@ -17,8 +18,17 @@ def kelvin(observations: Observations) -> str:
     known = _known(observations)
     if not len(known) or SENSORS_DEGC[0] <= np.median(known) <= _KELVIN[0]:
         return ""
-    unit = "are these kelvin?" if _KELVIN[0] < np.median(known) <= _KELVIN[1] else "what unit is that?"
-    return f"{observations.source}: temperature_degC runs {_range(known)}; {unit} Write °C"
+    if _KELVIN[0] < np.median(known) <= _KELVIN[1]:
+        return Message(
+            "{source}: temperature_degC runs {range}; are these kelvin? Write °C",
+            source=observations.source,
+            range=_range(known),
+        )
+    return Message(
+        "{source}: temperature_degC runs {range}; what unit is that? Write °C",
+        source=observations.source,
+        range=_range(known),
+    )
 
 
 def fahrenheit(observations: Observations, reference_temperature_degc: float) -> str:
@@ -29,10 +39,13 @@ def fahrenheit(observations: Observations, reference_temperature_degc: float) ->
     in_degc = (known - 32.0) / 1.8
     if not (_ROOM_DEGC[0] <= in_degc.min() and in_degc.max() <= _ROOM_DEGC[1]):
         return ""
-    return (
-        f"{observations.source}: temperature_degC runs {_range(known)}, far from the {reference_temperature_degc:g} °C "
-        f"to which parameters refer; are these °F ({_range(in_degc)} °C)? Write °C, or give "
-        "reference_temperature_degC in the stand file"
+    return Message(
+        "{source}: temperature_degC runs {range}, far from the {reference_degc:g} °C to which parameters refer; are "
+        "these °F ({in_degc} °C)? Write °C, or give reference_temperature_degC in the stand file",
+        source=observations.source,
+        range=_range(known),
+        reference_degc=reference_temperature_degc,
+        in_degc=_range(in_degc),
     )
 
 
@@ -42,4 +55,4 @@ def _known(observations: Observations) -> np.ndarray:
 
 
 def _range(values: np.ndarray) -> str:
-    return f"from {values.min():.4g} to {values.max():.4g}"
+    return Message("from {lowest:.4g} to {highest:.4g}", lowest=values.min(), highest=values.max())

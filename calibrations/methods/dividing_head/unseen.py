@@ -1,4 +1,4 @@
-"""Effects that a table cannot see: what one of them, undeclared, could add to the parameters without a trace.
+"""Effects that a table cannot show: what one of them, undeclared, could add to the parameters without a trace.
 
 The output that a calibration predicts is fitted again with an effect taken off it. Of each effect the largest size is
 taken that leaves less than `VISIBLE` noise units which the declared model does not follow, and no more than an
@@ -50,12 +50,12 @@ def unseen(calibration: Calibration) -> tuple[Unseen, ...]:
 
 def _of(calibration: Calibration, name: str) -> Iterator[Unseen]:
     theta = _theta(calibration)
-    seen_from = theta.copy()
+    linearised_at = theta.copy()
     if calibration.parameters["alpha0"].rests_on:
-        seen_from[ALPHA0] = 0.0  # nearer the truth than what a hidden effect may have made of it
+        linearised_at[ALPHA0] = 0.0  # nearer the truth than what a hidden effect may have made of it
     largest = _LARGEST.get(name, _SHARE * float(np.linalg.norm(theta[1:4])))
     effect = next(each for each in CATALOGUE if each.name == name)
-    for form in effect.forms(scene_of(calibration.observations, seen_from)):
+    for form in effect.forms(scene_of(calibration.observations, linearised_at)):
         for column in form.columns.T:
             for size in (largest, -largest):
                 for moved in _moves(calibration, theta, column * size):
@@ -73,11 +73,11 @@ def _moves(calibration: Calibration, theta: FloatArray, added_v: FloatArray) -> 
 def _moved(calibration: Calibration, theta: FloatArray, added_v: FloatArray) -> FloatArray:
     """How far an effect moves the parameters, reduced until the rows would not show it."""
     functions = basis(calibration.observations)
-    told = calibration.parameters["alpha0"].value is not None
+    identifiable = calibration.parameters["alpha0"].value is not None
     noise_v = calibration.noise.used_v
     for _ in range(_HALVINGS):
         compressed = compress(functions, functions @ coefficients(theta) + added_v, calibration.weights)
-        fit = joint_fit(compressed) if told else fit_given_alpha0(compressed, float(theta[ALPHA0]))
+        fit = joint_fit(compressed) if identifiable else fit_given_alpha0(compressed, float(theta[ALPHA0]))
         seen = np.sqrt(max(fit.squares_v2, 0.0)) / noise_v
         if seen <= VISIBLE:
             return np.asarray(fit.theta - theta)

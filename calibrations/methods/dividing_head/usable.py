@@ -43,9 +43,9 @@ def without_withheld(declared: Mapping[str, Parameter], augmented: Mapping[str, 
 
 def _consistent(calibration: Calibration) -> Calibration:
     """The same with nothing computed from a value that is withheld."""
-    told = {name for name, parameter in calibration.parameters.items() if parameter.value is not None}
+    stated = {name for name, parameter in calibration.parameters.items() if parameter.value is not None}
     return replace(
         calibration,
-        monte_carlo={name: found for name, found in calibration.monte_carlo.items() if name in told},
-        per_acceleration={name: found for name, found in calibration.per_acceleration.items() if name in told},
+        monte_carlo={name: found for name, found in calibration.monte_carlo.items() if name in stated},
+        per_acceleration={name: found for name, found in calibration.per_acceleration.items() if name in stated},
     )

@@ -11,6 +11,7 @@ from tumble.calibrations.core.sentences import equals
 from tumble.calibrations.methods.head_reference.scene import HeadScene
 from tumble.calibrations.methods.head_reference.settings import Settings, angle_numbers
 from tumble.calibrations.tracing.findings import Unexplained
+from tumble.messages import Message
 
 BEYOND_REPEATS_P = 1e-3
 """Settings differ where chance makes them differ as much more seldom than this."""
@@ -150,12 +151,15 @@ def by_setting(
     """What differs from setting to setting beyond the repeats although nothing with a name explains it."""
     if after is None or not after.contradicted:
         return
-    reversed_too = ""
+    description = Message(
+        "the error differs from setting to setting by more than its repeats allow ({test})", test=after.words
+    )
     if changing is not None and changing.differs:
         values = [each.reversal_deg for each in errors if each.reversal_deg is not None]
-        reversed_too = f"; its reversal error too, from {min(values):.3g}° to {max(values):.3g}°"
-    yield Unexplained(
-        depends_on="angle",
-        description=f"the error differs from setting to setting by more than its repeats allow ({after.words})"
-        f"{reversed_too}",
-    )
+        description = Message(
+            "{description}; its reversal error too, from {lowest_deg:.3g}° to {highest_deg:.3g}°",
+            description=description,
+            lowest_deg=min(values),
+            highest_deg=max(values),
+        )
+    yield Unexplained(depends_on="angle", description=description)

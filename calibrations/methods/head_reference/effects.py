@@ -10,7 +10,9 @@ import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.head_reference.scene import HeadScene
+from tumble.calibrations.stand_records.terms import BACKLASH, ECCENTRICITY, GRADUATION, SECOND_HARMONIC
 from tumble.calibrations.tracing.effect import Effect, Form, Forms, harmonic, plain, single, with_scanned
+from tumble.messages import Message
 
 HIGHEST_ORDER: Final = 36
 TIMED: Final = ("reference_drift", "reference_temperature")
@@ -55,12 +57,12 @@ def _order(order: int) -> Effect[HeadScene]:
         return (Form(columns=wave(scene, order), scanned={"order": float(order)}),) if seen else ()
 
     return Effect(
-        name=f"graduation {order}",
-        family="graduation",
+        name=Message.named(f"graduation {order}", "graduation error, {order} per turn", order=order),
+        family=GRADUATION,
         depends_on="angle",
         belongs_to="stand",
         symbol="A sin(nφ + p)",
-        source="n per turn: graduation, worm, pole pairs of a resolver",
+        source=Message("n per turn: graduation, worm, pole pairs of a resolver"),
         forms=forms,
         report=with_scanned(harmonic, order=""),
     )
@@ -91,66 +93,66 @@ def _temperature(scene: HeadScene) -> Sequence[Form]:
 
 HEAD_EFFECTS: tuple[Effect[HeadScene], ...] = (
     Effect(
-        name="head_eccentricity",
+        name=ECCENTRICITY,
         depends_on="angle",
         belongs_to="stand",
         symbol="A sin(φ + p)",
-        source="once per turn: eccentricity of the circle",
+        source=Message("once per turn: eccentricity of the circle"),
         forms=_periods(1),
         report=harmonic,
     ),
     Effect(
-        name="head_second_harmonic",
+        name=SECOND_HARMONIC,
         depends_on="angle",
         belongs_to="stand",
         symbol="A sin(2φ + p)",
-        source="twice per turn: ellipticity or tilt of the circle",
+        source=Message("twice per turn: ellipticity or tilt of the circle"),
         forms=_periods(2),
         report=harmonic,
     ),
     *(_order(order) for order in range(3, HIGHEST_ORDER + 1)),
     Effect(
-        name="head_scale",
+        name=Message.named("head_scale", "scale of the head"),
         depends_on="angle",
         belongs_to="stand",
-        symbol="s per turn",
-        source="steps per degree that do not suit the drive, or steps that it loses",
+        symbol=Message("s per turn"),
+        source=Message("steps per degree that do not suit the drive, or steps that it loses"),
         forms=_scale,
         report=plain("head_scale", "deg/turn"),
     ),
     Effect(
-        name="backlash",
+        name=BACKLASH,
         depends_on="direction",
         belongs_to="stand",
-        symbol="b after a move in - direction",
-        source="play of the drive",
+        symbol=Message("b after a move in - direction"),
+        source=Message("play of the drive"),
         forms=_backlash,
-        report=plain("backlash", "deg"),
+        report=plain(BACKLASH, "deg"),
     ),
     Effect(
-        name="latency",
+        name=Message("latency"),
         depends_on="time",
         belongs_to="reference",
-        symbol="-τ times speed",
-        source="the reference is read late",
+        symbol=Message("-τ times speed"),
+        source=Message("the reference is read late"),
         forms=_latency,
         report=plain("latency", "s"),
     ),
     Effect(
-        name="reference_drift",
+        name=Message.named("reference_drift", "drift of the reference"),
         depends_on="time",
         belongs_to="reference",
         symbol="d t",
-        source="reference or its coupling",
+        source=Message("reference or its coupling"),
         forms=_drift,
         report=plain("reference_drift", "deg/h"),
     ),
     Effect(
-        name="reference_temperature",
+        name=Message.named("reference_temperature", "temperature sensitivity of the reference"),
         depends_on="temperature",
         belongs_to="reference",
         symbol="c T",
-        source="expansion of the coupling",
+        source=Message("expansion of the coupling"),
         forms=_temperature,
         report=plain("reference_temperature", "deg/K"),
     ),

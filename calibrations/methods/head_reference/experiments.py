@@ -5,8 +5,9 @@ from tumble.calibrations.methods.head_reference.probes import probes
 from tumble.calibrations.methods.head_reference.table import HeadTable
 from tumble.calibrations.tracing.experiments import Experiment, next_experiments
 from tumble.calibrations.tracing.linear_loop import LinearExplained
+from tumble.messages import Message
 
-_OTHERWISE = "use another reference"
+_OTHERWISE = Message("use another reference")
 
 
 @one_blas_thread

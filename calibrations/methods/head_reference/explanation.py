@@ -22,7 +22,7 @@ from tumble.calibrations.tracing.trace import penalised_deviance
 from tumble.calibrations.tracing.within import Within
 
 _LOOKS = 5
-"""How often a table is looked at anew once it is known where the reference saw the head."""
+"""How often a table is traced again once it is known where the head was when the reference was read."""
 _MOVED_DEG = 1e-4
 """A change of where the reference saw the head that changes nothing more."""
 _PARTS = 10
@@ -53,8 +53,8 @@ class Explanation:
     @property
     def seen_scene(self) -> HeadScene:
         """The dwells with what is known for certain of how late the reference was read."""
-        told = "latency" in self.between.trace.names and not self.between.close["latency"]
-        return replace(self.scene, late_s=_seen(self.between).late_s if told else 0.0, short_deg=0.0)
+        unrivalled = "latency" in self.between.trace.names and not self.between.close["latency"]
+        return replace(self.scene, late_s=_corrected(self.between).late_s if unrivalled else 0.0, short_deg=0.0)
 
     @property
     def parts(self) -> int:
@@ -148,15 +148,15 @@ def _followed(table: HeadTable) -> LinearExplained[HeadTable]:
     looks = [explain_linear(table, UNITS)]
     for _ in range(_LOOKS):
         last = looks[-1]
-        scene = _seen(last)
+        scene = _corrected(last)
         if np.max(np.abs(scene.seen_deg - last.table.scene.seen_deg)) < _MOVED_DEG:
             break
         looks.append(explain_linear(replace(table, scene=scene), UNITS))
     return min(looks, key=lambda look: penalised_deviance(look.trace))
 
 
-def _seen(explained: LinearExplained[HeadTable]) -> HeadScene:
-    """The rows as they are to be seen by what was found."""
+def _corrected(explained: LinearExplained[HeadTable]) -> HeadScene:
+    """The rows with what was found of latency and backlash."""
     scene, names = explained.table.scene, explained.trace.names
     late_s, short_deg = (
         explained.best.quantities(name)[name].value if name in names else 0.0 for name in ("latency", "backlash")

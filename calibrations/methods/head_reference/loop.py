@@ -35,6 +35,7 @@ from tumble.calibrations.tracing.experiments import Experiment
 from tumble.calibrations.tracing.findings import EffectFound, Unexplained
 from tumble.calibrations.tracing.linear import LinearFit
 from tumble.calibrations.tracing.linear_loop import LinearExplained, as_stated, rms, stated, withheld
+from tumble.messages import Message
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -105,7 +106,7 @@ def close_reference_loop(observations: HeadObservations) -> ReferenceLoop:
         The table holds no reference, or no usable row.
     """
     if not len(observations):
-        raise ValueError(f"{observations.source}: no usable row")
+        raise ValueError(Message("{source}: no usable row", source=observations.source))
     if asked := question(observations):
         return _stated(observations, explain_head(_scene(observations), asked=True), asked[0])
     observations = _without_slips(observations, head_table(_scene(observations)).output)

@@ -19,6 +19,7 @@ from tumble.calibrations.methods.head_reference.map_points import (
     map_points,
     neighbours_deviation,
 )
+from tumble.messages import Message
 
 CHANGED_P = 1e-3
 """A head has changed where chance makes a difference vary as much more seldom than this."""
@@ -145,7 +146,7 @@ def _uncertainty(
     """Of each point, with its degrees of freedom, and where it comes from."""
     if all(each.uncertainty_deg is not None for each in maps) and bool(np.all(variance_deg2 > 0.0)):
         freedom = min(each.degrees_of_freedom for each in maps)
-        return np.sqrt(variance_deg2), freedom, "the scatter of repeats, or of a stream what is left of it"
+        return np.sqrt(variance_deg2), freedom, Message("the scatter of repeats, or of a stream what is left of it")
     beside = [
         beside_neighbours(angle_deg[direction == each], difference_deg[direction == each])
         for each in np.unique(direction)
@@ -154,7 +155,9 @@ def _uncertainty(
     deviation_deg = neighbours_deviation(differences)
     if not deviation_deg > 0.0:
         deviation_deg = max(float(np.std(difference_deg)), 1e-9)
-    basis = "the scatter of the difference beside its neighbours, as settings were not repeated: the weaker test"
+    basis = Message(
+        "the scatter of the difference beside its neighbours, as settings were not repeated: the weaker test"
+    )
     return np.full(len(angle_deg), deviation_deg), max(2 * len(differences) // 3, 1), basis
 
 

@@ -18,6 +18,7 @@ from tumble.calibrations.methods.head_reference.observations import HeadObservat
 from tumble.calibrations.methods.head_reference.sections import difference, sections
 from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.tracing.sentences import set_aside_section
+from tumble.messages import Message
 
 _MOST_COMPARED = 2
 
@@ -55,7 +56,7 @@ class HeadResult:
     def entry(self) -> Entry:
         """The result as the store takes it. Raises `ValueError` for two tables, each of which is a record."""
         if len(self.loops) > 1:
-            raise ValueError(f"{self.names[1]}: record one table of a head at a time")
+            raise ValueError(Message("{name}: record one table of a head at a time", name=self.names[1]))
         return entry(self.loops[0])
 
     def sections(self) -> Sequence[Section]:
@@ -73,9 +74,8 @@ class HeadReference:
 
     name: str = "head_reference"
     version: int = VERSION
-    title: str = "A dividing head measured against a reference"
-    columns: str = "a head against a reference (angle_deg, reference_deg)"
-    at_stand: bool = False
+    title: str = Message("A dividing head measured against a reference")
+    columns: str = Message("a head against a reference (angle_deg, reference_deg)")
 
     def reads(self, header: Sequence[str], numbers: Sequence[str] | None) -> bool:  # noqa: ARG002  # by names alone
         """Whether a table holds angles of a head and of a reference, and no output of a unit."""
@@ -92,7 +92,7 @@ class HeadReference:
     def close_loop(self, paths: Sequence[Path]) -> HeadResult:
         """Trace one table, or two of one head, which are then compared. Raises `TableError`, `ValueError`."""
         if len(paths) > _MOST_COMPARED:
-            raise ValueError(f"{paths[2]}: give one table of a head, or two to be compared")
+            raise ValueError(Message("{path}: give one table of a head, or two to be compared", path=paths[2]))
         loops = tuple(close_reference_loop(read_head_table(path)) for path in paths)
         return HeadResult(names=tuple(path.name for path in paths), loops=loops)
 

@@ -11,6 +11,7 @@ from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.rows import Kind, Rows, column
 from tumble.calibrations.core.screening import beyond, with_likely_temperatures, without_missing
 from tumble.calibrations.core.table import read_rows
+from tumble.messages import Message
 
 _MOST_DEG = 1e6
 """Beyond any head: 2,777 turns."""
@@ -46,5 +47,5 @@ def read_head_table(path: Path) -> HeadObservations:
         Missing, unreadable or malformed file: one sentence with file, line, column and remedy.
     """
     rows = without_missing(read_rows(path, HeadObservations))
-    garbled = beyond(rows, "angle_deg", np.abs(rows.angle_deg) > _MOST_DEG, "any head")
+    garbled = beyond(rows, "angle_deg", np.abs(rows.angle_deg) > _MOST_DEG, Message("any head"))
     return with_likely_temperatures(rows.without(garbled))

@@ -8,6 +8,7 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.joining import appended
 from tumble.calibrations.methods.head_reference.observations import HeadObservations
+from tumble.messages import Message
 
 _REST_S = 2.0
 _MOVE_DEG_S = 20.0
@@ -61,28 +62,28 @@ def probes(before: HeadObservations) -> tuple[HeadMotion, ...]:
     """The experiments that may follow a table, the quickest first."""
     return (
         HeadMotion(
-            programme="rests",
-            does="every 15° round the turn, each reached from both sides: at rest nothing is late",
+            programme=Message("rests"),
+            does=Message("every 15° round the turn, each reached from both sides: at rest nothing is late"),
             motion=_rests(15.0),
         ),
         HeadMotion(
-            programme="slow passes",
-            does="there and back at a third of the speed: what is late is late by a third",
+            programme=Message("slow passes"),
+            does=Message("there and back at a third of the speed: what is late is late by a third"),
             motion=_passes(before, 1 / 3, 1.0),
         ),
         HeadMotion(
-            programme="two turns",
-            does="there and back: what comes back with the circle comes back, what adds up does not",
+            programme=Message("two turns"),
+            does=Message("there and back: what comes back with the circle comes back, what adds up does not"),
             motion=_passes(before, 1.0, 2.0),
         ),
         HeadMotion(
-            programme="fine rests",
-            does="every 2°, reached from both sides: waves of any order are seen as what they are",
+            programme=Message("fine rests"),
+            does=Message("every 2°, reached from both sides: waves of any order are seen as what they are"),
             motion=_rests(2.0),
         ),
         HeadMotion(
-            programme="rests later",
-            does="every 15° round the turn an hour later: what drifts has drifted",
+            programme=Message("rests later"),
+            does=Message("every 15° round the turn an hour later: what drifts has drifted"),
             motion=_rests(15.0),
             wait_s=3600.0,
         ),

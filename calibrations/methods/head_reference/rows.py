@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.head_reference.observations import HeadObservations
+from tumble.messages import Message
 
 DWELL_S = 0.1
 """Rows that follow each other more closely are samples, and are taken together to dwells so long: neighbouring samples
@@ -22,7 +23,7 @@ def error_deg(observations: HeadObservations) -> FloatArray:
         The table holds no reference.
     """
     if observations.reference_deg is None:
-        raise ValueError(f"{observations.source}: there is no column reference_deg")
+        raise ValueError(Message("{source}: there is no column reference_deg", source=observations.source))
     away_deg = observations.reference_deg - observations.angle_deg
     middle_deg = float(np.rad2deg(np.angle(np.mean(np.exp(1j * np.deg2rad(away_deg))))))
     return np.asarray((away_deg - middle_deg + 180.0) % 360.0 - 180.0 + middle_deg)

@@ -1,6 +1,7 @@
 """What is shown of a head that is measured against a reference."""
 
 from collections.abc import Iterator, Sequence
+from typing import Literal
 
 from markupsafe import Markup
 
@@ -18,14 +19,15 @@ from tumble.calibrations.methods.head_reference.sentences import (
     SETTINGS_HEADINGS,
     change_rows,
     headline,
-    most_telling,
+    most_different,
     part_rows,
     sentences,
     setting_rows,
 )
 from tumble.calibrations.stand_records.head_map import HeadMap
 from tumble.calibrations.tracing.experiments import Experiment
-from tumble.calibrations.tracing.sentences import findings, unexplained_sentence
+from tumble.calibrations.tracing.sentences import Finding, findings, unexplained_sentence
+from tumble.messages import Message
 
 _MOST_SETTINGS = 40
 """Of more angles than this those are shown that differ most."""
@@ -34,13 +36,16 @@ _MOST_SETTINGS = 40
 def sections(loop: ReferenceLoop) -> Iterator[Section]:
     """What is shown of one table, the answer first."""
     yield Section(
-        title="To what it was traced",
-        lines=[_sentence(headline(loop)), *(unexplained_sentence(each) for each in loop.unexplained)],
-        headings=("Effect", "Could also be", "Belongs to", "Coefficients", "p"),
-        rows=[
-            (each.name, each.also_possible or "told apart", each.belongs_to, each.coefficients, each.p_value)
-            for each in findings(loop.effects)
-        ],
+        title=Message("To what it was traced"),
+        lines=[Message.capitalised(headline(loop)), *(unexplained_sentence(each) for each in loop.unexplained)],
+        headings=(
+            Message("Effect"),
+            Message("Could also be"),
+            Message("Belongs to"),
+            Message("Coefficients"),
+            "p",
+        ),
+        rows=[_found(each) for each in findings(loop.effects)],
         brief=True,
     )
     if loop.question:
@@ -48,34 +53,39 @@ def sections(loop: ReferenceLoop) -> Iterator[Section]:
     if not loop.not_traced:
         yield from _before_and_after(loop)
     yield _by_setting(loop)
-    yield Section(title="What the table cannot tell", lines=loop.limits, brief=True)
+    yield Section(title=Message("What the table cannot tell"), lines=loop.limits, brief=True)
     yield Section(
-        title="What would tell rivals apart", lines=[_next(each) for each in loop.next_experiment], brief=True
+        title=Message("What would tell rivals apart"), lines=[_next(each) for each in loop.next_experiment], brief=True
     )
     if not loop.not_traced and (found := head_map(loop)):
         yield Section(
-            title="Head map",
+            title=Message("Head map"),
             figure=lambda: _head_map_figure(found),
-            caption="True minus reported angle by the harmonics and the backlash that were found, with two standard "
-            "uncertainties. Latency and what adds up from turn to turn are no part of it.",
+            caption=Message(
+                "True minus reported angle by the harmonics and the backlash that were found, with two standard "
+                "uncertainties. Latency and what adds up from turn to turn are no part of it."
+            ),
         )
 
 
 def difference(comparison: Comparison, first: str, second: str) -> Iterator[Section]:
     """What is shown of how two tables of one head differ."""
     yield Section(
-        title=f"{second} minus {first}",
+        title=Message("{second} minus {first}", first=first, second=second),
         lines=[
             *sentences(comparison, first, second),
-            *(f"In the difference: {unexplained_sentence(each)}" for each in comparison.unexplained),
+            *(
+                Message("In the difference: {sentence}", sentence=unexplained_sentence(each))
+                for each in comparison.unexplained
+            ),
         ],
-        headings=[heading.capitalize() for heading in PARTS_HEADINGS],
+        headings=PARTS_HEADINGS,
         rows=part_rows(comparison) if comparison.difference is not None else (),
         brief=True,
     )
     yield Section(
-        title="What the difference shows",
-        headings=[heading.capitalize() for heading in CHANGES_HEADINGS],
+        title=Message("What the difference shows"),
+        headings=CHANGES_HEADINGS,
         rows=change_rows(comparison) if comparison.changes else (),
         brief=True,
     )
@@ -83,15 +93,17 @@ def difference(comparison: Comparison, first: str, second: str) -> Iterator[Sect
 
 def _before_and_after(loop: ReferenceLoop) -> Iterator[Section]:
     yield Section(
-        title="What a constant offset leaves",
+        title=Message("What a constant offset leaves"),
         figure=lambda: residual_figure(loop, loop.explanation.before_deg, "before"),
-        caption="Reference minus head, mean taken off, against the angle of the head; each way in its own colour.",
+        caption=Message(
+            "Reference minus head, mean taken off, against the angle of the head; each way in its own colour."
+        ),
     )
     yield Section(
-        title="Before and after",
+        title=Message("Before and after"),
         figure=lambda: residual_figure(loop, loop.explanation.residual_deg, "after"),
-        caption="What is left once everything that was found is taken off.",
-        headings=("", "Constant offset", "With what was found"),
+        caption=Message("What is left once everything that was found is taken off."),
+        headings=("", Message("Constant offset"), Message("With what was found")),
         rows=list(_comparison(loop)),
         brief=True,
     )
@@ -99,47 +111,51 @@ def _before_and_after(loop: ReferenceLoop) -> Iterator[Section]:
 
 def _by_setting(loop: ReferenceLoop) -> Section:
     """The error of each angle as its repeats say it; of many angles those with the largest reversal error."""
-    shown, left = most_telling(loop.by_setting, _MOST_SETTINGS)
+    shown, left = most_different(loop.by_setting, _MOST_SETTINGS)
+    title = Message("Error by setting")
+    if left:
+        title = Message("Error by setting (of {angles} angles those that differ most)", angles=left + len(shown))
     return Section(
-        title="Error by setting" + (f" (of {left + len(shown)} angles those that differ most)" if left else ""),
-        caption="Means of the repeats of each setting, with standard uncertainties from their pooled scatter.",
-        headings=[heading.capitalize() for heading in SETTINGS_HEADINGS],
+        title=title,
+        caption=Message("Means of the repeats of each setting, with standard uncertainties from their pooled scatter."),
+        headings=SETTINGS_HEADINGS,
         rows=setting_rows(shown),
     )
 
 
-def _sentence(words: str) -> str:
-    return words[:1].upper() + words[1:]
+def _found(finding: Finding) -> tuple[str, ...]:
+    also_possible = finding.also_possible or Message("distinguished")
+    return finding.name, also_possible, finding.belongs_to, finding.coefficients, finding.p_value
 
 
 def _next(experiment: Experiment) -> str:
     first, *others = experiment.separates
-    return f"{first} or {series(others, 'or')}: {experiment.why}."
+    return Message("{name} or {others}: {why}.", name=first, others=series(others, "or"), why=experiment.why)
 
 
 def _comparison(loop: ReferenceLoop) -> Iterator[Sequence[str]]:
     models = (loop.declared, loop.augmented)
-    yield "offset", *(_offset(model) for model in models)
-    yield "residual, r.m.s.", *(_deg(model.residual_rms) for model in models)
-    yield "held-out error, r.m.s.", *(_deg(model.held_out_rms) for model in models)
+    yield Message("offset"), *(_offset(model) for model in models)
+    yield Message("residual, r.m.s."), *(_deg(model.residual_rms) for model in models)
+    yield Message("held-out error, r.m.s."), *(_deg(model.held_out_rms) for model in models)
     if loop.passes:
-        yield "forward minus backward, r.m.s.", _deg(loop.passes.before_deg), _deg(loop.passes.after_deg)
+        yield Message("forward minus backward, r.m.s."), _deg(loop.passes.before_deg), _deg(loop.passes.after_deg)
     if any(loop.agreements):
-        yield "lack of fit against the repeats", *(each.words if each else "" for each in loop.agreements)
+        yield Message("lack of fit against the repeats"), *(each.words if each else "" for each in loop.agreements)
 
 
 def _offset(model: ModelFit) -> str:
     stated = model.parameters["offset"]
     if stated.value is None or stated.standard_uncertainty is None:
-        return f"not identifiable: {stated.reason}"
+        return Message("not identifiable: {reason}", reason=stated.reason)
     return format_concise(stated.value, stated.standard_uncertainty, stated.unit)
 
 
 def _deg(value: float | None) -> str:
-    return "none" if value is None else format_number(value, "deg")
+    return Message("none") if value is None else format_number(value, "deg")
 
 
-def residual_figure(loop: ReferenceLoop, residual_deg: FloatArray, name: str) -> Markup:
+def residual_figure(loop: ReferenceLoop, residual_deg: FloatArray, name: Literal["before", "after"]) -> Markup:
     """A residual, shape (dwells,), against the angle of the head, each way and rests apart."""
     from tumble.calibrations.methods.head_reference import figures  # matplotlib takes half a second
 

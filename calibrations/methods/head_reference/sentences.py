@@ -8,25 +8,45 @@ from tumble.calibrations.methods.head_reference.adequacy import AngleError, Side
 from tumble.calibrations.methods.head_reference.changes import Change, Comparison
 from tumble.calibrations.methods.head_reference.loop import ReferenceLoop
 from tumble.calibrations.methods.head_reference.map_difference import Difference
+from tumble.messages import Message
 
-SETTINGS_HEADINGS = ("angle", "forward", "backward", "forward minus backward", "visits")
-PARTS_HEADINGS = ("angles", "direction", "difference, mean", "lowest", "highest", "beyond the constant part")
-CHANGES_HEADINGS = ("the difference shows", "or", "size of the difference", "first table alone", "second table alone")
-_SIDES = {1: "+", -1: "-", 0: "not known"}
+SETTINGS_HEADINGS = (
+    Message("Angle"),
+    Message("Forward"),
+    Message("Backward"),
+    Message("Forward minus backward"),
+    Message("Visits"),
+)
+PARTS_HEADINGS = (
+    Message("Angles"),
+    Message("Direction"),
+    Message("Difference, mean"),
+    Message("Lowest"),
+    Message("Highest"),
+    Message("Beyond the constant part"),
+)
+CHANGES_HEADINGS = (
+    Message("The difference shows"),
+    Message("Or"),
+    Message("Size of the difference"),
+    Message("First table alone"),
+    Message("Second table alone"),
+)
+_SIDES = {1: "+", -1: "-", 0: Message("not known")}
 
 
 def headline(loop: ReferenceLoop) -> str:
     """To what the table was traced; where nothing was looked for, that and why, never that there is nothing."""
     if loop.question:
-        return "nothing is stated before that is answered."
+        return Message("nothing is stated before that is answered.")
     if loop.not_traced:
-        return f"nothing was looked for: {loop.not_traced}."
+        return Message("nothing was looked for: {reason}.", reason=loop.not_traced)
     names = list(dict.fromkeys(effect.name for effect in loop.effects))
     if names:
-        return f"what the reference says beyond the head was traced to {series(names)}."
+        return Message("what the reference says beyond the head was traced to {names}.", names=series(names))
     if loop.unexplained:
-        return "no effect of the catalogue explains what the reference says beyond the head."
-    return "what the reference says beyond the head shows no effect."
+        return Message("no effect of the catalogue explains what the reference says beyond the head.")
+    return Message("what the reference says beyond the head shows no effect.")
 
 
 def setting_rows(errors: Sequence[AngleError]) -> list[tuple[str, ...]]:
@@ -43,7 +63,7 @@ def setting_rows(errors: Sequence[AngleError]) -> list[tuple[str, ...]]:
     ]
 
 
-def most_telling(errors: Sequence[AngleError], most: int) -> tuple[list[AngleError], int]:
+def most_different(errors: Sequence[AngleError], most: int) -> tuple[list[AngleError], int]:
     """So many angles at most, those with the largest reversal error, in the order of the angle; how many are left."""
     ranked = sorted(errors, key=lambda each: -abs(each.reversal_deg or 0.0))
     return sorted(ranked[:most], key=lambda each: each.angle_deg), max(len(errors) - most, 0)
@@ -54,32 +74,52 @@ def sentences(comparison: Comparison, first: str, second: str) -> list[str]:
     difference = comparison.difference
     if difference is None:
         return [
-            f"{first} and {second} cannot be compared: they share fewer than three angles in one direction, or nothing "
-            "is stated of one of them."
+            Message(
+                "{first} and {second} cannot be compared: they share fewer than three angles in one direction, or "
+                "nothing is stated of one of them.",
+                first=first,
+                second=second,
+            )
         ]
     lowest, highest = difference.difference_deg.min(), difference.difference_deg.max()
     freedom = f"{len(difference) - 1}, {difference.degrees_of_freedom}"
     test = f"F({freedom}) = {difference.f:.3g}, p {equals(difference.p_value)}"
     return [
-        f"{second} minus {first}, at {len(difference)} angles that both visited in the same direction: the errors "
-        f"differ by {lowest:.3g}° to {highest:.3g}°. Uncertainties are from {difference.basis}.",
-        *_verdict(comparison, difference, test),
+        Message(
+            "{second} minus {first}, at {angles} angles that both visited in the same direction: the errors differ by "
+            "{lowest_deg:.3g}° to {highest_deg:.3g}°. Uncertainties are from {basis}.",
+            first=first,
+            second=second,
+            angles=len(difference),
+            lowest_deg=lowest,
+            highest_deg=highest,
+            basis=difference.basis,
+        ),
+        _verdict(comparison, difference, test),
         *_slopes(comparison, first, second),
         *comparison.limits,
     ]
 
 
-def _verdict(comparison: Comparison, difference: Difference, test: str) -> list[str]:
-    offset = f"{difference.constant_deg:.3g}° (standard uncertainty {difference.constant_uncertainty_deg:.2g}°)"
-    if not comparison.changed:
-        return [
-            f"Nothing changed beyond its uncertainty but a constant ({test}): the set-up moved by {offset}, "
-            "which is no change of the head."
-        ]
-    return [
-        f"The difference is no constant ({test}): the error of the head changed. Its mean, {offset}, could be the "
-        "set-up's or the head's."
-    ]
+def _verdict(comparison: Comparison, difference: Difference, test: str) -> Message:
+    offset = Message(
+        "{offset_deg:.3g}° (standard uncertainty {uncertainty_deg:.2g}°)",
+        offset_deg=difference.constant_deg,
+        uncertainty_deg=difference.constant_uncertainty_deg,
+    )
+    if comparison.changed:
+        return Message(
+            "The difference is no constant ({test}): the error of the head changed. Its mean, {offset}, could be the "
+            "set-up's or the head's.",
+            test=test,
+            offset=offset,
+        )
+    return Message(
+        "Nothing changed beyond its uncertainty but a constant ({test}): the set-up moved by {offset}, which is no "
+        "change of the head.",
+        test=test,
+        offset=offset,
+    )
 
 
 def _slopes(comparison: Comparison, first: str, second: str) -> list[str]:
@@ -87,10 +127,12 @@ def _slopes(comparison: Comparison, first: str, second: str) -> list[str]:
     if comparison.slopes is None or comparison.whole_turn:
         return []
     each = [
-        f"{format_concise(value, uncertainty, '')} for {name}"
+        Message("{slope} for {table}", slope=format_concise(value, uncertainty, ""), table=name)
         for (value, uncertainty), name in zip(comparison.slopes, (first, second), strict=True)
     ]
-    return [f"By itself the error rises with the angle by {series(each)}, in degrees per degree."]
+    return [
+        Message("By itself the error rises with the angle by {slopes}, in degrees per degree.", slopes=series(each))
+    ]
 
 
 def part_rows(comparison: Comparison) -> list[tuple[str, ...]]:
@@ -102,7 +144,7 @@ def part_rows(comparison: Comparison) -> list[tuple[str, ...]]:
             format_concise(part.mean_deg, part.uncertainty_deg, "deg"),
             format_number(part.lowest_deg, "deg"),
             format_number(part.highest_deg, "deg"),
-            "yes" if part.differs else "no",
+            Message("yes") if part.differs else Message("no"),
         )
         for part in comparison.parts
     ]
@@ -112,7 +154,7 @@ def change_rows(comparison: Comparison) -> list[tuple[str, ...]]:
     """Cells of the table of what the difference shows, under `CHANGES_HEADINGS`."""
     return [
         (
-            change.name if change.order is None else f"{change.name}, {change.order} per turn",
+            _name(change),
             series(change.also_possible, "or") if change.also_possible else "",
             format_concise(change.difference, change.standard_uncertainty, change.unit),
             *(_alone(size, change) for size in (change.before, change.after)),
@@ -121,11 +163,17 @@ def change_rows(comparison: Comparison) -> list[tuple[str, ...]]:
     ]
 
 
+def _name(change: Change) -> str:
+    if change.order is None:
+        return change.name
+    return Message("{name}, {order} per turn", name=change.name, order=change.order)
+
+
 def _alone(size: float, change: Change) -> str:
     """Size in one table alone; not where another effect may have taken its place there."""
     if change.also_possible:
-        return "not told apart"
-    return format_number(size, change.unit) if size else "none"
+        return Message("not distinguishable")
+    return format_number(size, change.unit) if size else Message("none")
 
 
 def _side(side: Side | None) -> str:

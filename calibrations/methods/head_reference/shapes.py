@@ -7,6 +7,7 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.head_reference.scene import HeadScene
 from tumble.calibrations.tracing.effect import Form, Forms, Structure, Variable, plain
+from tumble.messages import Message
 
 _WIDTHS_DEG = (5.0, 12.0, 25.0)
 _FEWEST_ANGLES = 8
@@ -77,16 +78,28 @@ HEAD_STRUCTURES: tuple[Structure[HeadScene], ...] = (
         "angle",
         "bell",
         _bells,
-        lambda at: f"a bump of the head's error near {at['centre_deg']:g}°, some {2 * at['width_deg']:g}° wide",
+        lambda at: Message(
+            "a bump of the head's error near {centre_deg:g}°, some {width_deg:g}° wide",
+            centre_deg=at["centre_deg"],
+            width_deg=2 * at["width_deg"],
+        ),
     ),
     _structure(
         "angle",
         "edge",
         _edges,
-        lambda at: f"a step of the head's error near {at['edge_deg']:g}°, from either side",
+        lambda at: Message("a step of the head's error near {edge_deg:g}°, from either side", edge_deg=at["edge_deg"]),
     ),
-    _structure("time", "step", _time_steps, lambda at: f"a step some {at['step_s']:.1f} s after the first row"),
     _structure(
-        "time", "bend", _time_bends, lambda at: f"a drift that bends, like the power {at['power']:g} of the time"
+        "time",
+        "step",
+        _time_steps,
+        lambda at: Message("a step some {step_s:.1f} s after the first row", step_s=at["step_s"]),
+    ),
+    _structure(
+        "time",
+        "bend",
+        _time_bends,
+        lambda at: Message("a drift that bends, like the power {power:g} of the time", power=at["power"]),
     ),
 )

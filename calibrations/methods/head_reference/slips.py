@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.gross import gross_sigmas
 from tumble.calibrations.methods.head_reference.settings import Settings
+from tumble.messages import Message
 
 _NEIGHBOURS_FAR = 6.0
 """A dwell so many times as far from its neighbours as all but one of twenty are is a gross error."""
@@ -40,9 +41,10 @@ def slips(
     """
     away_deg = _from_neighbours(error_deg, order)
     if not settings.repeated:
-        return dict.fromkeys(np.flatnonzero(_far(away_deg)).tolist(), "gross error")
+        return dict.fromkeys(np.flatnonzero(_far(away_deg)).tolist(), Message("gross error"))
     alone = settings.visits[settings.number] == 1
-    neighbours = dict.fromkeys(np.flatnonzero(_far(away_deg) & alone).tolist(), "gross error, by its neighbours")
+    reason: str = Message("gross error, by its neighbours")
+    neighbours = dict.fromkeys(np.flatnonzero(_far(away_deg) & alone).tolist(), reason)
     return neighbours | dict(_unlike_repeats(error_deg, away_deg, _rounding_deg(reference_deg), settings))
 
 
@@ -73,8 +75,13 @@ def _unlike_repeats(
         others = settings.others(row)
         if len(others) + 1 == _PAIR and away_deg[others[0]] > away_deg[row]:
             continue
-        more = "more" if apart_deg[row] > 0 else "less"
-        yield row, f"gross error: {abs(apart_deg[row]):.3g}° {more} than the repeats of its setting"
+        yield row, _apart(float(apart_deg[row]))
+
+
+def _apart(apart_deg: float) -> Message:
+    if apart_deg > 0:
+        return Message("gross error: {apart_deg:.3g}° more than the repeats of its setting", apart_deg=apart_deg)
+    return Message("gross error: {apart_deg:.3g}° less than the repeats of its setting", apart_deg=-apart_deg)
 
 
 def _median_of_others(values: FloatArray, settings: Settings) -> FloatArray:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.head_reference.effects import HIGHEST_ORDER
 from tumble.calibrations.methods.head_reference.table import HeadTable
+from tumble.calibrations.stand_records.terms import GRADUATION
 from tumble.calibrations.tracing.linear_loop import LinearExplained
 
 _STRETCHES: Final = 8
@@ -19,7 +20,6 @@ _FEWEST_ROWS: Final = 4
 """Rows of a stretch, at least."""
 _CHANCE: Final = 0.002 / HIGHEST_ORDER
 """Of a wave that is none to have so steady a size, all orders that are tried counted."""
-_FAMILY: Final = "graduation"
 
 
 def unsteady(explained: LinearExplained[HeadTable]) -> frozenset[str]:
@@ -31,7 +31,7 @@ def unsteady(explained: LinearExplained[HeadTable]) -> frozenset[str]:
     waves = [
         (item.effect.name, item.form.columns @ best.coefficients[columns])
         for item, columns in zip(best.found, best.columns, strict=True)
-        if item.effect.family == _FAMILY
+        if item.effect.family == GRADUATION
     ]
     return frozenset(name for name, wave in waves if _chance(wave, best.residual, stretch) > _CHANCE)
 

@@ -1,7 +1,7 @@
 """A head measured against a reference as a table that may be traced."""
 
 from dataclasses import dataclass, replace
-from typing import Final
+from typing import Final, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,7 @@ from tumble.calibrations.tracing.effect import Variable
 from tumble.calibrations.tracing.noise import Memory
 from tumble.calibrations.tracing.table import Extensible, View, memory_of
 from tumble.calibrations.tracing.within import too_few
+from tumble.messages import Message
 
 MOST_EFFECTS: Final = 14
 """A circle has harmonics without end; with so many, what a head leaves is small."""
@@ -32,7 +33,7 @@ class HeadTable(Extensible):
 
     scene: HeadScene
     """What is known so far of latency and backlash is in it."""
-    counted: str = "rows"
+    counted: Literal["rows", "settings"] = "rows"
     """What a row of the table is, in words: of repeats the mean of a setting."""
     streamed: bool = False
     """Whether the dwells are pieces of a stream."""
@@ -65,7 +66,14 @@ class HeadTable(Extensible):
     @property
     def not_traced(self) -> str:
         """Why nothing is looked for; empty where it is."""
-        return too_few(self.rows, self.fewest_rows, self.counted, self.visits)
+        return too_few(self.rows, self.fewest_rows, self.counted_rows, self.visits)
+
+    @property
+    def counted_rows(self) -> Message:
+        """Its rows in words, by what they are."""
+        if self.counted == "settings":
+            return self.counted_blocks("angle", self.rows)
+        return Message("{rows} rows", rows=self.rows)
 
     @property
     def wandering(self) -> "HeadTable":

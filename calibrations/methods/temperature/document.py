@@ -23,7 +23,7 @@ def document(loop: TemperatureLoop) -> dict[str, Any]:
         "temperature": loop.runs.temperature_name,
         "parameters": {parameter.name: _parameter_json(parameter) for parameter in loop.parameters},
         "shared": [_shared_json(cause) for cause in loop.shared],
-        "cannot_be_known": list(loop.unknowable),
+        "cannot_be_known": list(loop.limits),
     }
 
 

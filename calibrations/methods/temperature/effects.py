@@ -7,13 +7,22 @@ import numpy as np
 
 from tumble.calibrations.methods.temperature.scene import RunScene
 from tumble.calibrations.tracing.effect import Effect, Form, Forms, plain, scan, single, with_scanned
+from tumble.messages import Message
 
-BREAK: Final = "temperature_break"
-DRIFT: Final = "run_drift"
-HYSTERESIS: Final = "temperature_hysteresis"
+POLYNOMIALS: Final = (
+    Message.named("temperature_linear", "linear temperature dependence"),
+    Message.named("temperature_quadratic", "quadratic temperature dependence"),
+    Message.named("temperature_cubic", "cubic temperature dependence"),
+    Message.named("temperature_quartic", "quartic temperature dependence"),
+)
+"""By their degree, from 1."""
+BREAK: Final = Message.named("temperature_break", "break in the temperature dependence")
+STEP: Final = Message.named("temperature_step", "step in the temperature dependence")
+HYSTERESIS: Final = Message.named("temperature_hysteresis", "temperature hysteresis")
+DRIFT: Final = Message.named("run_drift", "drift from run to run")
 _FEWEST_BOTH_WAYS = 3
 """So many temperatures must show heating and cooling: a gap at one or two of them is any error of those."""
-CUBIC: Final = ("temperature_linear", "temperature_quadratic", "temperature_cubic")
+CUBIC: Final = POLYNOMIALS[:3]
 """What a cubic consists of."""
 _EXPECTED = 8.0
 """Penalty that a polynomial is spared: that it follows temperature smoothly is what anyone expects. With thirteen
@@ -63,15 +72,15 @@ def run_effects(unit: str) -> tuple[Effect[RunScene], ...]:
     """All of them, for a parameter in this unit. Coefficients of polynomials are shares at the end of the range."""
     polynomials = [
         Effect(
-            name=f"temperature_{word}",
+            name=name,
             depends_on="temperature",
             belongs_to="unit",
             symbol=f"c T_{order}",
-            source="polynomial of Chebyshev over the range of the runs",
+            source=Message("polynomial of Chebyshev over the range of the runs"),
             forms=_power(order),
-            report=plain(f"temperature_{word}", unit),
+            report=plain(name, unit),
         )
-        for order, word in ((1, "linear"), (2, "quadratic"), (3, "cubic"), (4, "quartic"))
+        for order, name in enumerate(POLYNOMIALS, start=1)
     ]
     return (
         *polynomials,
@@ -80,17 +89,17 @@ def run_effects(unit: str) -> tuple[Effect[RunScene], ...]:
             depends_on="temperature",
             belongs_to="unit",
             symbol="c max(0, T - T_b)",
-            source="a part that comes to its stop, a glass transition, an adhesive that softens",
+            source=Message("a part that comes to its stop, a glass transition, an adhesive that softens"),
             forms=scan(_break, lambda scene: scene.between_degc.tolist()),
             report=with_scanned(plain("slope", f"{unit}/K"), at_degC="degC"),
             at=_break,
         ),
         Effect(
-            name="temperature_step",
+            name=STEP,
             depends_on="temperature",
             belongs_to="unit",
-            symbol="c above T_s",
-            source="a contact or a part that slips",
+            symbol=Message("c above T_s"),
+            source=Message("a contact or a part that slips"),
             forms=_steps,
             report=with_scanned(plain("step", unit), at_degC="degC"),
         ),
@@ -98,8 +107,8 @@ def run_effects(unit: str) -> tuple[Effect[RunScene], ...]:
             name=HYSTERESIS,
             depends_on="direction",
             belongs_to="unit",
-            symbol="c after heating - after cooling",
-            source="stress that stays after a change of temperature",
+            symbol=Message("c after heating - after cooling"),
+            source=Message("stress that stays after a change of temperature"),
             forms=_hysteresis,
             report=plain(HYSTERESIS, unit),
         ),
@@ -107,8 +116,8 @@ def run_effects(unit: str) -> tuple[Effect[RunScene], ...]:
             name=DRIFT,
             depends_on="order",
             belongs_to="unit",
-            symbol="c run",
-            source="ageing from run to run",
+            symbol=Message("c run"),
+            source=Message("ageing from run to run"),
             forms=_order,
             report=plain(DRIFT, f"{unit}/run"),
         ),

@@ -6,6 +6,7 @@ from matplotlib.figure import Figure
 
 from tumble.calibrations.methods.temperature.loop import TemperatureLoop
 from tumble.calibrations.report.drawing import COLOURS, INK, MARKERS, WIDE_IN, styled, to_svg
+from tumble.messages import Message
 
 _COLUMNS = 3
 
@@ -28,4 +29,4 @@ def left_figure(loop: TemperatureLoop) -> Markup:
     for panel in list(panels)[len(loop.parameters) :]:
         panel.set_visible(False)
     figure.supxlabel(f"{loop.runs.temperature_name.removesuffix('_degC')} (°C)", fontsize=8)
-    return to_svg(figure, "left", "What is left of each parameter against temperature")
+    return to_svg(figure, "left", Message("What is left of each parameter against temperature"))

@@ -13,15 +13,19 @@ from tumble.calibrations.core.repeats import PureError
 from tumble.calibrations.core.sentences import series
 from tumble.calibrations.methods.temperature.columns import unit_of
 from tumble.calibrations.methods.temperature.effects import CUBIC
+from tumble.calibrations.methods.temperature.limits import limits
 from tumble.calibrations.methods.temperature.scene import RunScene
 from tumble.calibrations.methods.temperature.settled import RunTable, run_table, settled_runs
 from tumble.calibrations.methods.temperature.shared import SharedCause, shared_causes
 from tumble.calibrations.methods.temperature.table import Runs
-from tumble.calibrations.methods.temperature.unknowable import cannot_be_known
 from tumble.calibrations.tracing.findings import EffectFound
 from tumble.calibrations.tracing.linear_loop import LinearExplained, as_stated, explain_linear, rms, stated, withheld
 from tumble.calibrations.tracing.quantified import form_in
+from tumble.calibrations.tracing.sentences import nothing_looked_for
+from tumble.messages import Message
 
+_POLYNOMIALS = (Message("constant"), Message("line"), Message("parabola"), Message("cubic"))
+"""By their degree."""
 _WORSE = 1.1
 """A larger error of runs left out, by more than this, is a worse prediction."""
 HIGHEST_POWER = 3
@@ -39,9 +43,9 @@ class Polynomial:
     """Of runs at a temperature, predicted from those at others."""
 
     @property
-    def words(self) -> str:
+    def words(self) -> Message:
         """How it is called."""
-        return ("constant", "line", "parabola", "cubic")[self.power]
+        return _POLYNOMIALS[self.power]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -84,8 +88,8 @@ class TemperatureLoop:
     temperatures: int
     """How many different ones were visited."""
     shared: tuple[SharedCause, ...]
-    unknowable: tuple[str, ...]
-    """What these runs cannot tell, in sentences, each with the experiment that would."""
+    limits: tuple[str, ...]
+    """What is not identifiable from these runs, in sentences, each with the experiment that would help."""
 
 
 @one_blas_thread
@@ -96,9 +100,9 @@ def close_temperature_loop(runs: Runs) -> TemperatureLoop:
     explained = {parameter.name: parameter.explained for parameter in parameters}
     shared = shared_causes(explained)
     few = next((one.table.not_traced for one in explained.values()), "")
-    unknowable = (
-        *([f"Nothing is looked for: {few}."] if few else []),
-        *cannot_be_known(runs, explained, shared),
+    sentences = (
+        *([nothing_looked_for(few)] if few else []),
+        *limits(runs, explained, shared),
         *_only_described(parameters),
     )
     return TemperatureLoop(
@@ -106,17 +110,22 @@ def close_temperature_loop(runs: Runs) -> TemperatureLoop:
         parameters=parameters,
         temperatures=len(scene.known_degc),
         shared=shared,
-        unknowable=unknowable,
+        limits=sentences,
     )
 
 
 def _only_described(parameters: Sequence[ParameterLoop]) -> Iterator[str]:
     """Where what was found says less of a run that is left out than a polynomial does."""
-    worse = [f"{each.name} (degree {each.best_polynomial.power})" for each in parameters if each.only_describes]
+    worse = [
+        Message("{name} (degree {degree})", name=each.name, degree=each.best_polynomial.power)
+        for each in parameters
+        if each.only_describes
+    ]
     if worse:
-        yield (
-            f"What was found in {series(worse)} describes these runs, but a polynomial of the degree that is given "
-            "predicts a run that is left out better: until there are more runs, correct with that."
+        yield Message(
+            "What was found in {parameters} describes these runs, but a polynomial of the degree that is given "
+            "predicts a run that is left out better: until there are more runs, correct with that.",
+            parameters=series(worse),
         )
 
 

@@ -16,6 +16,7 @@ from tumble.calibrations.methods.temperature.sections import sections
 from tumble.calibrations.methods.temperature.table import read_runs
 from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.tracing.sentences import set_aside_section
+from tumble.messages import Message
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -54,9 +55,8 @@ class Temperature:
 
     name: str = "temperature"
     version: int = VERSION
-    title: str = "Parameters against temperature"
-    columns: str = "parameters against temperature (…_degC, and each parameter with its unit, as bias_mV)"
-    at_stand: bool = False
+    title: str = Message("Parameters against temperature")
+    columns: str = Message("parameters against temperature (…_degC, and each parameter with its unit, as bias_mV)")
 
     def reads(self, header: Sequence[str], numbers: Sequence[str] | None) -> bool:
         """Whether a table holds parameters and a temperature, and no angle of a head."""
@@ -66,19 +66,22 @@ class Temperature:
         """Which columns say no parameter with its unit, or that a temperature is missing."""
         unsaid, temperatures = named(numbers, Column.UNKNOWN), named(numbers, Column.TEMPERATURE)
         if temperatures and unsaid:
-            many = len(unsaid) > 1
-            return (
-                f"not a table that tumble knows: column{'s' * many} {series(unsaid)} {'say' if many else 'says'} no "
-                "parameter of a sensor with its unit"
+            return Message.counted(
+                "not a table that tumble knows: column {names} says no parameter of a sensor with its unit",
+                "not a table that tumble knows: columns {names} say no parameter of a sensor with its unit",
+                count=len(unsaid),
+                names=series(unsaid),
             )
         if named(numbers, Column.PARAMETER) and not temperatures:
-            return "column angle_deg, or a temperature in °C (…_degC) is missing"
+            return Message("column angle_deg, or a temperature in °C (…_degC) is missing")
         return ""
 
     def close_loop(self, paths: Sequence[Path]) -> TemperatureResult:
         """Trace one table of runs. Raises `TableError`, `ValueError`."""
         if len(paths) > 1:
-            raise ValueError(f"{paths[1]}: give one table of parameters against temperature at a time")
+            raise ValueError(
+                Message("{path}: give one table of parameters against temperature at a time", path=paths[1])
+            )
         return TemperatureResult(name=paths[0].name, loop=close_temperature_loop(read_runs(paths[0])))
 
 

@@ -17,6 +17,7 @@ from tumble.calibrations.tracing.linear_loop import LinearExplained, rms
 from tumble.calibrations.tracing.noise import Memory
 from tumble.calibrations.tracing.table import Table
 from tumble.calibrations.tracing.within import Within, lies_within, too_few, trace_within
+from tumble.messages import Message
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -31,6 +32,12 @@ class RunTable(Table):
         """The rows as effects see them."""
         assert isinstance(self.scene, RunScene), "run_table makes it"
         return self.scene
+
+    def counted_blocks(self, variable: Variable, count: int) -> Message:
+        """So many blocks of a variable; what are settings elsewhere are temperatures here."""
+        if variable in ("angle", "acceleration", "direction"):
+            return Message.counted("{count} temperature", "{count} temperatures", count=count)
+        return super().counted_blocks(variable, count)
 
     def blocks(self, variable: Variable) -> NDArray[np.int64]:
         """Distinct temperatures, whichever way they were reached; of the order, the runs."""
@@ -49,8 +56,8 @@ class RunTable(Table):
         """Why nothing is looked for; empty where it is."""
         known, fewest = len(self.runs.known_degc), super().fewest_rows
         if known == self.rows and not self.visits:
-            return too_few(self.rows, fewest, "rows")
-        return too_few(known, fewest, "temperatures", self.visits or self.rows)
+            return too_few(self.rows, fewest, Message("{rows} rows", rows=self.rows))
+        return too_few(known, fewest, self.counted_blocks("angle", known), self.visits or self.rows)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -13,6 +13,7 @@ from tumble.calibrations.tracing.effect import Form
 from tumble.calibrations.tracing.fitting_noise import golden_section
 from tumble.calibrations.tracing.linear_loop import LinearExplained
 from tumble.calibrations.tracing.trace import Found
+from tumble.messages import Message
 
 _AGREE = 0.01
 """Chance above which breaks of several parameters may lie at one temperature."""
@@ -106,8 +107,16 @@ def _gap(one: _Break, at_degc: float) -> tuple[float, float]:
 def shared_sentence(cause: SharedCause) -> str:
     """Which parameters break together."""
     low, high = cause.between_degc
-    how = "their fits agree on one temperature" if cause.one else "they share the gap between two runs"
-    return (
-        f"{series(cause.parameters)} break between {low:.0f} and {high:.0f} °C, near {cause.at_degc:.1f} °C: {how} "
-        f"(p {equals(cause.p_value)}), and may have one cause."
+    agreement = (
+        Message("their fits agree on one temperature") if cause.one else Message("they share the gap between two runs")
+    )
+    return Message(
+        "{parameters} break between {low:.0f} and {high:.0f} °C, near {at:.1f} °C: {agreement} (p {p_value}), and may "
+        "have one cause.",
+        parameters=series(cause.parameters),
+        low=low,
+        high=high,
+        at=cause.at_degc,
+        agreement=agreement,
+        p_value=equals(cause.p_value),
     )

@@ -14,6 +14,7 @@ from tumble.calibrations.core.rows import OVERLOAD, SetAside
 from tumble.calibrations.core.screening import SENSORS_DEGC
 from tumble.calibrations.methods.temperature.clock import clock_s
 from tumble.calibrations.methods.temperature.columns import Column, column_of, named
+from tumble.messages import Message
 
 _ORDER = "run"
 _FEWEST = 4
@@ -66,15 +67,26 @@ def read_runs(path: Path) -> Runs:
     columns = {name: _numbers(name, place, lines, path) for name, place in numbers.items()}
     temperatures = named(list(columns), Column.TEMPERATURE)
     if not temperatures:
-        raise TableError(f"{path}: no column of a temperature (…_degC) holds numbers; correct it")
+        raise TableError(Message("{path}: no column of a temperature (…_degC) holds numbers; correct it", path=path))
     at = "sensor_degC" if "sensor_degC" in temperatures else temperatures[0]
     parameters = {name: values for name, values in columns.items() if column_of(name) is Column.PARAMETER}
     if not parameters:
         raise TableError(
-            f"{path}, line 1: there is no parameter beside the temperature; add a column for each, its unit in its name"
+            Message(
+                "{path}, line 1: there is no parameter beside the temperature; add a column for each, its unit "
+                "in its name",
+                path=path,
+            )
         )
     if len(lines) < _FEWEST or np.ptp(columns[at]) <= 0:
-        raise TableError(f"{path}: {len(lines)} runs at {len(np.unique(columns[at]))} temperatures tell nothing")
+        raise TableError(
+            Message(
+                "{path}: {runs} runs at {temperatures} temperatures tell nothing",
+                path=path,
+                runs=len(lines),
+                temperatures=len(np.unique(columns[at])),
+            )
+        )
     _check_temperatures(at, columns[at], lines, path)
     time_s = clock_s(columns)
     _check_pace(time_s, len(lines), path)
@@ -97,7 +109,9 @@ def _complete(numbers: Mapping[str, int], lines: list[Line]) -> tuple[list[Line]
         row: next((name for name, place in numbers.items() if _is_blank(cells[place])), "")
         for row, (_, cells) in enumerate(lines)
     }
-    aside = tuple(SetAside(row=row + 1, reason=f"{name} has no value") for row, name in missing.items() if name)
+    aside = tuple(
+        SetAside(row=row + 1, reason=Message("{name} has no value", name=name)) for row, name in missing.items() if name
+    )
     return [line for row, line in enumerate(lines) if not missing[row]], aside
 
 
@@ -108,15 +122,27 @@ def _is_blank(cell: str) -> bool:
 def _check_temperatures(name: str, values_degc: FloatArray, lines: Sequence[Line], path: Path) -> None:
     if values_degc.min() > _KELVIN:
         raise TableError(
-            f"{path}, column {name}: temperatures from {values_degc.min():g} to {values_degc.max():g} °C; are these "
-            "kelvin? Write degrees Celsius"
+            Message(
+                "{path}, column {name}: temperatures from {lowest:g} to {highest:g} °C; are these kelvin? Write "
+                "degrees Celsius",
+                path=path,
+                name=name,
+                lowest=values_degc.min(),
+                highest=values_degc.max(),
+            )
         )
     unlikely = (values_degc < SENSORS_DEGC[0]) | (values_degc > SENSORS_DEGC[1])
     if unlikely.any():
         row = int(np.argmax(unlikely))
         raise TableError(
-            f"{path}, line {lines[row][0]}, column {name}: no sensor of a run reads {values_degc[row]:g} °C; is it in "
-            "another unit? Correct it or leave the run out"
+            Message(
+                "{path}, line {line}, column {name}: no sensor of a run reads {value_degc:g} °C; is it in another "
+                "unit? Correct it or leave the run out",
+                path=path,
+                line=lines[row][0],
+                name=name,
+                value_degc=values_degc[row],
+            )
         )
 
 
@@ -124,10 +150,16 @@ def _check_pace(time_s: FloatArray | None, runs: int, path: Path) -> None:
     """Refuse a log: rows that follow each other as no runs of calibration can."""
     pace_s = float("inf") if time_s is None else float(np.median(np.diff(np.sort(time_s))))
     if pace_s < _LOG_S or runs > _LOG_ROWS:
-        why = f"{runs} rows" if pace_s >= _LOG_S else f"rows {pace_s:g} s apart"
+        rows = (
+            Message("{rows} rows", rows=runs) if pace_s >= _LOG_S else Message("rows {pace_s:g} s apart", pace_s=pace_s)
+        )
         raise TableError(
-            f"{path}: {why} look like a log and not like runs of calibration; give one row for each run, or "
-            "angle_deg with the output"
+            Message(
+                "{path}: {rows} look like a log and not like runs of calibration; give one row for each run, or "
+                "angle_deg with the output",
+                path=path,
+                rows=rows,
+            )
         )
 
 
@@ -138,8 +170,15 @@ def _check_gross(name: str, values: FloatArray, lines: Sequence[Line], path: Pat
     spread = float(np.ptp(others))
     if spread > 0 and abs(values[row] - np.median(others)) > _FAR * spread:
         raise TableError(
-            f"{path}, line {lines[row][0]}, column {name}: {values[row]:g} lies more than {_FAR:.0f} times as far from "
-            "the other runs as these from each other; correct it or leave the run out"
+            Message(
+                "{path}, line {line}, column {name}: {value:g} lies more than {times:.0f} times as far from the "
+                "other runs as these from each other; correct it or leave the run out",
+                path=path,
+                line=lines[row][0],
+                name=name,
+                value=values[row],
+                times=_FAR,
+            )
         )
 
 
@@ -158,8 +197,24 @@ def _numbers(name: str, place: int, lines: Sequence[Line], path: Path) -> FloatA
         try:
             value = as_number(cells[place])
         except ValueError:
-            raise TableError(f"{path}, line {number}, column {name}: {cells[place]!r} is not a number") from None
+            raise TableError(
+                Message(
+                    "{path}, line {line}, column {name}: {cell!r} is not a number",
+                    path=path,
+                    line=number,
+                    name=name,
+                    cell=cells[place],
+                )
+            ) from None
         if not abs(value) < OVERLOAD:
-            raise TableError(f"{path}, line {number}, column {name}: {cells[place]} is no value; leave the run out")
+            raise TableError(
+                Message(
+                    "{path}, line {line}, column {name}: {cell} is no value; leave the run out",
+                    path=path,
+                    line=number,
+                    name=name,
+                    cell=cells[place],
+                )
+            )
         values.append(value)
     return np.array(values)

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from tumble.messages import Message
 from tumble.procedures.methods.dividing_head.rows import Row
 
 _TERMS = 5
@@ -20,7 +21,8 @@ _FEWEST = _TERMS + 4
 _DOUBTED = 6.0
 """Standard deviations beyond which a voltage contradicts a reading."""
 _EXPLAINED = 3.0
-_SLIPS = [(1.0, "degree"), (10.0, "degree"), (1 / 60, "minute"), (10 / 60, "minute"), (100.0, "degree")]
+_DEGREE, _MINUTE = Message("degree"), Message("minute")
+_SLIPS = [(1.0, _DEGREE), (10.0, _DEGREE), (1 / 60, _MINUTE), (10 / 60, _MINUTE), (100.0, _DEGREE)]
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -12,6 +12,7 @@ import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, field_validator, model_validator
 
 from tumble.calibrations.methods.dividing_head.flips import POLES, SEEKING_DEG
+from tumble.messages import Message
 from tumble.procedures.composition import Dwells
 from tumble.procedures.methods.dividing_head.layout import dwell_at
 from tumble.procedures.methods.dividing_head.rows import row_of
@@ -36,13 +37,13 @@ class Flip(BaseModel):
     @classmethod
     def _each_once(cls, axes: tuple[Axis, ...]) -> tuple[Axis, ...]:
         if len(set(axes)) < len(axes):
-            raise ValueError("an axis is named twice")
+            raise ValueError(Message("an axis is named twice"))
         return axes
 
     @model_validator(mode="after")
     def _has_an_extremum(self) -> "Flip":
         if self.pole == "extremum" and "x" not in self.axes:
-            raise ValueError('pole = "extremum" needs the x axis, the only one with an extremum at its poles')
+            raise ValueError(Message('pole = "extremum" needs the x axis, the only one with an extremum at its poles'))
         return self
 
     @property

@@ -3,14 +3,13 @@
 from typing import Final
 
 from tumble.drivers.protocols import VOLTAGE
+from tumble.drivers.tables import MOUNT as MOUNT
+from tumble.messages import translatable
 from tumble.procedures.layout import ChannelColumns, Column, Condition, Layout, PositionColumns
 from tumble.procedures.steps import Ask, Dwell
 
 HEAD: Final = "head"
 """Name of the positioner."""
-MOUNT: Final = "mount"
-"""Name of the condition that the operator sets."""
-
 LAYOUT: Final = Layout(
     positions={
         HEAD: PositionColumns(
@@ -29,10 +28,10 @@ LAYOUT: Final = Layout(
         MOUNT: Condition(
             meaning="how the unit sits on the head",
             step="mounting",
-            task="seat the unit in {value}",
-            remedy="seat it",
-            prompt="Seat the unit in the mount {value}; answer {value} or yes when it sits there.",
-            hint="Type {value} or yes when the unit sits there, or no to end the run.",
+            task=translatable("seat the unit in {value}"),
+            remedy=translatable("seat it"),
+            prompt=translatable("Seat the unit in the mount {value}; answer {value} or yes when it sits there."),
+            hint=translatable("Type {value} or yes when the unit sits there, or no to end the run."),
         )
     },
 )

@@ -9,6 +9,7 @@ from pydantic import Field, model_validator
 
 from tumble.calibrations.methods.dividing_head.geometry import projections
 from tumble.drivers.protocols import VOLTAGE
+from tumble.messages import Message
 from tumble.procedures.layout import Layout
 from tumble.procedures.methods.dividing_head.flip import Flip
 from tumble.procedures.methods.dividing_head.layout import HEAD, LAYOUT, MOUNT
@@ -34,7 +35,13 @@ class DividingHeadProgramme(Programme):
     def _ends_one_day(self) -> "DividingHeadProgramme":
         dwells = self.realisations * sum(part.poses for part in self.procedures)
         if dwells > MOST_DWELLS:
-            raise ValueError(f"{dwells:,} dwells or more, where {MOST_DWELLS:,} are the most: ask for fewer")
+            raise ValueError(
+                Message(
+                    "{dwells:,} dwells or more, where {most:,} are the most: ask for fewer",
+                    dwells=dwells,
+                    most=MOST_DWELLS,
+                )
+            )
         return self
 
     @property

@@ -6,13 +6,16 @@ import numpy as np
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field
 
 from tumble.calibrations.methods.dividing_head.geometry import MOUNTS
+from tumble.messages import Message
 from tumble.procedures.composition import Dwells
 from tumble.procedures.methods.dividing_head.layout import dwell_at
 
 
 def _known_mount(mount: str) -> str:
     if mount not in MOUNTS:
-        raise ValueError(f"{mount!r} is no mount; the mounts are {', '.join(MOUNTS)}")
+        raise ValueError(
+            Message("{mount!r} is no mount; the mounts are {mounts}", mount=mount, mounts=", ".join(MOUNTS))
+        )
     return mount
 
 

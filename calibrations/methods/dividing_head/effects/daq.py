@@ -7,6 +7,7 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.dividing_head.effects.scene import Scene
 from tumble.calibrations.tracing.effect import Effect, Form, Quantity, plain, scan, single, with_scanned
+from tumble.messages import Message
 
 
 def _sine(scene: Scene, period_v: float) -> Form:
@@ -58,7 +59,7 @@ def _latency(scene: Scene) -> Sequence[Form]:
 
 DAQ_EFFECTS: tuple[Effect[Scene], ...] = (
     Effect(
-        name="settling",
+        name=Message.named("settling", "incomplete settling"),
         belongs_to="daq",
         symbol="f (u_previous - u)",
         source="dwell begun before the reading has settled",
@@ -66,7 +67,7 @@ DAQ_EFFECTS: tuple[Effect[Scene], ...] = (
         report=plain("settling", "fraction"),
     ),
     Effect(
-        name="daq_nonlinearity",
+        name=Message.named("daq_nonlinearity", "nonlinearity of the DAQ"),
         belongs_to="daq",
         symbol="A sin(2π u/P + p)",
         source="integral nonlinearity of the converter",
@@ -75,7 +76,7 @@ DAQ_EFFECTS: tuple[Effect[Scene], ...] = (
         at=_sine,
     ),
     Effect(
-        name="range_step",
+        name=Message.named("range_step", "step between ranges"),
         belongs_to="daq",
         symbol="s where u > u_t",
         source="autoranging",
@@ -84,7 +85,7 @@ DAQ_EFFECTS: tuple[Effect[Scene], ...] = (
         at=_step,
     ),
     Effect(
-        name="latency",
+        name=Message.named("latency", "latency"),
         belongs_to="daq",
         symbol="angle error -ω t_l",
         source="reading late by a fixed time while the head moves",

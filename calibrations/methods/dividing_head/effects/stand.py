@@ -18,6 +18,7 @@ from tumble.calibrations.tracing.effect import (
     spread,
     with_scanned,
 )
+from tumble.messages import Message
 
 HIGHEST_ORDER = 35
 """Every 5 degrees a reading: 36 periods a turn are seen as half a wave at most, and more not at all."""
@@ -66,7 +67,7 @@ def _seating(scene: Scene) -> Sequence[Form]:
 
 STAND_EFFECTS: tuple[Effect[Scene], ...] = (
     Effect(
-        name="head_eccentricity",
+        name=Message.named("head_eccentricity", "eccentricity of the head's circle"),
         belongs_to="stand",
         depends_on="angle",
         symbol="A sin(φ + p)",
@@ -75,7 +76,7 @@ STAND_EFFECTS: tuple[Effect[Scene], ...] = (
         report=harmonic,
     ),
     Effect(
-        name="head_second_harmonic",
+        name=Message.named("head_second_harmonic", "second harmonic of the head's circle"),
         belongs_to="stand",
         depends_on="angle",
         symbol="A sin(2φ + p)",
@@ -84,7 +85,7 @@ STAND_EFFECTS: tuple[Effect[Scene], ...] = (
         report=harmonic,
     ),
     Effect(
-        name="graduation",
+        name=Message.named("graduation", "graduation error"),
         belongs_to="stand",
         depends_on="angle",
         symbol="A sin(nφ + p)",
@@ -93,7 +94,7 @@ STAND_EFFECTS: tuple[Effect[Scene], ...] = (
         report=with_scanned(harmonic, order=""),
     ),
     Effect(
-        name="backlash",
+        name=Message.named("backlash", "backlash"),
         belongs_to="stand",
         depends_on="direction",
         symbol="b after a move in - direction",
@@ -102,7 +103,7 @@ STAND_EFFECTS: tuple[Effect[Scene], ...] = (
         report=plain("backlash", "deg"),
     ),
     Effect(
-        name="axis_tilt",
+        name=Message.named("axis_tilt", "tilt of the head's axis"),
         belongs_to="stand",
         symbol="τ: Z end of the axis below the horizon",
         source="levelling of the head",
@@ -110,7 +111,7 @@ STAND_EFFECTS: tuple[Effect[Scene], ...] = (
         report=plain("axis_tilt", "deg"),
     ),
     Effect(
-        name="base_tilt_drift",
+        name=Message.named("base_tilt_drift", "drift of the foundation's tilt"),
         belongs_to="stand",
         depends_on="time",
         symbol="d t on the angle",
@@ -119,7 +120,7 @@ STAND_EFFECTS: tuple[Effect[Scene], ...] = (
         report=plain("base_tilt_drift", "deg/h"),
     ),
     Effect(
-        name="seating",
+        name=Message.named("seating", "repeatability of the seat"),
         belongs_to="stand",
         symbol="s_m on the angle",
         source="repeatability of the seat",

@@ -7,13 +7,14 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.dividing_head.effects.scene import Scene
 from tumble.calibrations.tracing.effect import Effect, Form, contrasts, plain, scan, single, spread, with_scanned
+from tumble.messages import Message
 
 _LEAST_EXCITED = 0.01
 """Of the largest value that a product of projections can have."""
 _IEEE = "IEEE Std 1293-2018, model equation"
 
 
-def _product(name: str, unit: str, powers: tuple[int, int, int], symbol: str) -> Effect[Scene]:
+def _product(name: Message, unit: str, powers: tuple[int, int, int], symbol: str) -> Effect[Scene]:
     """A product of powers of the projections ax, ay, az."""
     return Effect(
         name=name,
@@ -67,14 +68,14 @@ def _realisation_bias(scene: Scene) -> Sequence[Form]:
 
 
 UNIT_EFFECTS: tuple[Effect[Scene], ...] = (
-    _product("k_xx", "V/g^2", (2, 0, 0), "k_xx ax²"),
-    _product("k_yy", "V/g^2", (0, 2, 0), "k_yy ay²"),
-    _product("k_zz", "V/g^2", (0, 0, 2), "k_zz az²"),
-    _product("k_xz", "V/g^2", (1, 0, 1), "k_xz ax az"),
-    _product("k_yz", "V/g^2", (0, 1, 1), "k_yz ay az"),
-    _product("k_xxx", "V/g^3", (3, 0, 0), "k_xxx ax³"),
+    _product(Message.named("k_xx", "second-order nonlinearity k_xx"), "V/g^2", (2, 0, 0), "k_xx ax²"),
+    _product(Message.named("k_yy", "second-order nonlinearity k_yy"), "V/g^2", (0, 2, 0), "k_yy ay²"),
+    _product(Message.named("k_zz", "second-order nonlinearity k_zz"), "V/g^2", (0, 0, 2), "k_zz az²"),
+    _product(Message.named("k_xz", "cross-coupling k_xz"), "V/g^2", (1, 0, 1), "k_xz ax az"),
+    _product(Message.named("k_yz", "cross-coupling k_yz"), "V/g^2", (0, 1, 1), "k_yz ay az"),
+    _product(Message.named("k_xxx", "third-order nonlinearity k_xxx"), "V/g^3", (3, 0, 0), "k_xxx ax³"),
     Effect(
-        name="scale_asymmetry",
+        name=Message.named("scale_asymmetry", "scale factor asymmetry"),
         belongs_to="unit",
         symbol="k_a |ax|",
         source=_IEEE,
@@ -82,7 +83,7 @@ UNIT_EFFECTS: tuple[Effect[Scene], ...] = (
         report=plain("scale_asymmetry", "V/g"),
     ),
     Effect(
-        name="hysteresis",
+        name=Message.named("hysteresis", "hysteresis"),
         belongs_to="unit",
         symbol="h play(ax)",
         source="IEEE Std 528, hysteresis error",
@@ -92,7 +93,7 @@ UNIT_EFFECTS: tuple[Effect[Scene], ...] = (
         additive=True,
     ),
     Effect(
-        name="bias_temperature",
+        name=Message.named("bias_temperature", "bias temperature sensitivity"),
         belongs_to="unit",
         depends_on="temperature",
         symbol="k_T (T - T0)",
@@ -101,7 +102,7 @@ UNIT_EFFECTS: tuple[Effect[Scene], ...] = (
         report=plain("bias_temperature", "V/K"),
     ),
     Effect(
-        name="scale_temperature",
+        name=Message.named("scale_temperature", "scale factor temperature sensitivity"),
         belongs_to="unit",
         depends_on="temperature",
         symbol="k_xT (T - T0) ax",
@@ -110,7 +111,7 @@ UNIT_EFFECTS: tuple[Effect[Scene], ...] = (
         report=plain("scale_temperature", "V/g/K"),
     ),
     Effect(
-        name="bias_drift",
+        name=Message.named("bias_drift", "bias drift"),
         belongs_to="unit",
         depends_on="time",
         symbol="d t",
@@ -119,7 +120,7 @@ UNIT_EFFECTS: tuple[Effect[Scene], ...] = (
         report=plain("bias_drift", "V/h"),
     ),
     Effect(
-        name="scale_drift",
+        name=Message.named("scale_drift", "scale factor drift"),
         belongs_to="unit",
         depends_on="time",
         symbol="d_x t ax",
@@ -128,7 +129,7 @@ UNIT_EFFECTS: tuple[Effect[Scene], ...] = (
         report=plain("scale_drift", "V/g/h"),
     ),
     Effect(
-        name="warm_up",
+        name=Message.named("warm_up", "warm-up"),
         belongs_to="unit",
         depends_on="time",
         symbol="w exp(-t/τ)",
@@ -139,7 +140,7 @@ UNIT_EFFECTS: tuple[Effect[Scene], ...] = (
         additive=True,
     ),
     Effect(
-        name="realisation_bias",
+        name=Message.named("realisation_bias", "turn-on to turn-on bias"),
         belongs_to="unit",
         depends_on="realisation",
         symbol="b_r",
@@ -149,7 +150,7 @@ UNIT_EFFECTS: tuple[Effect[Scene], ...] = (
         random=True,
     ),
     Effect(
-        name="vibration_rectification",
+        name=Message.named("vibration_rectification", "vibration rectification"),
         belongs_to="unit",
         symbol="k_v s²",
         source="IEEE Std 836 and 1293, rectification error",

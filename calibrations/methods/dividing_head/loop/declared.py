@@ -14,10 +14,10 @@ class Accelerometer:
     """The model of `dividing_head.model`: ten functions, six parameters, alpha0 the nonlinear one."""
 
     functions: FloatArray
-    alpha0_told: bool
+    alpha0_fitted: bool
     """Whether alpha0 is fitted; it is held at 0 otherwise."""
-    seen_from_deg: float = 0.0
-    """The alpha0 from which effects are seen: where it rests on a curvature alone, not its best value."""
+    linearised_at_deg: float = 0.0
+    """The alpha0 at which effects are linearised: where it rests on a curvature alone, not its best value."""
 
     @property
     def parameters(self) -> int:
@@ -25,12 +25,12 @@ class Accelerometer:
         return len(PARAMETERS)
 
     def fitted(self, compressed: Compressed) -> FloatArray:
-        """With the best alpha0, or with none where it cannot be told."""
-        return best_parameters(compressed) if self.alpha0_told else fit_given_alpha0(compressed, 0.0).theta
+        """With the best alpha0, or with none where it is not identifiable."""
+        return best_parameters(compressed) if self.alpha0_fitted else fit_given_alpha0(compressed, 0.0).theta
 
     def near(self, compressed: Compressed) -> FloatArray:
-        """With the alpha0 from which effects are seen."""
-        return fit_given_alpha0(compressed, self.seen_from_deg).theta
+        """With the alpha0 at which effects are linearised."""
+        return fit_given_alpha0(compressed, self.linearised_at_deg).theta
 
     def coefficients(self, theta: FloatArray) -> FloatArray:
         """As in `dividing_head.model`."""

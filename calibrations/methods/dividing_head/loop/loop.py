@@ -18,7 +18,7 @@ from tumble.calibrations.methods.dividing_head.gross import unlike_repeats
 from tumble.calibrations.methods.dividing_head.held_out import held_out_parts
 from tumble.calibrations.methods.dividing_head.joint import Joint, fit_jointly, fit_without
 from tumble.calibrations.methods.dividing_head.loop.augmented import Augmented, augment
-from tumble.calibrations.methods.dividing_head.loop.misreading import Misreading, misreadings
+from tumble.calibrations.methods.dividing_head.loop.misreading import MISREADING, Misreading, misreadings
 from tumble.calibrations.methods.dividing_head.loop.more_settings import more_settings
 from tumble.calibrations.methods.dividing_head.loop.reach import Reach, reach
 from tumble.calibrations.methods.dividing_head.loop.scatter import scatter_and_wandering
@@ -48,6 +48,7 @@ from tumble.calibrations.tracing.held_out import held_out_rms
 from tumble.calibrations.tracing.judged import judged
 from tumble.calibrations.tracing.rivals import Rival
 from tumble.calibrations.tracing.trace import penalised_deviance
+from tumble.messages import Message
 
 Explained: TypeAlias = tracing.Explained[DividingHeadTable, Augmented]
 """A table without gross errors, what it was traced to, and what could stand in its place."""
@@ -64,7 +65,7 @@ class Loop:
     unexplained: Unexplained | None
     misread: tuple[Misreading, ...]
     next_experiment: tuple[Experiment, ...] = ()
-    """What would part the rivals that are left."""
+    """What would distinguish the rivals that are left."""
     not_traced: str = ""
     """Why nothing was looked for; empty where the table was traced."""
     withheld: tuple[Withheld, ...] = ()
@@ -105,8 +106,10 @@ def asked_next(loop: Loop, explained: Explained | None) -> Loop:
     """What `explain` gives, with what to measure next."""
     if explained is None:
         return loop
-    parting = next_experiments(explained.table, explained.trace, explained.close, PROBES)
-    return replace(loop, next_experiment=(*parting, *more_settings(loop.withheld, loop.unexplained, _reach(explained))))
+    separating = next_experiments(explained.table, explained.trace, explained.close, PROBES)
+    return replace(
+        loop, next_experiment=(*separating, *more_settings(loop.withheld, loop.unexplained, _reach(explained)))
+    )
 
 
 @one_blas_thread
@@ -163,21 +166,23 @@ def explain(
 def _obstacle(asked: Questioned) -> str:
     """Why a table is not traced; empty where it is."""
     if not asked.answerable:
-        return "the table contradicts its own description; answer the question first"
+        return Message("the table contradicts its own description; answer the question first")
     if (rows := len(asked.observations)) > MOST_TRACED:
-        return (
-            f"its {rows:,} rows are more than the {MOST_TRACED:,} that are traced at once; give means or a part of them"
+        return Message(
+            "its {rows:,} rows are more than the {most:,} that are traced at once; give means or a part of them",
+            rows=rows,
+            most=MOST_TRACED,
         )
     return ONE_POSE if in_one_pose(asked.observations) else ""
 
 
 def _untraced(asked: Questioned, calibration: Calibration, why: str) -> Loop:
     """The declared model alone, with a warning that says why; a question is a warning already."""
-    said = (f"{calibration.observations.source}: nothing was traced: {why}",) if asked.answerable else ()
-    told = replace(calibration, warnings=(*calibration.warnings, *said))
+    warning = Message("{source}: nothing was traced: {why}", source=calibration.observations.source, why=why)
+    warned = replace(calibration, warnings=(*calibration.warnings, *[warning] * asked.answerable))
     return Loop(
-        declared=told,
-        augmented=told,
+        declared=warned,
+        augmented=warned,
         effects=(),
         unexplained=None,
         misread=(),
@@ -189,7 +194,7 @@ def _untraced(asked: Questioned, calibration: Calibration, why: str) -> Loop:
 MOST_TRACED = 30_000
 """Rows. Tracing holds thousands of numbers of each: so many take 2 to 3 GB, and a minute or two."""
 _ROUNDS = 3
-"""How often a table is looked at anew once effects are known."""
+"""How often a table is relinearised once effects are known."""
 _MOVED_DEG = 0.02
 """A change of alpha0 that changes what effects look like."""
 _FAR_DEG = 10.0
@@ -202,21 +207,21 @@ def _reach(explained: Explained) -> Reach:
 
 
 def _explained(joint: Joint, effects: Sequence[Effect[Scene]], reference_temperature_degc: float) -> Explained:
-    """Trace a table; again, where what was found shows that it was looked at from a wrong alpha0."""
-    base = dividing_head_table(joint, effects, reference_temperature_degc)
-    looks: list[Explained] = []
+    """Trace a table; again, where what was found shows that it was linearised at a wrong alpha0."""
+    table = dividing_head_table(joint, effects, reference_temperature_degc)
+    explanations: list[Explained] = []
     for _ in range(_ROUNDS):
-        found = judged(base)
+        found = judged(table)
         trace = found.trace
-        table = base.with_components(trace.components)
-        best = augment(table, replace(trace, noise=with_likely_flicker(table, trace.forms, trace.noise)))
-        looks.append(Explained(judged=found, best=best))
+        whole = table.with_components(trace.components)
+        best = augment(whole, replace(trace, noise=with_likely_flicker(whole, trace.forms, trace.noise)))
+        explanations.append(Explained(judged=found, best=best))
         alpha0_deg = float(best.joint.fit.theta[ALPHA0])
-        moved_deg = abs(alpha0_deg - base.scene.alpha0_deg)
+        moved_deg = abs(alpha0_deg - table.scene.alpha0_deg)
         if not trace.found or moved_deg < _MOVED_DEG or abs(alpha0_deg) > _FAR_DEG:
             break
-        base = relinearised(base, best.joint.fit.theta)
-    return min(looks, key=lambda look: penalised_deviance(look.trace))
+        table = relinearised(table, best.joint.fit.theta)
+    return min(explanations, key=lambda each: penalised_deviance(each.trace))
 
 
 def _rejected_rows(joint: Joint) -> set[int]:
@@ -249,7 +254,7 @@ def _effects(
 def _misreading() -> EffectFound:
     """Misread rows; the chance is that of one good row so far off, which bounds theirs from above."""
     return EffectFound(
-        name="misreading",
+        name=MISREADING,
         also_possible=(),
         belongs_to="stand",
         coefficients={},

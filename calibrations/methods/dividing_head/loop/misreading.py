@@ -1,6 +1,7 @@
 """Tells misreadings from other gross errors: an angle that was read or set wrong by a round amount."""
 
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from scipy.special import bdtrc
@@ -9,7 +10,9 @@ from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.dividing_head.joint import Joint
 from tumble.calibrations.methods.dividing_head.model import BASIS_SIZE, PARAMETERS, basis, coefficients
 from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.messages import Message
 
+MISREADING: Final = Message.named("misreading", "misreading")
 _AGREES = 4.0
 """A row agrees with a misreading if what is left is below so many standard deviations of a dwell."""
 _BEYOND_TAILS = 20.0

@@ -8,6 +8,7 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.tracing.blocks import Lack
+from tumble.messages import Message
 
 FEWEST_SPARE: Final = 6
 """With fewer settings beyond the declared model no effect of the setting is believed, unless it is gross.
@@ -44,17 +45,24 @@ class Reach:
     @property
     def sentence(self) -> str:
         """`9 settings over 180°`."""
-        return f"{self.settings} setting{'s' * (self.settings > 1)} over {self.arc_deg:.4g}°"
+        return Message.counted(
+            "{count} setting over {arc_deg:.4g}°",
+            "{count} settings over {arc_deg:.4g}°",
+            count=self.settings,
+            arc_deg=self.arc_deg,
+        )
 
     @property
     def limits(self) -> str:
         """What they cannot show, in a sentence; empty where there are enough."""
         if not self.few:
             return ""
-        left = f"{self.spare} number{'s' * (self.spare != 1)}" if self.spare else "no number"
-        return (
-            f"{self.sentence} leave {left} beyond the model, however often they are repeated: too few to show an "
-            "effect that depends on the setting; more settings over a longer arc would"
+        left = Message.counted("{count} number", "{count} numbers", count=self.spare)
+        return Message(
+            "{settings} leave {left} beyond the model, however often they are repeated: too few to show an "
+            "effect that depends on the setting; more settings over a longer arc would",
+            settings=self.sentence,
+            left=left if self.spare else Message("no number"),
         )
 
 

@@ -2,8 +2,8 @@
 
 Each mounting is tried in every other mount. It is asked about where the other mount leaves so many times less that no
 effect could stand in its place. Of the mount before, less is asked: that the declared model rejects the table as it
-stands and accepts it with that mount, by the noise within the dwells. A unit whose cross axes cannot be told from the
-noise gives nothing to ask.
+stands and accepts it with that mount, by the noise within the dwells. A unit whose cross axes are not distinguishable
+from the noise gives nothing to ask.
 """
 
 import math
@@ -21,6 +21,7 @@ from tumble.calibrations.methods.dividing_head.geometry import MOUNTS
 from tumble.calibrations.methods.dividing_head.model import PARAMETERS, basis
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.poses import mountings
+from tumble.messages import Message, with_wording
 
 _REJECTED_P: Final = 1e-6
 _ACCEPTED_P: Final = 1e-3
@@ -147,13 +148,21 @@ def _best_swap(table: Mountings, supposed: Seats, noise_v2: float, spare: int) -
 
 
 def _question(table: Mountings, mounts: tuple[str, ...]) -> str:
-    rows = []
+    rows: list[Message] = []
     for number, (said, fits) in enumerate(zip(table.declared, mounts, strict=True)):
         if said != fits:
             first, last = table.observations.row[table.numbers == number][[0, -1]]
-            before = ", where the unit sat before" if number and fits == mounts[number - 1] else ""
-            rows.append(f"rows {first} to {last} are said to be in {said} and fit {fits}{before}")
-    return (
-        f"{table.observations.source}: {'; '.join(rows)}; was the unit seated as asked? Measure these rows again, or "
-        "correct their mount"
+            found = Message(
+                "rows {first} to {last} are said to be in {said} and fit {fits}",
+                first=first,
+                last=last,
+                said=with_wording(said),
+                fits=with_wording(fits),
+            )
+            unmoved = number and fits == mounts[number - 1]
+            rows.append(Message("{found}, where the unit sat before", found=found) if unmoved else found)
+    return Message(
+        "{source}: {rows}; was the unit seated as asked? Measure these rows again, or correct their mount",
+        source=table.observations.source,
+        rows=Message.joined("; ", rows),
     )

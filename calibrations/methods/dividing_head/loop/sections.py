@@ -4,16 +4,29 @@ from collections.abc import Iterator
 
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.dividing_head.loop.loop import Loop
-from tumble.calibrations.methods.dividing_head.loop.sentences import comparisons, findings_of, headline, leaning, untold
+from tumble.calibrations.methods.dividing_head.loop.sentences import (
+    comparisons,
+    dependence,
+    findings_of,
+    headline,
+    not_identifiable,
+)
 from tumble.calibrations.tracing.experiments import Experiment
+from tumble.messages import Message
 
 
 def sections(loop: Loop) -> Iterator[Section]:
     """What was found, the models before and after, what is not identifiable any more, and what to measure next."""
     yield Section(
-        title="What was found",
+        title=Message("What was found"),
         lines=(headline(loop),),
-        headings=("effect", "or", "belongs to", "coefficients (standard uncertainty)", "p"),
+        headings=(
+            Message("effect"),
+            Message("or"),
+            Message("belongs to"),
+            Message("coefficients (standard uncertainty)"),
+            "p",
+        ),
         rows=[
             (each.name, each.also_possible, each.belongs_to, each.coefficients, each.p_value)
             for each in findings_of(loop)
@@ -21,21 +34,24 @@ def sections(loop: Loop) -> Iterator[Section]:
         brief=True,
     )
     yield Section(
-        title="Before and after",
-        headings=("", "declared model", "with what was found", "change"),
+        title=Message("Before and after"),
+        headings=("", Message("declared model"), Message("with what was found"), Message("change")),
         rows=[(line.name, line.declared, line.augmented, line.change) for line in comparisons(loop)],
         brief=True,
     )
     yield Section(
-        title="What is not identifiable",
+        title=Message("What is not identifiable"),
         lines=[
-            *(f"- {name} is not identifiable: {reason}" for name, reason in untold(loop)),
-            *(f"- {leans}" for leans in [leaning(loop)] if leans),
+            *(
+                Message("- {name} is not identifiable: {reason}", name=name, reason=reason)
+                for name, reason in not_identifiable(loop)
+            ),
+            *(Message("- {dependence}", dependence=said) for said in [dependence(loop)] if said),
         ],
         brief=True,
     )
     yield Section(
-        title="What to measure next",
+        title=Message("What to measure next"),
         lines=[line for experiment in loop.next_experiment for line in _experiment(experiment)],
         brief=True,
     )
@@ -43,7 +59,7 @@ def sections(loop: Loop) -> Iterator[Section]:
 
 def _experiment(experiment: Experiment) -> Iterator[str]:
     """What to run next, and why."""
-    command = f": {experiment.command}" if experiment.command else ""
-    aim = f", to tell {' from '.join(experiment.separates[:2])}" if len(experiment.separates) > 1 else ""
-    yield f"next{aim}{command}"
-    yield f"  {experiment.why}"
+    first, *others = experiment.separates
+    aim = Message("next, to tell {effect} from {other}", effect=first, other=others[0]) if others else Message("next")
+    yield Message("{aim}: {command}", aim=aim, command=experiment.command) if experiment.command else aim
+    yield Message("  {why}", why=experiment.why)

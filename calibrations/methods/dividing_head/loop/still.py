@@ -1,4 +1,4 @@
-"""A unit that was left still in one pose: what its output follows can be told, and nothing of its parameters."""
+"""A unit that was left still in one pose: what its output follows; its parameters are not identifiable."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -10,10 +10,13 @@ from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.quantities import format_concise, format_number
 from tumble.calibrations.core.repeats import SAME_ANGLE_DEG
 from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.calibrations.tracing.effect import Variable
+from tumble.calibrations.tracing.variables import VARIABLE_WORDS
+from tumble.messages import Message
 
 PROCEDURE: Final = "still"
 """What the column `procedure` holds in every row where the unit was left still on purpose."""
-ONE_POSE: Final = "the unit was left in one pose, in which bias, scale factor and alignment are one number"
+ONE_POSE: Final = Message("the unit was left in one pose, in which bias, scale factor and alignment are one number")
 _PARTS: Final = 4
 _TOGETHER: Final = 0.95
 """Two variables with a larger correlation went together."""
@@ -24,7 +27,7 @@ _CLEAR: Final = 5.0
 class Slope:
     """How the output follows one variable."""
 
-    variable: str
+    variable: Variable
     unit: str
     value: float
     """Of the straight line through all rows."""
@@ -45,12 +48,21 @@ class Slope:
     def sentence(self) -> str:
         """What it says."""
         value = format_concise(self.value, self.standard_uncertainty, self.unit)
+        variable = VARIABLE_WORDS[self.variable]
         if not self.clear:
-            return f"The output does not follow the {self.variable} by more than it scatters: {value}."
+            return Message(
+                "The output does not follow the {variable} by more than it scatters: {value}.",
+                variable=variable,
+                value=value,
+            )
         first, last = (format_number(each, self.unit) for each in (self.first, self.last))
-        return (
-            f"The output follows the {self.variable} by {value} over all, by {first} in the lowest quarter of its "
-            f"range and by {last} in the highest."
+        return Message(
+            "The output follows the {variable} by {value} over all, by {first} in the lowest quarter of its "
+            "range and by {last} in the highest.",
+            variable=variable,
+            value=value,
+            first=first,
+            last=last,
         )
 
 
@@ -65,7 +77,7 @@ class Still:
     @property
     def sentences(self) -> list[str]:
         """All of it in words."""
-        either = "Temperature and time went together: which of the two it follows cannot be told."
+        either = Message("Temperature and time went together: which of the two it follows is not distinguishable.")
         return [slope.sentence for slope in self.slopes] + [either] * self.together
 
 
@@ -94,7 +106,7 @@ def stillness(observations: Observations) -> Still | None:
     return Still(slopes=slopes, together=_went_together(list(followed.values()))) if slopes else None
 
 
-def _followed(observations: Observations) -> Iterator[tuple[tuple[str, str], FloatArray]]:
+def _followed(observations: Observations) -> Iterator[tuple[tuple[Variable, str], FloatArray]]:
     """What an output of one pose may follow, with the unit of the slope."""
     if observations.temperature_degc is not None:
         yield ("temperature", "V/K"), observations.temperature_degc
@@ -102,7 +114,7 @@ def _followed(observations: Observations) -> Iterator[tuple[tuple[str, str], Flo
         yield ("time", "V/h"), (observations.time_s - observations.time_s[0]) / 3600.0
 
 
-def _slope(variable: str, unit: str, values: FloatArray, output_v: FloatArray) -> Slope | None:
+def _slope(variable: Variable, unit: str, values: FloatArray, output_v: FloatArray) -> Slope | None:
     """Slopes over all and in quarters; None where there are too few values to have any."""
     known = np.isfinite(values)
     values, output_v = values[known], output_v[known]

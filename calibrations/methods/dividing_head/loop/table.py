@@ -66,24 +66,26 @@ def dividing_head_table(
     """Prepare a table fitted with the declared model.
 
     Where alpha0 rests on kxy alone, an effect that is not yet known may have moved it by many degrees: then effects are
-    seen from alpha0 = 0, which is nearer the truth.
+    linearised at alpha0 = 0, which is nearer the truth.
     """
     fit = joint.fit
     if fit.alpha0_fitted and not determined_without_kxy(joint.compressed, fit)[ALPHA0]:
         fit = fit_given_alpha0(joint.compressed, 0.0)
-    return _ground(joint, effects, scene_of(joint.observations, fit.theta, reference_temperature_degc))
+    return _table(joint, effects, scene_of(joint.observations, fit.theta, reference_temperature_degc))
 
 
-def relinearised(base: DividingHeadTable, theta: FloatArray) -> DividingHeadTable:
-    """The same table seen from better parameters."""
-    scene = scene_of(base.joint.observations, theta, base.scene.reference_temperature_degc)
-    return _ground(base.joint, base.effects, scene)
+def relinearised(table: DividingHeadTable, theta: FloatArray) -> DividingHeadTable:
+    """The same table, linearised at better parameters."""
+    scene = scene_of(table.joint.observations, theta, table.scene.reference_temperature_degc)
+    return _table(table.joint, table.effects, scene)
 
 
-def _ground(joint: Joint, effects: Sequence[Effect[Scene]], scene: Scene) -> DividingHeadTable:
+def _table(joint: Joint, effects: Sequence[Effect[Scene]], scene: Scene) -> DividingHeadTable:
     functions = joint.basis[:, :BASIS_SIZE]
     return DividingHeadTable(
-        model=Accelerometer(functions=functions, alpha0_told=joint.fit.alpha0_fitted, seen_from_deg=scene.alpha0_deg),
+        model=Accelerometer(
+            functions=functions, alpha0_fitted=joint.fit.alpha0_fitted, linearised_at_deg=scene.alpha0_deg
+        ),
         output=joint.observations.output_v,
         unit="V",
         weights=joint.weights,

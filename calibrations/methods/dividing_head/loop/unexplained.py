@@ -8,19 +8,21 @@ from tumble.calibrations.methods.dividing_head.loop.reach import Reach
 from tumble.calibrations.tracing.findings import SHAPELESS_P, Unexplained
 from tumble.calibrations.tracing.judged import Judged
 from tumble.calibrations.tracing.trace import Trace
+from tumble.calibrations.tracing.variables import VARIABLE_WORDS
+from tumble.messages import Message
 
 
 def unexplained(found: Judged[Any], reach: Reach, others: Sequence[Trace] = ()) -> Unexplained | None:
     """Structure that no effect of the catalogue explains, and what `others` could stand for it; None for none."""
     components = found.trace.components
     if not components:
-        told = found.trace.names and not found.withheld
-        return None if told or reach.alike > SHAPELESS_P else _shapeless(reach)
+        has_name = found.trace.names and not found.withheld
+        return None if has_name or reach.alike > SHAPELESS_P else _shapeless(reach)
     first = components[0]
     channel, variable = first.place
     places = dict.fromkeys(other.components[0].place for other in others)
     return Unexplained(
-        depends_on=first.depends_on,
+        depends_on=VARIABLE_WORDS[first.depends_on],
         description=first.described,
         channel=channel,
         variable=variable,
@@ -32,10 +34,13 @@ def _shapeless(reach: Reach) -> Unexplained:
     """Settings that differ from the model by more than their repeats, too few to show in what shape."""
     differ_by, scatter = (format_number(each, reach.unit, 2) for each in (reach.differ_by, reach.scatter))
     return Unexplained(
-        depends_on="acceleration" if reach.mounts > 1 else "angle",
+        depends_on=VARIABLE_WORDS["acceleration" if reach.mounts > 1 else "angle"],
         shaped=False,
-        description=(
-            f"{reach.sentence} differ from the model by {differ_by} where repeats scatter by {scatter}, in no shape "
-            "that so many can tell"
+        description=Message(
+            "{settings} differ from the model by {differ_by} where repeats scatter by {scatter}, in no shape "
+            "that so many can show",
+            settings=reach.sentence,
+            differ_by=differ_by,
+            scatter=scatter,
         ),
     )

@@ -1,4 +1,4 @@
-"""Parameters that cannot be told after all, once it is known what else is in the table."""
+"""Parameters that are not identifiable after all, once it is known what else is in the table."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -13,13 +13,13 @@ from tumble.calibrations.tracing.trace import Trace
 
 
 def without_rivals(
-    calibration: Calibration, base: DividingHeadTable, near: Mapping[str, Sequence[Rival]]
+    calibration: Calibration, table: DividingHeadTable, near: Mapping[str, Sequence[Rival]]
 ) -> Calibration:
-    """Take back the parameters that depend on which of two rivals is true."""
+    """Withhold the parameters that depend on which of two rivals is true."""
     parameters = dict(calibration.parameters)
     for name, listed in near.items():
         for rival in listed:
-            theta = augment(base, rival.trace).joint.fit.theta
+            theta = augment(table, rival.trace).joint.fit.theta
             for index, parameter in enumerate(PARAMETERS):
                 parameters[parameter] = unless_rivals_differ(
                     parameters[parameter], float(theta[index]), name, rival.name

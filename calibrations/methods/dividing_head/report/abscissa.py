@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.dividing_head.effects.scene import Scene
+from tumble.messages import Message
 
 Column = NDArray[Any]
 
@@ -82,53 +83,61 @@ def _direction(scene: Scene) -> Column:
     return np.array(["-", "unknown", "+"])[scene.direction + 1]
 
 
-_APPROACH = Sides(below=lambda scene: scene.direction < 0, labels=("approached in +", "approached in -"))
-_LAG = Sides(below=lambda scene: scene.play(_SLACK_G) > 0, labels=("after ax rose", "after ax fell"))
-_AX = Abscissa(name="ax", label="ax (g)", values=_projection(0))
-_TIME = Abscissa(name="time", label="time since the first row (h)", values=_hours)
-_TEMPERATURE = Abscissa(name="temperature", label="temperature above reference (K)", values=_warmth)
-_HEAD = Abscissa(name="angle", label="head angle within the turn (°)", values=_turn, as_angle=True, bins=361)
-_OUTPUT = Abscissa(name="output", label="output (V)", values=lambda scene: scene.output_v, bins=60)
+_APPROACH = Sides(
+    below=lambda scene: scene.direction < 0, labels=(Message("approached in +"), Message("approached in -"))
+)
+_LAG = Sides(below=lambda scene: scene.play(_SLACK_G) > 0, labels=(Message("after ax rose"), Message("after ax fell")))
+_AX = Abscissa(name="ax", label=Message("ax (g)"), values=_projection(0))
+_TIME = Abscissa(name="time", label=Message("time since the first row (h)"), values=_hours)
+_TEMPERATURE = Abscissa(name="temperature", label=Message("temperature above reference (K)"), values=_warmth)
+_HEAD = Abscissa(name="angle", label=Message("head angle within the turn (°)"), values=_turn, as_angle=True, bins=361)
+_OUTPUT = Abscissa(name="output", label=Message("output (V)"), values=lambda scene: scene.output_v, bins=60)
 _REALISATION = Abscissa(
-    name="realisation", label="realisation", values=lambda scene: scene.observations.realisations, levels=True
+    name="realisation", label=Message("realisation"), values=lambda scene: scene.observations.realisations, levels=True
 )
 
 BY_EFFECT: Mapping[str, Abscissa] = {
     "k_xx": _AX,
-    "k_yy": Abscissa(name="ay", label="ay (g)", values=_projection(1)),
-    "k_zz": Abscissa(name="az", label="az (g)", values=_projection(2)),
-    "k_xz": Abscissa(name="ax-az", label="ax az (g²)", values=_product(0, 2)),
-    "k_yz": Abscissa(name="ay-az", label="ay az (g²)", values=_product(1, 2)),
+    "k_yy": Abscissa(name="ay", label=Message("ay (g)"), values=_projection(1)),
+    "k_zz": Abscissa(name="az", label=Message("az (g)"), values=_projection(2)),
+    "k_xz": Abscissa(name="ax-az", label=Message("ax az (g²)"), values=_product(0, 2)),
+    "k_yz": Abscissa(name="ay-az", label=Message("ay az (g²)"), values=_product(1, 2)),
     "k_xxx": _AX,
     "scale_asymmetry": _AX,
-    "hysteresis": Abscissa(name="ax-by-side", label="ax (g)", values=_projection(0), sides=_LAG),
+    "hysteresis": Abscissa(name="ax-by-side", label=Message("ax (g)"), values=_projection(0), sides=_LAG),
     "bias_temperature": _TEMPERATURE,
     "scale_temperature": Abscissa(
-        name="temperature-ax", label="temperature above reference times ax (K g)", values=_times_ax(_warmth)
+        name="temperature-ax", label=Message("temperature above reference times ax (K g)"), values=_times_ax(_warmth)
     ),
     "bias_drift": _TIME,
-    "scale_drift": Abscissa(name="time-ax", label="time times ax (h g)", values=_times_ax(_hours)),
+    "scale_drift": Abscissa(name="time-ax", label=Message("time times ax (h g)"), values=_times_ax(_hours)),
     "warm_up": _TIME,
     "bias_random_walk": _TIME,
     "realisation_bias": _REALISATION,
-    "vibration_rectification": Abscissa(name="variance", label="variance within the dwell (mV²)", values=_variance_mv2),
+    "vibration_rectification": Abscissa(
+        name="variance", label=Message("variance within the dwell (mV²)"), values=_variance_mv2
+    ),
     "head_eccentricity": _HEAD,
     "head_second_harmonic": _HEAD,
     "graduation": _HEAD,
     "backlash": replace(_HEAD, name="angle-by-side", sides=_APPROACH),
-    "axis_tilt": Abscissa(name="mount", label="mount", values=lambda scene: scene.observations.mounts, levels=True),
+    "axis_tilt": Abscissa(
+        name="mount", label=Message("mount"), values=lambda scene: scene.observations.mounts, levels=True
+    ),
     "base_tilt_drift": Abscissa(name="time-angle", label=_TIME.label, values=_hours, as_angle=True),
     "seating": Abscissa(
-        name="mounting", label="mounting", values=lambda scene: scene.mounting + 1, levels=True, as_angle=True
+        name="mounting", label=Message("mounting"), values=lambda scene: scene.mounting + 1, levels=True, as_angle=True
     ),
     "settling": Abscissa(
-        name="previous", label="output of the dwell before minus this one (V)", values=lambda scene: scene.left_over_v
+        name="previous",
+        label=Message("output of the dwell before minus this one (V)"),
+        values=lambda scene: scene.left_over_v,
     ),
     "daq_nonlinearity": _OUTPUT,
     "range_step": _OUTPUT,
     "latency": Abscissa(
         name="velocity",
-        label="speed of the head (°/s)",
+        label=Message("speed of the head (°/s)"),
         values=lambda scene: scene.observations.velocity_deg_s,
         as_angle=True,
     ),
@@ -140,8 +149,8 @@ BY_VARIABLE: Mapping[str, Abscissa] = {
     "acceleration": _AX,
     "time": _TIME,
     "temperature": _TEMPERATURE,
-    "direction": Abscissa(name="direction", label="direction of approach", values=_direction, levels=True),
+    "direction": Abscissa(name="direction", label=Message("direction of approach"), values=_direction, levels=True),
     "realisation": _REALISATION,
-    "order": Abscissa(name="place", label="dwells before in the realisation", values=_place),
+    "order": Abscissa(name="place", label=Message("dwells before in the realisation"), values=_place),
 }
 """By the variable on which structure without a name depends."""

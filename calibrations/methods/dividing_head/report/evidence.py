@@ -1,4 +1,4 @@
-"""The middle of the report: what the experiment could support, fit, residuals, flips, noise and rows."""
+"""The middle of the report: significance and identifiability, fit, residuals, flips, noise and rows."""
 
 from typing import Any
 
@@ -9,15 +9,16 @@ from tumble.calibrations.methods.dividing_head.report.figures import closure_fig
 from tumble.calibrations.methods.dividing_head.report.residuals import angle_figure, covariate_figures, normal_figure
 from tumble.calibrations.methods.dividing_head.report.subject import Subject, mounts_of
 from tumble.calibrations.methods.dividing_head.result import Calibration
-from tumble.calibrations.methods.dividing_head.significance import closure_sentence, support
+from tumble.calibrations.methods.dividing_head.significance import closure_sentence, statements
+from tumble.messages import Message
 
 LISTED_ROWS = 50
 """Of the rows set aside so many are listed, the rest counted."""
 
 
-def supported(subject: Subject) -> dict[str, Any]:
+def significance(subject: Subject) -> dict[str, Any]:
     """The statements, each with the names it is about."""
-    return {"statements": support(subject.use.calibration)}
+    return {"statements": statements(subject.use.calibration)}
 
 
 def fit(subject: Subject) -> dict[str, Any]:
@@ -74,11 +75,19 @@ def _quality_figures(calibration: Calibration) -> list[tuple[str, str, str]]:
     return [
         _pure_error(calibration),
         (
-            "Noise of one dwell",
+            Message("Noise of one dwell"),
             format_number(noise.used_v, "V"),
-            f"what the uncertainties rest on: {noise.basis}; {noise.used_degrees_of_freedom} degrees of freedom",
+            Message(
+                "what the uncertainties rest on: {basis}; {freedom} degrees of freedom",
+                basis=noise.basis,
+                freedom=noise.used_degrees_of_freedom,
+            ),
         ),
-        ("Residual, r.m.s.", format_number(calibration.residual_rms_v, "V"), "measured minus fitted, all rows used"),
+        (
+            Message("Residual, r.m.s."),
+            format_number(calibration.residual_rms_v, "V"),
+            Message("measured minus fitted, all rows used"),
+        ),
         _held_out(calibration),
         _lack_of_fit(calibration),
     ]
@@ -88,29 +97,40 @@ def _pure_error(calibration: Calibration) -> tuple[str, str, str]:
     noise = calibration.noise
     if noise.pure_error_v is None:
         return (
-            "Pure error",
-            "none",
-            "no pose was repeated, so that nothing but the model says how much the data scatters",
+            Message("Pure error"),
+            Message("none"),
+            Message("no pose was repeated, so that nothing but the model says how much the data scatters"),
         )
-    text = f"scatter of one dwell mean between repeats of its pose; {noise.degrees_of_freedom} degrees of freedom"
-    return ("Pure error", format_number(noise.pure_error_v, "V"), text)
+    text = Message(
+        "scatter of one dwell mean between repeats of its pose; {freedom} degrees of freedom",
+        freedom=noise.degrees_of_freedom,
+    )
+    return (Message("Pure error"), format_number(noise.pure_error_v, "V"), text)
 
 
 def _held_out(calibration: Calibration) -> tuple[str, str, str]:
     if calibration.held_out_rms_v is None:
-        return ("Held-out error, r.m.s.", "none", "too few rows to fit some and predict the others")
+        return (
+            Message("Held-out error, r.m.s."),
+            Message("none"),
+            Message("too few rows to fit some and predict the others"),
+        )
     ratio = calibration.held_out_rms_v / calibration.residual_rms_v if calibration.residual_rms_v > 0 else 1.0
-    text = f"error of predicting rows that took no part in the fit: {ratio:.2f} times the residual"
-    return ("Held-out error, r.m.s.", format_number(calibration.held_out_rms_v, "V"), text)
+    text = Message("error of predicting rows that took no part in the fit: {ratio:.2f} times the residual", ratio=ratio)
+    return (Message("Held-out error, r.m.s."), format_number(calibration.held_out_rms_v, "V"), text)
 
 
 def _lack_of_fit(calibration: Calibration) -> tuple[str, str, str]:
     p_value = calibration.lack_of_fit_p
     if p_value is None:
-        return ("Lack of fit", "not tested", "the test needs repeats and more poses than parameters")
+        return (
+            Message("Lack of fit"),
+            Message("not tested"),
+            Message("the test needs repeats and more poses than parameters"),
+        )
     text = (
-        "the poses disagree with the model by more than the repeats explain"
+        Message("the poses disagree with the model by more than the repeats explain")
         if p_value < LACK_OF_FIT_P
-        else "the poses agree with the model as well as the repeats agree with each other"
+        else Message("the poses agree with the model as well as the repeats agree with each other")
     )
-    return ("Lack of fit", f"p {equals(p_value)}", text)
+    return (Message("Lack of fit"), f"p {equals(p_value)}", text)

@@ -10,6 +10,7 @@ from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.report.subject import mounts_of
 from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.calibrations.report.drawing import COLOURS, HALF_IN, MICRO, PALE, WIDE_IN, cloud, sheet, styled, to_svg
+from tumble.messages import Message, with_wording
 
 
 @styled
@@ -28,12 +29,19 @@ def fit_figure(calibration: Calibration) -> Markup:
         curve = model_curve(calibration, mount)
         if curve is not None:
             panel.plot(*curve, color=PALE, linewidth=1.1, zorder=1.5)
-        panel.set_title(f"{mount} ({np.count_nonzero(at)} dwells)")
-        panel.set_xlabel("head angle as reported (°)")
+        panel.set_title(Message("{mount} ({dwells} dwells)", mount=with_wording(mount), dwells=np.count_nonzero(at)))
+        panel.set_xlabel(Message("head angle as reported (°)"))
         panel.xaxis.set_tick_params(labelbottom=True)
     for panel in axes[: len(mounts) : columns]:
-        panel.set_ylabel("output (V)")
-    return to_svg(figure, "fit", f"Output against head angle with the fitted model, for {', '.join(mounts)}")
+        panel.set_ylabel(Message("output (V)"))
+    return to_svg(
+        figure,
+        "fit",
+        Message(
+            "Output against head angle with the fitted model, for {mounts}",
+            mounts=Message.joined(", ", map(with_wording, mounts)),
+        ),
+    )
 
 
 def model_curve(calibration: Calibration, mount: str) -> tuple[FloatArray, FloatArray] | None:
@@ -64,11 +72,11 @@ def closure_figure(closure: FlipClosure) -> Markup:
         offset, spread = (mean.u0_v - centre_v) * MICRO, mean.standard_uncertainty_v * MICRO
         panel.errorbar(offset, place, xerr=2 * spread, color=COLOURS[0], linewidth=0.9)
         panel.errorbar(offset, place, xerr=spread, color=COLOURS[0], linewidth=3.2)
-        panel.plot(offset, place, "o", color=COLOURS[0], markersize=6, label="flip" if not place else None)
+        panel.plot(offset, place, "o", color=COLOURS[0], markersize=6, label=Message("flip") if not place else None)
         panel.plot((mean.expected_v - centre_v) * MICRO, place, "D", color=COLOURS[1], markersize=5,
-                   markerfacecolor="white", label="joint fit" if not place else None)  # fmt: skip
-    panel.set_yticks(range(len(names)), [f"{name} flip" for name in names])
+                   markerfacecolor="white", label=Message("joint fit") if not place else None)  # fmt: skip
+    panel.set_yticks(range(len(names)), [Message("{axis} flip", axis=name) for name in names])
     panel.set_ylim(len(names) - 0.5, -0.5)
-    panel.set_xlabel("u0 of the flip - mean of the flips (µV)")
+    panel.set_xlabel(Message("u0 of the flip - mean of the flips (µV)"))
     panel.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
-    return to_svg(figure, "closure", "u0 from each flip with its uncertainty, and what the joint fit expects")
+    return to_svg(figure, "closure", Message("u0 from each flip with its uncertainty, and what the joint fit expects"))

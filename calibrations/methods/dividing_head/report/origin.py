@@ -4,21 +4,24 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from tumble.calibrations.methods.dividing_head.report.subject import Subject
+from tumble.messages import Message
 
 
 def origin(subject: Subject) -> dict[str, Any]:
     """Hashes, versions, packages and the stand file as tables of names and texts."""
     provenance = subject.provenance
-    commit = provenance.git_commit + (" with uncommitted changes" if provenance.git_dirty else "")
+    commit = provenance.git_commit
+    if provenance.git_dirty:
+        commit = Message("{commit} with uncommitted changes", commit=commit)
     facts = {
-        "Raw file": ", ".join(source.path for source in provenance.sources),
-        "SHA-256 of the raw file": ", ".join(provenance.source_hashes),
-        "Start of the run": provenance.measured_at,
-        "Programme": provenance.programme_name,
-        "SHA-256 of the programme": provenance.programme_sha256,
-        "Stand": provenance.stand_name,
-        "Version of tumble": provenance.program_version,
-        "Commit": commit,
+        Message("Raw file"): ", ".join(source.path for source in provenance.sources),
+        Message("SHA-256 of the raw file"): ", ".join(provenance.source_hashes),
+        Message("Start of the run"): provenance.measured_at,
+        Message("Programme"): provenance.programme_name,
+        Message("SHA-256 of the programme"): provenance.programme_sha256,
+        Message("Stand"): provenance.stand_name,
+        Message("Version of tumble"): provenance.program_version,
+        Message("Commit"): commit,
     }
     return {
         "facts": [(name, text) for name, text in facts.items() if text],

@@ -6,7 +6,8 @@ from markupsafe import Markup
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.report.drawing import BAND, COLOURS, HALF_IN, INK, MARKERS, MICRO, sheet, styled, to_svg
-from tumble.calibrations.tracing.separation import Outlook
+from tumble.calibrations.tracing.separation import Difference, Outlook
+from tumble.messages import Message
 
 _MILLI_FROM_V = 1e-3
 """Differences from here on stand in millivolts."""
@@ -31,13 +32,18 @@ def outlook_figure(outlook: Outlook, name: str) -> Markup:
             markersize=2.5,
             markeredgewidth=0,
             linewidth=0.7,
-            label=f"{each.other} if {each.true} is true",
+            label=_described(each),
         )
-    panel.set_xlabel("head angle as reported (°)")
-    panel.set_ylabel(f"cannot be followed ({unit})")
+    panel.set_xlabel(Message("head angle as reported (°)"))
+    panel.set_ylabel(Message("not followed ({unit})", unit=unit))
     panel.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
-    described = ", ".join(f"{each.other} if {each.true} is true" for each in outlook.differences)
-    return to_svg(figure, name, f"What the experiment would show against head angle: {described}")
+    described = Message.joined(", ", [_described(each) for each in outlook.differences])
+    title = Message("What the experiment would show against head angle: {described}", described=described)
+    return to_svg(figure, name, title)
+
+
+def _described(difference: Difference) -> Message:
+    return Message("{other} if {true} is true", other=difference.other, true=difference.true)
 
 
 def _broken(angle_deg: FloatArray, values: FloatArray) -> tuple[FloatArray, FloatArray]:

@@ -17,6 +17,7 @@ from tumble.calibrations.methods.dividing_head.report.subject import Subject
 from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.calibrations.report.templates import templates
 from tumble.calibrations.tracing.chain import Chain
+from tumble.messages import Message
 
 _PACKAGE = "tumble.calibrations.methods.dividing_head"
 
@@ -35,18 +36,18 @@ class Section:
 
 
 SECTIONS = (
-    Section(anchor="results", title="Results", content=results),
-    Section(anchor="support", title="What this experiment could support", content=evidence.supported),
-    Section(anchor="loop", title="What the model left unexplained", content=closed_loop),
-    Section(anchor="stand", title="Corrections of the stand", content=corrections_of_the_stand),
-    Section(anchor="fit", title="Fit", content=evidence.fit),
-    Section(anchor="residuals", title="Residuals", content=evidence.residuals),
-    Section(anchor="closure", title="Closure of the flips", content=evidence.closure),
-    Section(anchor="quality", title="Noise, lack of fit and rows", content=evidence.quality),
-    Section(anchor="budget", title="Uncertainty budget", content=uncertainty.budget),
-    Section(anchor="correlation", title="Correlation", content=uncertainty.correlation),
-    Section(anchor="published", title="Comparison with the published method", content=uncertainty.published),
-    Section(anchor="origin", title="Provenance", content=origin),
+    Section(anchor="results", title=Message("Results"), content=results),
+    Section(anchor="significance", title=Message("Significance and identifiability"), content=evidence.significance),
+    Section(anchor="loop", title=Message("What the model left unexplained"), content=closed_loop),
+    Section(anchor="stand", title=Message("Corrections of the stand"), content=corrections_of_the_stand),
+    Section(anchor="fit", title=Message("Fit"), content=evidence.fit),
+    Section(anchor="residuals", title=Message("Residuals"), content=evidence.residuals),
+    Section(anchor="closure", title=Message("Closure of the flips"), content=evidence.closure),
+    Section(anchor="quality", title=Message("Noise, lack of fit and rows"), content=evidence.quality),
+    Section(anchor="budget", title=Message("Uncertainty budget"), content=uncertainty.budget),
+    Section(anchor="correlation", title=Message("Correlation"), content=uncertainty.correlation),
+    Section(anchor="published", title=Message("Comparison with the published method"), content=uncertainty.published),
+    Section(anchor="origin", title=Message("Provenance"), content=origin),
 )
 """The sections of the page in their order."""
 
@@ -64,7 +65,7 @@ def render_report(
 ) -> str:
     """One HTML page that needs nothing else: style and plots are inside, there is no script.
 
-    The same input gives the same text.
+    The same input gives the same text; within `written_in` it is in that language.
 
     Parameters
     ----------

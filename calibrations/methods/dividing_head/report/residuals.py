@@ -25,6 +25,7 @@ from tumble.calibrations.report.drawing import (
     styled,
     to_svg,
 )
+from tumble.messages import Message, with_wording
 
 BINS = 30
 """Groups of equally many rows whose means are shown against a quantity that never repeats."""
@@ -42,11 +43,11 @@ def angle_figure(calibration: Calibration) -> Markup:
         at = observations.mounts == mount
         band(panel, scatter_uv(calibration))
         mark_residuals(panel, angles[at], residual_uv[at], poses[at], scatter_uv(calibration), index)
-        panel.set_title(mount)
-        panel.set_ylabel("residual (µV)")
-    axes[-1].set_xlabel("head angle within the turn (°)")
+        panel.set_title(with_wording(mount))
+        panel.set_ylabel(Message("residual (µV)"))
+    axes[-1].set_xlabel(Message("head angle within the turn (°)"))
     axes[-1].set_xticks(range(0, 361, 45))
-    return to_svg(figure, "by-angle", "Residual against head angle, by mount, with means of repeated poses")
+    return to_svg(figure, "by-angle", Message("Residual against head angle, by mount, with means of repeated poses"))
 
 
 @styled
@@ -54,9 +55,9 @@ def covariate_figures(calibration: Calibration) -> dict[str, Markup]:
     """Residual against time, temperature and realisation, those that the table has, by name."""
     observations = calibration.observations
     columns: dict[str, tuple[FloatArray | NDArray[np.int64] | None, str]] = {
-        "time": (observations.time_s, "time (s)"),
-        "temperature": (observations.temperature_degc, "temperature (°C)"),
-        "realisation": (observations.realisation, "realisation"),
+        "time": (observations.time_s, Message("time (s)")),
+        "temperature": (observations.temperature_degc, Message("temperature (°C)")),
+        "realisation": (observations.realisation, Message("realisation")),
     }
     return {
         name: _covariate_figure(calibration, np.asarray(values, dtype=float), name, label)
@@ -71,10 +72,10 @@ def _covariate_figure(calibration: Calibration, values: FloatArray, name: str, l
     band(panel, scatter_uv(calibration))
     mark_residuals(panel, values, weighted_uv(calibration), groups, scatter_uv(calibration), 0)
     panel.set_xlabel(label)
-    panel.set_ylabel("residual (µV)")
+    panel.set_ylabel(Message("residual (µV)"))
     if name == "realisation":
         panel.xaxis.set_major_locator(MaxNLocator(integer=True))
-    return to_svg(figure, f"by-{name}", f"Residual against {name}")
+    return to_svg(figure, f"by-{name}", Message("Residual against {variable}", variable=label))
 
 
 @styled
@@ -87,9 +88,9 @@ def normal_figure(calibration: Calibration) -> Markup:
     line = np.array([quantiles[0], quantiles[-1]])
     panel.plot(line, line * np.std(residual_uv), color=CURVE, linewidth=0.9)
     cloud(panel, quantiles, residual_uv, 0, strong=True)
-    panel.set_xlabel("normal quantile")
-    panel.set_ylabel("residual (µV)")
-    return to_svg(figure, "normal", "Normal probability plot of the residuals")
+    panel.set_xlabel(Message("normal quantile"))
+    panel.set_ylabel(Message("residual (µV)"))
+    return to_svg(figure, "normal", Message("Normal probability plot of the residuals"))
 
 
 def weighted_uv(calibration: Calibration) -> FloatArray:

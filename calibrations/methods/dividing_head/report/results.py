@@ -20,6 +20,7 @@ from tumble.calibrations.core.verdict import Judgement, Model, Outcome, Verdict
 from tumble.calibrations.methods.dividing_head.joint import LACK_OF_FIT_P
 from tumble.calibrations.methods.dividing_head.loop.sentences import found_sentences
 from tumble.calibrations.methods.dividing_head.report.subject import Subject
+from tumble.messages import Message
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -50,12 +51,16 @@ def header(subject: Subject) -> dict[str, Any]:
         "verdict": headline(verdict),
         "mark": _MARKS.get(verdict.outcome, ""),
         "outcome": str(verdict.outcome),
-        "judged": str(verdict.judged),
+        "judged": _JUDGED[verdict.judged],
         "decided": [judgement.sentence for judgement in verdict.parameters],
         "notices": notices(subject),
     }
 
 
+_JUDGED = {
+    Model.DECLARED: Message("Judged: the declared model, by simple acceptance."),
+    Model.AUGMENTED: Message("Judged: the augmented model, by simple acceptance."),
+}
 _MARKS = {Outcome.PASS: "✓", Outcome.FAIL: "✗", Outcome.NOT_DECIDED: "?"}
 
 
@@ -63,33 +68,48 @@ def headline(verdict: Verdict) -> str:
     """What is decided, in a few words; empty where there are no limits."""
     outside, undecided = verdict.named(Outcome.FAIL), verdict.named(Outcome.NOT_DECIDED)
     if verdict.outcome is Outcome.PASS:
-        return "Inside the limits"
-    parts = [
-        f"Outside the limits: {series(outside)}" if outside else "",
-        f"{'not' if outside else 'Not'} decided: {series(undecided)}" if undecided else "",
-    ]
-    return "; ".join(filter(None, parts))
+        return Message("Inside the limits")
+    if outside and undecided:
+        return Message(
+            "Outside the limits: {outside}; not decided: {undecided}",
+            outside=series(outside),
+            undecided=series(undecided),
+        )
+    if outside:
+        return Message("Outside the limits: {outside}", outside=series(outside))
+    return Message("Not decided: {undecided}", undecided=series(undecided)) if undecided else ""
 
 
 def notices(subject: Subject) -> list[str]:
     """What the reader must know before the numbers, one sentence each."""
     calibration = subject.calibration
-    found = []
+    found: list[str] = []
     if not calibration.observations.complete:
-        found.append("The recording is incomplete: the result rests on the rows before it was cut off.")
+        found.append(Message("The recording is incomplete: the result rests on the rows before it was cut off."))
     found.extend(dict.fromkeys(calibration.warnings))
-    untold = [name for name, parameter in subject.use.calibration.parameters.items() if parameter.value is None]
-    if untold:
-        found.append(f"This data cannot tell {series(untold, 'or')}; the table of results says why.")
+    lacking = [name for name, parameter in subject.use.calibration.parameters.items() if parameter.value is None]
+    if lacking:
+        found.append(
+            Message.counted(
+                "{names} is not identifiable from these data; the table of results says why.",
+                "{names} are not identifiable from these data; the table of results says why.",
+                count=len(lacking),
+                names=series(lacking),
+            )
+        )
     if calibration.lack_of_fit_p is not None and calibration.lack_of_fit_p < LACK_OF_FIT_P:
         found.append(
-            "The declared model does not describe the data: the poses disagree with it by more than the repeats "
-            f"explain (p {equals(calibration.lack_of_fit_p)}). The uncertainties rest on that disagreement."
+            Message(
+                "The declared model does not describe the data: the poses disagree with it by more than the repeats "
+                "explain (p {p_value}). The uncertainties rest on that disagreement.",
+                p_value=equals(calibration.lack_of_fit_p),
+            )
         )
     if subject.loop and (traced := found_sentences(subject.loop)):
-        found.append(" ".join((*traced, "What that does to the parameters is said below the results.")))
+        below = Message("What that does to the parameters is said below the results.")
+        found.append(Message.joined(" ", [*traced, below]))
     if subject.provenance.git_dirty:
-        found.append("The program that computed this had changes that are in no commit.")
+        found.append(Message("The program that computed this had changes that are in no commit."))
     return found
 
 
@@ -162,18 +182,18 @@ def _alone(uncertainty: float, unit: str) -> str:
 
 
 def _note(parameter: Parameter) -> str:
-    if parameter.given_alpha0_deg is not None:
-        return f"given alpha0 = {parameter.given_alpha0_deg:g}°"
-    return f"rests on {parameter.rests_on}" if parameter.rests_on else ""
+    if parameter.given:
+        return parameter.condition
+    return Message("rests on {name}", name=parameter.rests_on) if parameter.rests_on else ""
 
 
 def _decided(parameter: Parameter, check: LimitCheck, judgement: Judgement) -> str:
     """Inside or outside, and whether the 95% interval reaches over the limit; or that it is not decided."""
     if judgement.outcome is Outcome.NOT_DECIDED or parameter.interval_95 is None:
-        return "not decided: no value" if parameter.value is None else "not decided"
+        return Message("not decided: no value") if parameter.value is None else Message("not decided")
     low, high = parameter.interval_95
     wholly = (check.minimum is None or low >= check.minimum) and (check.maximum is None or high <= check.maximum)
     beyond = (check.minimum is not None and high < check.minimum) or (check.maximum is not None and low > check.maximum)
     if judgement.outcome is Outcome.PASS:
-        return "inside" if wholly else "inside, but the interval reaches out"
-    return "outside" if beyond else "outside, but the interval reaches in"
+        return Message("inside") if wholly else Message("inside, but the interval reaches out")
+    return Message("outside") if beyond else Message("outside, but the interval reaches in")

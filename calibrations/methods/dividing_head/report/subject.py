@@ -45,7 +45,7 @@ class Subject:
         return self.decided or judge(self.calibration, self.limits, self.loop)
 
     @property
-    def told(self) -> tuple[Parameter, ...]:
+    def stated(self) -> tuple[Parameter, ...]:
         """The parameters that have a value that may be used."""
         return tuple(parameter for parameter in self.use.calibration.parameters.values() if parameter.value is not None)
 

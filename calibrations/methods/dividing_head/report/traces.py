@@ -23,6 +23,7 @@ from tumble.calibrations.methods.dividing_head.report.residuals import (
 )
 from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.calibrations.report.drawing import COLOURS, HALF_IN, INK, sheet, styled, to_svg
+from tumble.messages import Message
 
 MOST_FIGURES = 4
 _ARCSEC_PER_DEG = 3600.0
@@ -49,7 +50,7 @@ def abscissae(loop: Loop) -> dict[Abscissa, list[str]]:
         if effect.name in BY_EFFECT:
             wanted.setdefault(BY_EFFECT[effect.name], []).append(effect.name)
     if loop.unexplained:
-        wanted.setdefault(BY_VARIABLE[loop.unexplained.depends_on], []).append("what is unexplained")
+        wanted.setdefault(BY_VARIABLE[loop.unexplained.depends_on], []).append(Message("what is unexplained"))
     return dict(list(wanted.items())[:MOST_FIGURES])
 
 
@@ -68,8 +69,11 @@ def trace_figure(models: Mapping[str, Calibration], abscissa: Abscissa) -> Marku
         panel.set_xlabel(abscissa.label)
     if axes[-1].get_legend_handles_labels()[0]:
         axes[-1].legend(loc="upper right", ncols=2)
-    axes[0].set_ylabel("residual as an angle (″)" if abscissa.as_angle else "residual (µV)")
-    return to_svg(figure, f"trace-{abscissa.name}", f"Residual against {abscissa.label}: {', '.join(models)}")
+    axes[0].set_ylabel(Message("residual as an angle (″)") if abscissa.as_angle else Message("residual (µV)"))
+    title = Message(
+        "Residual against {variable}: {models}", variable=abscissa.label, models=Message.joined(", ", models)
+    )
+    return to_svg(figure, f"trace-{abscissa.name}", title)
 
 
 def _points(calibration: Calibration, abscissa: Abscissa) -> Points | None:

@@ -19,24 +19,27 @@ from tumble.calibrations.core.quantities import (
 from tumble.calibrations.methods.dividing_head.montecarlo import TRIALS
 from tumble.calibrations.methods.dividing_head.report.results import freedom
 from tumble.calibrations.methods.dividing_head.report.subject import Subject
+from tumble.messages import Message
 
 FEW_DEGREES_OF_FREEDOM = 30
 _RESOLVED = 3 * math.sqrt(0.025 * 0.975 / TRIALS) / 0.0584
 """Three standard deviations of an end of a simulated interval, in units of u; 0.0584 is the normal density there."""
-_FEW, _CURVED = "few degrees of freedom", "not linear"
+_FEW, _CURVED = Message("differ: few degrees of freedom"), Message("differ: not linear")
 _WHY = {
-    _FEW: "With few degrees of freedom the ends of both intervals are themselves uncertain.",
-    _CURVED: "Where the model is not linear over the width of the uncertainty, the stated interval already integrates "
-    "over alpha0 and takes its wider side for both; the simulated one shows how lopsided the estimates are.",
+    _FEW: Message("With few degrees of freedom the ends of both intervals are themselves uncertain."),
+    _CURVED: Message(
+        "Where the model is not linear over the width of the uncertainty, the stated interval already integrates "
+        "over alpha0 and takes its wider side for both; the simulated one shows how lopsided the estimates are."
+    ),
 }
 """Why the intervals of budget and simulation may differ, and what to do then."""
 
 
 def budget(subject: Subject) -> dict[str, Any]:
     """Sources by parameters, what they come to, and the Monte Carlo check beside it."""
-    calibration, told = subject.use.calibration, subject.told
-    columns = [_Column(parameter) for parameter in told]
-    checks = [_comparison(p, *calibration.monte_carlo[p.name]) for p in told if p.name in calibration.monte_carlo]
+    calibration, stated = subject.use.calibration, subject.stated
+    columns = [_Column(parameter) for parameter in stated]
+    checks = [_comparison(p, *calibration.monte_carlo[p.name]) for p in stated if p.name in calibration.monte_carlo]
     return {
         "heads": [(column.parameter.name, column.unit) for column in columns],
         "lines": [
@@ -45,11 +48,11 @@ def budget(subject: Subject) -> dict[str, Any]:
             for line in calibration.budget
         ],
         "combined": [column.cell(column.combined) for column in columns],
-        "freedom": [freedom(parameter.degrees_of_freedom) for parameter in told],
-        "coverage": [f"{coverage_factor(_freedom(parameter)):.2f}" for parameter in told],
+        "freedom": [freedom(parameter.degrees_of_freedom) for parameter in stated],
+        "coverage": [f"{coverage_factor(_freedom(parameter)):.2f}" for parameter in stated],
         "expanded": [column.cell(column.expanded) for column in columns],
         "monte_carlo": checks,
-        "reasons": [text for why, text in _WHY.items() if any(check["verdict"].endswith(why) for check in checks)],
+        "reasons": [text for why, text in _WHY.items() if any(check["verdict"] == why for check in checks)],
     }  # fmt: skip
 
 
@@ -102,7 +105,7 @@ def _comparison(parameter: Parameter, spread: float, simulated: tuple[float, flo
         "simulated_interval": format_interval(*simulated, parameter.unit),
         "difference": format_number(difference, parameter.unit, 2),
         "tolerance": format_number(tolerance, parameter.unit, 1),
-        "verdict": "agree" if difference <= tolerance else f"differ: {_why(parameter)}",
+        "verdict": Message("agree") if difference <= tolerance else _why(parameter),
     }
 
 
@@ -110,21 +113,21 @@ def _freedom(parameter: Parameter) -> float:
     return math.inf if parameter.degrees_of_freedom is None else parameter.degrees_of_freedom
 
 
-def _why(parameter: Parameter) -> str:
+def _why(parameter: Parameter) -> Message:
     return _FEW if _freedom(parameter) < FEW_DEGREES_OF_FREEDOM else _CURVED
 
 
 def correlation(subject: Subject) -> dict[str, Any]:
     """The lower triangle of the correlation matrix of the parameters that have a value."""
     names = list(subject.use.calibration.parameters)
-    told = [names.index(parameter.name) for parameter in subject.told]
+    stated = [names.index(parameter.name) for parameter in subject.stated]
     matrix = subject.use.calibration.correlation
     rows = [
         (names[i], [(format_correlation(float(matrix[i, j])), bool(abs(matrix[i, j]) > 0.9 and i != j))
-                    for j in told[: place + 1]])
-        for place, i in enumerate(told)
+                    for j in stated[: place + 1]])
+        for place, i in enumerate(stated)
     ]  # fmt: skip
-    return {"names": [names[i] for i in told], "rows": rows}
+    return {"names": [names[i] for i in stated], "rows": rows}
 
 
 def published(subject: Subject) -> dict[str, Any]:
@@ -134,7 +137,7 @@ def published(subject: Subject) -> dict[str, Any]:
         "rows": [
             (
                 parameter.name,
-                "cannot be told" if parameter.value is None
+                Message("not identifiable") if parameter.value is None
                 else format_concise(parameter.value, parameter.standard_uncertainty, parameter.unit),
                 other.reason if other.value is None
                 else format_concise(other.value, other.standard_uncertainty, parameter.unit),
@@ -164,5 +167,13 @@ def _what_flips_leave_out(subject: Subject) -> str:
         return ""
     reach_deg = 1.0 if angle is None else max(abs(angle[0]), abs(angle[1]))
     amount = format_number(abs(scale) * math.sin(math.radians(reach_deg)), "V/g", 2)
-    known = "for each degree of alpha0" if angle is None else f"for alpha0 at the end of its interval, {reach_deg:.2g}°"
-    return f"The z flip of the published method takes alpha0 as 0: its kz is off by kx sin(alpha0), {amount} {known}."
+    known = (
+        Message("for each degree of alpha0")
+        if angle is None
+        else Message("for alpha0 at the end of its interval, {reach_deg:.2g}°", reach_deg=reach_deg)
+    )
+    return Message(
+        "The z flip of the published method takes alpha0 as 0: its kz is off by kx sin(alpha0), {amount} {known}.",
+        amount=amount,
+        known=known,
+    )

@@ -16,6 +16,7 @@ from tumble.calibrations.stand_records.agreement import AGREE_P
 from tumble.calibrations.stand_records.corrections import Corrections, chi_square_p
 from tumble.calibrations.stand_records.record import StandRecord
 from tumble.calibrations.stand_records.terms import HEAD_COURSE, Term
+from tumble.messages import Message
 
 
 @one_blas_thread
@@ -52,16 +53,28 @@ def contradictions(run: Run, record: StandRecord) -> Iterator[str]:
     What is no more than the record does not know of itself contradicts nothing.
     """
     left = run.estimate(run.terms)
-    name, remedy = f"stand record {record.version}", "derive it anew with tumble stand learn"
+    name = Message("stand record {version}", version=record.version)
+    remedy = Message("derive it anew with tumble stand learn")
     for term in left.terms:
         here = left.place(term)
         known = _in(record.corrections, term)
         if known is None:
-            yield f"this run sees {left.text(term)}, which {name} does not have; {remedy}"
+            yield Message(
+                "this run shows {found}, which {record} does not have; {remedy}",
+                found=left.text(term),
+                record=name,
+                remedy=remedy,
+            )
         elif chi_square_p(left.values[here], left.covariance[here, here] + known.covariance) < AGREE_P:
             values = left.values.copy()
             values[here] += known.values
-            yield f"{name} says {known.text(term)}, this run says {replace(left, values=values).text(term)}; {remedy}"
+            yield Message(
+                "{record} says {known}, this run says {found}; {remedy}",
+                record=name,
+                known=known.text(term),
+                found=replace(left, values=values).text(term),
+                remedy=remedy,
+            )
 
 
 def _in(corrections: Corrections, term: Term) -> Corrections | None:

@@ -22,6 +22,7 @@ from tumble.calibrations.stand_records.terms import LASTING, Term, harmonic_term
 from tumble.calibrations.tracing.components import Component
 from tumble.calibrations.tracing.findings import EffectFound
 from tumble.calibrations.tracing.trace import Found, Trace
+from tumble.messages import Message
 
 _ANGLE: Final = "angle"
 _HARMONICS: Final = {"head_eccentricity": 1, "head_second_harmonic": 2, "graduation": None}
@@ -39,12 +40,12 @@ class Run:
 
     @property
     def terms(self) -> tuple[Term, ...]:
-        """Effects of the stand that the run tells apart."""
+        """Effects of the stand that the run distinguishes."""
         return union(tuple(self._terms()), ())
 
     @property
     def doubtful(self) -> Mapping[str, tuple[str, ...]]:
-        """Effects of which the run does not tell whether they are one of the stand, with what they could be as well."""
+        """Effects that may or may not be of the stand, with what they could be as well."""
         return {
             effect.name: effect.also_possible
             for effect in self.loop.effects
@@ -57,22 +58,24 @@ class Run:
         after = self.loop.augmented
         unexplained = self.loop.unexplained
         reasons = {
-            "it was cut off": not after.observations.complete,
-            "nothing was traced": bool(self.loop.not_traced),
-            "part of what it leaves is unexplained": unexplained is not None and unexplained.depends_on != _ANGLE,
+            Message("it was cut off"): not after.observations.complete,
+            Message("nothing was traced"): bool(self.loop.not_traced),
+            Message("part of what it leaves is unexplained"): unexplained is not None
+            and unexplained.depends_on != _ANGLE,
         }
         p_value = after.lack_of_fit_p
         if p_value is not None and p_value < LACK_OF_FIT_P:
-            reasons[f"the poses disagree with what was found (p {equals(p_value)})"] = True
+            disagree = Message("the poses disagree with what was found (p {p_value})", p_value=equals(p_value))
+            reasons[disagree] = True
         return tuple(reason for reason, holds in reasons.items() if holds)
 
     def estimate(self, terms: Sequence[Term]) -> Corrections:
-        """Coefficients of those of these terms that the run can tell, what else was found fitted beside them.
+        """Coefficients of those of these terms that are identifiable, fitted together with what else was found.
 
         What could as well be one of the terms gives way to it. The covariance holds the scatter of the data and what
         seat and voltmeter add; the head's own uncertainty is what is sought.
         """
-        trace = self._beside(terms)
+        trace = self._without(terms)
         first = _fit(self.explained, trace, [columns_v(term, self._scene) for term in terms])
         start = len(PARAMETERS)
         roughly = _cut(terms, first.fit.theta[start:])
@@ -80,9 +83,9 @@ class Run:
         columns = [*(columns_v(term, self._scene) for term in terms), *(t for t in tangents if t is not None)]
         joint = _fit(self.explained, trace, columns)
         here = slice(start, start + sum(term.size for term in terms))
-        told = [bool(mask.all()) for mask in _cut(terms, joint.fit.estimable[here])]
-        if not all(told):
-            return self.estimate([term for term, tells in zip(terms, told, strict=True) if tells])
+        identifiable = [bool(mask.all()) for mask in _cut(terms, joint.fit.estimable[here])]
+        if not all(identifiable):
+            return self.estimate([term for term, is_so in zip(terms, identifiable, strict=True) if is_so])
         scatter = covariance(joint.compressed, joint.fit, joint.profile, joint.noise.used_v**2)
         return Corrections(
             terms=tuple(terms),
@@ -92,7 +95,7 @@ class Run:
 
     @property
     def highest_order(self) -> int:
-        """Of an error of the head that the settings of the head can tell."""
+        """Of an error of the head that is identifiable from the settings of the head."""
         settings = len(np.unique(np.round(self._scene.angle_deg % 360.0, 1)))
         return min(HIGHEST_ORDER, (settings - 1) // 2)
 
@@ -101,23 +104,23 @@ class Run:
         return self.explained.table.scene
 
     def _terms(self) -> Iterator[Term]:
-        told = {effect.name: effect for effect in self._lasting() if not effect.also_possible}
+        distinguished = {effect.name: effect for effect in self._lasting() if not effect.also_possible}
         if any(_of_the_head(component) for component in self.explained.trace.components):
             yield head_course(self.highest_order)
         for item in self.explained.trace.found:
-            if item.effect.name in told and _is_harmonic(item):
+            if item.effect.name in distinguished and _is_harmonic(item):
                 yield harmonic_term(_order(item))
-        yield from (_term(effect) for effect in told.values() if effect.name not in _HARMONICS)
+        yield from (_term(effect) for effect in distinguished.values() if effect.name not in _HARMONICS)
 
     def _lasting(self) -> list[EffectFound]:
         return [effect for effect in self.loop.effects if effect.name in LASTING]
 
-    def _beside(self, terms: Sequence[Term]) -> Trace:
+    def _without(self, terms: Sequence[Term]) -> Trace:
         """The trace without what the terms stand for."""
-        trace, named = self.explained.trace, {term.effect for term in terms}
-        rivals = {effect.name for effect in self.loop.effects if named & set(effect.also_possible)}
+        trace, names = self.explained.trace, {term.effect for term in terms}
+        rivals = {effect.name for effect in self.loop.effects if names & set(effect.also_possible)}
         courses = [each.name for each in trace.components if _of_the_head(each)]
-        for name in (*(rivals - named), *courses):
+        for name in (*(rivals - names), *courses):
             trace = trace.without(name)
         return replace(trace, found=tuple(item for item in trace.found if not _stands_for(terms, item)))
 
@@ -169,8 +172,12 @@ def _cut(terms: Sequence[Term], values: NDArray[Any]) -> list[NDArray[Any]]:
 
 
 def doubts(run: Run) -> list[str]:
-    """Sentences on effects of the stand that the run does not tell from others."""
+    """Sentences on effects of the stand that are not distinguishable in the run from others."""
     return [
-        f"this run alone does not tell {name} from {series(others, 'or')}, and by itself says nothing of it"
+        Message(
+            "in this run alone {effect} is not distinguishable from {others}: by itself it says nothing of it",
+            effect=name,
+            others=series(others, "or"),
+        )
         for name, others in run.doubtful.items()
     ]

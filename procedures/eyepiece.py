@@ -1,30 +1,27 @@
 """The person who turns the head by hand: asked for a setting, and asked again where something does not fit.
 
 Enter alone says that the head stands as asked. Whatever else is typed is the reading: one that is not an angle is
-asked for again, and so is one that differs from the setting, or that the voltage contradicts afterwards.
+asked for again, and so is one that differs from the setting, or that what was measured contradicts afterwards.
 """
 
 import math
-from collections.abc import Callable, Sequence
-from dataclasses import replace
+from collections.abc import Callable
 from typing import Final
 
 from tumble.drivers.clock import Clock
-from tumble.drivers.manual.reading import format_dms, parse_reading
+from tumble.drivers.manual.reading import on_the_circle, parse_reading
+from tumble.messages import Message
 from tumble.procedures.errors import UnansweredError
 from tumble.procedures.events import Event, ReadingAnswered, ReadingRequested
 from tumble.procedures.journeys import POLL_S
-from tumble.procedures.methods.dividing_head.doubt import Doubt, doubt
-from tumble.procedures.methods.dividing_head.rows import row_of
 from tumble.procedures.operator import Answer, Operator
-from tumble.procedures.steps import Point
 
 _MOST_REFUSED: Final = 10
 """Answers in a row that are no angles; more is nobody who reads the head."""
 
 
 class OperatorEyepiece:
-    """Has an operator set and read the head. Fits `tumble.drivers.manual.Eyepiece` and asks on behalf of the engine.
+    """Has an operator set and read the head. Fits `tumble.drivers.manual.Eyepiece` and `second_look.Reader`.
 
     Parameters
     ----------
@@ -52,7 +49,12 @@ class OperatorEyepiece:
     def show(self, setting_deg: float) -> None:
         """Ask for a setting and its reading."""
         self._setting_deg, self._doubted_deg = setting_deg, math.nan
-        self._ask(f"Set the head to {on_the_circle(setting_deg)}; Enter when it reads so, or type the reading.")
+        self._ask(
+            Message(
+                "Set the head to {setting}; Enter when it reads so, or type the reading.",
+                setting=on_the_circle(setting_deg),
+            )
+        )
 
     def reading_deg(self) -> float | None:
         """The reading, in the revolution of the setting; None as long as there is none that stands.
@@ -68,24 +70,20 @@ class OperatorEyepiece:
     def withdraw(self) -> None:
         """Nothing is taken back from a person; an answer that comes late is passed over with the next request."""
 
-    def reconsidered(self, point: Point, points: Sequence[Point], check: Callable[[], object]) -> Point:
-        """The point, with the angle that the person reads when told that the voltage contradicts the first.
+    def read_again(self, angle_deg: float, prompt: str, check: Callable[[], object]) -> float:
+        """What the person reads when told what speaks against `angle_deg`, in degrees.
 
         Raises
         ------
         UnansweredError
             Where nobody answers.
         """
-        row = row_of(point)
-        against = doubt(row, [row_of(other) for other in points])
-        if against is None:
-            return point
-        self._setting_deg = self._doubted_deg = row.angle_deg
-        self._ask(_contradiction(row.angle_deg, against))
-        while (answer := self._operator.poll()) is None or (angle_deg := self._read(answer)) is None:
+        self._setting_deg = self._doubted_deg = angle_deg
+        self._ask(prompt)
+        while (answer := self._operator.poll()) is None or (again_deg := self._read(answer)) is None:
             check()
             self._clock.sleep(POLL_S)
-        return replace(row, angle_deg=angle_deg).point
+        return again_deg
 
     def _understood(self, answer: Answer) -> float | None:
         reading_deg = self._read(answer)
@@ -96,8 +94,12 @@ class OperatorEyepiece:
             return reading_deg
         self._doubted_deg = reading_deg
         self._ask(
-            f"You read {on_the_circle(reading_deg)}, the setting was {on_the_circle(self._setting_deg)}: type it again "
-            "to keep it, or set the head right and press Enter."
+            Message(
+                "You read {reading}, the setting was {setting}: type it again to keep it, or set "
+                "the head right and press Enter.",
+                reading=on_the_circle(reading_deg),
+                setting=on_the_circle(self._setting_deg),
+            )
         )
         return None
 
@@ -105,15 +107,23 @@ class OperatorEyepiece:
         """The angle that was typed, the setting for Enter alone; None, and asked again, for what is no angle."""
         if not answer.confirmed:
             self._note(answer, math.nan)
-            raise self._unanswered(f"was answered {answer.text!r}" if answer.text else "was not answered")
+            raise self._unanswered(
+                Message("was answered {answer!r}", answer=answer.text) if answer.text else Message("was not answered")
+            )
         try:
             reading_deg = self._unwrapped(parse_reading(answer.text)) if answer.text else self._setting_deg
         except ValueError as error:
             self._note(answer, math.nan)
             self._refused += 1
             if self._refused >= _MOST_REFUSED:
-                raise self._unanswered(f"was answered {self._refused} times in a row with no angle: {error}") from error
-            self._ask(f"{error}.")
+                raise self._unanswered(
+                    Message(
+                        "was answered {times} times in a row with no angle: {error}",
+                        times=self._refused,
+                        error=error,
+                    )
+                ) from error
+            self._ask(Message("{error}.", error=error))
             return None
         self._refused = 0
         self._note(answer, reading_deg)
@@ -121,7 +131,11 @@ class OperatorEyepiece:
 
     def _unanswered(self, said: str) -> UnansweredError:
         return UnansweredError(
-            f"the request to set the head to {on_the_circle(self._setting_deg)} {said}; set it and resume the run"
+            Message(
+                "the request to set the head to {setting} {said}; set it and resume the run",
+                setting=on_the_circle(self._setting_deg),
+                said=said,
+            )
         )
 
     def _unwrapped(self, reading_deg: float) -> float:
@@ -138,18 +152,3 @@ class OperatorEyepiece:
 
 def _unheard(_event: Event) -> None:
     """Nobody is attached."""
-
-
-def on_the_circle(angle_deg: float) -> str:
-    """An angle as the circle of a head shows it, from 0° to 360°: `35° 00′ 00″` for 395 degrees."""
-    tenths = round(angle_deg * 36000.0) % (360 * 36000)
-    return format_dms(tenths / 36000.0)
-
-
-def _contradiction(angle_deg: float, against: Doubt) -> str:
-    said = f"The voltage is {against.off_v:+.6f} V off at {on_the_circle(angle_deg)}"
-    if against.likely_deg is not None:
-        said += f" and would fit {on_the_circle(against.likely_deg)}: a wrong {against.slip}?"
-    else:
-        said += ", which no single wrong digit explains."
-    return f"{said} Read again and type what you read; Enter keeps it."

@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QWidget
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.dividing_head.geometry import MOUNTS
-from tumble.window.look.names import mount_name
 from tumble.window.look.theme import Colours, colours
+from tumble.window.methods.dividing_head.mounts import mount_name
 
 _HALF_SIZES: Final = (0.62, 0.42, 0.16)
 """Of the unit along Ox, Oy, Oz: a flat box whose axes cannot be taken for each other."""

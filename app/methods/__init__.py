@@ -14,6 +14,7 @@ from tumble.calibrations.core.cells import TableError
 from tumble.calibrations.core.known_tables import recognised
 from tumble.calibrations.core.method import Method, Result
 from tumble.procedures.errors import InputError
+from tumble.procedures.recording.errors import RecordingError
 
 GROUP = "tumble.methods"
 
@@ -25,6 +26,16 @@ def methods() -> tuple[Method, ...]:
     if not points:
         raise InputError("no method is installed: this installation is older than its files; install tumble again")
     return tuple(point.load() for point in points)
+
+
+@cache
+def method_called(name: str) -> Method:
+    """The method of this name, no other being loaded. Raises `LookupError` where none is installed."""
+    for point in entry_points(group=GROUP):
+        if point.name == name:
+            method: Method = point.load()
+            return method
+    raise LookupError(name)
 
 
 def method_of(paths: Sequence[Path]) -> Method:
@@ -45,7 +56,7 @@ def close_loop(method: Method, paths: Sequence[Path]) -> Result:
 
 def _method(path: Path) -> Method:
     if is_recording(path):
-        return next(method for method in methods() if method.at_stand)
+        return _method_of_recording(path)
     try:
         check_bounded(path)
         return recognised(path, methods())
@@ -53,3 +64,17 @@ def _method(path: Path) -> Method:
         raise InputError(f"{path}: cannot be read ({error.strerror}); check the name and the rights") from error
     except (TableError, ValueError) as error:
         raise InputError(str(error)) from error
+
+
+def _method_of_recording(path: Path) -> Method:
+    from tumble.procedures.recording.reader import read_header  # MCAP only where there is a recording
+
+    try:
+        name = read_header(path).method
+        return method_called(name)
+    except RecordingError as error:
+        raise InputError(str(error)) from error
+    except LookupError as error:
+        raise InputError(
+            f"{path}: is of the method {name}, which this does not analyse; use its own command"
+        ) from error

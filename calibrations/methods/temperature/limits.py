@@ -1,4 +1,4 @@
-"""What a table of runs cannot tell, in sentences, each with the experiment that would."""
+"""What is not identifiable from a table of runs, in sentences, each with the experiment that would help."""
 
 from collections.abc import Iterator, Mapping, Sequence
 
@@ -10,15 +10,16 @@ from tumble.calibrations.methods.temperature.settled import RunTable
 from tumble.calibrations.methods.temperature.shared import SharedCause
 from tumble.calibrations.methods.temperature.table import Runs
 from tumble.calibrations.tracing.linear_loop import LinearExplained
+from tumble.messages import Message
 
 _FEW = 2
 """A break with so few runs on one side could as well be a bend or a step."""
 
 
-def cannot_be_known(
+def limits(
     runs: Runs, explained: Mapping[str, LinearExplained[RunTable]], shared: Sequence[SharedCause]
 ) -> tuple[str, ...]:
-    """All of it, the most general first."""
+    """Sentences on what is not identifiable, the most general first."""
     return (
         *_order(runs),
         *_repeats(runs),
@@ -33,27 +34,29 @@ def _order(runs: Runs) -> Iterator[str]:
     """Temperature and order of the runs rise or fall together."""
     steps = np.diff(runs.temperature_degc[np.argsort(runs.order)])
     if (steps > 0).all() or (steps < 0).all():
-        way = "warmer" if steps[0] > 0 else "colder"
-        first = runs.temperature_degc[np.argmin(runs.order)]
-        yield (
-            f"Every run was {way} than the one before it, so that ageing or drift from run to run looks much like "
-            f"temperature; one more run at {first:.0f} °C at the end would tell them apart."
+        way = Message("warmer") if steps[0] > 0 else Message("colder")
+        yield Message(
+            "Every run was {way} than the one before it, so that ageing or drift from run to run looks much like "
+            "temperature; one more run at {first_degc:.0f} °C at the end would tell them apart.",
+            way=way,
+            first_degc=runs.temperature_degc[np.argmin(runs.order)],
         )
 
 
 def _repeats(runs: Runs) -> Iterator[str]:
     if len(np.unique(np.round(runs.temperature_degc, 1))) == len(runs):
-        middle = float(np.median(runs.temperature_degc))
-        yield (
+        yield Message(
             "No temperature was visited twice, so that nothing but what a fit leaves says how well a run repeats; "
-            f"two more runs, say at {runs.temperature_degc.max():.0f} and {middle:.0f} °C, would."
+            "two more runs, say at {highest_degc:.0f} and {middle_degc:.0f} °C, would.",
+            highest_degc=runs.temperature_degc.max(),
+            middle_degc=float(np.median(runs.temperature_degc)),
         )
 
 
 def _withheld(explained: Mapping[str, LinearExplained[RunTable]]) -> Iterator[str]:
     """Effects that would fit the runs and do not stand on the temperatures."""
     for name, one in explained.items():
-        yield from (f"In {name}, {sentence}".replace(" settings", " temperatures") for sentence in one.withheld)
+        yield from (Message("In {parameter}, {sentence}", parameter=name, sentence=each) for each in one.withheld)
 
 
 def _thin_breaks(runs: Runs, explained: Mapping[str, LinearExplained[RunTable]]) -> Iterator[str]:
@@ -67,10 +70,15 @@ def _thin_breaks(runs: Runs, explained: Mapping[str, LinearExplained[RunTable]])
                     thin.setdefault(tuple(beyond.tolist()), []).append(name)
     for above, names in thin.items():
         below = float(runs.temperature_degc[runs.temperature_degc < min(above)].max())
-        yield (
-            f"The break of {series(names)} rests on {len(above)} run{'s' * (len(above) > 1)} "
-            f"({series([f'{at:.0f}' for at in above])} °C): whether it is a break, a step or a bend they cannot tell; "
-            f"runs at {(below + min(above)) / 2:.0f} °C and two above it would."
+        yield Message.counted(
+            "The break of {parameters} rests on {count} run ({temperatures} °C): whether it is a break, a step or a "
+            "bend is not distinguishable; runs at {between_degc:.0f} °C and two above it would tell.",
+            "The break of {parameters} rests on {count} runs ({temperatures} °C): whether it is a break, a step or a "
+            "bend is not distinguishable; runs at {between_degc:.0f} °C and two above it would tell.",
+            count=len(above),
+            parameters=series(names),
+            temperatures=series([f"{at:.0f}" for at in above]),
+            between_degc=(below + min(above)) / 2,
         )
 
 
@@ -80,20 +88,29 @@ def _rivals(explained: Mapping[str, LinearExplained[RunTable]]) -> Iterator[str]
         for effect, rivals in one.close.items():
             if rivals:
                 others = [rival.name for rival in rivals]
-                yield f"In {name}, {effect} cannot be told from {series(others, 'or')}; {_remedy({effect, *others})}."
+                yield Message(
+                    "In {parameter}, {effect} is not distinguishable from {others}; {remedy}.",
+                    parameter=name,
+                    effect=effect,
+                    others=series(others, "or"),
+                    remedy=_remedy({effect, *others}),
+                )
 
 
 def _remedy(names: set[str]) -> str:
     if DRIFT in names:
-        return "a run at a temperature that was visited before would"
-    return "runs between those that there are would"
+        return Message("a run at a temperature that was visited before would tell")
+    return Message("runs between those that there are would tell")
 
 
 def _near_causes(shared: Sequence[SharedCause]) -> Iterator[str]:
     for cause in shared:
         if not cause.one:
             low, high = cause.between_degc
-            yield (
-                f"Whether {series(cause.parameters)} break at one temperature cannot be told: all break between "
-                f"{low:.0f} and {high:.0f} °C, where there is no run; one in the middle would tell."
+            yield Message(
+                "Whether {parameters} break at one temperature is not identifiable: all break between {low:.0f} and "
+                "{high:.0f} °C, where there is no run; one in the middle would tell.",
+                parameters=series(cause.parameters),
+                low=low,
+                high=high,
             )

@@ -1,18 +1,22 @@
 """Plots of a result: the fit, and the residual against what one likes."""
 
+from collections.abc import Mapping
+
 import pyqtgraph as pg
 from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
 
 from tumble.window.look.language import tr
-from tumble.window.widgets.run_plots import AnglePlot, OutputPlot
-from tumble.window.work.presentation import Presentation, Rows
+from tumble.window.methods.dividing_head.presenting import Rows, models_of
+from tumble.window.methods.dividing_head.run_plots import AnglePlot, OutputPlot
+from tumble.window.work.presentation import Presentation
 
 
 class FitPlot(OutputPlot):
     """The rows of a result with the model through every mount."""
 
-    def show_rows(self, rows: Rows) -> None:
-        """Draw the rows of a model."""
+    def show_presentation(self, presentation: Presentation) -> None:
+        """Draw the rows of the declared model."""
+        rows = models_of(presentation)["declared"]
         self.draw_curves(rows.curves)
         self.draw(rows.mounts, rows.abscissae["angle"], rows.output_v)
 
@@ -27,7 +31,7 @@ class ResidualFigure(QWidget):
         self._band = pg.LinearRegionItem((0, 0), orientation="horizontal", movable=False)
         self._band.setZValue(-10)
         self.plot.addItem(self._band)
-        self._presentation: Presentation | None = None
+        self._models: Mapping[str, Rows] = {}
         choice = QHBoxLayout()
         for title, box in ((tr("&Model"), self.model), (tr("A&gainst"), self.against)):
             form = QFormLayout()
@@ -44,16 +48,19 @@ class ResidualFigure(QWidget):
 
     def show_presentation(self, presentation: Presentation) -> None:
         """Show another result."""
-        self._presentation = None
+        self._models = {}
         self.model.clear()
         self.against.clear()
-        models = {"declared": tr("declared model"), "augmented": tr("with what was found")}
-        for name in presentation.models:
-            self.model.addItem(models[name], name)
-        for name in presentation.models["declared"].abscissae:
+        models, names = (
+            models_of(presentation),
+            {"declared": tr("declared model"), "augmented": tr("with what was found")},
+        )
+        for name in models:
+            self.model.addItem(names[name], name)
+        for name in models["declared"].abscissae:
             if name != "angle":
                 self.against.addItem(self._label(name), name)
-        self._presentation = presentation
+        self._models = models
         self._draw()
 
     def _label(self, name: str) -> str:
@@ -65,9 +72,9 @@ class ResidualFigure(QWidget):
         }[name]
 
     def _draw(self) -> None:
-        if self._presentation is None or self.model.currentData() is None or self.against.currentData() is None:
+        if not self._models or self.model.currentData() is None or self.against.currentData() is None:
             return
-        rows = self._presentation.models[self.model.currentData()]
+        rows = self._models[self.model.currentData()]
         name = self.against.currentData()
         self.plot.name_axes(self._label(name), tr("residual (µV)"))
         self._band.setRegion((-rows.scatter_uv, rows.scatter_uv))

@@ -1,4 +1,4 @@
-"""A table as one effect is seen in it beside everything else, linearised at the fit."""
+"""Partial regression: one effect of a table with everything else taken off, linearised at the fit."""
 
 from dataclasses import dataclass
 from itertools import compress
@@ -11,20 +11,20 @@ from tumble.calibrations.tracing.quantified import tangent
 from tumble.calibrations.tracing.table import Table
 from tumble.calibrations.tracing.trace import Found, Trace
 
-SEEN: Final = 1e-5
-"""Columns of which less than this part is left beside others are not seen."""
+RESOLVED: Final = 1e-5
+"""Columns of which less than this part is orthogonal to others are not resolved."""
 
 
 @dataclass(frozen=True, kw_only=True)
-class Seen:
-    """A table as one effect is seen in it, linearised at the fit, weighted and whitened."""
+class PartialRegression:
+    """One effect and the output, orthogonal to everything else, linearised at the fit, weighted and whitened."""
 
     others: FloatArray
     """Orthonormal directions of the declared model and of all other effects, shape (rows, n)."""
     own: FloatArray
-    """Those of the effect beside them, shape (rows, k)."""
+    """Those of the effect, orthogonal to them, shape (rows, k)."""
     left: FloatArray
-    """The output beside the others, shape (rows,)."""
+    """The output, orthogonal to the others, shape (rows,)."""
     signal: FloatArray
     """What is stated of the effect, shape (rows,)."""
     stated: FloatArray
@@ -36,12 +36,12 @@ class Seen:
     def inflation(self) -> float:
         """Size of what is stated, a constant apart, over that of what no other column can follow."""
         centred = self.stated - np.average(self.stated, weights=self.root**2)
-        shown = float(np.linalg.norm(beside(self.others, self.signal)))
+        shown = float(np.linalg.norm(orthogonal_to(self.others, self.signal)))
         return float(np.linalg.norm(centred * self.root)) / max(shown, 1e-300)
 
 
 class Linearised:
-    """A table with everything that was found, linearised at the fit, weighted and whitened; effects are seen in it."""
+    """A table with everything that was found, linearised at the fit, weighted and whitened."""
 
     def __init__(self, table: Table, trace: Trace) -> None:
         self.table, self.trace = table, trace
@@ -55,8 +55,8 @@ class Linearised:
         self._shares = [item.form.columns @ size for item, size in zip(trace.found, sizes, strict=True)]
         self._left = table.output - table.declared @ declared
 
-    def seen(self, name: str) -> Seen:
-        """The effect of that name; where there is none, only what everything that was found leaves."""
+    def partial(self, name: str) -> PartialRegression:
+        """Partial regression on the effect of that name; where there is none, the residual of everything found."""
         its = [item.effect.name == name for item in self.trace.found]
         nothing = np.zeros(self.table.rows)
         stated = sum(compress(self._shares, its), nothing)
@@ -65,10 +65,10 @@ class Linearised:
             np.column_stack([self._model, *(each for each, own in zip(self._columns, its, strict=True) if not own)])
         )
         own = np.column_stack([nothing[:, None][:, :0], *compress(self._columns, its)])
-        return Seen(
+        return PartialRegression(
             others=others,
-            own=_directions_beside(others, own),
-            left=beside(others, self._white((self._left - rest) * self._root)),
+            own=_orthogonal_directions(others, own),
+            left=orthogonal_to(others, self._white((self._left - rest) * self._root)),
             signal=self._white(stated * self._root),
             stated=stated,
             root=self._root,
@@ -90,23 +90,23 @@ def _with_tangent(table: Table, item: Found, size: FloatArray) -> FloatArray:
     return item.form.columns if change is None else np.column_stack([item.form.columns, change])
 
 
-def _directions_beside(others: FloatArray, columns: FloatArray) -> FloatArray:
-    """Orthonormal directions of what is left of columns beside others."""
+def _orthogonal_directions(others: FloatArray, columns: FloatArray) -> FloatArray:
+    """Orthonormal directions of the part of columns that is orthogonal to others."""
     length = np.linalg.norm(columns, axis=0)
-    left = beside(others, beside(others, columns))
-    return directions(left[:, np.linalg.norm(left, axis=0) > SEEN * length])
+    left = orthogonal_to(others, orthogonal_to(others, columns))
+    return directions(left[:, np.linalg.norm(left, axis=0) > RESOLVED * length])
 
 
-def beside(along: FloatArray, columns: FloatArray) -> FloatArray:
-    """What is left of columns beside orthonormal directions, shape (rows, n)."""
-    return np.asarray(columns - along @ (along.T @ columns))
+def orthogonal_to(basis: FloatArray, columns: FloatArray) -> FloatArray:
+    """The part of columns that is orthogonal to an orthonormal basis, shape (rows, n)."""
+    return np.asarray(columns - basis @ (basis.T @ columns))
 
 
 def directions(columns: FloatArray) -> FloatArray:
     """Orthonormal directions that columns span, shape (rows, n)."""
     length = np.linalg.norm(columns, axis=0)
-    seen = length > SEEN * length.max(initial=0.0)
-    if not seen.any():
+    resolved = length > RESOLVED * length.max(initial=0.0)
+    if not resolved.any():
         return np.empty((len(columns), 0))
-    left, values, _ = np.linalg.svd(columns[:, seen] / length[seen], full_matrices=False)
-    return np.asarray(left[:, values > SEEN * values[0]])
+    left, values, _ = np.linalg.svd(columns[:, resolved] / length[resolved], full_matrices=False)
+    return np.asarray(left[:, values > RESOLVED * values[0]])

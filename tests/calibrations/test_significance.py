@@ -1,4 +1,4 @@
-"""What an experiment could support, in sentences."""
+"""Significance, identifiability and correlation of the parameters, in sentences."""
 
 from dataclasses import replace
 
@@ -8,16 +8,16 @@ from report_examples import FLIPS, calibrate, dwells, face_up, flips_only, rever
 
 from tumble.calibrations.core.sentences import series, significant_digits
 from tumble.calibrations.methods.dividing_head.flips import FlipClosure, FlipMean
-from tumble.calibrations.methods.dividing_head.significance import Kind, closure_sentence, support
+from tumble.calibrations.methods.dividing_head.significance import Kind, closure_sentence, statements
 
 
 def texts(calibration, kind):
-    return [statement.text for statement in support(calibration) if statement.kind is kind]
+    return [statement.text for statement in statements(calibration) if statement.kind is kind]
 
 
 def test_a_face_up_sweep_leaves_alpha0_resting_on_kxy():
     (text,) = texts(face_up(), Kind.DEPENDENCE)
-    assert text.startswith("kx, ky, kz and alpha0 rest on kxy: told through the curvature kxy alone")
+    assert text.startswith("kx, ky, kz and alpha0 rest on kxy: identifiable through the curvature kxy alone")
     assert text.endswith("One sweep in any of face-down, edge-back or end would settle it.")
 
 
@@ -26,23 +26,23 @@ def test_with_a_face_down_sweep_nothing_rests_on_kxy():
 
 
 def test_alpha0_and_ky_hang_together_only_without_a_reversal():
-    assert [s.about for s in support(face_up()) if s.kind is Kind.CORRELATION and "ky" in s.about] == [
+    assert [s.about for s in statements(face_up()) if s.kind is Kind.CORRELATION and "ky" in s.about] == [
         ("ky", "kz", "alpha0")
     ]
-    assert not [s for s in support(reversed_()) if s.kind is Kind.CORRELATION and "ky" in s.about]
+    assert not [s for s in statements(reversed_()) if s.kind is Kind.CORRELATION and "ky" in s.about]
 
 
-def test_two_parameters_that_hang_together_are_named_with_their_coefficient():
+def test_two_strongly_correlated_parameters_are_named_with_their_coefficient():
     matrix = np.eye(6)
     matrix[0, 1] = matrix[1, 0] = -0.95
     (text,) = texts(replace(reversed_(), correlation=matrix), Kind.CORRELATION)
-    assert text.startswith("u0 and kx hang together (r = -0.950)")
+    assert text.startswith("u0 and kx are strongly correlated (r = -0.950)")
 
 
 def test_a_chain_of_strong_correlations_is_one_group():
     matrix = np.eye(6)
     matrix[0, 1] = matrix[1, 0] = matrix[1, 4] = matrix[4, 1] = 0.92
-    (statement,) = [s for s in support(replace(reversed_(), correlation=matrix)) if s.kind is Kind.CORRELATION]
+    (statement,) = [s for s in statements(replace(reversed_(), correlation=matrix)) if s.kind is Kind.CORRELATION]
     assert statement.about == ("u0", "kx", "kxy")
 
 
@@ -56,7 +56,7 @@ def test_an_interval_that_holds_zero_is_said_to_hold_it():
     parameters = dict(reversed_().parameters)
     parameters["kz"] = replace(parameters["kz"], value=0.003, interval_95=(-0.013, 0.019))
     found = texts(replace(reversed_(), parameters=parameters), Kind.SIGNIFICANCE)
-    assert "kz cannot be told from zero: its 95% interval, -13 to 19 mV/g, includes it." in found
+    assert "kz does not differ significantly from zero: its 95% interval, -13 to 19 mV/g, includes it." in found
 
 
 @pytest.mark.parametrize(
@@ -76,21 +76,23 @@ def test_the_uncertainty_says_how_many_digits_it_supports(value, interval, endin
 
 
 def test_a_parameter_without_a_value_is_explained_with_its_remedy():
-    kxy, alpha0 = texts(flips_only(), Kind.UNTOLD)
-    assert kxy == "kxy cannot be told: its 95% interval is unbounded: no row has gravity along Ox and Oy at once."
-    assert alpha0.startswith("alpha0 cannot be told: its 95% interval reaches 45 deg")
+    kxy, alpha0 = texts(flips_only(), Kind.NOT_IDENTIFIABLE)
+    assert kxy == "kxy is not identifiable: its 95% interval is unbounded: no row has gravity along Ox and Oy at once."
+    assert alpha0.startswith("alpha0 is not identifiable: its 95% interval reaches 45 deg")
     assert alpha0.endswith("would settle it.")
 
 
 def test_what_lacks_for_one_reason_is_said_once():
-    (text,) = texts(calibrate(dwells([("face-up", [0.0, 90.0])], realisations=1)), Kind.UNTOLD)
-    assert text.startswith("u0, kx, ky, kz, kxy and alpha0 cannot be told: there are no more rows than parameters")
+    (text,) = texts(calibrate(dwells([("face-up", [0.0, 90.0])], realisations=1)), Kind.NOT_IDENTIFIABLE)
+    assert text.startswith(
+        "u0, kx, ky, kz, kxy and alpha0 are not identifiable: there are no more rows than parameters"
+    )
 
 
 def test_a_single_remedy_is_named_alone():
     parameters = dict(flips_only().parameters)
     parameters["alpha0"] = replace(parameters["alpha0"], settled_by=("end",))
-    found = texts(replace(flips_only(), parameters=parameters), Kind.UNTOLD)
+    found = texts(replace(flips_only(), parameters=parameters), Kind.NOT_IDENTIFIABLE)
     assert found[1].endswith("One sweep in end would settle it.")
 
 
@@ -102,8 +104,8 @@ def test_without_alpha0_the_flips_give_ky_for_alpha0_zero():
 
 
 def test_a_statement_is_plain_data():
-    assert support(face_up())[0].as_json().keys() == {"about", "kind", "text"}
-    assert support(face_up())[0].as_json()["about"] == ["u0"]
+    assert statements(face_up())[0].as_json().keys() == {"about", "kind", "text"}
+    assert statements(face_up())[0].as_json()["about"] == ["u0"]
 
 
 def test_flips_of_a_linear_unit_agree():

@@ -2,7 +2,7 @@
 
 import math
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final, TypeAlias
 
@@ -10,10 +10,12 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QBrush, QColor, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QWidget
 
+from tumble.procedures.layout import Layout
 from tumble.procedures.methods.dividing_head.layout import HEAD, MOUNT
-from tumble.procedures.steps import Dwell
-from tumble.window.look.names import mount_name
+from tumble.procedures.steps import Dwell, Point
 from tumble.window.look.theme import Colours, colours
+from tumble.window.methods.dividing_head.mounts import mount_name
+from tumble.window.parts import Overview
 
 Pose: TypeAlias = tuple[str, float]
 """Mount and head angle within the turn."""
@@ -33,10 +35,10 @@ def pose_of(dwell: Dwell) -> Pose:
     return dwell.conditions[MOUNT], round(dwell.targets_deg[HEAD] % 360.0, 1)
 
 
-class PoseMap(QWidget):
+class PoseMap(Overview):
     """Filled marks are done, half filled ones in some realisations, hollow ones are to come; a diamond is now."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, _: Layout, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._planned: Counter[Pose] = Counter()
         self._done: Counter[Pose] = Counter()
@@ -58,10 +60,10 @@ class PoseMap(QWidget):
         """The mounts of the programme in the order in which they first come."""
         return list(dict.fromkeys(mount for mount, _ in self._planned))
 
-    def show_plan(self, dwells: Iterable[Dwell], done: int = 0) -> None:
-        """Show a programme of which so many dwells are done."""
+    def show_plan(self, dwells: Sequence[Dwell], points: Sequence[Point] = ()) -> None:
+        """Show a programme, with the dwells done of which there are points."""
         poses = [pose_of(dwell) for dwell in dwells]
-        self._planned, self._done, self._now = Counter(poses), Counter(poses[:done]), _NEVER
+        self._planned, self._done, self._now = Counter(poses), Counter(poses[: len(points)]), _NEVER
         self._placed = None
         self.update()
 
@@ -70,7 +72,7 @@ class PoseMap(QWidget):
         self._now = pose_of(dwell)
         self.update()
 
-    def complete(self, dwell: Dwell) -> None:
+    def complete(self, dwell: Dwell, point: Point) -> None:  # noqa: ARG002  # where, not what
         """Mark a dwell as done."""
         self._done[pose_of(dwell)] += 1
         self.update()

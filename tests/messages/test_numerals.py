@@ -1,0 +1,32 @@
+import pytest
+
+from tumble.messages import Language
+from tumble.numerals import localised
+
+
+@pytest.mark.parametrize(
+    ("text", "german"),
+    [
+        ("1.01643(18) V/g", "1,01643(18) V/g"),
+        ("0.5 to 1.5°", "0,5 bis 1,5°"),
+        ("0° to 55°", "0° bis 55°"),
+        ("-2.5e-07", "-2,5e-07"),
+        ("it ends in 0.5.", "it ends in 0,5."),
+        ("0.41 mV/run", "0,41 mV/Lauf"),
+    ],
+)
+def test_a_number_has_a_comma_and_a_range_a_word(text, german):
+    assert localised(text, Language.GERMAN) == german
+
+
+@pytest.mark.parametrize("name", ["0.2.0", "run-0.5.csv", "/data/0.5/a.csv", "27.11.2026", "bias_V", "v1.2"])
+def test_versions_names_of_files_and_dates_stay_what_they_are(name):
+    assert [localised(name, language) for language in Language] == [name] * 3
+
+
+def test_units_are_cyrillic_in_ukrainian():
+    assert localised("0.5 to 2.5 mV after 3 s", Language.UKRAINIAN) == "0,5 … 2,5 мВ after 3 с"
+
+
+def test_english_is_left_alone():
+    assert localised("0.5 to 2.5 mV", Language.ENGLISH) == "0.5 to 2.5 mV"

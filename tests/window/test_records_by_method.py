@@ -1,0 +1,80 @@
+"""Records of several methods in one list."""
+
+from types import SimpleNamespace
+
+import pytest
+from records_examples import provenance
+from test_records_any_method import pendulum
+
+from tumble.calibrations.records.store import Store
+from tumble.window.work.headline import headline
+
+
+@pytest.fixture
+def records(lent_driver, tmp_path):
+    """The screen, and a store with two pendulums and a clock of a method that is not installed."""
+    store = Store(tmp_path / "store")
+    for day, serial_number in enumerate(("P-1", "P-2"), 1):
+        measured_at = f"2026-11-0{day}T10:00:00+00:00"
+        store.add(pendulum(), provenance(serial_number=serial_number, measured_at=measured_at))
+    late = {"value": 2.0, "standard_uncertainty": 0.1, "unit": "s", "interval_95": [1.8, 2.2]}
+    store.add(
+        pendulum(method="clock", parameters={"late": late}),
+        provenance(serial_number="C-1", measured_at="2026-11-03T10:00:00+00:00"),
+    )
+    screen = lent_driver.window.records
+    screen.refresh()
+    lent_driver.wait(lambda: len(screen.records) == 3)
+    return screen
+
+
+def test_the_list_says_the_method_of_every_record_and_its_first_value(records):
+    assert records.table.horizontalHeaderItem(1).text() == "method"
+    listed = {row[0]: (row[1], row[6]) for row in records.table.texts()}
+    assert listed["P-1"] == ("pendulum", "period = 2.0070(10) s")
+    assert listed["C-1"] == ("clock", "late = 2.00(10) s")
+
+
+def test_a_trend_offers_the_parameters_of_the_records(records):
+    trend = records.trend
+    assert [trend.parameter.itemText(place) for place in range(trend.parameter.count())] == [
+        "period",
+        "length",
+        "damping",
+        "late",
+    ]
+    assert (trend.parameter.currentText(), trend.drawn) == ("period", 2)
+    trend.parameter.setCurrentText("late")
+    assert trend.drawn == 1
+
+
+def test_the_parameter_that_is_chosen_stays_chosen_with_other_records(records):
+    records.trend.parameter.setCurrentText("late")
+    records.trend.show_records(records.records[1:])
+    assert records.trend.parameter.currentText() == "late"
+
+
+def test_without_records_there_is_no_trend(records):
+    records.trend.show_records(())
+    assert (records.trend.parameter.count(), records.trend.drawn) == (1, 0)
+
+
+def parameter(name, value, uncertainty):
+    return SimpleNamespace(name=name, value=value, standard_uncertainty=uncertainty)
+
+
+@pytest.mark.parametrize(
+    ("wanted", "found"),
+    [("c", "c"), ("", "d"), ("a", "a"), ("missing", None)],
+)
+def test_a_result_is_headed_by_the_named_value_or_the_first_with_an_uncertainty(wanted, found):
+    each = (parameter("a", None, None), parameter("b", 1.0, None), parameter("c", 1.0, 0.1), parameter("d", 1.0, 0.1))
+    record = SimpleNamespace(values={one.name: one for one in (each[0], each[1], each[3], each[2])})
+    heading = headline(record, wanted)
+    assert (heading.name if heading else None) == found
+
+
+def test_a_result_without_uncertainties_is_headed_by_its_first_value():
+    values = {"a": parameter("a", None, None), "b": parameter("b", 1.0, None)}
+    assert headline(SimpleNamespace(values=values), "").name == "b"
+    assert headline(SimpleNamespace(values={}), "") is None

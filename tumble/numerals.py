@@ -1,0 +1,42 @@
+"""Numbers and units in a text, as a language writes them."""
+
+import re
+from typing import Final
+
+from tumble.messages import Language
+
+_NUMBER: Final = re.compile(r"(?<![\w./\\])(\d+)\.(\d+)(?=e[+-]?\d|(?![\d_A-Za-z]|\.\w))")
+"""A decimal number; no version and no part of the name of a file."""
+_UNIT: Final = re.compile(r"(?<![A-Za-z_.])(?:[pnµmk]?V|Hz|kHz|ms|s|min|h)(?![A-Za-z_])")
+_RANGE: Final = re.compile(r"(?<=[\d°″%]) to (?=[-−\d])")
+_PER: Final = re.compile(r"(?<=/)(?:run|turn)\b")
+_COUNTED: Final = {
+    Language.UKRAINIAN: {"run": "прогін", "turn": "оберт"},
+    Language.GERMAN: {"run": "Lauf", "turn": "Umdrehung"},
+}
+"""What is counted and has no symbol: `mV/run`."""
+_CYRILLIC: Final = {
+    "V": "В",
+    "pV": "пВ",
+    "nV": "нВ",
+    "µV": "мкВ",
+    "mV": "мВ",
+    "kV": "кВ",
+    "Hz": "Гц",
+    "kHz": "кГц",
+    "ms": "мс",
+    "s": "с",
+    "min": "хв",
+    "h": "год",
+}
+"""ДСТУ ISO 80000; g, ° and K are the same in every language."""
+_TO: Final = {Language.UKRAINIAN: " … ", Language.GERMAN: " bis "}
+
+
+def localised(text: str, language: Language) -> str:
+    """Text with numbers and units in it, with the decimal sign, the ranges and the units of a language."""
+    if language is Language.ENGLISH:
+        return text
+    written = _RANGE.sub(_TO[language], _NUMBER.sub(r"\1,\2", text))
+    written = _PER.sub(lambda word: _COUNTED[language][word[0]], written)
+    return _UNIT.sub(lambda unit: _CYRILLIC[unit[0]], written) if language is Language.UKRAINIAN else written

@@ -1,0 +1,79 @@
+"""The points of a run as a table: where each was taken, and what every channel gave."""
+
+import math
+from collections.abc import Sequence
+from typing import Final
+
+from PySide6.QtWidgets import QVBoxLayout
+
+from tumble.calibrations.core.quantities import rounded
+from tumble.procedures.layout import Layout
+from tumble.procedures.steps import Dwell, Point, Reading
+from tumble.window.look.language import tr
+from tumble.window.look.numbers import local
+from tumble.window.parts import Overview
+from tumble.window.widgets.table import Table
+
+_SHOWN: Final = 200
+"""The newest points; a table of all of a long run would be felt."""
+
+
+class PointTable(Overview):
+    """The newest point on top, and above it the dwell that is taken now."""
+
+    def __init__(self, layout: Layout) -> None:
+        super().__init__()
+        self._names = tuple(layout.conditions), tuple(layout.positions), tuple(layout.channels)
+        conditions, positions, channels = self._names
+        degrees = (f"{name} (°)" for name in positions)
+        self.table = Table((tr("point"), *conditions, *degrees, *channels))
+        self._rows: list[tuple[str, ...]] = []
+        self._now: tuple[str, ...] = ()
+        self._done = 0
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self.table)
+
+    @property
+    def done(self) -> int:
+        """Number of dwells that are done."""
+        return self._done
+
+    def show_plan(self, dwells: Sequence[Dwell], points: Sequence[Point] = ()) -> None:  # noqa: ARG002
+        """Show the points so far; those to come are not listed."""
+        self._rows, self._now, self._done = [], (), len(points)
+        for point in points[-_SHOWN:]:
+            self._rows.insert(0, self._row(point))
+        self._fill()
+
+    def begin(self, dwell: Dwell) -> None:
+        """Show a dwell without values."""
+        conditions, positions, channels = self._names
+        places = (_angle(dwell.targets_deg[name]) if name in dwell.targets_deg else "" for name in positions)
+        asked = (dwell.conditions.get(name, "") for name in conditions)
+        self._now = (f"▶ {self._done + 1}", *asked, *places, *("" for _ in channels))
+        self._fill()
+
+    def complete(self, dwell: Dwell, point: Point) -> None:  # noqa: ARG002  # the point says where
+        """Show the point that came of a dwell."""
+        self._now, self._done = (), self._done + 1
+        self._rows = [self._row(point), *self._rows][:_SHOWN]
+        self._fill()
+
+    def _row(self, point: Point) -> tuple[str, ...]:
+        conditions, positions, channels = self._names
+        places = (_angle(point.positions_deg[name]) for name in positions)
+        means = (_mean(point.readings[name]) for name in channels)
+        return (str(point.index + 1), *(point.conditions.get(name, "") for name in conditions), *places, *means)
+
+    def _fill(self) -> None:
+        self.table.fill([row for row in (self._now, *self._rows) if row])
+
+
+def _angle(angle_deg: float) -> str:
+    return local(f"{angle_deg:z.4f}")
+
+
+def _mean(reading: Reading) -> str:
+    """With as many digits as the scatter of the samples leaves."""
+    return local(rounded(reading.mean, reading.sd / math.sqrt(reading.samples), "").value)

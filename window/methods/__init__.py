@@ -1,0 +1,1 @@
+"""What the methods bring along for the window."""

@@ -1,0 +1,1 @@
+"""An accelerometer on a dividing head, in the window."""

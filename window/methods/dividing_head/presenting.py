@@ -1,0 +1,135 @@
+"""A result of an accelerometer as the screen Result shows it, worked out where it keeps nobody waiting."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.quantities import format_correlation
+from tumble.calibrations.methods.dividing_head.result import Calibration
+from tumble.window.work.activity import Concluded
+from tumble.window.work.presentation import Correlations, LoopSummary, ParameterLine, Presentation
+
+if TYPE_CHECKING:  # the report takes half a second: a window is up before that
+    from tumble.calibrations.methods.dividing_head.loop.loop import Loop
+    from tumble.calibrations.methods.dividing_head.report.results import ResultRow
+
+_MICRO = 1e6
+
+
+@dataclass(frozen=True, kw_only=True)
+class Rows:
+    """The rows of one model, as plots need them."""
+
+    mounts: list[str]
+    abscissae: Mapping[str, FloatArray]
+    """`angle`, `turn`, `time`, `temperature`, `realisation`, those that the data have; every one of shape (rows,)."""
+    output_v: FloatArray
+    residual_uv: FloatArray
+    scatter_uv: float
+    curves: Mapping[str, tuple[FloatArray, FloatArray]]
+    """Head angle in degrees and model output in volts, by mount."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class HeadPresentation(Presentation):
+    """What the tabs of the method show beside."""
+
+    models: Mapping[str, Rows]
+    """`declared` and, where something was found, `augmented`."""
+
+
+def models_of(presentation: Presentation) -> Mapping[str, Rows]:
+    """The rows by model of a result of this method."""
+    assert isinstance(presentation, HeadPresentation), "a result is shown by the part of the method that presented it"
+    return presentation.models
+
+
+def present(concluded: Concluded) -> HeadPresentation:
+    """Work out what there is to show."""
+    from tumble.calibrations.methods.dividing_head.report.results import notices, results
+    from tumble.calibrations.methods.dividing_head.report.subject import Subject
+
+    traced = concluded.traced
+    use, loop = traced.usable, traced.loop
+    subject = Subject(
+        calibration=traced.calibration,
+        provenance=traced.provenance,
+        limits=traced.limits,
+        loop=loop,
+        decided=traced.verdict,
+    )
+    models = {"declared": rows_of(traced.calibration)}
+    if loop.effects or loop.unexplained:
+        models["augmented"] = rows_of(loop.augmented)
+    coefficients = use.calibration.correlation
+    return HeadPresentation(
+        concluded=concluded,
+        verdict=traced.verdict,
+        notices=tuple(notices(subject)),
+        table=tuple(_line(row) for row in results(subject)["rows"]),
+        correlations=Correlations(
+            names=tuple(use.calibration.parameters),
+            coefficients=coefficients,
+            texts=tuple(tuple(map(_coefficient, row)) for row in coefficients),
+        ),
+        loop=_summary(loop),
+        models=models,
+    )
+
+
+def _line(row: "ResultRow") -> ParameterLine:
+    return ParameterLine(
+        name=row.name,
+        value=row.value,
+        interval=row.interval,
+        standard=row.standard,
+        note=row.note,
+        reason=row.reason,
+        limits=row.limits,
+        verdict=row.verdict,
+        outcome=row.outcome,
+    )
+
+
+def _summary(loop: "Loop") -> LoopSummary:
+    from tumble.calibrations.methods.dividing_head.loop import sentences
+
+    return LoopSummary(
+        headline=sentences.headline(loop),
+        findings=sentences.findings_of(loop),
+        comparisons=[(line.name, line.declared, line.augmented, line.change) for line in sentences.comparisons(loop)],
+        not_identifiable=sentences.not_identifiable(loop),
+        dependence=sentences.dependence(loop),
+        experiments=loop.next_experiment,
+    )
+
+
+def rows_of(calibration: Calibration) -> Rows:
+    """What plots need of a calibration."""
+    from tumble.calibrations.methods.dividing_head.report.figures import model_curve
+
+    observations, noise = calibration.observations, calibration.noise
+    mounts = observations.mounts.tolist()
+    curves = {mount: model_curve(calibration, mount) for mount in dict.fromkeys(mounts)}
+    columns = {
+        "angle": observations.angle_deg,
+        "turn": np.mod(observations.angle_deg, 360.0),
+        "time": None if observations.time_s is None else observations.time_s / 60.0,
+        "temperature": observations.temperature_degc,
+        "realisation": observations.realisation,
+    }
+    return Rows(
+        mounts=mounts,
+        abscissae={name: np.asarray(column, float) for name, column in columns.items() if column is not None},
+        output_v=observations.output_v,
+        residual_uv=np.asarray(calibration.residual_v * np.sqrt(calibration.weights) * _MICRO),
+        scatter_uv=(noise.used_v if noise.pure_error_v is None else noise.pure_error_v) * _MICRO,
+        curves={mount: curve for mount, curve in curves.items() if curve is not None},
+    )
+
+
+def _coefficient(value: float) -> str:
+    return "" if not np.isfinite(value) else format_correlation(float(value))

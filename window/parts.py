@@ -1,0 +1,74 @@
+"""What a method may bring along for the window, one kind of widget for each place."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from PySide6.QtWidgets import QWidget
+
+from tumble.procedures.steps import Dwell, Point
+from tumble.window.work.presentation import Presentation
+
+
+class Overview(QWidget):
+    """Where a run is in its programme."""
+
+    @property
+    def done(self) -> int:
+        """Number of dwells that are done."""
+        raise NotImplementedError
+
+    def show_plan(self, dwells: Sequence[Dwell], points: Sequence[Point] = ()) -> None:
+        """Show a programme, and the points of its first dwells where these are done."""
+        raise NotImplementedError
+
+    def begin(self, dwell: Dwell) -> None:
+        """Mark a dwell as the one that is taken now."""
+        raise NotImplementedError
+
+    def complete(self, dwell: Dwell, point: Point) -> None:
+        """Mark a dwell as done, with the point that came of it."""
+        raise NotImplementedError
+
+
+class Figures(QWidget):
+    """Plots of the points of a run while it goes on.
+
+    They are drawn anew one at a time: all at once would be felt.
+    """
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._stale: dict[Callable[[], None], None] = {}
+        """What is to be drawn anew, in order."""
+
+    def begin(self, points: Sequence[Point]) -> None:
+        """Show a run that begins, or goes on after some points."""
+        raise NotImplementedError
+
+    def add(self, point: Point) -> None:
+        """Show a further point."""
+        raise NotImplementedError
+
+    def analyse(self) -> None:
+        """Begin to analyse the points so far; called a few times a second, and may do nothing."""
+
+    def draw_later(self, *draw: Callable[[], None]) -> None:
+        """Have something drawn by the calls of `draw_next` that follow."""
+        self._stale |= dict.fromkeys(draw)
+
+    def draw_next(self) -> None:
+        """Draw one of the plots that are not up to date."""
+        if self._stale:
+            draw = next(iter(self._stale))
+            del self._stale[draw]
+            draw()
+
+
+@dataclass(frozen=True, kw_only=True)
+class ResultTab:
+    """A tab of the screen Result."""
+
+    title: str
+    widget: QWidget
+    show: Callable[[Presentation], None]
+    """Has it show another result."""

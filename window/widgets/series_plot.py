@@ -1,0 +1,66 @@
+"""Points of several series in one plot, each in its own colour and shape, with a key above."""
+
+from collections.abc import Mapping, Sequence
+from typing import Final
+
+import pyqtgraph as pg
+from PySide6.QtWidgets import QWidget
+
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.window.look.plots import Plot
+from tumble.window.look.theme import MARKERS
+
+_SIGNS: Final = {"o": "●", "s": "■", "t1": "▲", "d": "◆", "t": "▼", "p": "⬟"}
+"""The shapes of pyqtgraph in writing."""
+
+
+class SeriesPlot(Plot):
+    """Values against others, by the name of their series; a series looks the same in every plot of the same names."""
+
+    def __init__(self, names: Sequence[str], bottom: str, left: str, parent: QWidget | None = None) -> None:
+        super().__init__(bottom=bottom, left=left, parent=parent)
+        self._places = {name: place for place, name in enumerate(names)}
+        self._series: dict[str, pg.PlotDataItem] = {}
+        self._named: tuple[str, ...] = ()
+        self.recoloured.connect(self._restyle)
+
+    def draw_series(self, series: Mapping[str, tuple[FloatArray, FloatArray]]) -> None:
+        """Draw abscissae and values by series, in place of what was drawn."""
+        for name, (abscissae, values) in series.items():
+            self._of(name).setData(abscissae, values)
+        for name in set(self._series) - set(series):
+            self.removeItem(self._series.pop(name))
+        if self._named != (named := tuple(self._series)):
+            self._named = named
+            self._entitle(self._key())
+
+    def forget_key(self) -> None:
+        """Write the key anew with the next series: the axes have other names."""
+        self._named = ()
+
+    def drawn(self, name: str) -> int:
+        """How many points of a series are drawn."""
+        return len(self._series[name].getData()[0]) if name in self._series else 0
+
+    def _of(self, name: str) -> pg.PlotDataItem:
+        if name not in self._series:
+            colour, shape = self._style(name)
+            style = {"pen": None, "symbol": shape, "symbolSize": 7, "symbolBrush": colour, "symbolPen": None}
+            self._series[name] = self.plot([], [], name=name, **style)
+        return self._series[name]
+
+    def _style(self, name: str) -> tuple[str, str]:
+        """Colour and shape."""
+        place, shades = self._places[name], self.colours.data
+        return shades[place % len(shades)], MARKERS[place % len(MARKERS)]
+
+    def _key(self) -> str:
+        """Shape and name of every series, in its colour."""
+        styles = {name: self._style(name) for name in self._series}
+        marks = [f'<span style="color: {colour}">{_SIGNS[shape]}</span> {n}' for n, (colour, shape) in styles.items()]
+        return "".join(f" &nbsp; {mark}" for mark in marks)
+
+    def _restyle(self) -> None:
+        for name, series in self._series.items():
+            series.setSymbolBrush(self._style(name)[0])
+        self._entitle(self._key())
