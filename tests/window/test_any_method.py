@@ -1,7 +1,6 @@
 """A method that the window does not know: two axes, three channels, and a base that somebody levels."""
 
 from dataclasses import dataclass
-from importlib.metadata import EntryPoint
 
 import pytest
 from PySide6.QtCore import Qt
@@ -292,13 +291,14 @@ PART = WindowPart(words=BaseWords(), overview=Places, figures=Means, present=as_
 
 
 @pytest.fixture
-def own_parts(monkeypatch):
+def own_parts(monkeypatch, tmp_path):
     """The method brings its own parts, as one that is installed does."""
-    point = EntryPoint("two_axes", "test_any_method:PART", registry.GROUP)
-    found = registry.entry_points
-    monkeypatch.setattr(
-        registry, "entry_points", lambda group, name: (point,) if name == "two_axes" else found(group=group, name=name)
-    )
+    installed = tmp_path / "site" / "two_axes-1.dist-info"
+    installed.mkdir(parents=True)
+    (installed / "METADATA").write_text("Metadata-Version: 2.1\nName: two_axes\nVersion: 1\n")
+    (installed / "entry_points.txt").write_text(f"[{registry.GROUP}]\ntwo_axes = test_any_method:PART\n")
+    monkeypatch.syspath_prepend(str(tmp_path / "site"))
+    registry.window_part.cache_clear()
 
 
 def test_a_method_is_shown_by_the_parts_that_it_brings_along(own_parts, driver, tmp_path):
