@@ -11,13 +11,9 @@ from tumble.app import methods
 
 
 @pytest.fixture
-def table(tmp_path, monkeypatch):
+def table(tmp_path, install):
     """A table of a clock that loses two seconds an hour, where its method is installed."""
-    installed = tmp_path / "site" / "clock-1.dist-info"
-    installed.mkdir(parents=True)
-    (installed / "METADATA").write_text("Metadata-Version: 2.1\nName: clock\nVersion: 1\n")
-    (installed / "entry_points.txt").write_text("[tumble.methods]\nclock = toy:METHOD\n")
-    monkeypatch.syspath_prepend(str(tmp_path / "site"))
+    install("tumble.methods", "clock", "toy:METHOD")
     methods.methods.cache_clear()
     noise_s = np.random.default_rng(4).normal(0.0, 0.01, 30)
     rows = [f"{hour},{5.0 + 2.0 * hour + noise_s[hour]}" for hour in range(30)]

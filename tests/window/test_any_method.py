@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel
 from test_any_stand import DRIVERS, PROGRAMME, STAND
-from two_axes import CHANNELS, MADE, TWO_AXES
+from two_axes import CHANNELS, MADE
 
 from tumble.app.running import Job, run
 from tumble.app.stand import load_stand
@@ -16,7 +16,6 @@ from tumble.calibrations.core.verdict import Judgement, Model, Outcome, Verdict
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.tracing.experiments import Experiment
 from tumble.drivers.clock import VirtualClock
-from tumble.procedures import registry as methods_at_stands
 from tumble.procedures.programme import load_programme, programme_from_text
 from tumble.window import registry
 from tumble.window.look.conditions import ConditionWords
@@ -28,13 +27,8 @@ from tumble.window.work.presentation import Presentation
 
 
 @pytest.fixture(autouse=True)
-def installed(monkeypatch):
-    class Entry:
-        def load(self):
-            return TWO_AXES
-
-    known = dict(methods_at_stands._named(()))
-    monkeypatch.setattr(methods_at_stands, "_named", lambda _: {**known, "two_axes": Entry()})
+def installed(monkeypatch, install):
+    install("tumble.procedures", "two_axes", "two_axes:TWO_AXES")
     monkeypatch.setattr("tumble.app.wiring.SystemClock", lambda: VirtualClock(0))
     registry.window_part.cache_clear()
     yield
@@ -291,13 +285,9 @@ PART = WindowPart(words=BaseWords(), overview=Places, figures=Means, present=as_
 
 
 @pytest.fixture
-def own_parts(monkeypatch, tmp_path):
+def own_parts(install):
     """The method brings its own parts, as one that is installed does."""
-    installed = tmp_path / "site" / "two_axes-1.dist-info"
-    installed.mkdir(parents=True)
-    (installed / "METADATA").write_text("Metadata-Version: 2.1\nName: two_axes\nVersion: 1\n")
-    (installed / "entry_points.txt").write_text(f"[{registry.GROUP}]\ntwo_axes = test_any_method:PART\n")
-    monkeypatch.syspath_prepend(str(tmp_path / "site"))
+    install(registry.GROUP, "two_axes", "test_any_method:PART")
     registry.window_part.cache_clear()
 
 
