@@ -119,5 +119,5 @@ def _wait(at: AtStand, duration_s: float, stopped: Callable[[], bool]) -> None:
     end_s = clock.monotonic_s() + duration_s
     while (left_s := end_s - clock.monotonic_s()) > _NO_TIME_S:
         if stopped():
-            raise JobError("stopped while waiting; nothing moved", Exit.STOPPED)
+            raise JobError(Message("stopped while waiting; nothing moved"), Exit.STOPPED)
         clock.sleep(min(left_s, _POLL_S))

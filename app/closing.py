@@ -31,6 +31,7 @@ from tumble.calibrations.tracing.chain import (
     stage_of,
 )
 from tumble.calibrations.tracing.experiments import Experiment
+from tumble.messages import Message
 from tumble.procedures.announcer import Listener
 from tumble.procedures.errors import InputError
 
@@ -94,8 +95,13 @@ def _begun(files: Sequence[Path], at: AtStand) -> Closing:
     measurement = with_stand_record(read_together(files, at.stand.recorded), at.folder)
     if measurement.header and measurement.header.serial_number != at.serial_number:
         raise InputError(
-            f"{measurement.path}: holds unit {measurement.header.serial_number}, and {at.serial_number} is to be "
-            "measured; give files of that unit, or its --serial"
+            Message(
+                "{path}: holds unit {serial_number}, and {wanted} is to be measured; give files of that "
+                "unit, or its --serial",
+                path=measurement.path,
+                serial_number=measurement.header.serial_number,
+                wanted=at.serial_number,
+            )
         )
     part = find_job(measurement.method)
     found = part.available(at.stand, measurement.observations, at.connected.attended)
@@ -126,7 +132,9 @@ def follow(closing: Closing, experiment: Experiment, recording: Path, stand_time
     grown = replace(closing, files=files, traced=traced, chain=chain)
     left = closing.available
     if link.futile:
-        left = left.without(lambda each: each.programme.name == experiment.programme, "it told nothing when it was run")
+        left = left.without(
+            lambda each: each.programme.name == experiment.programme, Message("it told nothing when it was run")
+        )
     return grown.planned_with(left)
 
 
@@ -190,16 +198,30 @@ def _verdict(closing: Closing, most: int) -> tuple[Ended | None, str]:
     chain = closing.chain
     if not chain.last.disputed:
         if chain.first.disputed:
-            return Ended.TOLD_APART, "Everything that was found is told apart."
-        return Ended.NOTHING_TO_TELL, "Nothing has to be told apart."
+            return Ended.TOLD_APART, Message("Everything that was found is told apart.")
+        return Ended.NOTHING_TO_TELL, Message("Nothing has to be told apart.")
     if closing.next is None:
         return Ended.NOTHING_AVAILABLE, cannot(closing.planned, _elsewhere(closing))
     if chain.futile >= FUTILE:
-        left = "; ".join(f"{first} from {series(others, 'or')}" for first, *others in chain.last.disputed)
-        why = f"{chain.futile} experiments in a row told nothing apart, though each was to: nothing here tells {left}."
+        left = Message.joined(
+            "; ",
+            (
+                Message("{first} from {others}", first=first, others=series(others, "or"))
+                for first, *others in chain.last.disputed
+            ),
+        )
+        why = Message(
+            "{count} experiments in a row told nothing apart, though each was to: nothing here tells {left}.",
+            count=chain.futile,
+            left=left,
+        )
         return Ended.NOT_AS_PROMISED, why
     if len(chain.links) >= most:
-        return Ended.ENOUGH, f"{most} experiments were to be run at most; the next would be {closing.next.programme}."
+        return Ended.ENOUGH, Message(
+            "{most} experiments were to be run at most; the next would be {programme}.",
+            most=most,
+            programme=closing.next.programme,
+        )
     return None, ""
 
 

@@ -3,7 +3,7 @@
 import sys
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
-from typing import Any
+from typing import Any, Final
 
 from rich.console import Console
 from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn
@@ -37,10 +37,23 @@ from tumble.procedures.progress import Progress as RunProgress
 from tumble.procedures.steps import Point
 
 _DECIDED = {
-    Outcome.PASS: "inside limits",
-    Outcome.FAIL: "OUTSIDE LIMITS",
-    Outcome.NOT_DECIDED: "NOT DECIDED",
+    Outcome.PASS: Message("inside limits"),
+    Outcome.FAIL: Message("OUTSIDE LIMITS"),
+    Outcome.NOT_DECIDED: Message("NOT DECIDED"),
 }
+_VERDICTS = {
+    Outcome.PASS: Message("PASS"),
+    Outcome.FAIL: Message("FAIL"),
+    Outcome.NOT_DECIDED: Message("NOT DECIDED"),
+}
+_JUDGED = {Model.DECLARED: Message("the declared model"), Model.AUGMENTED: Message("the augmented model")}
+_HEADINGS: Final = (
+    Message("parameter"),
+    Message("value (standard uncertainty)"),
+    Message("95% interval"),
+    Message("dof"),
+    Message("remark"),
+)
 _PIPED_WIDTH = 120
 """Width of tables where the output is no terminal."""
 
@@ -151,10 +164,17 @@ def show_result(analysed: Analysed, console: Console | None = None, *, verbose: 
     show_verdict(analysed.verdict, console)
     console.print(parameter_table(analysed))
     if analysed.model is Model.AUGMENTED:
-        console.print("values with what was found taken into account; the declared model's stand below", markup=False)
+        console.print(
+            Message("values with what was found taken into account; the declared model's stand below"), markup=False
+        )
     if record := analysed.measurement.stand_record:
-        on = f"{record.identity.stand}, learned from {series(record.units)}"
-        console.print(f"corrected by stand record {record.version} of {on}", markup=False)
+        corrected = Message(
+            "corrected by stand record {version} of {stand}, learned from {units}",
+            version=record.version,
+            stand=record.identity.stand,
+            units=series(record.units),
+        )
+        console.print(corrected, markup=False)
     for line in analysed.details() if verbose else analysed.in_short():
         console.print(line, markup=False)
 
@@ -164,28 +184,29 @@ def show_verdict(verdict: Verdict, console: Console | None = None) -> None:
     if verdict.outcome is Outcome.NO_LIMITS:
         return
     console = console or results()
-    console.print(f"verdict: {verdict.outcome.words.upper()} (judged: the {verdict.judged} model)", markup=False)
+    outcome, model = _VERDICTS[verdict.outcome], _JUDGED[verdict.judged]
+    console.print(Message("verdict: {outcome} (judged: {model})", outcome=outcome, model=model), markup=False)
     for judgement in verdict.parameters:
-        console.print(f"- {judgement.sentence}", markup=False, soft_wrap=True)
+        console.print(Message("- {sentence}", sentence=judgement.sentence), markup=False, soft_wrap=True)
 
 
 def parameter_table(analysed: Analysed) -> Table:
     """The values to use, each with its interval and what is to be said of it."""
     provenance = analysed.provenance
     table = Table(title=f"{provenance.serial_number} {provenance.programme_name}".strip(), title_justify="left")
-    for heading in ("parameter", "value (standard uncertainty)", "95% interval", "dof", "remark"):
-        table.add_column(heading, overflow="fold", no_wrap=heading != "remark")
+    for heading in _HEADINGS:
+        table.add_column(heading, overflow="fold", no_wrap=heading is not _HEADINGS[-1])
     verdict = analysed.verdict
     for name, parameter in analysed.parameters.items():
         judgement = verdict.of(name)
         decided = "" if judgement is None else _DECIDED[judgement.outcome]
-        table.add_row(name, *_cells(parameter), "; ".join(filter(None, (decided, _remark(parameter)))))
+        table.add_row(name, *_cells(parameter), Message.joined("; ", filter(None, (decided, _remark(parameter)))))
     return table
 
 
 def _cells(parameter: Parameter) -> tuple[str, str, str]:
     if parameter.value is None:
-        return "not identifiable", "", ""
+        return Message("not identifiable"), "", ""
     return (
         format_concise(parameter.value, parameter.standard_uncertainty, parameter.unit),
         "" if parameter.interval_95 is None else format_interval(*parameter.interval_95, parameter.unit),

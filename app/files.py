@@ -14,6 +14,7 @@ from pathlib import Path
 
 from tumble.app.exits import Exit, JobError, status_of
 from tumble.app.kinds import BEGINNING_BYTES, Kind, kind_of
+from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.recording.file import synchronise_folder
 
@@ -79,22 +80,32 @@ def write_text(path: Path, text: str) -> None:
 def _check_earlier(path: Path, place: Path, there: os.stat_result, kind: Kind | None) -> None:
     """Refuse to write over what is there, but for an earlier result of the same kind, or nothing at all in a file."""
     if not stat.S_ISREG(there.st_mode):
-        raise InputError(f"{path}: is no file but a folder or a device; name a file to be written")
+        raise InputError(Message("{path}: is no file but a folder or a device; name a file to be written", path=path))
     if there.st_size and (kind is None or _kind_of_file(place) is not kind):
-        written = f"a {kind}" if kind else "this"
+        written = Message("a {kind}", kind=kind.words) if kind else Message("this")
         raise InputError(
-            f"{path}: is there already and is no earlier result of the same kind, and {written} is written over "
-            "nothing else; choose another name, or move the file away"
+            Message(
+                "{path}: is there already and is no earlier result of the same kind, and {written} is written "
+                "over nothing else; choose another name, or move the file away",
+                path=path,
+                written=written,
+            )
         )
     if not there.st_mode & 0o222 or not os.access(place, os.W_OK):
-        raise JobError(f"{path}: is write-protected; choose another name", Exit.STORAGE)
+        raise JobError(Message("{path}: is write-protected; choose another name", path=path), Exit.STORAGE)
 
 
 def _refuse_names_of_raw_data(path: Path) -> None:
     if is_recording(path):
-        raise InputError(f"{path}: has the name of a recording, and those are never overwritten; choose another name")
+        raise InputError(
+            Message(
+                "{path}: has the name of a recording, and those are never overwritten; choose another name", path=path
+            )
+        )
     if path.suffix.lower().startswith(_STORE_SUFFIX):  # SQLite's own files beside it too: .sqlite-wal
-        raise InputError(f"{path}: has the name of a store, and those are never overwritten; choose another name")
+        raise InputError(
+            Message("{path}: has the name of a store, and those are never overwritten; choose another name", path=path)
+        )
 
 
 def _place(path: Path) -> Path:
@@ -102,7 +113,7 @@ def _place(path: Path) -> Path:
     try:
         return path.resolve()
     except RuntimeError as error:
-        raise OSError(0, "links that lead in a circle") from error
+        raise OSError(0, Message("links that lead in a circle")) from error
 
 
 def _kind_of_file(path: Path) -> Kind | None:
@@ -115,9 +126,16 @@ def _check_folder(path: Path, folder: Path) -> None:
     while not folder.exists() and folder != folder.parent:
         folder = folder.parent
     if not folder.is_dir():
-        raise NotADirectoryError(0, f"{folder} is no folder")
+        raise NotADirectoryError(0, Message("{folder} is no folder", folder=folder))
     if not os.access(folder, os.W_OK):
-        raise JobError(f"{path}: cannot be written ({folder} is write-protected); choose another place", Exit.STORAGE)
+        raise JobError(
+            Message(
+                "{path}: cannot be written ({folder} is write-protected); choose another place",
+                path=path,
+                folder=folder,
+            ),
+            Exit.STORAGE,
+        )
 
 
 def _put_in_place(begun: Path, place: Path) -> None:
@@ -137,6 +155,15 @@ def _storage(path: Path, of: Path | None = None) -> Iterator[None]:
     except OSError as error:
         if of is not None and error.filename != str(of) and (error.filename or status_of(error) is not Exit.STORAGE):
             raise
-        first = "close whatever has it open, see to its rights" if isinstance(error, PermissionError) else "make room"
-        sentence = f"{path}: cannot be written ({error.strerror or error}); {first} or choose another place"
+        first = (
+            Message("close whatever has it open, see to its rights")
+            if isinstance(error, PermissionError)
+            else Message("make room")
+        )
+        sentence = Message(
+            "{path}: cannot be written ({reason}); {remedy} or choose another place",
+            path=path,
+            reason=error.strerror or error,
+            remedy=first,
+        )
         raise JobError(sentence, Exit.STORAGE) from error

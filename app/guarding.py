@@ -46,7 +46,14 @@ def connected(connect: Callable[[], Made], driver: str, device: str, needed: fro
         instrument = connect()
         missing = [name for name in sorted(needed) if not hasattr(instrument, name)]
     if missing:
-        raise ValueError(f"the driver {driver} of the {device} has no {', '.join(missing)}; see drivers/protocols.py")
+        raise ValueError(
+            Message(
+                "the driver {driver} of the {device} has no {missing}; see drivers/protocols.py",
+                driver=driver,
+                device=device,
+                missing=", ".join(missing),
+            )
+        )
     return _guarded(instrument, device, driver)
 
 

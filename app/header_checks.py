@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from tumble.app.stand import load_stand
+from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.recording.header import Header
 
@@ -32,14 +33,20 @@ def check_header(path: Path, header: Header, stand: Mapping[str, Any] | None = N
     """
     if not header.has_its_programme:
         raise InputError(
-            f"{path}: the programme in its header is not the one that was run (its SHA-256 differs); "
-            "restore the recording from a copy"
+            Message(
+                "{path}: the programme in its header is not the one that was run (its SHA-256 differs); restore "
+                "the recording from a copy",
+                path=path,
+            )
         )
     if stand is not None or header.protected:
         return
     built_in = load_stand()
     if header.stand_sha256 == built_in.sha256 and header.stand != built_in.recorded:
         raise InputError(
-            f"{path}: the stand in its header is not the one at which it was made, although it has its SHA-256: the "
-            "recording was damaged; restore it from a copy"
+            Message(
+                "{path}: the stand in its header is not the one at which it was made, although it has its "
+                "SHA-256: the recording was damaged; restore it from a copy",
+                path=path,
+            )
         )

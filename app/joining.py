@@ -9,6 +9,7 @@ from tumble.app.jobs import find_job
 from tumble.app.measurements import Measurement, read_measurement
 from tumble.calibrations.core.joining import joined
 from tumble.calibrations.core.rows import Rows
+from tumble.messages import Message
 from tumble.procedures.errors import InputError
 
 
@@ -49,14 +50,24 @@ def _refuse_other_methods(measurements: Sequence[Measurement]) -> None:
     first = measurements[0]
     for each in measurements:
         if each.method != first.method:
-            raise InputError(f"{first.path} and {each.path} are tables of different kinds; give them one by one")
+            raise InputError(
+                Message(
+                    "{path} and {second} are tables of different kinds; give them one by one",
+                    path=first.path,
+                    second=each.path,
+                )
+            )
 
 
 def _refuse_twice(measurements: Sequence[Measurement]) -> None:
     first: dict[str, Path] = {}
     for each in measurements:
         if each.sha256 in first:
-            raise InputError(f"{each.path}: holds the same as {first[each.sha256]}; give every file once")
+            raise InputError(
+                Message(
+                    "{path}: holds the same as {same}; give every file once", path=each.path, same=first[each.sha256]
+                )
+            )
         first[each.sha256] = each.path
 
 
@@ -65,8 +76,15 @@ def _refuse_other_units(measurements: Sequence[Measurement]) -> None:
     for path, serial_number in recorded[1:]:
         if serial_number != recorded[0][1]:
             raise InputError(
-                f"{path}: holds unit {serial_number}, but {recorded[0][0]} holds unit {recorded[0][1]}; "
-                "give only files of one unit"
+                Message(
+                    "{path}: holds unit {serial_number}, but {other} holds unit {other_serial_number}; "
+                    "give only files of "
+                    "one unit",
+                    path=path,
+                    serial_number=serial_number,
+                    other=recorded[0][0],
+                    other_serial_number=recorded[0][1],
+                )
             )
 
 

@@ -4,6 +4,7 @@ import re
 from enum import StrEnum
 from typing import Final
 
+from tumble.messages import Message
 from tumble.procedures.registry import usable_methods
 
 BEGINNING_BYTES: Final = 4096
@@ -19,9 +20,23 @@ class Kind(StrEnum):
     TABLE = "table of a recording (CSV)"
     PDF = "report (PDF)"
 
+    @property
+    def words(self) -> Message:
+        """The same for a reader."""
+        return _WORDS[self]
+
+
+_WORDS: Final = {
+    Kind.RESULT: Message("result (JSON)"),
+    Kind.RECORD: Message("record (JSON)"),
+    Kind.REPORT: Message("report (HTML)"),
+    Kind.TABLE: Message("table of a recording (CSV)"),
+    Kind.PDF: Message("report (PDF)"),
+}
+
 
 _PAGE: Final = (
-    rb'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
+    rb'<!DOCTYPE html>\n<html lang="(?:en|uk|de)">\n<head>\n<meta charset="utf-8">\n'
     rb'(<meta name="generator" content="tumble">\n'
     rb'|<meta name="viewport" content="width=device-width, initial-scale=1">\n<title>Calibration of )'  # of version 0.1
 )

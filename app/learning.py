@@ -15,6 +15,7 @@ from tumble.calibrations.stand_records.agreement import AGREE_P, Agreement, agre
 from tumble.calibrations.stand_records.corrections import Corrections, chi_square_p
 from tumble.calibrations.stand_records.record import Contribution, StandIdentity, StandRecord, Status
 from tumble.calibrations.stand_records.terms import Term
+from tumble.messages import Message
 
 if TYPE_CHECKING:
     from tumble.calibrations.stand_records.store import StandRecords
@@ -52,7 +53,11 @@ def learn(traced: Traced, folder: Path) -> Learned:
         return Learned(sentences=contradictions_of(traced))
     said = source.run.doubts
     if source.run.objections:
-        reason = f"nothing is learned of stand {identity.stand} from this run: {series(source.run.objections)}"
+        reason = Message(
+            "nothing is learned of stand {stand} from this run: {listed}",
+            stand=identity.stand,
+            listed=series(source.run.objections),
+        )
         return Learned(sentences=(*said, reason) if source.run.terms else said)
     from tumble.calibrations.stand_records.store import StandRecords
 
@@ -74,7 +79,7 @@ class _Stand:
         self._records = records
         self._identity = identity
         self._known = records.find(identity)
-        self._name = f"stand {identity.stand}"
+        self._name = Message("stand {stand}", stand=identity.stand)
 
     def hear(self, source: Source) -> Learned:
         """What a good run changes."""
@@ -91,10 +96,24 @@ class _Stand:
         if beyond := in_force.corrections.without_a_place_for(source.run.terms):
             seen = series([term.label for term in beyond])
             return self._compare(
-                source, (f"{self._name}: this run sees {seen}, which stand record {in_force.version} does not have",)
+                source,
+                (
+                    Message(
+                        "{name}: this run sees {seen}, which stand record {version} does not have",
+                        name=self._name,
+                        seen=seen,
+                        version=in_force.version,
+                    ),
+                ),
             )
         if source.contribution.serial_number in in_force.units:
-            return Learned(sentences=(f"{self._name}: this run agrees with stand record {in_force.version}",))
+            return Learned(
+                sentences=(
+                    Message(
+                        "{name}: this run agrees with stand record {version}", name=self._name, version=in_force.version
+                    ),
+                )
+            )
         contributions = (*in_force.contributions, source.saying(more))
         return self._in_force(corrections, p_value, contributions, source, in_force)
 
@@ -103,7 +122,12 @@ class _Stand:
         for record in self._provisional(source.contribution.serial_number):
             other = source_again(record.contributions[0], self._records.folder)
             if other is None:
-                said += (f"stand record {record.version} is not used: a raw file of it is missing or changed",)
+                said += (
+                    Message(
+                        "stand record {version} is not used: a raw file of it is missing or changed",
+                        version=record.version,
+                    ),
+                )
                 continue
             found = agreement(other.run, source.run)
             if found.holds:
@@ -115,8 +139,11 @@ class _Stand:
             return Learned(sentences=said)
         estimate = source.run.estimate(source.run.terms)
         record = self._add(Status.PROVISIONAL, estimate, None, (source.saying(estimate),), source, None)
-        sentence = (
-            f"{self._name}: {_terms(estimate)}: provisional (stand record {record.version}) until another unit agrees"
+        sentence = Message(
+            "{name}: {terms}: provisional (stand record {version}) until another unit agrees",
+            name=self._name,
+            terms=_terms(estimate),
+            version=record.version,
         )
         return Learned(sentences=(*said, sentence), record=record)
 
@@ -136,9 +163,13 @@ class _Stand:
         before: StandRecord,
     ) -> Learned:
         record = self._add(Status.IN_FORCE, corrections, p_value, contributions, source, before)
-        sentence = (
-            f"{self._name}: units {series(record.units)} agree (p {equals(p_value)}) on "
-            f"{_terms(corrections)}: stand record {record.version} is in force"
+        sentence = Message(
+            "{name}: units {listed} agree (p {probability}) on {terms}: stand record {version} is in force",
+            name=self._name,
+            listed=series(record.units),
+            probability=equals(p_value),
+            terms=_terms(corrections),
+            version=record.version,
         )
         return Learned(sentences=(sentence,), record=record)
 
@@ -164,22 +195,43 @@ class _Stand:
 
     def _against(self, record: StandRecord, more: Corrections, p_value: float) -> Iterator[str]:
         yield (
-            f"{self._name}: this run contradicts stand record {record.version} (p {equals(p_value)}), "
-            "which stays in force; measure another unit, and where the two agree a new record takes its place"
+            Message(
+                "{name}: this run contradicts stand record {version} (p {probability}), which stays in force; measure "
+                "another unit, and where the two agree a new record takes its place",
+                name=self._name,
+                version=record.version,
+                probability=equals(p_value),
+            )
         )
         for term in _differing(record.corrections, more):
-            yield f"stand record {record.version} says {record.corrections.text(term)}, this run says {more.text(term)}"
+            yield Message(
+                "stand record {version} says {value}, this run says {other}",
+                version=record.version,
+                value=record.corrections.text(term),
+                other=more.text(term),
+            )
 
     def _disagreement(self, record: StandRecord, source: Source, found: Agreement) -> str:
         units = series([record.units[0], source.contribution.serial_number])
         if not found.corrections.terms:
-            return f"{self._name}: units {units} confirm nothing of each other: nothing is in force on their word"
-        words = "; ".join(
-            f"{found.each[0].text(term)} and {found.each[1].text(term)}" for term in found.corrections.terms
+            return Message(
+                "{name}: units {units} confirm nothing of each other: nothing is in force on their word",
+                name=self._name,
+                units=units,
+            )
+        words = Message.joined(
+            "; ",
+            (
+                Message("{value} and {other}", value=found.each[0].text(term), other=found.each[1].text(term))
+                for term in found.corrections.terms
+            ),
         )
-        return (
-            f"{self._name}: units {units} disagree (p {equals(found.p_value)}): {words}; nothing is in "
-            "force on their word"
+        return Message(
+            "{name}: units {units} disagree (p {probability}): {words}; nothing is in force on their word",
+            name=self._name,
+            units=units,
+            probability=equals(found.p_value),
+            words=words,
         )
 
 

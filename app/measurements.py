@@ -78,7 +78,12 @@ class Measurement:
             first = error.errors()[0]
             where = ".".join(map(str, first["loc"]))
             raise InputError(
-                f"{self.path}: the stand file in it does not fit: {where}: {first['msg']}; give one with --stand"
+                Message(
+                    "{path}: the stand file in it does not fit: {where}: {mistake}; give one with --stand",
+                    path=self.path,
+                    where=where,
+                    mistake=first["msg"],
+                )
             ) from error
 
     @property
@@ -105,7 +110,7 @@ def read_measurement(path: Path, stand: Mapping[str, Any] | None = None) -> Meas
     measurement = (_read_recording if is_recording(path) else _read_table)(path, stand)
     if not len(measurement.observations):
         aside = measurement.observations.rows_read
-        raise InputError(f"{path}: no usable row ({aside} set aside); measure again")
+        raise InputError(Message("{path}: no usable row ({count} set aside); measure again", path=path, count=aside))
     return measurement
 
 
@@ -129,7 +134,13 @@ def _read_recording(path: Path, stand: Mapping[str, Any] | None) -> Measurement:
     check_header(path, header, stand)
     table = find_method(header.method).procedure_part.table(recording)
     if not (has_job(header.method) and isinstance(table, Rows)):
-        raise InputError(f"{path}: is of the method {header.method}, which this does not analyse; use its own command")
+        raise InputError(
+            Message(
+                "{path}: is of the method {method}, which this does not analyse; use its own command",
+                path=path,
+                method=header.method,
+            )
+        )
     return Measurement(
         path=path,
         sha256=file_sha256(path),

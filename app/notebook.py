@@ -28,6 +28,7 @@ from tumble.app.stand_lock import holding
 from tumble.app.wiring import connect
 from tumble.calibrations.core.method import Method
 from tumble.calibrations.core.quantities import format_concise
+from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.plan import Plan
 from tumble.procedures.programme import Programme, load_programme
@@ -118,7 +119,7 @@ def close_loop(path: Place, *further: Place, stand: Place | None = None, serial_
     method = method_of(files)
     if not has_job(method.name):
         if further:
-            raise InputError(f"{files[1]}: give one table of this kind at a time")
+            raise InputError(Message("{path}: give one table of this kind at a time", path=files[1]))
         return _of_method(method, files)
     recorded = read_stand(Path(stand)).recorded if stand else None
     return _of(trace(analyse(read_together(files, recorded), serial_number)))

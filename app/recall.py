@@ -22,6 +22,7 @@ from tumble.calibrations.records.errors import RecordError, StoreError
 from tumble.calibrations.records.raw import file_sha256
 from tumble.calibrations.records.record import Record
 from tumble.calibrations.records.verify import Verification, verify
+from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.recording.errors import RecordingError
 from tumble.procedures.recording.header import Header
@@ -47,7 +48,13 @@ def recall(folder: Path, record_id: str) -> tuple[Record, Measurement]:
     store = open_store(folder)
     record = store.get(record_id)
     if not has_job(record.method):
-        raise RecordError(f"record {record.id} is of method {record.method}, which only records show and export know")
+        raise RecordError(
+            Message(
+                "record {record_id} is of method {method}, which only records show and export know",
+                record_id=record.id,
+                method=record.method,
+            )
+        )
     measurement = read_together(store.raw_files(record), record.provenance.stand)
     return record, _as_corrected(measurement, record, folder)
 
@@ -102,9 +109,10 @@ def _unprotected(raw_file: Path) -> str:
         return ""
     if header.protected:
         return ""
-    return (
-        f"The recording is of format {header.format_version}, in which the header has no checksum: damage to it from "
-        "before the record was made would not be noticed."
+    return Message(
+        "The recording is of format {format_version}, in which the header has no checksum: damage to it "
+        "from before the record was made would not be noticed.",
+        format_version=header.format_version,
     )
 
 
@@ -117,5 +125,11 @@ def _as_corrected(measurement: Measurement, record: Record, folder: Path) -> Mea
 
     stand_record = StandRecords(folder).get(applied["id"])
     if stand_record.content_sha256 != applied["content_sha256"] or not stand_record.intact:
-        raise RecordError(f"{folder}: stand record {stand_record.version} is not the one that was applied; restore it")
+        raise RecordError(
+            Message(
+                "{folder}: stand record {version} is not the one that was applied; restore it",
+                folder=folder,
+                version=stand_record.version,
+            )
+        )
     return corrected_by(stand_record, measurement)

@@ -9,6 +9,7 @@ from tumble.app.terminal import say
 from tumble.calibrations.core.quantities import format_concise
 from tumble.calibrations.records.parameter import RecordedParameter
 from tumble.calibrations.records.record import Record
+from tumble.messages import Message
 
 _NAMES = 7
 """Width of the column of names; longer names widen it."""
@@ -49,7 +50,7 @@ def show_parameters(parameters: Mapping[str, RecordedParameter]) -> None:
     for name, parameter in parameters.items():
         beside = f"  {name:{max(width, _NAMES)}s}"
         if parameter.value is None:
-            say(f"{beside}not identifiable: {parameter.reason}")
+            say(Message("{beside}not identifiable: {reason}", beside=beside, reason=parameter.reason))
         else:
             say(f"{beside}{_value(parameter)}{parameter.condition and f'  {parameter.condition}'}")
 

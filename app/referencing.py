@@ -18,6 +18,7 @@ from tumble.calibrations.records.raw import file_sha256, stored_path
 from tumble.calibrations.stand_records.corrections import Corrections
 from tumble.calibrations.stand_records.record import Contribution, StandRecord, Status, Validity
 from tumble.calibrations.stand_records.terms import Term
+from tumble.messages import Message
 from tumble.procedures.errors import InputError
 
 REFERENCE: Final = "reference"
@@ -85,7 +86,10 @@ def learn_from_reference(path: Path, stand: Mapping[str, Any], folder: Path) -> 
     identity, run = identity_of_stand(stand, {}), run_of_reference(path)
     if identity is None or run is None:
         raise InputError(
-            f"{path}: shows no error of the circle or backlash; there is nothing to put into a stand record"
+            Message(
+                "{path}: shows no error of the circle or backlash; there is nothing to put into a stand record",
+                path=path,
+            )
         )
     said = Contribution(
         serial_number=REFERENCE,

@@ -16,6 +16,7 @@ from tumble.app.simulation import Past
 from tumble.app.stand import LoadedStand
 from tumble.app.wiring import Connected
 from tumble.drivers.protocols import Identity
+from tumble.messages import Message
 from tumble.procedures.announcer import Listener
 from tumble.procedures.errors import InputError
 from tumble.procedures.events import Identified
@@ -46,8 +47,11 @@ class Unfinished:
         header = self.recording.header
         if not header.has_its_programme:
             raise InputError(
-                f"{self.recording.path}: its programme is not the one that was begun (its SHA-256 differs); "
-                "a run goes on with its own programme only"
+                Message(
+                    "{path}: its programme is not the one that was begun (its SHA-256 differs); a run goes on with "
+                    "its own programme only",
+                    path=self.recording.path,
+                )
             )
         return programme_from_text(header.programme_text, str(self.recording.path))
 
@@ -110,7 +114,9 @@ def lived_through(paths: Sequence[Path], stand: LoadedStand, now: Recording | No
     try:
         recordings = [*map(read_recording, paths), *([now] if now else [])]
     except RecordingError as error:
-        raise InputError(f"{error}; the simulated stand has to live through that run again") from error
+        raise InputError(
+            Message("{error}; the simulated stand has to live through that run again", error=error)
+        ) from error
     here = [each for each in recordings if each.header.stand_sha256 == stand.sha256]
     return [_past(each, stand, here[0]) for each in here]
 
@@ -216,6 +222,11 @@ def _make_room(unfinished: Unfinished) -> Path:
     try:
         run.rename(aside)
     except OSError as error:
-        sentence = f"{run}: cannot be renamed to {aside.name} ({error.strerror}); close whatever has it open"
+        sentence = Message(
+            "{run}: cannot be renamed to {name} ({reason}); close whatever has it open",
+            run=run,
+            name=aside.name,
+            reason=error.strerror,
+        )
         raise JobError(sentence, Exit.STORAGE) from error
     return aside if unfinished.recording.path == run else unfinished.recording.path

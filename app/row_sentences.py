@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 
 from tumble.calibrations.core.rows import Rows
+from tumble.messages import Message
 
 _LISTED = 20
 """Rows set aside that are listed."""
@@ -10,8 +11,13 @@ _LISTED = 20
 
 def row_lines(rows: Rows) -> Iterator[str]:
     """How many rows were used, and which were set aside, why."""
-    yield f"rows: {rows.rows_read} read, {len(rows)} used, {len(rows.set_aside)} set aside"
+    yield Message(
+        "rows: {rows_read} read, {used} used, {set_aside} set aside",
+        rows_read=rows.rows_read,
+        used=len(rows),
+        set_aside=len(rows.set_aside),
+    )
     for entry in rows.set_aside[:_LISTED]:
-        yield f"  row {entry.row}: {entry.reason}"
+        yield Message("  row {row}: {reason}", row=entry.row, reason=entry.reason)
     if len(rows.set_aside) > _LISTED:
-        yield f"  and {len(rows.set_aside) - _LISTED} more; --json lists all"
+        yield Message("  and {set_aside} more; --json lists all", set_aside=len(rows.set_aside) - _LISTED)

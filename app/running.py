@@ -246,7 +246,9 @@ def _storage_sentence(path: Path, error: Exception) -> str:
     if isinstance(error, RecordingError):
         return str(error)
     reason = error.strerror if isinstance(error, OSError) else str(error)
-    return f"{path}: cannot be created ({reason}); choose another --store or make room"
+    return Message(
+        "{path}: cannot be created ({reason}); choose another --store or make room", path=path, reason=reason
+    )
 
 
 @contextmanager

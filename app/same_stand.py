@@ -6,6 +6,7 @@ from pathlib import Path
 from tumble.app.instrument_tables import places
 from tumble.app.stand import LoadedStand, WrittenStand, load_stand, read_stand
 from tumble.drivers.own_file import is_remote
+from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.recording.reader import Recording
 
@@ -35,7 +36,7 @@ def load_same_stand(
     if place and path is None:
         _check_code(written, recording)
         _check_paths(written)
-        show(f"stand file {place}, as {recording.path} says")
+        show(Message("stand file {place}, as {path} says", place=place, path=recording.path))
     loaded = load_stand(place)
     _check_same(loaded, recording)
     return loaded
@@ -46,8 +47,12 @@ def _recorded_place(recording: Recording) -> Path | None:
     place = recording.header.stand_path
     if is_remote(place):
         raise InputError(
-            f"{recording.path}: its stand file was at {place}, which leads to another computer and is not followed; "
-            "give the stand file with --stand"
+            Message(
+                "{path}: its stand file was at {place}, which leads to another computer and is not followed; "
+                "give the stand file with --stand",
+                path=recording.path,
+                place=place,
+            )
         )
     return Path(place) if place else None
 
@@ -56,26 +61,40 @@ def _check_same(stand: WrittenStand, recording: Recording) -> None:
     header = recording.header
     if stand.sha256 != header.stand_sha256:
         raise InputError(
-            f"{stand.path or 'the built-in stand'}: is not the stand file with which {recording.path} was begun (its "
-            "SHA-256 differs); give the unchanged one with --stand, or begin a new run"
+            Message(
+                "{value}: is not the stand file with which {path} was begun (its SHA-256 differs); give the "
+                "unchanged one with --stand, or begin a new run",
+                value=stand.path or "the built-in stand",
+                path=recording.path,
+            )
         )
     if header.stand_code_sha256 is None:
         return
     for name, code_sha256 in stand.code_sha256.items():
         if header.stand_code_sha256.get(name, "") != code_sha256:
             raise InputError(
-                f"{stand.path}: {name} is not the file with which {recording.path} was begun (its SHA-256 differs); "
-                "put the unchanged one back, or begin a new run"
+                Message(
+                    "{path}: {name} is not the file with which {recording} was begun (its SHA-256 differs); put the "
+                    "unchanged one back, or begin a new run",
+                    path=stand.path,
+                    name=name,
+                    recording=recording.path,
+                )
             )
 
 
 def _check_code(stand: WrittenStand, recording: Recording) -> None:
     """Make sure that a recording says what the files held that will be run."""
     if stand.code_sha256 and recording.header.stand_code_sha256 is None:
-        names = ", ".join(stand.code_sha256)
+        names = Message.joined(", ", stand.code_sha256)
         raise InputError(
-            f"{recording.path}: does not say what {names} held, so that nobody can tell whether it is still the same; "
-            f"look at it, and give the stand file with --stand {stand.path}"
+            Message(
+                "{path}: does not say what {names} held, so that nobody can tell whether it is still the same; "
+                "look at it, and give the stand file with --stand {recording}",
+                path=recording.path,
+                names=names,
+                recording=stand.path,
+            )
         )
 
 
@@ -85,8 +104,15 @@ def _check_paths(stand: WrittenStand) -> None:
         for key, value in place.table(stand.recorded).items():
             if key != "url" and isinstance(value, str) and is_remote(value):
                 raise InputError(
-                    f"{stand.path}: {place.where}: {key}: {value} leads to another computer and is not followed from a "
-                    f"recording; give the stand file with --stand {stand.path}"
+                    Message(
+                        "{path}: {where}: {key}: {value} leads to another computer and is not followed from a "
+                        "recording; "
+                        "give the stand file with --stand {path}",
+                        path=stand.path,
+                        where=place.where,
+                        key=key,
+                        value=value,
+                    )
                 )
 
 
@@ -94,7 +120,10 @@ def followed(recording: Recording) -> list[Path]:
     """The recordings that a run followed. Raises `InputError` where one was on another computer."""
     if remote := [path for path in recording.header.follows if is_remote(path)]:
         raise InputError(
-            f"{recording.path}: follows {remote[0]}, which leads to another computer and is not followed; "
-            "begin a new run"
+            Message(
+                "{path}: follows {place}, which leads to another computer and is not followed; begin a new run",
+                path=recording.path,
+                place=remote[0],
+            )
         )
     return [Path(path) for path in recording.header.follows]

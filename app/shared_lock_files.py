@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import IO, Final
 
 from tumble.app.exits import Exit, JobError
+from tumble.messages import Message
 
 FOLDERS: Final = ("/run/lock", "/var/lock", "/tmp")
 """The first of these that all may write to; not TMPDIR, which may be another for each user."""
@@ -36,8 +37,11 @@ def lock_folder() -> Path:
         if folder.is_dir() and stat.S_IMODE(folder.stat().st_mode) == _FOR_ALL:
             return folder
     raise JobError(
-        f"none of {', '.join(FOLDERS)} is a folder that all users may write to (mode 1777), so that a stand cannot be "
-        "kept from others; have one made",
+        Message(
+            "none of {folders} is a folder that all users may write to (mode 1777), so that a stand cannot be "
+            "kept from others; have one made",
+            folders=", ".join(FOLDERS),
+        ),
         Exit.DEVICE_FAULT,
     )
 
@@ -61,7 +65,7 @@ def open_shared(path: Path) -> IO[bytes]:
     found = os.fstat(descriptor)
     if path.is_symlink() or not stat.S_ISREG(found.st_mode) or found.st_nlink > 1:
         os.close(descriptor)
-        raise OSError(errno.EINVAL, "it is no plain file of its own", str(path))
+        raise OSError(errno.EINVAL, Message("it is no plain file of its own"), str(path))
     return os.fdopen(descriptor, mode)
 
 

@@ -11,6 +11,7 @@ from tumble.drivers.manual import Eyepiece
 from tumble.drivers.protocols import Stand
 from tumble.drivers.simulated import HeadOptions, Simulated, SimulatedWorld, build
 from tumble.drivers.simulated.bench import Counts
+from tumble.messages import Message
 from tumble.procedures.acquisition import Acquisition
 from tumble.procedures.announcer import Listener
 from tumble.procedures.composition import advance
@@ -101,7 +102,7 @@ def simulation(loaded: WrittenStand, clock: Clock) -> Simulation:
             base_path=loaded.folder,
         )
     except ValueError as error:
-        raise InputError(f"{loaded.path}: {error}") from error
+        raise InputError(Message("{path}: {error}", path=loaded.path, error=error)) from error
     return Simulation(stand=built.stand, world=built.world, listeners=(switching_on(built.world.switch_on),))
 
 

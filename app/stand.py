@@ -15,6 +15,7 @@ from tumble.app.stand_file import RecordedDaq, RecordedHead, RecordedStand, Site
 from tumble.drivers.driver import SIMULATED, DaqDriver, Driver, HeadDriver, find_daq, find_head
 from tumble.drivers.own_file import hash_of_file, is_own_file
 from tumble.drivers.tables import HEAD, DaqTable, HeadTable
+from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.toml_lines import parse_toml, place_of, read_text
 from tumble.procedures.toml_text import read_toml
@@ -22,7 +23,7 @@ from tumble.procedures.toml_text import read_toml
 __all__ = ["LoadedStand", "RecordedStand", "Site", "StandFile", "WrittenStand", "load_stand", "read_stand"]
 
 _RECORDED: Final[Mapping[type[BaseModel], type[BaseModel]]] = {HeadTable: RecordedHead, DaqTable: RecordedDaq}
-_APART: Final = "a simulated head and a simulated daq belong together: a real one does not see the other"
+_APART: Final = Message("a simulated head and a simulated daq belong together: a real one does not see the other")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -104,7 +105,7 @@ class _Text:
     def at(cls, path: Path | None) -> Self:
         if path is None:
             built_in = (files("tumble.app") / "stands" / "simulated.toml").read_text("utf-8")
-            return cls(text=built_in, source="the built-in stand", path=None)
+            return cls(text=built_in, source=Message("the built-in stand"), path=None)
         return cls(text=read_text(path), source=str(path), path=path)
 
     @property
@@ -130,7 +131,7 @@ class _Text:
         file = self._read_as(tables)
         simulated = {name for name, table in file.instruments.items() if table.driver == SIMULATED}
         if simulated and not (file.simulates and file.head_table and _seen(file.head_table)):
-            raise InputError(f"{self.source}: {_APART}; correct it")
+            raise InputError(Message("{source}: {mistake}; correct it", source=self.source, mistake=_APART))
         return file
 
     def _read_as(self, tables: Mapping[Place, type[BaseModel]]) -> StandFile:
@@ -146,7 +147,9 @@ class _Text:
             return find_head(name, self.folder) if place.kind is HeadTable else find_daq(name, self.folder)
         except ValueError as error:
             where = place_of(self.source, self.text, (*place.location, "driver"))
-            raise InputError(f"{where}: {place.where}: driver: {error}; correct it") from error
+            raise InputError(
+                Message("{where}: {table}: driver: {error}; correct it", where=where, table=place.where, error=error)
+            ) from error
 
     def _table(self, place: Place) -> type[BaseModel]:
         """Keys of an instrument's table, as far as they are known without running a file."""

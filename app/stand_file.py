@@ -35,7 +35,9 @@ class Site(BaseModel):
     @model_validator(mode="after")
     def _one_way(self) -> Self:
         if self.latitude_deg is not None and self.gravity_m_s2 is not None:
-            raise ValueError("latitude_deg and gravity_m_s2 both given: say where the stand is in one of the two ways")
+            raise ValueError(
+                Message("latitude_deg and gravity_m_s2 both given: say where the stand is in one of the two ways")
+            )
         return self
 
     @property
@@ -74,9 +76,11 @@ class StandFile(BaseModel):
         for name in names:
             check_name(name)
         if twice := next((name for name in names if names.count(name) > 1), None):
-            raise ValueError(f"two instruments are called {twice}: give one of them another name")
+            raise ValueError(Message("two instruments are called {twice}: give one of them another name", twice=twice))
         if not self.samplers:
-            raise ValueError(f"there is nothing that measures: add [{DAQ}] or [{SAMPLERS}.NAME]")
+            raise ValueError(
+                Message("there is nothing that measures: add [{daq}] or [{samplers}.NAME]", daq=DAQ, samplers=SAMPLERS)
+            )
         return self
 
     @property
@@ -98,14 +102,26 @@ class StandFile(BaseModel):
     def head(self) -> HeadTable:
         """The table of the dividing head. Raises `InputError` where the stand has none."""
         if self.head_table is None:
-            raise InputError(f"stand {self.name}: has no [{HEAD}], and this needs a dividing head; name another stand")
+            raise InputError(
+                Message(
+                    "stand {name}: has no [{head}], and this needs a dividing head; name another stand",
+                    name=self.name,
+                    head=HEAD,
+                )
+            )
         return self.head_table
 
     @property
     def daq(self) -> DaqTable:
         """The table of the voltmeter. Raises `InputError` where the stand has none."""
         if self.daq_table is None:
-            raise InputError(f"stand {self.name}: has no [{DAQ}], and this needs a voltmeter; name another stand")
+            raise InputError(
+                Message(
+                    "stand {name}: has no [{daq}], and this needs a voltmeter; name another stand",
+                    name=self.name,
+                    daq=DAQ,
+                )
+            )
         return self.daq_table
 
     @property

@@ -20,6 +20,7 @@ from tumble.app.exits import Exit, JobError
 from tumble.app.shared_lock_files import lock_folder, open_shared
 from tumble.app.stand import LoadedStand
 from tumble.drivers.links.places import one_name
+from tumble.messages import Message
 
 _BEHIND = 1 << 20
 """Place of the locked byte: Windows lets nobody read what is locked, and the words in front of it shall be read."""
@@ -38,14 +39,14 @@ def holding(loaded: LoadedStand, serial_number: str) -> Iterator[None]:
     """
     with ExitStack() as stack:
         for name, address in sorted(_addresses(loaded).items()):
-            stack.enter_context(_holding(name, f"the stand at {address}", serial_number))
+            stack.enter_context(_holding(name, Message("the stand at {address}", address=address), serial_number))
         yield
 
 
 @contextmanager
 def holding_recording(path: Path, serial_number: str) -> Iterator[None]:
     """Have a recording for oneself, on whatever stand it is made. Raises `JobError` as `holding`."""
-    with _holding(str(path.resolve()), f"the recording {path}", serial_number):
+    with _holding(str(path.resolve()), Message("the recording {path}", path=path), serial_number):
         yield
 
 
@@ -78,7 +79,7 @@ def _folder(what: str) -> Path:
     try:
         return lock_folder()
     except OSError as error:
-        where = error.filename or "the folder of the locks"
+        where = error.filename or Message("the folder of the locks")
         raise JobError(_taken(where, what, error.strerror or str(error)), Exit.DEVICE_FAULT) from error
 
 
@@ -97,7 +98,9 @@ def _locked(path: Path, what: str) -> Iterator[IO[bytes]]:
             if _is_still(path, stream):
                 yield stream
                 return
-    raise JobError(f"{path}: others take this lock and give it back all the time; try again", Exit.DEVICE_FAULT)
+    raise JobError(
+        Message("{path}: others take this lock and give it back all the time; try again", path=path), Exit.DEVICE_FAULT
+    )
 
 
 def _is_still(path: Path, stream: IO[bytes]) -> bool:
@@ -109,9 +112,12 @@ def _is_still(path: Path, stream: IO[bytes]) -> bool:
 
 
 def _taken(path: Path | str, what: str, reason: str) -> str:
-    return (
-        f"{what} cannot be had to oneself: {path}, where all users lock it, cannot be used ({reason}); "
-        "make sure that nobody measures there, and have its owner or an administrator take it away"
+    return Message(
+        "{what} cannot be had to oneself: {path}, where all users lock it, cannot be used ({reason}); "
+        "make sure that nobody measures there, and have its owner or an administrator take it away",
+        what=what,
+        path=path,
+        reason=reason,
     )
 
 
@@ -146,7 +152,7 @@ def _sentence(stream: IO[bytes], what: str) -> str:
     try:
         stream.seek(0)
         other = json.loads(stream.read(_LONGEST_WORDS))
-        who = "process {pid} on {host}, which measures {serial_number} since {since}".format(**other)
+        who = Message("process {pid} on {host}, which measures {serial_number} since {since}", **other)
     except (OSError, ValueError, KeyError, TypeError, RecursionError):  # it has only just begun, or is no word of ours
-        who = "another process"
-    return f"{what} is in use by {who}; wait until it is done, or stop it"
+        who = Message("another process")
+    return Message("{what} is in use by {who}; wait until it is done, or stop it", what=what, who=who)

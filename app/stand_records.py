@@ -10,6 +10,7 @@ from tumble.app.measurements import Measurement
 from tumble.calibrations.records import DATABASE
 from tumble.calibrations.stand_records.head_map import Curve
 from tumble.calibrations.stand_records.record import StandIdentity, StandRecord, Status
+from tumble.messages import Message
 from tumble.procedures.errors import InputError
 
 if TYPE_CHECKING:
@@ -61,7 +62,11 @@ def with_stand_record(measurement: Measurement, folder: Path | None) -> Measurem
     records = _stand_records(folder) if folder is not None and (folder / DATABASE).is_file() else None
     record = records.in_force(identity) if records and identity else None
     if record is None:
-        sentence = f"{measurement.path}: {_why_not(records, identity, folder)}; the run is not corrected"
+        sentence = Message(
+            "{path}: {why_not}; the run is not corrected",
+            path=measurement.path,
+            why_not=_why_not(records, identity, folder),
+        )
         return _warned(measurement, sentence)
     return corrected_by(record, measurement)
 
@@ -75,21 +80,41 @@ def corrected_by(record: StandRecord, measurement: Measurement) -> Measurement:
     beyond = record.validity.exceeded_by(part.validity(rows))
     if not beyond:
         return done
-    return _warned(done, f"{measurement.path}: beyond what stand record {record.version} knows: {', '.join(beyond)}")
+    return _warned(
+        done,
+        Message(
+            "{path}: beyond what stand record {version} knows: {effects}",
+            path=measurement.path,
+            version=record.version,
+            effects=", ".join(beyond),
+        ),
+    )
 
 
 def _why_not(records: "StandRecords | None", identity: StandIdentity | None, folder: Path | None) -> str:
     if records is None or identity is None:
-        where = f"{folder} holds none" if folder is not None else "no store was named (--store)"
-        return f"its stand file wants the stand record, but {where}"
+        where = (
+            Message("{folder} holds none", folder=folder)
+            if folder is not None
+            else Message("no store was named (--store)")
+        )
+        return Message("its stand file wants the stand record, but {where}", where=where)
     others = [record for record in records.find(stand=identity.stand) if record.status is Status.IN_FORCE]
     if others:
         last = others[-1]
-        return (
-            f"stand record {last.version} of {identity.stand} is for head {last.identity.head} and DAQ "
-            f"{last.identity.daq}, the run was made with head {identity.head} and DAQ {identity.daq}: it does not apply"
+        return Message(
+            "stand record {version} of {stand} is for head {head} and DAQ {daq}, the run was made with head "
+            "{head2} and DAQ {daq2}: it does not apply",
+            version=last.version,
+            stand=identity.stand,
+            head=last.identity.head,
+            daq=last.identity.daq,
+            head2=identity.head,
+            daq2=identity.daq,
         )
-    return f"no stand record of {identity.stand} is in force: two units must agree on one (tumble stand learn)"
+    return Message(
+        "no stand record of {stand} is in force: two units must agree on one (tumble stand learn)", stand=identity.stand
+    )
 
 
 def _stand_records(folder: Path) -> "StandRecords":
@@ -106,7 +131,13 @@ def _warned(measurement: Measurement, sentence: str) -> Measurement:
 def list_stand_records(folder: Path, stand: str | None = None) -> tuple[StandRecord, ...]:
     """Stand records of a store, each stand's in the order of their versions. Raises `InputError`, `StoreError`."""
     if not (folder / DATABASE).is_file():
-        raise InputError(f"{folder}: there is no {DATABASE} in this folder; name the folder of a store")
+        raise InputError(
+            Message(
+                "{folder}: there is no {database} in this folder; name the folder of a store",
+                folder=folder,
+                database=DATABASE,
+            )
+        )
     return _stand_records(folder).find(stand=stand)
 
 

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 from tumble.app.exits import Exit, JobError
 from tumble.calibrations.records.errors import StoreError
 from tumble.calibrations.records.record import Record
+from tumble.messages import Message
 
 
 def record_tables(result: Result, files: Sequence[Path], folder: Path) -> Record:
@@ -43,7 +44,7 @@ def record_tables(result: Result, files: Sequence[Path], folder: Path) -> Record
     except ValueError as error:
         raise InputError(str(error)) from error
     except StoreError as error:
-        raise JobError(f"{error}; nothing was recorded", Exit.STORAGE) from error
+        raise JobError(Message("{error}; nothing was recorded", error=error), Exit.STORAGE) from error
 
 
 def standing_record(records: "Store", serial_number: str, hashes: Collection[str], method: str) -> Record | None:

@@ -55,6 +55,11 @@ def say(*lines: str, err: bool = False, most: int = LONGEST_LINE) -> None:
     write("".join(f"{shown(line, most)}\n" for line in lines), sys.stderr if err else sys.stdout)
 
 
+def labelled(label: str, text: object, width: int = 10) -> Message:
+    """A line of which the text stands in a column, after a label of at most `width` characters."""
+    return Message("{label:{width}} {text}", label=label, width=width, text=text)
+
+
 def say_document(document: dict[str, Any]) -> None:
     """Print a document as JSON on standard output."""
     write(as_json(document), sys.stdout)

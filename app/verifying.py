@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from tumble.app.exits import JobError
 from tumble.app.files import RECORDING_SUFFIX
@@ -16,6 +16,7 @@ from tumble.calibrations.records.errors import RecordError, StoreError
 from tumble.calibrations.records.inventory import Inventory
 from tumble.calibrations.records.raw import resolved_path
 from tumble.calibrations.records.verify import altered
+from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.recording.errors import RecordingError
 
@@ -42,6 +43,24 @@ class Judgement(StrEnum):
     RECORDS_REMOVED = "RECORDS REMOVED"
     DAMAGED = "DAMAGED"
 
+    @property
+    def words(self) -> Message:
+        """The same for a reader."""
+        return _WORDS[self]
+
+
+_WORDS: Final = {
+    Judgement.VERIFIED: Message("verified"),
+    Judgement.WHOLE: Message("whole"),
+    Judgement.UNRECORDED: Message("no record"),
+    Judgement.NOT_VERIFIED: Message("NOT VERIFIED"),
+    Judgement.RECORD_LOST: Message("NO RECORD"),
+    Judgement.REMOVED: Message("REMOVED"),
+    Judgement.BROKEN: Message("BROKEN"),
+    Judgement.RECORDS_REMOVED: Message("RECORDS REMOVED"),
+    Judgement.DAMAGED: Message("DAMAGED"),
+}
+
 
 @dataclass(frozen=True, kw_only=True)
 class Finding:
@@ -63,9 +82,14 @@ def verified_record(store: "Store", record_id: str) -> Finding:
         record = store.get(record_id)
         found = verify_record(store, record)
     except (StoreError, RecordError, InputError, JobError) as error:
-        return Finding(name=record_id, judgement=Judgement.NOT_VERIFIED, sentences=(f"{error}.",))
+        return Finding(name=record_id, judgement=Judgement.NOT_VERIFIED, sentences=(Message("{error}.", error=error),))
     except (AttributeError, KeyError, TypeError, ValueError) as error:  # whatever was put into its JSON
-        damaged = f"The record is damaged ({type(error).__name__}: {error}); restore {store.path} from a backup."
+        damaged = Message(
+            "The record is damaged ({kind}: {error}); restore {path} from a backup.",
+            kind=type(error).__name__,
+            error=error,
+            path=store.path,
+        )
         return Finding(name=record_id, judgement=Judgement.NOT_VERIFIED, sentences=(damaged,))
     old = unprotected(store.raw_files(record))
     judgement = Judgement.VERIFIED if found.verified else Judgement.NOT_VERIFIED
@@ -91,12 +115,14 @@ def leftovers(store: "Store") -> tuple[Finding, ...]:
 
 
 def _fault(path: Path, fault: str) -> Finding:
-    damaged = f"The database is damaged ({fault}); restore it from a backup."
+    damaged = Message("The database is damaged ({fault}); restore it from a backup.", fault=fault)
     return Finding(name=str(path), judgement=Judgement.DAMAGED, sentences=(damaged,))
 
 
 def _removed(record_id: str) -> Finding:
-    lost = "It is not in the store, although other rows name it: it was removed; restore the store from a backup."
+    lost = Message(
+        "It is not in the store, although other rows name it: it was removed; restore the store from a backup."
+    )
     return Finding(name=record_id, judgement=Judgement.REMOVED, sentences=(lost,))
 
 
@@ -106,36 +132,47 @@ def _superseded(store: "Store", inventory: Inventory) -> Iterator[Finding]:
         try:
             found = altered(store.get(record_id), store)
         except StoreError as error:
-            yield Finding(name=record_id, judgement=Judgement.NOT_VERIFIED, sentences=(f"{error}.",))
+            yield Finding(
+                name=record_id, judgement=Judgement.NOT_VERIFIED, sentences=(Message("{error}.", error=error),)
+            )
         else:
             if found:
-                words = f"Altered in the store: {', '.join(found)}; restore the store from a backup."
+                words = Message(
+                    "Altered in the store: {listed}; restore the store from a backup.", listed=", ".join(found)
+                )
                 yield Finding(name=record_id, judgement=Judgement.NOT_VERIFIED, sentences=(words,))
 
 
 def _chain(chain: Chain) -> Finding:
     """The last hash is said so that it can be noted elsewhere: against it a store made anew is held."""
-    name = f"chain {chain.writer}" + (f" of {chain.place}" if chain.place else "")
+    name = Message("chain {writer}", writer=chain.writer)
+    if chain.place:
+        name = Message("chain {writer} of {place}", writer=chain.writer, place=chain.place)
     if not chain.faults:
-        last = (
-            f"Every record follows from the one before; the last, number {chain.length}, is {chain.last_sha256[:16]}."
+        last = Message(
+            "Every record follows from the one before; the last, number {length}, is {last_sha256}.",
+            length=chain.length,
+            last_sha256=chain.last_sha256[:16],
         )
         return Finding(name=name, judgement=Judgement.WHOLE, sentences=(last,))
-    broken = tuple(f"{fault}; restore the store from a backup." for fault in chain.faults)
+    broken = tuple(Message("{fault}; restore the store from a backup.", fault=fault) for fault in chain.faults)
     return Finding(name=name, judgement=Judgement.BROKEN, sentences=broken)
 
 
 def _gaps(path: Path, inventory: Inventory) -> Iterator[Finding]:
     if lost := inventory.numbers_without_record:
-        records = "A record was" if lost == 1 else f"{lost} records were"
-        words = f"{records} deleted from the database; restore it from a backup."
+        words = Message.counted(
+            "A record was deleted from the database; restore it from a backup.",
+            "{count} records were deleted from the database; restore it from a backup.",
+            count=lost,
+        )
         yield Finding(name=str(path), judgement=Judgement.RECORDS_REMOVED, sentences=(words,))
 
 
 def _reports(folder: Path, inventory: Inventory) -> Iterator[Finding]:
     for path in sorted((folder / "reports").glob("*.html")):
         if _ID.fullmatch(path.stem) and path.stem not in inventory.ids:
-            lost = "This report has no record: that was removed from the store; restore it from a backup."
+            lost = Message("This report has no record: that was removed from the store; restore it from a backup.")
             yield Finding(name=str(path), judgement=Judgement.RECORD_LOST, sentences=(lost,))
 
 
@@ -152,7 +189,8 @@ def _without_record(path: Path) -> Finding:
     try:
         recording = read_recording(path)
     except RecordingError as error:
-        judgement, words = Judgement.RECORD_LOST, f"It has no record, and cannot be read: {error}."
+        judgement = Judgement.RECORD_LOST
+        words: str = Message("It has no record, and cannot be read: {error}.", error=error)
     else:
         judgement, words = _why_without(recording.header.job, recording.complete)
     return Finding(name=str(path), judgement=judgement, sentences=(words,))
@@ -163,11 +201,13 @@ def _why_without(job: str, complete: bool) -> tuple[Judgement, str]:
     if job != "calibrate":
         return (
             Judgement.UNRECORDED,
-            "It has no record: it was measured and never calibrated, or its record was removed.",
+            Message("It has no record: it was measured and never calibrated, or its record was removed."),
         )
     if not complete:
-        return Judgement.UNRECORDED, "It has no record: the run did not come to its end; tumble resume goes on with it."
+        return Judgement.UNRECORDED, Message(
+            "It has no record: the run did not come to its end; tumble resume goes on with it."
+        )
     return (
         Judgement.RECORD_LOST,
-        "It has no record: that was removed from the store, or never came; tumble resume makes it anew.",
+        Message("It has no record: that was removed from the store, or never came; tumble resume makes it anew."),
     )

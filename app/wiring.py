@@ -18,6 +18,7 @@ from tumble.drivers.manual import Eyepiece
 from tumble.drivers.protocols import Positioner, Sampler, Stand
 from tumble.drivers.tables import HEAD, TITLES
 from tumble.emulators.backstage import Backstage, find_backstage
+from tumble.messages import Message, translatable
 from tumble.procedures.announcer import Listener
 from tumble.procedures.axes import Look, look_away
 from tumble.procedures.control import Control
@@ -25,8 +26,9 @@ from tumble.procedures.errors import InputError
 from tumble.procedures.eyepiece import OperatorEyepiece
 from tumble.procedures.operator import Answers, ConsoleOperator, Operator, ScriptedOperator, SeatingOperator
 
-_UNASKED: Final = (
-    "stand {}: is emulated, and its emulated operator confirms every mount; give --attended or --answers to decide it"
+_UNASKED: Final = translatable(
+    "stand {stand}: is emulated, and its emulated operator confirms every mount; give "
+    "--attended or --answers to decide it"
 )
 
 
@@ -111,7 +113,7 @@ def connect(
         channels={name: table.channels for name, table in loaded.file.samplers.items() if table.channels},
         titles=TITLES,
     )
-    warnings = (_UNASKED.format(loaded.file.name),) if backstage and attendant.imagined else ()
+    warnings = (Message.marked(_UNASKED, stand=loaded.file.name),) if backstage and attendant.imagined else ()
     made = Connected(
         stand=stand,
         operator=operator(),
@@ -195,7 +197,7 @@ def _instruments(loaded: LoadedStand, bench: Bench) -> tuple[dict[str, Positione
         sampling = {name: _sampler(loaded, name, driver, bench) for name, driver in samplers.items() if driver}
         moving = {name: _positioner(loaded, name, driver, bench) for name, driver in positioners.items() if driver}
     except ValueError as error:
-        raise InputError(f"{loaded.path}: {error}") from error
+        raise InputError(Message("{path}: {error}", path=loaded.path, error=error)) from error
     return moving, sampling
 
 

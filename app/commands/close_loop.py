@@ -35,6 +35,7 @@ from tumble.calibrations.core.method import Method
 from tumble.calibrations.core.rows import Rows
 from tumble.calibrations.records.record import Record
 from tumble.calibrations.tracing.chain import Chain
+from tumble.messages import Message
 from tumble.procedures.announcer import Listener
 from tumble.procedures.errors import InputError
 from tumble.procedures.programme import load_programme
@@ -78,7 +79,12 @@ def command(
     """
     if files and not has_job((method := method_of(files)).name):
         if most:
-            raise InputError(f"{files[0]}: no experiment can be run from a table of this kind; leave --experiments out")
+            raise InputError(
+                Message(
+                    "{path}: no experiment can be run from a table of this kind; leave --experiments out",
+                    path=files[0],
+                )
+            )
         _tell_tables(method, files, folder if record else None, verbose, json_path, page)
         return
     if files and not most:
@@ -106,7 +112,7 @@ def _tell_tables(
     if str(json_path) != "-":
         show_sections(result.sections(), verbose=verbose)
     recorded = {} if folder is None else {"record": record_tables(result, files, folder).id}
-    say(*(f"record {name}" for name in recorded.values()), err=True)
+    say(*(Message("record {name}", name=name) for name in recorded.values()), err=True)
     options.write_json(result.document() | recorded, json_path)
     if page is not None:
         from tumble.calibrations.report.sections import page as page_of  # jinja2 takes time
@@ -155,9 +161,13 @@ def _saying_how_to_go_on(wanted: Wanted, files: Sequence[Path], ran: Sequence[Pa
             stand = ["--stand", str(wanted.stand_path)] if wanted.stand_path else []
             where = ["--serial", wanted.serial_number, "--store", str(folder)]
             words = shlex.join([*map(str, kept), *stand, *where, "--experiments", str(MOST_EXPERIMENTS)])
-            goes_on = f"the loop goes on from what was measured with: tumble close-loop {words}"
+            goes_on = Message(
+                "the loop goes on from what was measured with: tumble close-loop {arguments}", arguments=words
+            )
             if cut := [path for path in kept if not read_measurement(path).observations.complete]:
-                first = f"first complete what was cut off: tumble resume {shlex.join(map(str, cut))}"
+                first = Message(
+                    "first complete what was cut off: tumble resume {paths}", paths=shlex.join(map(str, cut))
+                )
                 say(first, err=True)
             say(goes_on, err=True)
         raise
@@ -191,9 +201,9 @@ def _tell(
         _tell_set_aside(traced.rows)
     warn(contradictions_of(traced))
     recorded = {} if record is None else {"record": record.id}
-    say(*(f"record {name}" for name in recorded.values()), err=True)
+    say(*(Message("record {name}", name=name) for name in recorded.values()), err=True)
     options.write_json(traced.loop_json() | (chain.as_json() if chain else {}) | recorded, json_path)
     if page is not None:
         write_report(traced, page, chain=chain)
-        say(f"report {page}", err=True)
+        say(Message("report {page}", page=page), err=True)
     leave_by(traced.verdict)

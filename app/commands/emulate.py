@@ -20,6 +20,7 @@ from tumble.emulators.faults import FaultScript
 from tumble.emulators.speed import FasterClock
 from tumble.emulators.stand_faults import StandFaults
 from tumble.emulators.world import SharedWorld
+from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.toml_lines import parse_toml, read_text
 
@@ -54,7 +55,11 @@ def command(
     """
     loaded = read_stand(stand_path)
     if loaded.file.simulated is None:
-        raise InputError(f"{loaded.path}: has no table [simulated], so that it is no stand to be emulated; add one")
+        raise InputError(
+            Message(
+                "{path}: has no table [simulated], so that it is no stand to be emulated; add one", path=loaded.path
+            )
+        )
     head, daq = loaded.file.head, loaded.file.daq
     clock = FasterClock(speed)
     wanted = Wanted(
@@ -72,10 +77,12 @@ def command(
         try:
             addresses = emulate(stack, shared, wanted, faults)
         except ValueError as error:
-            raise InputError(f"{loaded.path}: {error}") from error
+            raise InputError(Message("{path}: {error}", path=loaded.path, error=error)) from error
         except OSError as error:
-            remedy = "choose other ports" if error.filename is None else "make room for it there"
-            raise InputError(f"the emulated stand cannot be served ({error}); {remedy}") from error
+            remedy = Message("choose other ports") if error.filename is None else Message("make room for it there")
+            raise InputError(
+                Message("the emulated stand cannot be served ({error}); {remedy}", error=error, remedy=remedy)
+            ) from error
         say(json.dumps(addresses))
         _until_stopped()
 

@@ -11,6 +11,7 @@ from tumble.app.kinds import Kind
 from tumble.app.measurements import read_measurement
 from tumble.app.terminal import say
 from tumble.calibrations.core.table import write_table
+from tumble.messages import Message
 from tumble.procedures.errors import InputError
 
 
@@ -20,10 +21,19 @@ from tumble.procedures.errors import InputError
 def command(recording: Path, out: Path | None) -> None:
     """Write the observation table (CSV) of a recording: one row per dwell."""
     if not is_recording(recording):
-        raise InputError(f"{recording}: is no recording; name a file that ends in {RECORDING_SUFFIX}")
+        raise InputError(
+            Message(
+                "{path}: is no recording; name a file that ends in {suffix}",
+                path=recording,
+                suffix=RECORDING_SUFFIX,
+            )
+        )
     table = out or recording.with_suffix(".csv")
     measurement = read_measurement(recording)
     with replacing(table, Kind.TABLE) as begun:
         write_table(measurement.observations, begun)
     warn(measurement.observations.warnings)
-    say(f"{len(measurement.observations)} rows in {table}", err=True)
+    say(
+        Message("{rows} rows in {table}", rows=len(measurement.observations), table=table),
+        err=True,
+    )

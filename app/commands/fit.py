@@ -13,6 +13,7 @@ from tumble.app.sections import show_sections
 from tumble.app.stand import read_stand
 from tumble.app.stand_records import with_stand_record
 from tumble.app.terminal import say
+from tumble.messages import Message
 
 
 @click.command("fit")
@@ -39,7 +40,9 @@ def command(
     if str(json_path) != "-":
         show_result(result, verbose=verbose)
         if traced is None:
-            results().print("the values are those of the declared model alone; tumble close-loop traces what it leaves")
+            results().print(
+                Message("the values are those of the declared model alone; tumble close-loop traces what it leaves")
+            )
         else:
             show_sections(traced.sections())
     document = result.as_json()
@@ -47,6 +50,6 @@ def command(
         from tumble.app.calibrating import store  # what drives a stand comes with it
 
         document["record"] = store(traced, folder).id
-        say(f"record {document['record']}", err=True)
+        say(Message("record {record_id}", record_id=document["record"]), err=True)
     options.write_json(document, json_path)
     leave_by(result.verdict)

@@ -17,6 +17,7 @@ from tumble.app.stand import LoadedStand, load_stand
 from tumble.app.stand_lock import holding
 from tumble.app.wiring import Connected, connect
 from tumble.drivers.text import LONGEST_NAME
+from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.programme import load_programme
 
@@ -35,7 +36,9 @@ class Wanted:
     def stand(self) -> LoadedStand:
         """The stand file, once the serial number is seen to be one. Raises `InputError`."""
         if not self.serial_number.strip():
-            raise InputError(f"--serial: give the unit's serial number, 1 to {LONGEST_NAME} characters")
+            raise InputError(
+                Message("--serial: give the unit's serial number, 1 to {most} characters", most=LONGEST_NAME)
+            )
         return load_stand(self.stand_path)
 
     @contextmanager

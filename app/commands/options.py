@@ -11,6 +11,7 @@ from tumble.app.files import check_result, write_text
 from tumble.app.kinds import Kind
 from tumble.app.terminal import as_json, say_document
 from tumble.drivers.text import check_name
+from tumble.messages import Message
 from tumble.procedures.errors import InputError
 
 
@@ -29,7 +30,7 @@ class Output(click.Path):
         check_result(path, self._kind)
         others = ctx.meta.setdefault(__name__, {}) if ctx else {}
         if others.setdefault(path.resolve(), param) is not param:
-            self.fail(f"{path} is wanted for another result of this command too.", param, ctx)
+            self.fail(Message("{path} is wanted for another result of this command too.", path=path), param, ctx)
         return path
 
 
@@ -49,7 +50,7 @@ def name(_context: click.Context, parameter: click.Parameter, value: str) -> str
     try:
         return check_name(value)
     except ValueError as error:
-        raise InputError(f"{parameter.opts[0]}: {error}") from error
+        raise InputError(Message("{option}: {error}", option=parameter.opts[0], error=error)) from error
 
 
 serial = click.option("--serial", "serial_number", default="", callback=name, help="Serial number of the unit.")
@@ -76,7 +77,7 @@ verbose = click.option("--verbose", "-v", is_flag=True, help="Say more than the 
 def finite(_context: click.Context, _parameter: click.Parameter, value: float | None) -> float | None:
     """Refuse what is no number and what has no end, which no range of click does."""
     if value is not None and not math.isfinite(value):
-        raise click.BadParameter(f"{value} is no finite number.")
+        raise click.BadParameter(Message("{value} is no finite number.", value=value))
     return value
 
 

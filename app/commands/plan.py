@@ -11,6 +11,7 @@ from tumble.app.commands import options
 from tumble.app.running import Outline
 from tumble.app.stand import read_stand
 from tumble.app.terminal import say
+from tumble.messages import Message
 from tumble.procedures.layout import Layout
 from tumble.procedures.plan import Plan, PlannedStep
 from tumble.procedures.programme import load_programme
@@ -35,9 +36,14 @@ def command(programme: str, stand_path: Path | None, every_step: bool, json_path
 
 def _summary(planned: Plan) -> str:
     low, high = planned.angle_range_deg
-    return (
-        f"{planned.programme.name}: {planned.dwells} dwells between {low:g}° and {high:g}°, "
-        f"{planned.requests} mountings by hand, {_clock(planned.duration_s)} in all"
+    return Message(
+        "{programme_name}: {dwells} dwells between {low:g}° and {high:g}°, {requests} mountings by hand, {time} in all",
+        programme_name=planned.programme.name,
+        dwells=planned.dwells,
+        low=low,
+        high=high,
+        requests=planned.requests,
+        time=_clock(planned.duration_s),
     )
 
 
@@ -45,7 +51,12 @@ def _mountings(planned: Plan) -> Iterator[str]:
     """One line for each time that the operator sets something."""
     began_s = 0.0
     for conditions, dwells, duration_s in _stretches(planned.steps):
-        yield f"  {_clock(began_s)}  {conditions}: {'; '.join(_series(dwells))}"
+        yield Message(
+            "  {time}  {conditions}: {listed}",
+            time=_clock(began_s),
+            conditions=conditions,
+            listed=Message.joined("; ", _series(dwells)),
+        )
         began_s += duration_s
 
 
@@ -59,7 +70,7 @@ def _stretches(steps: Sequence[PlannedStep]) -> Iterator[tuple[str, list[Dwell],
                 yield conditions, dwells, duration_s
                 dwells, duration_s = [], 0.0
         else:
-            conditions = ", ".join(planned.step.conditions.values())
+            conditions = Message.joined(", ", planned.step.conditions.values())
             dwells.append(planned.step)
         duration_s += planned.duration_s
     yield conditions, dwells, duration_s
@@ -70,32 +81,46 @@ def _series(dwells: Sequence[Dwell]) -> Iterator[str]:
     for name, run in groupby(dwells, key=lambda dwell: f"{dwell.procedure} {dwell.realisation}"):
         settings = [dwell.targets_deg for dwell in run]
         if len(settings) <= _FEW:
-            yield f"{name} at {', '.join(pose({}, targets_deg, '°') for targets_deg in settings)}"
+            yield Message(
+                "{name} at {listed}",
+                name=name,
+                listed=Message.joined(", ", (pose({}, targets_deg, "°") for targets_deg in settings)),
+            )
         else:
             ranges = (_range([targets_deg[positioner] for targets_deg in settings]) for positioner in settings[0])
-            yield ", ".join([name, f"{len(settings)} settings", *ranges])
+            yield Message.joined(", ", [name, Message("{count} settings", count=len(settings)), *ranges])
 
 
 def _range(angles_deg: Sequence[float]) -> str:
     first_deg, last_deg = angles_deg[0], angles_deg[-1]
     if first_deg != last_deg:
-        return f"{first_deg:g}° to {last_deg:g}°"
-    return f"{first_deg:g}° to {max(angles_deg, key=lambda angle_deg: abs(angle_deg - first_deg)):g}° and back"
+        return Message("{first_deg:g}° to {last_deg:g}°", first_deg=first_deg, last_deg=last_deg)
+    return Message(
+        "{first_deg:g}° to {turned_deg:g}° and back",
+        first_deg=first_deg,
+        turned_deg=max(angles_deg, key=lambda angle_deg: abs(angle_deg - first_deg)),
+    )
 
 
 def _steps(planned: Plan) -> Iterator[str]:
     began_s = 0.0
     for number, step in enumerate(planned.steps, start=1):
-        yield f"{number:5d}  {_clock(began_s)}  {_words(step)}"
+        yield Message("{number:5d}  {time}  {step}", number=number, time=_clock(began_s), step=_words(step))
         began_s += step.duration_s
 
 
 def _words(planned: PlannedStep) -> str:
     step = planned.step
     if isinstance(step, Ask):
-        return f"{step.task} ({planned.duration_s:.0f} s allowed)"
+        return Message("{task} ({duration_s:.0f} s allowed)", task=step.task, duration_s=planned.duration_s)
     where = pose(step.conditions, step.targets_deg, "°")
-    return f"{step.procedure} {step.realisation}: {where} ({planned.duration_s:.1f} s)"
+    return Message(
+        "{procedure} {realisation}: {where} ({duration_s:.1f} s)",
+        procedure=step.procedure,
+        realisation=step.realisation,
+        where=where,
+        duration_s=planned.duration_s,
+    )
 
 
 def _clock(duration_s: float) -> str:

@@ -1,5 +1,6 @@
 """`tumble records`: list, show, compare, export, verify, migrate."""
 
+from collections.abc import Iterator
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -10,12 +11,14 @@ from tumble.app.console import results
 from tumble.app.exits import Exit
 from tumble.app.recall import open_store, unprotected
 from tumble.app.record_console import effects_of, listing, show_parameters
-from tumble.app.terminal import say
+from tumble.app.terminal import labelled, say
 from tumble.app.verifying import Finding, Judgement, leftovers, verified_record
 from tumble.calibrations.core.verdict import Model, Outcome
 from tumble.calibrations.records.compare import compare
 from tumble.calibrations.records.export import document
 from tumble.calibrations.records.old_formats import OLD_WORDS, outcome_of
+from tumble.calibrations.records.record import Record
+from tumble.messages import Message, with_wording
 
 
 @click.group("records")
@@ -67,26 +70,40 @@ def show(record_id: str, folder: Path) -> None:
     """Show a record, by the beginning of its id."""
     store = open_store(folder)
     record = store.get(record_id)
-    origin = record.provenance
-    say(f"record     {record.id}, revision {record.revision}, {record.verdict.outcome.words}")
+    revision = Message(
+        "{record_id}, revision {revision}, {outcome}",
+        record_id=record.id,
+        revision=record.revision,
+        outcome=record.verdict.outcome.words,
+    )
+    say(labelled(Message("record"), revision))
     for judgement in record.verdict.parameters:
-        say(f"  {judgement.sentence}")
+        say(Message("  {sentence}", sentence=judgement.sentence))
     if record.supersedes:
-        say(f"supersedes {record.supersedes}")
-    say(f"method     {record.method}, version {record.method_version}")
-    say(f"unit       {origin.serial_number}", f"programme  {origin.programme_name} {origin.programme_sha256[:12]}")
-    say(f"measured   {origin.measured_at}")
-    for source in origin.sources:
-        say(f"raw file   {source.path} {source.sha256[:12]}")
-    say(f"program    {origin.program_version} {origin.git_commit[:12]}{' (changed)' if origin.git_dirty else ''}")
+        say(labelled(Message("supersedes"), record.supersedes))
+    say(*_origin(record))
     if old := unprotected(store.raw_files(record)):
         say(old)
     if effects := [effect["name"] for effect in effects_of(record)]:
-        say(f"with {', '.join(effects)}")
+        say(Message("with {effects}", effects=Message.joined(", ", map(with_wording, effects))))
     show_parameters(record.values)
     if record.model is Model.AUGMENTED:
-        say("of the declared model alone, which does not describe these data:")
+        say(Message("of the declared model alone, which does not describe these data:"))
         show_parameters(record.parameters)
+
+
+def _origin(record: Record) -> Iterator[str]:
+    """Where a record comes from, a line for each thing."""
+    origin = record.provenance
+    version = Message("{method}, version {version}", method=record.method, version=record.method_version)
+    yield labelled(Message("method"), version)
+    yield labelled(Message("unit"), origin.serial_number)
+    yield labelled(Message("programme"), f"{origin.programme_name} {origin.programme_sha256[:12]}")
+    yield labelled(Message("measured"), origin.measured_at)
+    for source in origin.sources:
+        yield labelled(Message("raw file"), f"{source.path} {source.sha256[:12]}")
+    program = f"{origin.program_version} {origin.git_commit[:12]}"
+    yield labelled(Message("program"), Message("{program} (changed)", program=program) if origin.git_dirty else program)
 
 
 @command.command("compare")
@@ -122,23 +139,31 @@ def verify(record_ids: tuple[str, ...], folder: Path) -> None:
     records = [_told(verified_record(store, record_id)) for record_id in ids]
     told = [(finding, _told(finding)) for finding in (() if record_ids else leftovers(store))]
     others = [good for finding, good in told if finding.judgement is not Judgement.WHOLE]
-    say(f"{sum(records)} of {len(records)} records agree with their raw files{_more(others)}")
+    agreeing = Message(
+        "{agreeing} of {records} records agree with their raw files", agreeing=sum(records), records=len(records)
+    )
+    say(Message.joined("; ", filter(None, [agreeing, _more(others)])))
     if not all([*records, *others]):
         raise SystemExit(int(Exit.BAD_INPUT))
 
 
 def _told(finding: Finding) -> bool:
     """Print a finding; return whether it is a good one."""
-    say(f"{finding.name}: {finding.judgement}")
+    say(Message("{name}: {judgement}", name=finding.name, judgement=finding.judgement.words))
     for sentence in finding.sentences:
-        say(f"  {sentence}")
+        say(Message("  {sentence}", sentence=sentence))
     return finding.good
 
 
 def _more(others: list[bool]) -> str:
     if not others:
         return ""
-    return f"; {len(others)} more finding{'s' if len(others) > 1 else ''}, {others.count(False)} of them wrong"
+    return Message.counted(
+        "{count} more finding, {wrong} of them wrong",
+        "{count} more findings, {wrong} of them wrong",
+        count=len(others),
+        wrong=others.count(False),
+    )
 
 
 @command.command("migrate")
@@ -150,6 +175,10 @@ def migrate(folder: Path) -> None:
     """
     store = open_store(folder)
     copy = store.migrate()
-    say(f"{store.path} is of this version: nothing was done" if copy is None else f"{store.path}: migrated")
+    say(
+        Message("{path} is of this version: nothing was done", path=store.path)
+        if copy is None
+        else Message("{path}: migrated", path=store.path)
+    )
     if copy:
-        say(f"the database as it was is kept in {copy}")
+        say(Message("the database as it was is kept in {copy}", copy=copy))

@@ -14,6 +14,7 @@ from tumble.app.recall import report_again
 from tumble.app.stand import read_stand
 from tumble.app.stand_records import with_stand_record
 from tumble.app.terminal import say
+from tumble.messages import Message
 
 
 @click.command("report")
@@ -33,4 +34,4 @@ def command(file_or_record: str, out: Path | None, stand_path: Path | None, seri
         write_report(trace(fit(measurement, serial_number)), page)
     else:
         page = report_again(folder, file_or_record, out)
-    say(f"report {page}")
+    say(Message("report {page}", page=page))

@@ -16,6 +16,7 @@ from tumble.app.same_stand import followed, load_same_stand
 from tumble.app.stand_lock import holding, holding_recording
 from tumble.app.terminal import say
 from tumble.app.wiring import connect
+from tumble.messages import Message
 from tumble.procedures.errors import InputError
 
 
@@ -116,5 +117,9 @@ def _store(unfinished: Unfinished, folder: Path | None) -> Path:
         return folder
     parents = unfinished.path.resolve().parents
     if len(parents) < 3 or parents[1].name != "recordings":
-        raise InputError(f"{unfinished.path}: does not lie in a store; name the store of the calibration with --store")
+        raise InputError(
+            Message(
+                "{path}: does not lie in a store; name the store of the calibration with --store", path=unfinished.path
+            )
+        )
     return parents[2]

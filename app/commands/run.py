@@ -11,6 +11,7 @@ from tumble.app.console import messages, run_display
 from tumble.app.files import RECORDING_SUFFIX, is_recording
 from tumble.app.running import Job, failure, recording_path, run
 from tumble.app.wiring import Connected
+from tumble.messages import Message
 from tumble.procedures.errors import InputError
 
 
@@ -23,7 +24,13 @@ def command(job: Job, connected: Connected, folder: Path, out: Path | None, json
     """Run a programme and leave a recording, to be fitted later."""
     clock = connected.stand.clock
     if out and not is_recording(out):
-        raise InputError(f"{out}: is no name of a recording; end it in {RECORDING_SUFFIX}")
+        raise InputError(
+            Message(
+                "{path}: is no name of a recording; end it in {suffix}",
+                path=out,
+                suffix=RECORDING_SUFFIX,
+            )
+        )
     recording = out or recording_path(folder, job.serial_number, job.programme.name, clock)
     with run_display(job.plan(), clock, messages()) as display:
         outcome = run(job, connected, recording, [display])

@@ -8,13 +8,14 @@ from tumble.app.commands.options import write_json
 from tumble.app.console import show_result, show_verdict, warn
 from tumble.app.recall import report_again
 from tumble.app.sections import show_sections
-from tumble.app.terminal import say
+from tumble.app.terminal import labelled, say
 from tumble.calibrations.records.record import Record
+from tumble.messages import Message
 
 
 def tell_run(recording: Path, points: int, json_path: Path | None) -> None:
     """Say that a run has left a recording."""
-    say(f"recording {recording}", err=True)
+    say(Message("recording {recording}", recording=recording), err=True)
     write_json({"schema": "tumble.run/1", "recording": str(recording), "points": points}, json_path)
 
 
@@ -24,7 +25,12 @@ def tell_calibrated(done: Calibrated, json_path: Path | None, *, verbose: bool =
     if str(json_path) != "-":
         show_result(done.analysed, verbose=verbose)
         show_sections(done.analysed.sections())
-    say(f"recording {done.recording}", f"record    {done.record.id}", f"report    {done.report}", err=True)
+    left_behind = (
+        labelled(Message("recording"), done.recording, width=9),
+        labelled(Message("record"), done.record.id, width=9),
+        labelled(Message("report"), done.report, width=9),
+    )
+    say(*left_behind, err=True)
     say(*done.learned.sentences, err=True)
     left = {"record": done.record.id, "recording": str(done.recording), "report": str(done.report)}
     write_json(done.analysed.as_json() | left, json_path)
@@ -37,11 +43,19 @@ def tell_recorded(recording: Path, record: Record, folder: Path, json_path: Path
     Raises `SystemExit` where limits are not met, or nothing is decided of them.
     """
     report = report_path(folder, record)
-    done = "nothing was done"
+    done = Message("nothing was done")
     if not has_report(report):
         report_again(folder, record.id)
-        done = "only its report was missing"
-    say(f"{recording} is complete, and record {record.id} of it exists: {done}", err=True)
+        done = Message("only its report was missing")
+    say(
+        Message(
+            "{recording} is complete, and record {record_id} of it exists: {done}",
+            recording=recording,
+            record_id=record.id,
+            done=done,
+        ),
+        err=True,
+    )
     left = {"record": record.id, "recording": str(recording), "report": str(report)}
     if str(json_path) != "-":
         show_verdict(record.verdict)

@@ -13,6 +13,7 @@ from tumble.calibrations.core.bounded import check_bounded
 from tumble.calibrations.core.cells import TableError
 from tumble.calibrations.core.known_tables import recognised
 from tumble.calibrations.core.method import Method, Result
+from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.recording.errors import RecordingError
 
@@ -23,7 +24,9 @@ GROUP = "tumble.methods"
 def methods() -> tuple[Method, ...]:
     """All that are installed and can be used, by name. Raises `InputError` where the installation says none."""
     if not plugins.names(GROUP):
-        raise InputError("no method is installed: this installation is older than its files; install tumble again")
+        raise InputError(
+            Message("no method is installed: this installation is older than its files; install tumble again")
+        )
     return tuple(plugins.usable(GROUP, Method).values())
 
 
@@ -44,7 +47,13 @@ def method_of(paths: Sequence[Path]) -> Method:
     """The method of tables and recordings, all of them of the same. Raises `InputError`."""
     first, *others = (_method(path) for path in paths)
     if any(other is not first for other in others):
-        raise InputError(f"{paths[0]} and {paths[-1]} are tables of different kinds; give them one by one")
+        raise InputError(
+            Message(
+                "{first} and {second} are tables of different kinds; give them one by one",
+                first=paths[0],
+                second=paths[-1],
+            )
+        )
     return first
 
 
@@ -63,7 +72,11 @@ def _method(path: Path) -> Method:
         check_bounded(path)
         return recognised(path, methods())
     except OSError as error:
-        raise InputError(f"{path}: cannot be read ({error.strerror}); check the name and the rights") from error
+        raise InputError(
+            Message(
+                "{path}: cannot be read ({reason}); check the name and the rights", path=path, reason=error.strerror
+            )
+        ) from error
     except (TableError, ValueError) as error:
         raise InputError(str(error)) from error
 
@@ -78,5 +91,9 @@ def _method_of_recording(path: Path) -> Method:
         raise InputError(str(error)) from error
     except LookupError as error:
         raise InputError(
-            f"{path}: is of the method {name}, which this does not analyse; use its own command"
+            Message(
+                "{path}: is of the method {name}, which this does not analyse; use its own command",
+                path=path,
+                name=name,
+            )
         ) from error

@@ -8,18 +8,20 @@ from tumble.app.running import Outline
 from tumble.app.stand import LoadedStand
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.probes import PROBES, STEP_DEG, Probe
+from tumble.messages import Message, translatable
 from tumble.procedures.errors import ProgrammeError
 from tumble.procedures.methods.dividing_head.layout import MOUNT
 from tumble.procedures.methods.dividing_head.sweep import Sweep
 from tumble.procedures.programme import Programme, load_programme, programme_from_text
 from tumble.procedures.steps import Ask
 
-NO_THERMOMETER = "the stand has no thermometer"
-NOBODY_WARMS = "nobody is at the stand who could warm the unit"
+NO_THERMOMETER = Message("the stand has no thermometer")
+NOBODY_WARMS = Message("nobody is at the stand who could warm the unit")
 _TEMPERATURE = "temperature"
 _WARM = "warm"
-_WARM_PROMPT = (
-    "Bring the unit to a temperature about {:g} K higher than before and let it settle there; answer yes when it has, "
+_WARM_PROMPT = translatable(
+    "Bring the unit to a temperature about {kelvin:g} K higher than before and let it "
+    "settle there; answer yes when it has, "
     "or no if that cannot be done."
 )
 
@@ -64,7 +66,9 @@ def programme_of(probe: Probe) -> Programme:
         return shipped
     lines = [line for line in shipped.text.splitlines() if not line.startswith(("start_deg", "step_deg", "points"))]
     angles = f"start_deg = {probe.start_deg}\nstep_deg = {STEP_DEG}\npoints = {probe.points}"
-    return programme_from_text("\n".join([*lines, angles, ""]), f"{probe.programme}.toml, shortened")
+    return programme_from_text(
+        "\n".join([*lines, angles, ""]), Message("{programme}.toml, shortened", programme=probe.programme)
+    )
 
 
 def _warms(offer: Offer) -> bool:
@@ -75,10 +79,10 @@ def _warming(warmer_k: float) -> Ask:
     return Ask(
         condition=_TEMPERATURE,
         value=_WARM,
-        task="warm the unit",
-        remedy="warm it",
-        prompt=_WARM_PROMPT.format(warmer_k),
-        hint="Type yes when the unit has settled, or no if it cannot be warmed.",
+        task=Message("warm the unit"),
+        remedy=Message("warm it"),
+        prompt=Message.marked(_WARM_PROMPT, kelvin=warmer_k),
+        hint=Message("Type yes when the unit has settled, or no if it cannot be warmed."),
     )
 
 
@@ -89,7 +93,11 @@ def _asked(stand: LoadedStand, probe: Probe) -> tuple[Offer, str]:
     lowest_deg, highest_deg = max(head.limits_deg[0], -turns_deg), min(head.limits_deg[1], turns_deg)
     short = probe.between(lowest_deg, highest_deg)
     if short is None:
-        room = f"the head may turn from {lowest_deg:g} to {highest_deg:g} deg, which leaves no room for it"
+        room = Message(
+            "the head may turn from {lowest_deg:g} to {highest_deg:g} deg, which leaves no room for it",
+            lowest_deg=lowest_deg,
+            highest_deg=highest_deg,
+        )
         return offered(probe), room
     outline = Outline(stand=stand, programme=programme_of(short))
     acquisition = outline.acquisition
