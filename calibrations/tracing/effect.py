@@ -110,19 +110,27 @@ def plain(key: str, unit: str) -> Reported:
     return report
 
 
-def harmonic(_form: Form, coefficients: FloatArray, covariance: FloatArray) -> dict[str, Quantity]:
-    """Report a sine and a cosine coefficient as A sin(n φ + p): amplitude and phase in degrees."""
-    sine, cosine = float(coefficients[0]), float(coefficients[1])
-    amplitude = float(np.hypot(sine, cosine))
-    along = np.array([sine, cosine]) / amplitude
-    across = np.array([-cosine, sine]) / amplitude**2
-    phase_deg = float(np.rad2deg(np.arctan2(cosine, sine)) % 360.0)
-    u_amplitude = float(np.sqrt(along @ covariance @ along))
-    u_phase_deg = float(np.rad2deg(np.sqrt(across @ covariance @ across)))
-    return {
-        "amplitude_deg": Quantity(value=amplitude, standard_uncertainty=u_amplitude, unit="deg"),
-        "phase_deg": Quantity(value=phase_deg, standard_uncertainty=u_phase_deg, unit="deg"),
-    }
+def harmonic_in(unit: str) -> Reported:
+    """Report a sine and a cosine coefficient as A sin(n φ + p): amplitude in a unit of angle, phase in degrees."""
+
+    def report(_form: Form, coefficients: FloatArray, covariance: FloatArray) -> dict[str, Quantity]:
+        sine, cosine = float(coefficients[0]), float(coefficients[1])
+        amplitude = float(np.hypot(sine, cosine))
+        along = np.array([sine, cosine]) / amplitude
+        across = np.array([-cosine, sine]) / amplitude**2
+        phase_deg = float(np.rad2deg(np.arctan2(cosine, sine)) % 360.0)
+        u_amplitude = float(np.sqrt(along @ covariance @ along))
+        u_phase_deg = float(np.rad2deg(np.sqrt(across @ covariance @ across)))
+        return {
+            f"amplitude_{unit}": Quantity(value=amplitude, standard_uncertainty=u_amplitude, unit=unit),
+            "phase_deg": Quantity(value=phase_deg, standard_uncertainty=u_phase_deg, unit="deg"),
+        }
+
+    return report
+
+
+harmonic: Final = harmonic_in("deg")
+"""The same in degrees."""
 
 
 def with_scanned(report: Reported, **units: str) -> Reported:

@@ -28,7 +28,7 @@ def nothing_looked_for(reason: str) -> Message:
     return Message("Nothing is looked for: {reason}.", reason=reason)
 
 
-_UNIT_SUFFIXES = ("_degC", "_deg", "_s", "_V")
+_UNIT_SUFFIXES = ("_degC", "_deg", "_arcsec_h", "_arcsec", "_s", "_V")
 _COEFFICIENTS: Final[Mapping[str, Message]] = {
     "amplitude": Message("amplitude"),
     "phase": Message("phase"),

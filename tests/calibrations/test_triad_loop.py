@@ -11,7 +11,12 @@ from tumble.app.cli import cli
 from tumble.calibrations.methods.triad.correction import correction
 from tumble.calibrations.methods.triad.document import document
 from tumble.calibrations.methods.triad.doubts import doubts
+from tumble.calibrations.methods.triad.experiments import OFFERED
 from tumble.calibrations.methods.triad.loop import close_triad_loop
+from tumble.calibrations.methods.triad.programmes import POSITIONS
+from tumble.calibrations.tracing.effect import Quantity
+from tumble.calibrations.tracing.findings import EffectFound
+from tumble.calibrations.tracing.sentences import findings
 
 
 def in_x(values):
@@ -129,3 +134,20 @@ def test_close_loop_shows_records_and_reports_a_triad(tmp_path):
 
 def test_a_table_in_order_raises_no_doubt(clean):
     assert doubts(clean.explained.table, clean.before.deviations_v) == ()
+
+
+def test_the_unit_of_a_coefficient_is_said_once():
+    quantity = Quantity(value=8.91, standard_uncertainty=0.69, unit="arcsec")
+    effect = EffectFound(
+        name="inner_eccentricity",
+        also_possible=(),
+        belongs_to="stand",
+        coefficients={"amplitude_arcsec": quantity, "phase_deg": quantity},
+        p_value=1e-9,
+    )
+    assert findings([effect])[0].coefficients.startswith("amplitude 8.91(69) arcsec")
+
+
+def test_lists_of_positions_are_offered_the_shortest_first():
+    lengths = [len(POSITIONS[name]) for name in OFFERED]
+    assert lengths == sorted(lengths)

@@ -24,7 +24,7 @@ APART = 16.0
 """Explanations that differ by this in -2 ln L are distinguished: four standard deviations."""
 _DWELL_S = 175.0
 """Time from dwell to dwell where the table has none."""
-_OFFERED = ("8o", "12", "12o", "fine", "16o", "18", "24")
+OFFERED = ("8o", "12", "12o", "16o", "18", "fine", "24")
 """The shortest first."""
 
 
@@ -64,7 +64,7 @@ def _unseen(explained: Explained[TriadTable, TriadFit]) -> Iterator[Experiment]:
 def _told(explained: Explained[TriadTable, TriadFit], name: str, rivals: Sequence[Rival]) -> Experiment:
     """The shortest list that tells an effect from its rivals."""
     others = tuple(rival.name for rival in rivals)
-    offers = [(programme, _separation(explained, rivals, POSITIONS[programme])) for programme in _OFFERED]
+    offers = [(programme, _separation(explained, rivals, POSITIONS[programme])) for programme in OFFERED]
     programme, apart = next((each for each in offers if each[1] >= APART), max(offers, key=lambda each: each[1]))
     if apart < APART:
         return Experiment(

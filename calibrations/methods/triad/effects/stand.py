@@ -8,28 +8,10 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.triad.geometry import ARCSEC_PER_RAD, square_change, wobble_changes
 from tumble.calibrations.methods.triad.scene import TriadScene
-from tumble.calibrations.tracing.effect import Effect, Form, Quantity, Reported, Variable, plain
+from tumble.calibrations.tracing.effect import Effect, Form, Quantity, Reported, Variable, harmonic_in, plain
 from tumble.messages import Message
 
 _AXIS = Literal["outer", "inner"]
-
-
-def _harmonic(_form: Form, coefficients: FloatArray, covariance: FloatArray) -> dict[str, Quantity]:
-    """A sine and a cosine coefficient as A sin(x + p): amplitude in arc seconds, phase in degrees."""
-    sine, cosine = float(coefficients[0]), float(coefficients[1])
-    amplitude = float(np.hypot(sine, cosine))
-    along = np.array([sine, cosine]) / amplitude
-    across = np.array([-cosine, sine]) / amplitude**2
-    return {
-        "amplitude_arcsec": Quantity(
-            value=amplitude, standard_uncertainty=float(np.sqrt(along @ covariance @ along)), unit="arcsec"
-        ),
-        "phase_deg": Quantity(
-            value=float(np.rad2deg(np.arctan2(cosine, sine)) % 360.0),
-            standard_uncertainty=float(np.rad2deg(np.sqrt(across @ covariance @ across))),
-            unit="deg",
-        ),
-    }
 
 
 def _axis(scene: TriadScene, axis: _AXIS) -> tuple[FloatArray, FloatArray]:
@@ -117,8 +99,8 @@ def _axis_effects(axis: _AXIS) -> tuple[Effect[TriadScene], ...]:
     second = Message.named(f"{axis}_second_harmonic", "second harmonic of the {axis} axis", axis=said)
     backlash = Message.named(f"{axis}_backlash", "backlash of the {axis} axis", axis=said)
     return (
-        _of_axis(eccentricity, "angle", "A sin(φ + p)", _periods(axis, 1), _harmonic),
-        _of_axis(second, "angle", "A sin(2φ + p)", _periods(axis, 2), _harmonic),
+        _of_axis(eccentricity, "angle", "A sin(φ + p)", _periods(axis, 1), harmonic_in("arcsec")),
+        _of_axis(second, "angle", "A sin(2φ + p)", _periods(axis, 2), harmonic_in("arcsec")),
         _of_axis(
             backlash, "direction", "e after a move in - direction", _backlash(axis), plain("value_arcsec", "arcsec")
         ),
@@ -144,7 +126,7 @@ STAND_EFFECTS: tuple[Effect[TriadScene], ...] = (
         symbol="level_y + w sin(2A + p)",
         source="bearing of the outer axis",
         forms=_outer_wobble,
-        report=_harmonic,
+        report=harmonic_in("arcsec"),
     ),
     Effect(
         name=Message.named("inner_wobble", "wobble of the inner axis"),
@@ -153,7 +135,7 @@ STAND_EFFECTS: tuple[Effect[TriadScene], ...] = (
         symbol="inner axis turned by w (cos(2B + p), sin(2B + p), 0)",
         source="bearing of the inner axis",
         forms=_inner_wobble,
-        report=_harmonic,
+        report=harmonic_in("arcsec"),
     ),
     Effect(
         name=Message.named("level_drift", "drift of the stand's levels"),

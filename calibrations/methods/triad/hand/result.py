@@ -13,6 +13,7 @@ from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.quantities import format_concise, format_number
 from tumble.calibrations.core.verdict import Model, Verdict
 from tumble.calibrations.core.view import Section
+from tumble.calibrations.methods.triad.entry import VERSION
 from tumble.calibrations.methods.triad.geometry import ARCSEC_PER_RAD
 from tumble.calibrations.methods.triad.hand.log import Log
 from tumble.calibrations.methods.triad.hand.still import QUIETEST, SHORTEST_S, TIMES, WINDOW_S, Pose, still_poses
@@ -95,7 +96,7 @@ class HandResult:
         document = self.document()
         return Entry(
             method="triad",
-            method_version=1,
+            method_version=VERSION,
             result=document,
             parameters=document["scalar"]["parameters"],
             verdict=Verdict(judged=Model.DECLARED, parameters=()),
