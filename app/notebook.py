@@ -88,7 +88,7 @@ class Result:
             Markup("<tr><td>{}</td><td>{}</td><td>{}</td></tr>").format(value["name"], *_cells(value))
             for value in self.values
         )
-        head = Markup("<tr><th>parameter</th><th>value (standard uncertainty)</th><th>remark</th></tr>")
+        head = Markup("<tr><th>{}</th><th>{}</th><th>{}</th></tr>").format(*map(shown, _HEADINGS))
         return Markup("<table><caption>{}</caption>{}{}</table>").format(self.name, head, rows)
 
 
@@ -251,5 +251,5 @@ def _found(effects: Sequence[Mapping[str, Any]], where: str = "") -> Iterator[di
 
 def _cells(value: Mapping[str, Any]) -> tuple[str, str]:
     if value["value"] is None:
-        return "not identifiable", value["reason"] or ""
+        return shown(Message("not identifiable")), value["reason"] or ""
     return format_concise(value["value"], value["standard_uncertainty"], value["unit"]), ""

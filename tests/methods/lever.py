@@ -25,6 +25,7 @@ class Lever:
     version: int = VERSION
     title: str = "A lever under its own weight"
     columns: str = "a lever (lever_deg, load_V)"
+    headline: str = ""
 
     def reads(self, header, numbers):
         return reads(header)
