@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
 from markupsafe import Markup
 
@@ -25,6 +25,7 @@ from tumble.app.running import Job, Outline, failure
 from tumble.app.running import run as measure
 from tumble.app.stand import load_stand, read_stand
 from tumble.app.stand_lock import holding
+from tumble.app.terminal import shown
 from tumble.app.wiring import connect
 from tumble.calibrations.core.method import Method
 from tumble.calibrations.core.quantities import format_concise
@@ -38,6 +39,7 @@ if TYPE_CHECKING:
 
     from tumble.calibrations.records.store import Store
 
+_HEADINGS: Final = (Message("parameter"), Message("value (standard uncertainty)"), Message("remark"))
 Place: TypeAlias = str | PathLike[str]
 
 
