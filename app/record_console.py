@@ -46,8 +46,8 @@ def listing(found: tuple[Record, ...]) -> Table:
 def _result(record: Record) -> str:
     """The parameter that stands for a record, with the condition on which it stands."""
     parameter = headline(record)
-    if parameter is None:
-        return ""
+    if parameter is None or parameter.value is None:
+        return parameter.condition if parameter else ""
     named = Message("{parameter} {value}", parameter=parameter.name, value=_value(parameter))
     return Message.joined("; ", filter(None, (named, parameter.condition)))
 

@@ -64,6 +64,11 @@ def say(*lines: str, err: bool = False, most: int = LONGEST_LINE) -> None:
     write("".join(f"{shown(line, most)}\n" for line in lines), sys.stderr if err else sys.stdout)
 
 
+def numeric(text: str) -> Message:
+    """Numbers and units as a message, so that they are written as the language that is spoken writes them."""
+    return text if isinstance(text, Message) else Message("{text}", text=text)
+
+
 def labelled(label: str, text: object, width: int = 10) -> Message:
     """A line of which the text stands in a column, after a label of at most `width` characters."""
     return Message("{label:{width}} {text}", label=label, width=width, text=text)
