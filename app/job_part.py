@@ -6,17 +6,19 @@
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
-from tumble.app.analysed import Analysed, Traced
-from tumble.app.available import Available
-from tumble.app.measurements import Measurement
-from tumble.app.stand import LoadedStand
 from tumble.calibrations.core.provenance import Provenance
 from tumble.calibrations.core.rows import Rows
 from tumble.calibrations.stand_records.agreement import Run
 from tumble.calibrations.stand_records.record import StandRecord, Validity
 from tumble.calibrations.tracing.experiments import Experiment
+
+if TYPE_CHECKING:  # `tumble.app.jobs`, which they import, holds parts against this
+    from tumble.app.analysed import Analysed, Traced
+    from tumble.app.available import Available
+    from tumble.app.measurements import Measurement
+    from tumble.app.stand import LoadedStand
 
 
 class StandRun(Run, Protocol):
@@ -82,7 +84,7 @@ class JobPart(Protocol):
         """Rows as they may be joined with others. Raises `ValueError`: they contradict their own description."""
         ...
 
-    def fit(self, measurement: Measurement, origin: Provenance, trials: int | None) -> Analysed:
+    def fit(self, measurement: "Measurement", origin: Provenance, trials: int | None) -> "Analysed":
         """Fit the declared model; `trials` of the Monte Carlo check, None for as many as the method takes.
 
         Raises
@@ -94,7 +96,7 @@ class JobPart(Protocol):
         """
         ...
 
-    def trace(self, analysed: Any) -> Traced:  # noqa: ANN401  # what `fit` made
+    def trace(self, analysed: Any) -> "Traced":  # noqa: ANN401  # what `fit` made
         """Close the loop; what to measure next is not asked."""
         ...
 
@@ -102,6 +104,6 @@ class JobPart(Protocol):
         """What to measure next, of everything that the method knows of."""
         ...
 
-    def available(self, stand: LoadedStand, rows: Any, attended: bool) -> Available:  # noqa: ANN401
+    def available(self, stand: "LoadedStand", rows: Any, attended: bool) -> "Available":  # noqa: ANN401
         """Ask a stand which experiments it can run after these rows; `attended` where a person is there."""
         ...

@@ -5,7 +5,7 @@ from enum import StrEnum
 from typing import Final
 
 from tumble.messages import Message
-from tumble.procedures.registry import find_method, method_names
+from tumble.procedures.registry import usable_methods
 
 BEGINNING_BYTES: Final = 4096
 """So much of a file says what it is."""
@@ -62,5 +62,5 @@ def _exported(beginning: bytes) -> bool:
     """Whether a table has all columns that a recording gives, in its order, and none besides."""
     line, end, _ = beginning.partition(b"\n")
     columns = line.decode("utf-8", "replace").split(",")
-    known = (find_method(name).procedure_part.exported for name in method_names()) if end and len(columns) > 1 else ()
+    known = (method.procedure_part.exported for method in usable_methods()) if end and len(columns) > 1 else ()
     return any(columns in exported for exported in known)

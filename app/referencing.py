@@ -4,15 +4,13 @@ A method whose tables say so much registers, in the entry point group `tumble.re
 path to a `ReferenceRun`.
 """
 
-import sys
 from collections.abc import Callable, Mapping, Sequence
-from functools import lru_cache
-from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
 from typing import Any, Final, Protocol, TypeAlias
 
+from tumble import plugins
 from tumble.app.identity import program_identity
-from tumble.app.methods import method_called
+from tumble.app.methods import methods
 from tumble.app.stand_records import identity_of_stand
 from tumble.calibrations.core.cells import TableError
 from tumble.calibrations.core.files import read_header
@@ -56,11 +54,11 @@ def is_reference(path: Path) -> bool:
 
 def run_of_reference(path: Path) -> ReferenceRun | None:
     """What such a table says of the stand; None where it shows nothing. Raises `InputError`."""
-    entry = _reader(path)
-    if entry is None:
+    name = _reader(path)
+    if name is None:
         return None
-    run_of: _RunOf = entry.load()
     try:
+        run_of: _RunOf = plugins.load(_GROUP, name)
         return run_of(path)
     except (TableError, ValueError) as error:
         raise InputError(str(error)) from error
@@ -115,14 +113,7 @@ def learn_from_reference(path: Path, stand: Mapping[str, Any], folder: Path) -> 
     )
 
 
-def _reader(path: Path) -> EntryPoint | None:
-    """The function of the method that reads a table; None for any other file."""
-    header = read_header(path)
-    known = _named(tuple(sys.path))
-    return next((entry for name, entry in known.items() if method_called(name).reads(header, None)), None)
-
-
-@lru_cache(maxsize=8)
-def _named(_: tuple[str, ...]) -> Mapping[str, EntryPoint]:
-    """What installed packages name, looked up once for each place where packages lie."""
-    return {entry.name: entry for entry in entry_points(group=_GROUP)}
+def _reader(path: Path) -> str | None:
+    """The method that reads a table and says what it tells of the stand; None for any other file."""
+    header, known = read_header(path), plugins.names(_GROUP)
+    return next((each.name for each in methods() if each.name in known and each.reads(header, None)), None)

@@ -189,7 +189,8 @@ def _without_record(path: Path) -> Finding:
     try:
         recording = read_recording(path)
     except RecordingError as error:
-        judgement, words = Judgement.RECORD_LOST, Message("It has no record, and cannot be read: {error}.", error=error)
+        judgement = Judgement.RECORD_LOST
+        words: str = Message("It has no record, and cannot be read: {error}.", error=error)
     else:
         judgement, words = _why_without(recording.header.job, recording.complete)
     return Finding(name=str(path), judgement=judgement, sentences=(words,))

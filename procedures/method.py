@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Generic, Protocol, TypeVar
 
 from tumble.calibrations.core.rows import Rows
 from tumble.procedures.layout import Layout
-from tumble.procedures.programme import Programme
 from tumble.procedures.second_look import Contradicted, nothing_contradicts
 
 if TYPE_CHECKING:
+    from tumble.procedures.programme import Programme
     from tumble.procedures.recording.reader import Recording
 
 _TEMPERATURE = "temperature_degc"
@@ -21,7 +21,7 @@ Table = TypeVar("Table", covariant=True)
 class ProcedurePart(Generic[Table]):
     """The part of a method that the engine, the recording and the programmes need."""
 
-    programme: type[Programme]
+    programme: type["Programme"]
     """The schema of its programmes, which make its procedures."""
     shipped: Traversable
     """Folder of the programmes that come along, `NAME.toml` each."""

@@ -17,7 +17,7 @@ from tumble.procedures.approach import Approach
 from tumble.procedures.composition import Part, compose
 from tumble.procedures.errors import InputError, ProgrammeError
 from tumble.procedures.layout import Layout
-from tumble.procedures.registry import FIRST, find_method, method_names
+from tumble.procedures.registry import FIRST, find_method, usable_methods
 from tumble.procedures.steps import Direction, Dwell, Procedure
 from tumble.procedures.toml_lines import parse_toml, place_of, read_text
 from tumble.procedures.toml_text import read_toml
@@ -179,7 +179,7 @@ def _schema(text: str, source: str) -> type[Programme]:
 def _shipped() -> dict[str, Traversable]:
     """The programmes that come along, by name."""
     programmes: dict[str, Traversable] = {}
-    for method in map(find_method, method_names()):
+    for method in usable_methods():
         entries = method.procedure_part.shipped.iterdir()
         found = {entry.name.removesuffix(".toml"): entry for entry in entries if entry.name.endswith(".toml")}
         programmes |= dict(sorted(found.items()))

@@ -91,3 +91,18 @@ def shared() -> Path:
     if not folder.is_dir():
         pytest.skip(f"needs the tables in {folder}, which is not there")
     return folder
+
+
+@pytest.fixture
+def install(tmp_path_factory, monkeypatch):
+    """Installs a package of one entry point as long as a test runs."""
+
+    def installed(group: str, name: str, value: str) -> None:
+        site = tmp_path_factory.mktemp("site")
+        package = site / f"{name}_of_{group.replace('.', '_')}-1.dist-info"
+        package.mkdir()
+        (package / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {package.stem[:-2]}\nVersion: 1\n")
+        (package / "entry_points.txt").write_text(f"[{group}]\n{name} = {value}\n")
+        monkeypatch.syspath_prepend(str(site))
+
+    return installed

@@ -4,9 +4,9 @@ It names them by the names of the methods. A method that is not named there is s
 """
 
 from functools import cache
-from importlib.metadata import entry_points
 from typing import Final
 
+from tumble import plugins
 from tumble.window.method import WindowPart
 
 GROUP: Final = "tumble.window"
@@ -14,8 +14,12 @@ GROUP: Final = "tumble.window"
 
 @cache
 def window_part(method: str) -> WindowPart:
-    """How a method is shown, by its name."""
-    for entry in entry_points(group=GROUP, name=method):
-        part: WindowPart = entry.load()
-        return part
-    return WindowPart()
+    """How a method is shown, by its name; as any other where its part cannot be used, which is logged."""
+    try:
+        part: WindowPart = plugins.load(GROUP, method, WindowPart)
+    except LookupError:
+        return WindowPart()
+    except plugins.PluginError as error:
+        plugins.warn_once(str(error))
+        return WindowPart()
+    return part

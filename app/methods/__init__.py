@@ -5,9 +5,9 @@ A method is registered by an entry point of the group `tumble.methods`; the prog
 
 from collections.abc import Sequence
 from functools import cache
-from importlib.metadata import entry_points
 from pathlib import Path
 
+from tumble import plugins
 from tumble.app.files import is_recording
 from tumble.calibrations.core.bounded import check_bounded
 from tumble.calibrations.core.cells import TableError
@@ -22,23 +22,25 @@ GROUP = "tumble.methods"
 
 @cache
 def methods() -> tuple[Method, ...]:
-    """All that are installed, by name. Raises `InputError` where the installation says none."""
-    points = sorted(entry_points(group=GROUP), key=lambda point: point.name)
-    if not points:
+    """All that are installed and can be used, by name. Raises `InputError` where the installation says none."""
+    if not plugins.names(GROUP):
         raise InputError(
             Message("no method is installed: this installation is older than its files; install tumble again")
         )
-    return tuple(point.load() for point in points)
+    return tuple(plugins.usable(GROUP, Method).values())
 
 
 @cache
 def method_called(name: str) -> Method:
-    """The method of this name, no other being loaded. Raises `LookupError` where none is installed."""
-    for point in entry_points(group=GROUP):
-        if point.name == name:
-            method: Method = point.load()
-            return method
-    raise LookupError(name)
+    """The method of this name, no other being loaded.
+
+    Raises `LookupError` where none is installed, `InputError` where it cannot be used.
+    """
+    try:
+        method: Method = plugins.load(GROUP, name, Method)
+    except plugins.PluginError as error:
+        raise InputError(str(error)) from error
+    return method
 
 
 def method_of(paths: Sequence[Path]) -> Method:

@@ -4,13 +4,17 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Final
 
+from benchmarks.bank.beyond import BEYOND
 from benchmarks.bank.daq_effects import DAQ_EFFECTS
 from benchmarks.bank.novel import NOVEL
 from benchmarks.bank.stand_effects import STAND_EFFECTS
 from benchmarks.bank.unit_effects import UNIT_EFFECTS, Draw
 
+UNNAMED: Final = MappingProxyType({**NOVEL, **BEYOND})
+"""Effects outside the catalogue: what each depends on, its largest amplitude, and how to draw it."""
+
 DRAW: Final[Mapping[str, Draw]] = MappingProxyType(
-    {**UNIT_EFFECTS, **STAND_EFFECTS, **DAQ_EFFECTS, **{name: draw for name, (_, _, draw) in NOVEL.items()}}
+    {**UNIT_EFFECTS, **STAND_EFFECTS, **DAQ_EFFECTS, **{name: draw for name, (_, _, draw) in UNNAMED.items()}}
 )
 """How to draw an effect, named or novel; only `misreading` is made otherwise."""
 
@@ -42,7 +46,7 @@ LARGEST: Final[Mapping[str, float]] = MappingProxyType(
         "settling": 0.05,
         "daq_nonlinearity": 2e-3,
         "range_step": 5e-3,
-        **{name: largest for name, (_, largest, _) in NOVEL.items()},
+        **{name: largest for name, (_, largest, _) in UNNAMED.items()},
     }
 )
 """Physical maximum of the amplitude, in the unit of its coefficient: beyond it the bank has no such table."""

@@ -10,6 +10,7 @@ from typing import Final
 
 import numpy as np
 
+from benchmarks.bank.beyond import BEYOND
 from benchmarks.bank.catalogue import NAMED
 from benchmarks.bank.novel import NOVEL
 from benchmarks.bank.table import Spec
@@ -19,7 +20,7 @@ Wanted = list[tuple[Spec, int]]
 DEVELOPMENT: Final = range(1_000_000, 2_000_000)
 REPORTED: Final = range(12_000_000, 13_000_000)
 
-_LISTS = ("singles", "pairs", "triples", "novel", "clean", "missing_columns", "heavy", "mixture", "power")
+_LISTS = ("singles", "pairs", "triples", "novel", "clean", "missing_columns", "heavy", "mixture", "power", "beyond")
 _SHARE = 100_000
 
 DESIGNS: Final = ("bfd", "sfdre", "bfdr", "bfdrt", "qfd", "bfdreEn")
@@ -27,6 +28,7 @@ DESIGNS: Final = ("bfd", "sfdre", "bfdr", "bfdrt", "qfd", "bfdreEn")
 ALL_DESIGNS: Final = ("sf", "bf", *DESIGNS)
 RAMPS: Final = ("bfdrt", "bfdt", "qfdrt")
 _WARM: Final = ("bias_temperature", "scale_temperature", "turning_point", "threshold_of_warmth")
+_BEYOND_DESIGNS: Final = ("bf", "bfdr", "qfd", "sfdre")
 _END: Final = ("k_zz", "k_xz", "k_yz", "axis_tilt")
 LEFT_OUT: Final = (
     ("time_s",),
@@ -105,6 +107,17 @@ def novel(seeds: range = DEVELOPMENT, visible: tuple[float, ...] = (20.0, 40.0))
         for units in visible
     ]
     return [(spec, _seed(seeds, "novel", number)) for number, spec in enumerate(specs)]
+
+
+def beyond(seeds: range = DEVELOPMENT, visible: tuple[float, ...] = (12.0, 20.0, 40.0)) -> Wanted:
+    """Every effect of the second set outside the catalogue alone, in several designs."""
+    specs = [
+        Spec(design=design, effects=((name, units),))
+        for name, (on, _, _) in BEYOND.items()
+        for design in (RAMPS if on == "temperature" else _BEYOND_DESIGNS)
+        for units in visible
+    ]
+    return [(spec, _seed(seeds, "beyond", number)) for number, spec in enumerate(specs)]
 
 
 def clean(

@@ -13,7 +13,7 @@ from benchmarks.bank.unit_effects import Draw, either_sign
 Form = Callable[[Scene], FloatArray]
 
 
-def _added(name: str, draw_form: Callable[[np.random.Generator, Run], Form]) -> Draw:
+def added(name: str, draw_form: Callable[[np.random.Generator, Run], Form]) -> Draw:
     """An addition to the output that is its amplitude times a drawn form."""
 
     def draw(rng: np.random.Generator, run: Run) -> Effect:
@@ -24,11 +24,11 @@ def _added(name: str, draw_form: Callable[[np.random.Generator, Run], Form]) -> 
     return draw
 
 
-def _misled(name: str, draw_error: Callable[[np.random.Generator, FloatArray], FloatArray]) -> Draw:
-    """An error of the angle that is its amplitude times a drawn function of the head's angle."""
+def misled(name: str, draw_error: Callable[[np.random.Generator, Run], FloatArray]) -> Draw:
+    """An error of the angle that is its amplitude times a drawn course over the rows."""
 
     def draw(rng: np.random.Generator, run: Run) -> Effect:
-        error = draw_error(rng, run.dwells.angle_deg)
+        error = draw_error(rng, run)
         return AngleEffect(name=name, sign=either_sign(rng), error_deg=lambda _, amplitude: amplitude * error)
 
     return draw
@@ -39,15 +39,15 @@ def _from(angle_deg: FloatArray, centre_deg: float) -> FloatArray:
     return (angle_deg - centre_deg + 180.0) % 360.0 - 180.0
 
 
-def _bump(rng: np.random.Generator, angle_deg: FloatArray) -> FloatArray:
+def _bump(rng: np.random.Generator, run: Run) -> FloatArray:
     """A bruised tooth: the angle is wrong within some degrees of one place."""
     width_deg = rng.uniform(7.0, 18.0)
-    return np.asarray(np.exp(-0.5 * (_from(angle_deg, rng.uniform(0.0, 360.0)) / width_deg) ** 2))
+    return np.asarray(np.exp(-0.5 * (_from(run.dwells.angle_deg, rng.uniform(0.0, 360.0)) / width_deg) ** 2))
 
 
-def _sector(rng: np.random.Generator, angle_deg: FloatArray) -> FloatArray:
+def _sector(rng: np.random.Generator, run: Run) -> FloatArray:
     """A ring that was cut in two: one sector is shifted as a whole."""
-    return (np.abs(_from(angle_deg, rng.uniform(0.0, 360.0))) < rng.uniform(25.0, 60.0)).astype(float)
+    return (np.abs(_from(run.dwells.angle_deg, rng.uniform(0.0, 360.0))) < rng.uniform(25.0, 60.0)).astype(float)
 
 
 def _dead_zone(rng: np.random.Generator, _: Run) -> Form:
@@ -131,20 +131,20 @@ def _bias_after_move(_: np.random.Generator, run: Run) -> Form:
 
 NOVEL: Final = MappingProxyType(
     {
-        "angle_bump": ("angle", 0.1, _misled("angle_bump", _bump)),
-        "angle_sector": ("angle", 0.1, _misled("angle_sector", _sector)),
-        "dead_zone": ("acceleration", 5e-3, _added("dead_zone", _dead_zone)),
-        "resonance": ("acceleration", 5e-3, _added("resonance", _resonance)),
-        "fifth_order": ("acceleration", 5e-3, _added("fifth_order", _fifth_order)),
-        "air_conditioning": ("time", 5e-3, _added("air_conditioning", _air_conditioning)),
-        "step_in_time": ("time", 5e-3, _added("step_in_time", _step_in_time)),
-        "bent_drift": ("time", 5e-3, _added("bent_drift", _bent_drift)),
-        "turning_point": ("temperature", 5e-3, _added("turning_point", _turning_point)),
-        "threshold_of_warmth": ("temperature", 5e-3, _added("threshold_of_warmth", _threshold_of_warmth)),
-        "since_start": ("order", 5e-3, _added("since_start", _since_start)),
-        "odd_realisation": ("realisation", 5e-3, _added("odd_realisation", _odd_realisation)),
-        "scale_after_move": ("direction", 5e-3, _added("scale_after_move", _scale_after_move)),
-        "bias_after_move": ("direction", 5e-3, _added("bias_after_move", _bias_after_move)),
+        "angle_bump": ("angle", 0.1, misled("angle_bump", _bump)),
+        "angle_sector": ("angle", 0.1, misled("angle_sector", _sector)),
+        "dead_zone": ("acceleration", 5e-3, added("dead_zone", _dead_zone)),
+        "resonance": ("acceleration", 5e-3, added("resonance", _resonance)),
+        "fifth_order": ("acceleration", 5e-3, added("fifth_order", _fifth_order)),
+        "air_conditioning": ("time", 5e-3, added("air_conditioning", _air_conditioning)),
+        "step_in_time": ("time", 5e-3, added("step_in_time", _step_in_time)),
+        "bent_drift": ("time", 5e-3, added("bent_drift", _bent_drift)),
+        "turning_point": ("temperature", 5e-3, added("turning_point", _turning_point)),
+        "threshold_of_warmth": ("temperature", 5e-3, added("threshold_of_warmth", _threshold_of_warmth)),
+        "since_start": ("order", 5e-3, added("since_start", _since_start)),
+        "odd_realisation": ("realisation", 5e-3, added("odd_realisation", _odd_realisation)),
+        "scale_after_move": ("direction", 5e-3, added("scale_after_move", _scale_after_move)),
+        "bias_after_move": ("direction", 5e-3, added("bias_after_move", _bias_after_move)),
     }
 )
 """For each kind: what it depends on, its largest amplitude (V or degrees), and how to draw it."""

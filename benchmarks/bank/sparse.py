@@ -96,6 +96,7 @@ def make_sparse(spec: SparseSpec, seed: int) -> Case:
         shapes={},
         visible={},
         noise_free_v=true_v,
+        novel_v=np.zeros(len(true_v)),
     )
     return Case(observations=observations, truth=truth)
 

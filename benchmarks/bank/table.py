@@ -6,7 +6,8 @@ from typing import Any, Final
 
 import numpy as np
 
-from benchmarks.bank.catalogue import DRAW, LARGEST, NAMED
+from benchmarks.bank.beyond import BEYOND
+from benchmarks.bank.catalogue import DRAW, LARGEST, NAMED, UNNAMED
 from benchmarks.bank.dwells import dwells
 from benchmarks.bank.geometry import FloatArray
 from benchmarks.bank.misreading import Misreading, drawn_misreading
@@ -30,9 +31,11 @@ COLUMNS: Final = {
 }
 """Columns that a table may do without, and their fields in `Observations`."""
 
-_CATALOGUE: Final = {name: draw for name, draw in DRAW.items() if name not in NOVEL}
+_CATALOGUE: Final = {name: draw for name, draw in DRAW.items() if name not in UNNAMED}
 _DWELLS, _UNIT, _AROUND, _NOISE, _FIRST_EFFECT = range(5)
-_ORDER: Final = (*NAMED, *NOVEL)
+_THERMOMETER: Final = "thermometer"
+_ORDER: Final = (*NAMED, *NOVEL, _THERMOMETER, *BEYOND)
+"""Of what draws random numbers of its own: what comes later changes nothing of what is before it."""
 SHAKEN_ANYWAY = 0.1
 """Part of the tables in which the scatter of the samples varies although the bias does not follow it."""
 
@@ -71,6 +74,8 @@ class Truth:
     visible: Mapping[str, float]
     """Norm of what the declared model cannot absorb of each effect alone, in noise units."""
     noise_free_v: FloatArray = field(repr=False)
+    novel_v: FloatArray = field(repr=False)
+    """What the effects outside the catalogue add, shape (rows,)."""
 
     def as_json(self) -> dict[str, Any]:
         """Return everything but the noise-free voltage, ready for JSON."""
@@ -132,12 +137,13 @@ def make_table(spec: Spec, seed: int) -> Case | None:
         seed=seed,
         spec=spec,
         unit=unit,
-        effects=tuple(name for name in names if name not in NOVEL),
-        novel={name: NOVEL[name][0] for name in names if name in NOVEL},
+        effects=tuple(name for name in names if name not in UNNAMED),
+        novel={name: UNNAMED[name][0] for name in names if name in UNNAMED},
         coefficients={effect.name: effect.coefficient(amplitude) for effect, amplitude in sized},
         shapes={effect.name: effect.shape for effect, _ in sized},
         visible=staged.visible,
         noise_free_v=respond(run, unit, sized),
+        novel_v=respond(run, unit, [each for each in sized if each[0].name in UNNAMED]) - respond(run, unit, ()),
     )
     return Case(observations=_observations(spec, seed, run, sized, reading_v), truth=truth)
 
@@ -169,8 +175,8 @@ def read_on(spec: Spec, seed: int, stage: Stage, run: Run) -> FloatArray:
 
 
 def _refuse_unknown(spec: Spec) -> None:
-    if unknown := [name for name, _ in spec.effects if name not in _ORDER]:
-        raise ValueError(f"There is no effect {unknown[0]}; known are {', '.join(_ORDER)}.")
+    if unknown := [name for name, _ in spec.effects if name not in (*NAMED, *UNNAMED)]:
+        raise ValueError(f"There is no effect {unknown[0]}; known are {', '.join((*NAMED, *UNNAMED))}.")
     if missing := set(spec.left_out) - set(COLUMNS):
         raise ValueError(f"Column {min(missing)} cannot be left out; {', '.join(COLUMNS)} can.")
 
@@ -222,7 +228,7 @@ def _observations(spec: Spec, seed: int, run: Run, sized: Sequence[Sized], readi
     shift_deg = sum(
         (effect.reported_shift_deg for effect, _ in sized if isinstance(effect, Misreading)), np.zeros(rows)
     )
-    thermometer_degc = _stream(seed, _FIRST_EFFECT + len(_ORDER)).normal(0.0, THERMOMETER_DEGC, rows)
+    thermometer_degc = _stream(seed, _FIRST_EFFECT + _ORDER.index(_THERMOMETER)).normal(0.0, THERMOMETER_DEGC, rows)
     optional: dict[str, Any] = {
         "time_s": laid_out.time_s,
         "realisation": laid_out.realisation,

@@ -11,15 +11,15 @@ from dataclasses import asdict
 
 import numpy as np
 
-from benchmarks.bank import Case, heavy, missing_columns, novel, pairs, singles, triples
+from benchmarks.bank import Case, beyond, heavy, missing_columns, novel, pairs, singles, triples
 from benchmarks.loop.intervals import wilson
 from benchmarks.loop.jobs import Job, Record, described, jobs, spread_out
-from benchmarks.loop.matching import is_exact
+from benchmarks.loop.matching import as_well, is_exact
 from benchmarks.loop.reported import said
 from benchmarks.loop.rivals import CLOSE, MARGIN, judged_rivals
 from tumble.calibrations.methods.dividing_head.loop.loop import Loop
 
-_LISTS = (singles, pairs, triples, novel, missing_columns, heavy)
+_LISTS = (singles, pairs, triples, novel, missing_columns, heavy, beyond)
 
 
 def wanted(seeds: range, count: int | None) -> list[Job]:
@@ -32,7 +32,7 @@ def grade(case: Case, loop: Loop) -> Record:
     truth = case.truth
     white = truth.spec.noise == "white" and not truth.spec.quantum_v
     return {
-        "exact": is_exact(truth.effects, truth.novel, loop.effects, loop.unexplained),
+        "exact": is_exact(truth.effects, as_well(case, loop.unexplained), loop.effects, loop.unexplained),
         "said": said(loop),
         "shapes": dict(truth.shapes),
         "rivals": [asdict(judged) for judged in judged_rivals(loop)] if white else [],

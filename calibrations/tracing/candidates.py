@@ -17,8 +17,10 @@ FALSE_ALARM = 0.001
 
 ANOTHER_SHAPE = 0.02
 """Chance that an effect with one of the shapes of the catalogue is given a second one."""
-UNNAMED = 6.0
-"""Penalty of a shape without a name beyond that of a named one: a known cause is the better guess."""
+UNNAMED = 3.84
+"""By so much a component must explain more than the best set of names: a known cause is the better guess."""
+SHAPE_UNNAMED = 6.0
+"""Penalty of a given shape without a name beyond that of a named one, for the same reason."""
 
 _NARROW = 2
 _REST = 0.02
@@ -62,7 +64,7 @@ def _numbered(tried: Sequence[tuple[Effect[Any], Sequence[Form]]], rows: int, sp
     start = 0
     for effect, forms in tried:
         chance, second = FALSE_ALARM / len(tried) / len(forms), ANOTHER_SHAPE / len(forms)
-        handicap = UNNAMED if isinstance(effect, Structure) else 0.0
+        handicap = SHAPE_UNNAMED if isinstance(effect, Structure) else 0.0
         for form in forms:
             width = form.columns.shape[1]
             yield Candidate(

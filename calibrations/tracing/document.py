@@ -44,4 +44,10 @@ def unexplained_json(unexplained: Unexplained | None) -> dict[str, Any] | None:
     """Structure without a name."""
     if unexplained is None:
         return None
-    return {"depends_on": unexplained.depends_on, "description": unexplained.description}
+    said: dict[str, Any] = {"depends_on": unexplained.depends_on, "description": unexplained.description}
+    if unexplained.channel:
+        said |= {"channel": unexplained.channel, "variable": unexplained.variable}
+        said["also_possible"] = [
+            {"channel": channel, "variable": variable} for channel, variable in unexplained.also_possible
+        ]
+    return said

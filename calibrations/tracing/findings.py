@@ -34,6 +34,12 @@ class Unexplained:
     description: str
     shaped: bool = True
     """Whether it has a shape, which was taken into account; settings that are too few differ in none."""
+    channel: str = ""
+    """What of the model changes: offset, scale or angle; empty where that is not known."""
+    variable: str = ""
+    """With what, more closely than `depends_on`."""
+    also_possible: tuple[tuple[str, str], ...] = ()
+    """Other channels and variables that the rows do not part from these."""
 
 
 SHAPELESS_P = 1e-5

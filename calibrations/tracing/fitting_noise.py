@@ -5,8 +5,9 @@ from dataclasses import replace
 
 import numpy as np
 
+from tumble.calibrations.tracing.components import MARK
 from tumble.calibrations.tracing.effect import Form
-from tumble.calibrations.tracing.noise import NoiseModel
+from tumble.calibrations.tracing.noise import SETTINGS, NoiseModel
 from tumble.calibrations.tracing.table import Table
 
 FLICKER_FLOOR = 0.25
@@ -26,10 +27,11 @@ LEVEL_PRICE = 13.0
 
 
 def noise_penalty(noise: NoiseModel) -> float:
-    """What everything in a noise beyond white is penalised by in -2 ln L."""
+    """What everything in a noise beyond white is penalised by in -2 ln L; components have penalties of their own."""
     flicker = FLICKER_PRICE if noise.flicker else 0.0
     walk = (WALK_PRICE + CORNER_PRICE * bool(noise.corner)) if noise.walk else 0.0
-    return flicker + walk + LEVEL_PRICE * len(noise.levels)
+    drawn = [name for name, _ in noise.levels if name == SETTINGS or not name.startswith(MARK)]
+    return flicker + walk + LEVEL_PRICE * len(drawn)
 
 
 def fitting(table: Table, forms: Sequence[Form], noise: NoiseModel) -> tuple[tuple[NoiseModel, float], ...]:

@@ -1,25 +1,36 @@
 """The error before and after, on rows that neither chose an effect nor fitted its coefficients."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from itertools import compress
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tumble.calibrations.core.adequacy import told_without
 from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.tracing.components import Component
+from tumble.calibrations.tracing.noise import WHITE, NoiseModel
 from tumble.calibrations.tracing.problem import Problem
 from tumble.calibrations.tracing.search import search
+from tumble.calibrations.tracing.table import Table
 from tumble.calibrations.tracing.trace import Trace, Tracer
 
+BoolArray = NDArray[np.bool_]
+_FAR: Final = 4.0
+"""So many times the variance of a prediction of the declared model, or of a dwell, is far off the rows."""
+_RANK: Final = 1e-10
+_INNER_FOLDS: Final = 3
+"""Into so many folds of whole settings the other rows are parted, to decide by what they predict."""
 
-def held_out_rms(tracer: Tracer[Any], trace: Trace, parts: Iterable[NDArray[np.bool_]]) -> float | None:
+
+def held_out_rms(tracer: Tracer[Any], trace: Trace, parts: Iterable[BoolArray]) -> float | None:
     """Root mean square error of predicting each of the parts, rows held out, after a search among the others.
 
     Effects are chosen anew from the other rows, from their scans as they stand, in the noise of the whole table. What
-    is random (levels, a walk) cannot be predicted and counts as error. Parts without which the others do not
-    tell the declared model are passed over; None where that is every one.
+    has no name is predicted by its mean given the other rows; what is random (levels, a walk) cannot be, and
+    counts as error. Where folds of the other rows are predicted better by the declared model alone, so is the part.
+    Parts without which the others do not tell the declared model are passed over; None where that is every one.
     """
     table = tracer.table
     columns = table.declared @ table.model.slopes(table.fit((), trace.noise).declared)
@@ -27,8 +38,35 @@ def held_out_rms(tracer: Tracer[Any], trace: Trace, parts: Iterable[NDArray[np.b
     return float(np.sqrt(np.mean(np.concatenate(errors) ** 2))) if errors else None
 
 
-def _errors(tracer: Tracer[Any], trace: Trace, out: NDArray[np.bool_]) -> FloatArray:
+def _errors(tracer: Tracer[Any], trace: Trace, out: BoolArray) -> FloatArray:
     """Output minus what the other rows predict, of the rows that are held out."""
+    table, nothing = tracer.table, np.empty((tracer.table.rows, 0))
+    columns = _chosen(tracer, trace, out)
+    shown = _Shown(table, trace.noise, trace.components, columns)
+    alone = _Shown(table, WHITE, (), nothing)
+    if not _told(table, columns, out):
+        return alone.errors(~out, out)
+    inner = _inner_folds(table, out)
+    better = sum(shown.squares(train, test) - alone.squares(train, test) for train, test in inner) <= 0.0
+    return (shown if better else alone).errors(~out, out)
+
+
+def _told(table: Table, columns: FloatArray, out: BoolArray) -> bool:
+    """Whether the other rows tell columns so well that no row held out is extrapolated to."""
+    tangent = table.declared @ table.model.slopes(table.fit((), WHITE).declared)
+    return _leverage(np.column_stack([tangent, columns]), out) < _FAR * max(_leverage(tangent, out), 1.0)
+
+
+def _leverage(columns: FloatArray, out: BoolArray) -> float:
+    """Largest variance of a prediction of rows held out, in variances of a dwell."""
+    length = np.linalg.norm(columns, axis=0)
+    scaled = columns / np.where(length > 0, length, 1.0)
+    inverse = np.linalg.pinv(scaled[~out], rcond=_RANK)
+    return float(np.max(np.sum((scaled[out] @ inverse) ** 2, axis=1), initial=0.0))
+
+
+def _chosen(tracer: Tracer[Any], trace: Trace, out: BoolArray) -> FloatArray:
+    """Columns of the effects that the other rows choose, shape (rows, n)."""
     table = tracer.table
     barred = [candidate.effect.random or candidate.effect.name in tracer.barred for candidate in tracer.offered]
     offered = [] if table.not_traced else list(compress(tracer.offered, np.logical_not(barred)))
@@ -36,7 +74,38 @@ def _errors(tracer: Tracer[Any], trace: Trace, out: NDArray[np.bool_]) -> FloatA
     problem = Problem(
         sample.whitened_fit(trace.noise), sample.turned(tracer.columns[~out]), offered, table.most_effects
     )
-    explanation = search(problem, beam=1)
-    columns = np.column_stack([table.declared, tracer.columns[:, problem.columns_of(explanation.chosen)]])
-    predicted = columns[out] @ table.model.coefficients(problem.parameters(explanation))
-    return np.asarray(table.output[out] - predicted)
+    return np.asarray(tracer.columns[:, problem.columns_of(search(problem, beam=1).chosen)])
+
+
+def _inner_folds(table: Table, out: BoolArray) -> list[tuple[BoolArray, BoolArray]]:
+    """Rows to fit and rows to predict, of those that are not held out; whole settings together."""
+    fold = np.unique(table.blocks("angle")[~out], return_inverse=True)[1] % _INNER_FOLDS
+    parts = [np.zeros(table.rows, dtype=bool) for _ in range(_INNER_FOLDS)]
+    for number, part in enumerate(parts):
+        part[~out] = fold == number
+    columns = table.declared @ table.model.slopes(table.fit((), WHITE).declared)
+    return [(~out & ~part, part) for part in parts if part.any() and told_without(columns[~out], part[~out])]
+
+
+class _Shown:
+    """A table with columns, and structure without a name, in a noise: what some rows predict of others."""
+
+    def __init__(self, table: Table, noise: NoiseModel, components: Sequence[Component], columns: FloatArray) -> None:
+        self._table, self._noise, self._columns = table, noise, columns
+        self._drawn = [(table.memory.levels[each.name], dict(noise.levels)[each.name]) for each in components]
+
+    def squares(self, train: BoolArray, test: BoolArray) -> float:
+        """Sum of squares of the errors."""
+        return float(np.sum(self.errors(train, test) ** 2))
+
+    def errors(self, train: BoolArray, test: BoolArray) -> FloatArray:
+        """Output minus what the rows of `train` predict, of the rows of `test`."""
+        table, sample = self._table, self._table.sample_of(train)
+        whitened_fit = sample.whitened_fit(self._noise)
+        fit = whitened_fit.fit(whitened_fit.split(sample.turned(self._columns[train])))
+        together = np.column_stack([table.declared, self._columns])
+        misfit = table.output - together @ table.model.coefficients(fit.theta)
+        white = sample.memory.whitening(self._noise)
+        shown = white(white(misfit[train] * sample.root_weights))
+        unnamed = sum((variance * level[test] @ (level[train].T @ shown) for level, variance in self._drawn), 0.0)
+        return np.asarray(misfit[test] - unnamed / np.sqrt(table.weights[test]))

@@ -7,13 +7,14 @@ from typing import Any, Generic, TypeVar
 
 import numpy as np
 
+from tumble.calibrations.tracing.beyond import traced
 from tumble.calibrations.tracing.blocks import Lack
 from tumble.calibrations.tracing.evidence import Evidence, gathered, settings_differ
 from tumble.calibrations.tracing.fitting_noise import best_level
 from tumble.calibrations.tracing.noise import SETTINGS, WHITE, scaled_levels
 from tumble.calibrations.tracing.rivals import Rival, near_rivals, with_best_names
 from tumble.calibrations.tracing.table import Table
-from tumble.calibrations.tracing.trace import Trace, Tracer, refined
+from tumble.calibrations.tracing.trace import Trace, Tracer, penalised_deviance, refined
 
 _ROUNDS = 3
 """How often a table is traced again without what did not stand."""
@@ -49,17 +50,18 @@ def judged(table: _T) -> Judged[_T]:
     Where an effect does not stand, the table is traced again without it; where settings differ all the same, in a noise
     that their repeats share, so that a shape must explain more than their number allows.
     """
-    tracer = Tracer(table)
-    trace, near = with_best_names(tracer, tracer.trace())
+    whole = Tracer(table)
+    tracer, trace = traced(whole)
+    trace, near = with_best_names(tracer, trace)
     withheld: dict[str, Evidence] = {}
     for further in reversed(range(_ROUNDS)):
-        kept, found, fallen = _standing(table, trace)
+        kept, found, fallen = _standing(tracer.table, trace)
         if not fallen:
             break
         withheld |= {each.name: withheld.get(each.name, each) for each in fallen}
         trace, near = kept, {name: near[name] for name in kept.names if name in near}
         if further:
-            trace, near = _again(tracer, kept, frozenset(withheld))
+            tracer, trace, near = _again(whole, kept, frozenset(withheld))
     judgement = Judged(
         tracer=tracer.without(frozenset(withheld)),
         trace=trace,
@@ -81,23 +83,31 @@ def _standing(table: Table, trace: Trace) -> tuple[Trace, dict[str, Evidence], l
     while failing := [each for each in found.values() if not each.stands]:
         worst = max(failing, key=lambda each: (each.p_value / each.chance, each.inflation))
         fallen.append(worst)
-        trace = refined(table, trace.without(worst.name))
+        trace = _worth_their_penalty(table, refined(table, trace.without(worst.name)))
         found = gathered(table, trace)
     return trace, found, fallen
 
 
-def _again(whole: Tracer[Any], kept: Trace, barred: frozenset[str]) -> tuple[Trace, dict[str, list[Rival]]]:
+def _worth_their_penalty(table: Table, trace: Trace) -> Trace:
+    """A trace without what explains too little once another effect is gone; of that, nothing is to be said."""
+    rests = [trace.without(item.effect.name) for item in trace.found]
+    fitted = [replace(rest, deviance=table.deviance(rest.forms, rest.noise)) for rest in rests]
+    best = min((trace, *fitted), key=penalised_deviance)
+    return trace if best is trace else _worth_their_penalty(table, best)
+
+
+def _again(whole: Tracer[_T], kept: Trace, barred: frozenset[str]) -> tuple[Tracer[_T], Trace, dict[str, list[Rival]]]:
     """Trace once more without some effects, in the noise by which settings differ if they do."""
-    table = whole.table
-    if not settings_differ(table, kept).alike < _DIFFER_P:
-        tracer = whole.without(barred)
-        return with_best_names(tracer, tracer.trace())
-    rough = _with_levels(table)
-    tracer = whole.among(rough, best_level(rough, kept.forms, WHITE, SETTINGS)).without(barred)
-    trace = tracer.trace()
-    noise = best_level(rough, trace.forms, trace.noise, SETTINGS)
-    trace, near = with_best_names(tracer, replace(trace, noise=noise, deviance=rough.deviance(trace.forms, noise)))
-    return _smooth(table, trace), _all_smooth(table, near)
+    if not settings_differ(whole.beside(kept.components).table, kept).alike < _DIFFER_P:
+        tracer, trace = traced(whole.without(barred))
+        return tracer, *with_best_names(tracer, trace)
+    rough = _with_levels(whole.table)
+    tracer, trace = traced(whole.among(rough, best_level(rough, kept.forms, WHITE, SETTINGS)).without(barred))
+    noise = best_level(tracer.table, trace.forms, trace.noise, SETTINGS)
+    deviance = tracer.table.deviance(trace.forms, noise)
+    trace, near = with_best_names(tracer, replace(trace, noise=noise, deviance=deviance))
+    smooth = whole.beside(trace.components)
+    return smooth, _smooth(smooth.table, trace), _all_smooth(smooth.table, near)
 
 
 def _near_in_levels(whole: Tracer[Any], trace: Trace) -> dict[str, list[Rival]]:
@@ -113,7 +123,7 @@ def _all_smooth(table: Table, near: Mapping[str, Sequence[Rival]]) -> dict[str, 
     return {name: [replace(each, trace=_smooth(table, each.trace)) for each in listed] for name, listed in near.items()}
 
 
-def _with_levels(table: Table) -> Table:
+def _with_levels(table: _T) -> _T:
     """The table with a noise that repeats of a setting share."""
     block = table.blocks("angle")
     columns = (block[:, None] == np.arange(block.max() + 1)).astype(float)

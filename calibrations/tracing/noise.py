@@ -16,6 +16,8 @@ from numpy.typing import NDArray
 from tumble.calibrations.core.arrays import FloatArray
 
 MODES = 100
+_NOTHING = 1e-12
+"""Part of a direction's variance below which noise leaves it as it is."""
 SETTINGS = "?setting"
 """Levels by which settings differ from the model in no shape at all: lack of fit, as a noise that repeats share."""
 
@@ -65,6 +67,13 @@ class Whitening:
         """Transform columns, shape (rows, n) or (rows,)."""
         along = self.directions[:, : len(self.shrink)]
         return np.asarray(columns - along @ (self.shrink @ (along.T @ columns)))
+
+    @cached_property
+    def taken(self) -> FloatArray:
+        """Columns T, shape (rows, m), with the square of the transformation 1 - TT'."""
+        values, vectors = np.linalg.eigh(2.0 * self.shrink - self.shrink @ self.shrink)
+        kept = values > _NOTHING
+        return np.asarray(self.directions[:, : len(self.shrink)] @ (vectors[:, kept] * np.sqrt(values[kept])))
 
     def turned(self, columns: FloatArray) -> FloatArray:
         """Transform columns that `Memory.turned` has turned."""
@@ -127,8 +136,8 @@ class Memory:
         variances = self._variances(noise)
         size = min(int(np.flatnonzero(variances)[-1]) + 1, len(triangular))
         seen = triangular[:size, variances > 0]
-        values, vectors = np.linalg.eigh((seen * variances[variances > 0]) @ seen.T)
-        values = np.clip(values, 0.0, None)
+        vectors, roots, _ = np.linalg.svd(seen * np.sqrt(variances[variances > 0]), full_matrices=False)
+        values = roots**2
         return Whitening(
             directions=directions,
             shrink=(vectors * (1.0 - 1.0 / np.sqrt(1.0 + values))) @ vectors.T,
@@ -159,7 +168,8 @@ def slow_modes(hours: FloatArray | None, weights: FloatArray) -> FloatArray:
     return np.column_stack([np.ones(rows), cosines]) * np.sqrt(weights)[:, None]
 
 
-def scaled_levels(columns: FloatArray, weights: FloatArray) -> FloatArray:
-    """Weighted level columns, scaled to a mean square of one row."""
-    weighted = columns * np.sqrt(weights)[:, None]
-    return np.asarray(weighted / np.sqrt(np.mean(np.sum(weighted**2, axis=1))))
+def scaled_levels(columns: FloatArray, weights: FloatArray, by: FloatArray | None = None) -> FloatArray:
+    """Weighted level columns, scaled to a mean square of one row; or by what so scales other columns, `by`."""
+    root = np.sqrt(weights)[:, None]
+    measured = (columns if by is None else by) * root
+    return np.asarray(columns * root / np.sqrt(np.mean(np.sum(measured**2, axis=1))))

@@ -39,7 +39,7 @@ class Prediction:
     """
 
     def __init__(self, base: Extensible, trace: Trace, name: str) -> None:
-        self._base, self._noise = base, trace.noise
+        self._base, self._noise, self._components = base, trace.noise, trace.components
         functions = np.column_stack([base.declared, *(form.columns for form in trace.forms)])
         whiten, size = base.memory.whitening(trace.noise), base.model.parameters
         theta = base.model.near(compress(functions, base.output, base.weights, whiten))
@@ -143,7 +143,8 @@ class Prediction:
             noise = replace(noise, walk=noise.walk * longer, corner=noise.corner * longer)
         names = [name for name, _ in noise.levels]
         drawn = {effect.name: effect.forms(scene)[0].columns for effect in self._base.effects if effect.name in names}
-        levels = {name: scaled_levels(columns, weights) for name, columns in drawn.items()}
+        unnamed = {each.name: _longer(each.columns, scene.rows) for each in self._components}
+        levels = {name: scaled_levels(columns, weights) for name, columns in (drawn | unnamed).items()}
         slow = scene.hours if noise.flicker or noise.walk else None
         return Memory(modes=slow_modes(slow, weights), levels=levels).whitening(noise)
 
@@ -151,8 +152,13 @@ class Prediction:
 def _columns(scene: View, item: Found) -> FloatArray:
     """Columns of an effect found in another scene. What has no name is not expected to come back."""
     if isinstance(item.effect, Structure):
-        return np.pad(item.form.columns, ((0, scene.rows - len(item.form.columns)), (0, 0)))
+        return _longer(item.form.columns, scene.rows)
     return form_in(scene, item).columns
+
+
+def _longer(columns: FloatArray, rows: int) -> FloatArray:
+    """Columns for more rows, in which there is nothing of them."""
+    return np.pad(columns, ((0, rows - len(columns)), (0, 0)))
 
 
 def _directions(columns: FloatArray, length: FloatArray) -> FloatArray:

@@ -1,18 +1,19 @@
 """Any table that may be traced: outputs, a declared model of them, and what may be seen besides."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, Protocol
+from typing import Any, Protocol, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.tracing.components import Axis, Component
 from tumble.calibrations.tracing.declared import Declared
 from tumble.calibrations.tracing.effect import Effect, Form, Structure, Variable
-from tumble.calibrations.tracing.noise import Memory, NoiseModel, scaled_levels, slow_modes
+from tumble.calibrations.tracing.noise import WHITE, Memory, NoiseModel, scaled_levels, slow_modes
 from tumble.calibrations.tracing.sample import Sample, sample
 from tumble.calibrations.tracing.variables import counted_blocks
 from tumble.calibrations.tracing.whitened import Fitted
@@ -52,6 +53,8 @@ class Table:
     structures: tuple[Structure[Any], ...]
     """Shapes without a name that compete with it."""
     memory: Memory
+    axes: tuple[Axis, ...] = ()
+    """Along what there may be components without a name."""
     most_effects: int = 5
     """How many are looked for at most."""
 
@@ -123,6 +126,28 @@ class Table:
         """The declared model with these forms in this noise."""
         whitened_fit = self.whole.whitened_fit(noise)
         return whitened_fit.fit(whitened_fit.split(self.whole.turned(self._columns(forms))))
+
+    def with_components(self, components: Sequence[Component]) -> Self:
+        """The same where components may be noise too, with all that the declared model could as well be in them."""
+        return self._with_levels(
+            {each.name: scaled_levels(each.whole, self.weights, by=each.columns) for each in components}
+        )
+
+    def with_seen(self, components: Sequence[Component]) -> Self:
+        """The same where what is seen of components beside the declared model may be noise: by that they are judged."""
+        span = self._seen_directions
+        whole = {each.name: scaled_levels(each.columns, self.weights) for each in components}
+        return self._with_levels({name: level - span @ (span.T @ level) for name, level in whole.items()})
+
+    def _with_levels(self, levels: Mapping[str, FloatArray]) -> Self:
+        return replace(self, memory=replace(self.memory, levels={**self.memory.levels, **levels}))
+
+    @cached_property
+    def _seen_directions(self) -> FloatArray:
+        """Orthonormal directions of the declared model, linearised at its fit, in weighted rows."""
+        theta = self.fit((), WHITE).declared
+        columns = (self.declared @ self.model.slopes(theta)) * np.sqrt(self.weights)[:, None]
+        return np.asarray(np.linalg.svd(columns / np.linalg.norm(columns, axis=0).clip(1e-300), full_matrices=False)[0])
 
     def _columns(self, forms: Sequence[Form]) -> FloatArray:
         return np.column_stack([np.empty((self.rows, 0)), *(form.columns for form in forms)])

@@ -5,7 +5,8 @@ from copy import copy
 from dataclasses import dataclass, replace
 from typing import Any, Generic, Self, TypeVar
 
-from tumble.calibrations.tracing.candidates import Candidate, all_columns, candidates
+from tumble.calibrations.tracing.candidates import UNNAMED, Candidate, all_columns, candidates
+from tumble.calibrations.tracing.components import MARK, Component
 from tumble.calibrations.tracing.effect import Effect, Form, Structure
 from tumble.calibrations.tracing.fitting_noise import (
     best_level,
@@ -15,7 +16,7 @@ from tumble.calibrations.tracing.fitting_noise import (
     is_slow,
     noise_penalty,
 )
-from tumble.calibrations.tracing.noise import SETTINGS, WHITE, NoiseModel
+from tumble.calibrations.tracing.noise import WHITE, NoiseModel
 from tumble.calibrations.tracing.problem import Explanation, Problem
 from tumble.calibrations.tracing.search import penalties, search, settled
 from tumble.calibrations.tracing.table import Table
@@ -52,6 +53,8 @@ class Trace:
     found: tuple[Found, ...]
     noise: NoiseModel
     deviance: float
+    components: tuple[Component, ...] = ()
+    """Structure without a name, which is noise to the rest, the largest first."""
 
     @property
     def named(self) -> tuple[Found, ...]:
@@ -61,7 +64,7 @@ class Trace:
     @property
     def names(self) -> tuple[str, ...]:
         """Names of all effects of the catalogue that were found, those that are autocorrelated noise included."""
-        random = [name for name, _ in self.noise.levels if name != SETTINGS]
+        random = [name for name, _ in self.noise.levels if not name.startswith(MARK)]
         walk = [WALK] if self.noise.walk else []
         return tuple(dict.fromkeys([*(found.effect.name for found in self.named), *random, *walk]))
 
@@ -73,7 +76,12 @@ class Trace:
     def without(self, name: str) -> "Trace":
         """The trace without one effect; its deviance is that of the whole still."""
         noise = replace(self.noise, walk=0.0, corner=0.0) if name == WALK else self.noise.without(name)
-        return replace(self, found=tuple(item for item in self.found if item.effect.name != name), noise=noise)
+        return replace(
+            self,
+            found=tuple(item for item in self.found if item.effect.name != name),
+            noise=noise,
+            components=tuple(each for each in self.components if each.name != name),
+        )
 
     @property
     def unnamed(self) -> tuple[Found, ...]:
@@ -100,12 +108,13 @@ class Tracer(Generic[_T]):
     def __init__(self, table: _T, barred: frozenset[str] = frozenset(), noise: NoiseModel = WHITE) -> None:
         self.table = table
         self.barred = barred
-        self._noise = noise
+        self.noise = noise
         self.effects = table.effects
         self.offered = candidates(table)
         self.columns = all_columns(self.offered, table.rows)
         self._turned = table.whole.turned(self.columns)
         self._problems: dict[NoiseModel, Problem] = {}
+        self.components: tuple[Component, ...] = ()
 
     def without(self, barred: frozenset[str]) -> Self:
         """The same table with other effects that are not looked for."""
@@ -116,8 +125,16 @@ class Tracer(Generic[_T]):
     def among(self, table: _T, noise: NoiseModel) -> Self:
         """The same rows and effects where more can be noise, searched in a noise first."""
         other = copy(self)
-        other.table, other._noise = table, noise
+        other.table, other.noise = table, noise
         other._turned, other._problems = table.whole.turned(self.columns), {}
+        return other
+
+    def beside(self, components: Sequence[Component]) -> Self:
+        """The same where components may be noise."""
+        if not components:
+            return self
+        other = self.among(self.table.with_seen(components), self.noise)
+        other.components = tuple(components)
         return other
 
     def problem(self, noise: NoiseModel) -> Problem:
@@ -128,14 +145,14 @@ class Tracer(Generic[_T]):
         return self._problems[noise].without(self.barred)
 
     def trace(self) -> Trace:
-        """Find the effects of the table.
+        """Find the effects of the table, as if there were no others.
 
         The search is made in white noise first. Where what it finds, or what it leaves, could as well be autocorrelated
         noise, it is made again in such noise, and the cheaper explanation is taken.
         """
         if self.table.rows < self.table.fewest_rows:
             return Trace(found=(), noise=NoiseModel(), deviance=self.table.deviance((), NoiseModel()))
-        white = self._searched(self._noise)
+        white = self._searched(self.noise)
         others = [self._adapted(self._settled(noise, white)) for noise in self._other_noises(white)]
         best = min((self._with_random_effects(trace) for trace in (white, *others)), key=penalised_deviance)
         if best.noise.walk:
@@ -156,12 +173,12 @@ class Tracer(Generic[_T]):
         """
         if not self.table.memory.modes.shape[1]:
             return []
-        beside = fitting(self.table, white.forms, self._noise)
+        beside = fitting(self.table, white.forms, self.noise)
         noises = [noise for noise, deviance in beside if white.deviance - deviance > _NOTICED]
         slow = [item.effect.random or is_slow(self.table, item.form) for item in white.found]
         if any(slow):
             fast = [item.form for item, away in zip(white.found, slow, strict=True) if not away]
-            noises += [noise for noise, _ in fitting(self.table, fast, self._noise)]
+            noises += [noise for noise, _ in fitting(self.table, fast, self.noise)]
         return list(dict.fromkeys(noises))
 
     def _with_random_effects(self, trace: Trace) -> Trace:
@@ -171,7 +188,7 @@ class Tracer(Generic[_T]):
             return trace
         again = self._with_random_levels(self._settled(random.noise, random))
         best = min(random, again, key=penalised_deviance)
-        names = [name for name, _ in best.noise.levels if name != SETTINGS]
+        names = [name for name, _ in best.noise.levels if not name.startswith(MARK)]
         return min((best, *(self._without(best, name) for name in names)), key=penalised_deviance)
 
     def _without(self, trace: Trace, name: str) -> Trace:
@@ -187,7 +204,7 @@ class Tracer(Generic[_T]):
         for name in names:
             noise = best_level(self.table, [item.form for item in kept], noise, name)
         deviance = self.table.deviance([item.form for item in kept], noise)
-        return Trace(found=kept, noise=noise, deviance=deviance)
+        return replace(trace, found=kept, noise=noise, deviance=deviance)
 
     def _adapted(self, trace: Trace) -> Trace:
         """A trace with the walk that suits what was found; searched again where that is another one."""
@@ -204,6 +221,14 @@ class Tracer(Generic[_T]):
             return trace
         return min(trace, self._traced(noise, search(problem.named())), key=penalised_deviance)
 
+    def settled(self, noise: NoiseModel, start: Trace) -> Trace:
+        """What another trace turns into in another noise, its random effects drawn."""
+        return self._with_random_effects(self._settled(noise, start))
+
+    def searched(self, noise: NoiseModel) -> Trace:
+        """The best trace in a noise, its random effects drawn."""
+        return self._with_random_effects(self._searched(noise))
+
     def _settled(self, noise: NoiseModel, start: Trace) -> Trace:
         """What another trace turns into in another noise."""
         problem = self.problem(noise)
@@ -213,7 +238,9 @@ class Tracer(Generic[_T]):
     def _traced(self, noise: NoiseModel, explanation: Explanation) -> Trace:
         problem = self.problem(noise)
         chosen = tuple(found(problem, number) for number in explanation.chosen)
-        return Trace(found=chosen, noise=noise, deviance=explanation.deviance)
+        drawn = dict(noise.levels)
+        components = tuple(each for each in self.components if each.name in drawn)
+        return Trace(found=chosen, noise=noise, deviance=explanation.deviance, components=components)
 
 
 def found(problem: Problem, number: int) -> Found:
@@ -224,7 +251,8 @@ def found(problem: Problem, number: int) -> Found:
 
 def penalised_deviance(trace: Trace) -> float:
     """Deviance plus the penalties of everything in the trace."""
-    return trace.deviance + noise_penalty(trace.noise) + penalties([found.candidate for found in trace.found])
+    named = noise_penalty(trace.noise) + penalties([found.candidate for found in trace.found])
+    return trace.deviance + named + sum(UNNAMED + each.penalty for each in trace.components)
 
 
 def refined(table: Table, trace: Trace, rounds: int = 2) -> Trace:
@@ -235,7 +263,7 @@ def refined(table: Table, trace: Trace, rounds: int = 2) -> Trace:
             others = [other.form for other in (*found[:place], *found[place + 1 :])]
             found[place] = refined_one(table, item, others, trace.noise)
     deviance = table.deviance([item.form for item in found], trace.noise)
-    return Trace(found=tuple(found), noise=trace.noise, deviance=deviance)
+    return replace(trace, found=tuple(found), deviance=deviance)
 
 
 _RATIO = 1.35

@@ -3,7 +3,7 @@
 import shutil
 
 import pytest
-from two_axes import CHANNELS, TWO_AXES
+from two_axes import CHANNELS
 
 from tumble.app.measurements import read_measurement
 from tumble.app.methods.dividing_head.experiments import available
@@ -13,7 +13,6 @@ from tumble.app.same_stand import load_same_stand
 from tumble.app.stand import load_stand, read_stand, same_instruments
 from tumble.app.wiring import Attendant, connect, obliging_operator
 from tumble.drivers.clock import VirtualClock
-from tumble.procedures import registry
 from tumble.procedures.errors import InputError, ProgrammeError
 from tumble.procedures.events import FinishReason, PointCompleted
 from tumble.procedures.programme import programme_from_text
@@ -80,13 +79,8 @@ places_deg = [[90.0, 0.0], [90.0, 45.0], [0.0, 45.0], [-90.0, 30.0]]
 
 
 @pytest.fixture(autouse=True)
-def installed(monkeypatch):
-    class Entry:
-        def load(self):
-            return TWO_AXES
-
-    known = dict(registry._named(()))
-    monkeypatch.setattr(registry, "_named", lambda _: {**known, "two_axes": Entry()})
+def installed(install):
+    install("tumble.procedures", "two_axes", "two_axes:TWO_AXES")
 
 
 @pytest.fixture

@@ -24,6 +24,7 @@ from benchmarks.bank import (
     write_csv,
     write_truth,
 )
+from benchmarks.bank.beyond import BEYOND
 from benchmarks.bank.dwells import dwells
 from benchmarks.bank.geometry import projections
 from benchmarks.bank.noise import FLICKER_FLOOR_V, drawn_noise
@@ -49,6 +50,18 @@ def test_every_effect_shows_as_much_as_was_asked_for(name):
     assert case.truth.visible[name] == pytest.approx(20.0, rel=0.02)
     assert set(case.truth.coefficients) == {name}
     assert np.std(noise_of(case)) == pytest.approx(1e-4, rel=0.1)
+
+
+@pytest.mark.parametrize("name", BEYOND)
+def test_every_effect_of_the_second_set_shows_as_much_as_was_asked_for_and_is_known_alone(name):
+    case = made(design="bfdrt", realisations=3, effects=((name, 20.0),))
+    assert case.truth.visible[name] == pytest.approx(20.0, rel=0.02)
+    assert case.truth.novel == {name: BEYOND[name][0]}
+    assert case.truth.novel_v == pytest.approx(case.truth.noise_free_v - made_without(case).truth.noise_free_v)
+
+
+def made_without(case):
+    return made(design="bfdrt", realisations=3)
 
 
 def test_what_is_visible_is_what_a_fit_of_the_declared_model_leaves():

@@ -6,7 +6,7 @@ import pytest
 from benchmarks.bank import Spec, make_stage, make_table
 from benchmarks.loop.coverage import part_left
 from benchmarks.loop.intervals import clopper_pearson_upper, wilson
-from benchmarks.loop.matching import is_exact
+from benchmarks.loop.matching import as_well, is_exact
 from benchmarks.loop.oracle import ask_oracle
 from benchmarks.loop.refit import Table
 from benchmarks.loop.rivals import judged_rivals
@@ -110,3 +110,10 @@ def test_intervals_of_proportions_agree_with_published_tables():
     # Newcombe, Statistics in Medicine 17 (1998) 857, table I: 81 of 263. Nothing in 100: (1 - p)^100 = 0.025.
     assert wilson(81, 263) == pytest.approx((0.2553, 0.3662), abs=5e-5)
     assert clopper_pearson_upper(0, 100) == pytest.approx(1.0 - 0.025 ** (1.0 / 100.0))
+
+
+@pytest.mark.parametrize(("realisations", "right"), [(1, "time"), (4, "angle")])
+def test_a_variable_that_the_rows_do_not_part_from_the_true_one_is_as_right(realisations, right):
+    """Within one sweep an error along all the head has turned is one in time; with four it is not."""
+    case = make_table(Spec(design="s", realisations=realisations, effects=(("belt", 20.0),)), 5)
+    assert dict(as_well(case, unexplained("time"))) == {"belt": right}

@@ -9,7 +9,7 @@ from loop_examples import clean, misread, timed, with_k_xx
 from report_examples import FACE_UP, FLIPS, dwells, face_up, flips_only, provenance, reversed_
 
 from tumble.calibrations.core.provenance import LimitCheck
-from tumble.calibrations.methods.dividing_head.effects.unnamed import STRUCTURES
+from tumble.calibrations.methods.dividing_head.effects.unnamed import unnamed
 from tumble.calibrations.methods.dividing_head.joint import fit_jointly
 from tumble.calibrations.methods.dividing_head.judging import judge
 from tumble.calibrations.methods.dividing_head.loop.loop import close_loop
@@ -123,7 +123,7 @@ def test_what_is_not_traced():
 
 def test_structure_without_a_name():
     scene = dividing_head_table(fit_jointly(timed(with_k_xx()).augmented.observations), ()).scene
-    said = [each.describe(form) for each in STRUCTURES for form in each.forms(scene)]
+    said = [phrase for axis in unnamed(scene) for phrase in (axis.channel.phrase, axis.coordinate.phrase)]
     assert said
     assert english(said) == []
 

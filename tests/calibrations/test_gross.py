@@ -66,3 +66,13 @@ def test_a_seat_that_is_off_is_no_gross_error_of_the_one_row_that_is_further_off
     off_v[4:6] = 9e-4, -5e-4
 
     assert found(replace(rows, voltage_v=rows.voltage_v + off_v)) == ()
+
+
+def test_rows_of_a_kind_of_dwell_that_scatters_more_are_no_gross_errors():
+    """Twelve times the noise in the three sweeps of few samples."""
+    quiet = table(("sweep", "face-up", np.arange(0.0, 360.0, 5.0)), noise_v=2e-5)
+    noise = np.random.default_rng(2).normal(size=len(quiet))
+    few = np.arange(len(quiet)) < 216
+    rows = replace(quiet, voltage_v=quiet.voltage_v + np.where(few, 2.5e-4 * noise, 0.0), samples=np.where(few, 4, 400))
+
+    assert found(rows) == ()

@@ -47,9 +47,9 @@ def test_a_table_is_known_by_its_columns(tmp_path, header, kind):
     [
         ("temperature_degC,humidity_percent,time_h", "the climate of a room (humidity_percent)"),
         ("tau_s,adev_ug,temperature_degC", "Allan deviations"),
-        ("position_id,outer_deg,inner_deg,u_x_V,u_y_V,u_z_V,temperature_degC", "a triad on a two-axis stand"),
-        ("temperature_degC,u_x_V,u_y_V,u_z_V", "a triad of accelerometers"),
-        ("time_s,u_x_counts,u_y_counts,u_z_counts", "a triad of accelerometers"),
+        ("position_id,outer_deg,inner_deg,u_x_V,u_y_V,temperature_degC", "a triad on a two-axis stand"),
+        ("table_deg,u_x_V,u_y_V,u_z_V", "a triad of accelerometers"),
+        ("time_s,table_deg,u_x_counts,u_y_counts,u_z_counts", "a triad of accelerometers"),
         ("time_s,azimuth_deg,rate_deg_h,temperature_degC", "gyrocompassing"),
         ("time_s,rate_deg_s,temperature_degC", "a gyro"),
         ("time_s,apparatus,ai_g,output_ug,temperature_degC", "vibration rectification"),

@@ -8,7 +8,7 @@ from public_heads import backwards, five_settings, joint
 from tumble.calibrations.methods.head_reference.changes import compare
 from tumble.calibrations.methods.head_reference.comparison_document import comparison_json
 from tumble.calibrations.methods.head_reference.loop import close_reference_loop
-from tumble.calibrations.methods.head_reference.sentences import sentences
+from tumble.calibrations.methods.head_reference.sentences import part_rows, sentences
 
 
 def compared(first, second):
@@ -130,3 +130,9 @@ def test_maps_without_a_common_arc_are_not_compared():
     table = five_settings()
     away = replace(table, angle_deg=table.angle_deg + 90.0, reference_deg=table.reference_deg + 90.0)
     assert compared(table, away).difference is None
+
+
+def test_rounding_of_the_computer_is_shown_as_zero(joints):
+    cells = [cell for row in part_rows(joints) for cell in row]
+    assert "0°" in cells
+    assert not [cell for cell in cells if "e-" in cell]

@@ -170,6 +170,13 @@ def test_every_effect_of_the_catalogue_has_something_to_be_drawn_against():
     assert {effect.name for effect in CATALOGUE} <= set(BY_EFFECT)
 
 
+def test_an_effect_of_ones_own_is_drawn_against_its_variable(monkeypatch):
+    lamp = replace(CATALOGUE[0], name="lamp", depends_on="order")
+    monkeypatch.setattr(traces, "CATALOGUE", (*CATALOGUE, lamp))
+
+    assert abscissae(replace(clean(), effects=(found("lamp"),))) == {BY_VARIABLE["order"]: ["lamp"]}
+
+
 def test_effects_of_one_variable_share_a_figure_and_figures_are_few():
     names = ("k_xx", "k_xxx", "bias_drift", "settling", "range_step", "k_yy", "misreading")
     loop = replace(clean(), effects=tuple(found(name) for name in names), unexplained=UNEXPLAINED)

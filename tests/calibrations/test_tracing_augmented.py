@@ -1,33 +1,35 @@
 """What was found, seen in other rows of the same table."""
 
+from dataclasses import replace
+
 import numpy as np
-import pytest
 from tables import FLIPS, sweep, table
 
-from tumble.calibrations.methods.dividing_head.effects import CATALOGUE
-from tumble.calibrations.methods.dividing_head.effects.unnamed import STRUCTURES
-from tumble.calibrations.methods.dividing_head.joint import fit_jointly
-from tumble.calibrations.methods.dividing_head.loop.table import dividing_head_table, scene_of
-from tumble.calibrations.tracing.noise import NoiseModel
-from tumble.calibrations.tracing.quantified import form_in
-from tumble.calibrations.tracing.trace import Tracer, found
+from tumble.calibrations.methods.dividing_head.loop.loop import explain
+from tumble.calibrations.methods.dividing_head.loop.table import scene_of
 
 MOUNTS = (*FLIPS, sweep("face-up"), sweep("face-down"))
 
 
-@pytest.fixture(scope="module")
-def tracer():
-    return Tracer(dividing_head_table(fit_jointly(table(*MOUNTS)), CATALOGUE))
+def bump(_, angle_deg):
+    return 5e-4 * np.exp(-0.5 * ((angle_deg - 140.0) / 10.0) ** 2)
 
 
-@pytest.mark.parametrize("name", [structure.name for structure in STRUCTURES if structure.depends_on == "angle"])
-def test_a_shape_of_the_head_has_columns_in_a_table_with_a_setting_more(tracer, name):
-    longer = table(*MOUNTS, ("sweep", "face-down", [123.4]))
-    scene = scene_of(longer, tracer.table.joint.fit.theta)
-    problem = tracer.problem(NoiseModel())
-    numbers = [number for number, candidate in enumerate(tracer.offered) if candidate.effect.name == name]
+def test_what_has_no_name_is_carried_to_rows_that_were_not_fitted():
+    rows = table(*MOUNTS, extra_v=bump)
+    _, explained = explain(rows)
+    longer = table(*MOUNTS, ("sweep", "face-down", [141.0]), extra_v=bump)
+    residual_v = explained.best.residual_v(scene_of(longer, explained.table.joint.fit.theta))
 
-    for number in numbers:
-        columns = form_in(scene, found(problem, number)).columns
-        assert columns.shape == (len(longer), tracer.offered[number].form.columns.shape[1])
-        assert np.isfinite(columns).all()
+    assert [component.depends_on for component in explained.trace.components] == ["angle"]
+    assert np.abs(residual_v[longer.angle_deg == 141.0]).max() < 4e-4
+
+
+def test_a_gross_error_on_structure_without_a_name_is_still_one():
+    rows = table(*MOUNTS, extra_v=bump)
+    voltage_v = rows.voltage_v.copy()
+    voltage_v[40] += 3e-3
+    loop, explained = explain(replace(rows, voltage_v=voltage_v))
+
+    assert [entry.row for entry in explained.table.observations.set_aside] == [41]
+    assert loop.unexplained.depends_on == "angle"

@@ -8,11 +8,9 @@ from tables import FLIPS, UNIT, gravity_on, sweep, table
 
 from tumble.calibrations.core.compression import compress
 from tumble.calibrations.methods.dividing_head.effects import CATALOGUE
-from tumble.calibrations.methods.dividing_head.effects.unnamed import STRUCTURES
 from tumble.calibrations.methods.dividing_head.fit import joint_fit
 from tumble.calibrations.methods.dividing_head.joint import fit_jointly
 from tumble.calibrations.methods.dividing_head.loop.table import dividing_head_table
-from tumble.calibrations.tracing.effect import Structure
 from tumble.calibrations.tracing.noise import NoiseModel
 from tumble.calibrations.tracing.search import penalised, penalties, search
 from tumble.calibrations.tracing.trace import Tracer
@@ -70,12 +68,6 @@ def test_the_search_ends_with_the_cheapest_set(tracer):
     assert penalised(problem, found) == found.deviance + penalties([problem.offered[number] for number in found.chosen])
 
 
-def test_a_search_for_names_alone_finds_no_shape_without_one(tracer):
-    problem = tracer.problem(WHITE).named()
-
-    assert not any(isinstance(problem.offered[number].effect, Structure) for number in search(problem).chosen)
-
-
 def test_what_only_two_rows_could_show_is_not_on_offer():
     """Of az there is ±1 alone in the z flips: ax az is nothing but the two rows that were read a little wrong there."""
     rows = table(*FLIPS, sweep("face-up"), sweep("face-down"), unit=dict(UNIT, alpha0=0.0))
@@ -86,11 +78,3 @@ def test_what_only_two_rows_could_show_is_not_on_offer():
 
     assert "k_xx" in names
     assert "k_xz" not in names
-
-
-def test_every_shape_without_a_name_says_in_words_what_and_where_it_is(tracer):
-    for structure in STRUCTURES:
-        for form in structure.forms(tracer.table.scene):
-            words = structure.describe(form)
-            assert len(words) > 15
-            assert not {"_", "{", "="} & set(words.replace("ax = ", ""))

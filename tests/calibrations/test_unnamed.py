@@ -1,78 +1,77 @@
-"""Structure without a name, in words that a reader understands."""
+"""Structure without a name in the table of an accelerometer: along what it is looked for, and what is said of it."""
 
 import re
 
 import numpy as np
 import pytest
+from tables import FLIPS, sweep, table
 from test_effects import scene
 
-from tumble.calibrations.methods.dividing_head.effects.unnamed import STRUCTURES, withheld_by
-from tumble.calibrations.tracing.effect import Form
+from tumble.calibrations.methods.dividing_head.effects.unnamed import unnamed
+from tumble.calibrations.methods.dividing_head.loop.loop import close_loop
 
-BY_NAME = {structure.name: structure for structure in STRUCTURES}
+CONTRACT = {
+    "angle": "angle",
+    "unwrapped_angle": "angle",
+    "acceleration": "acceleration",
+    "pose": "acceleration",
+    "time": "time",
+    "time_since_seating": "time",
+    "temperature": "temperature",
+    "direction": "direction",
+    "realisation": "realisation",
+    "order": "order",
+}
+"""Every variable of the contract, and what it depends on by the coarser word."""
 
 
 @pytest.fixture(scope="module")
 def rich():
     """Three turns there and back with everything that a table may say."""
-    angle_deg = np.resize(np.concatenate([np.arange(0.0, 360.0, 15.0), np.arange(345.0, -1.0, -15.0)]), 480)
+    angle_deg = np.resize(np.concatenate([np.arange(0.0, 400.0, 15.0), np.arange(390.0, -1.0, -15.0)]), 480)
     count = np.arange(480)
-    return scene(
-        angle_deg,
-        time_s=20.0 * count,
-        temperature_degc=23.0 + 0.01 * count,
-        realisation=1 + count // 160,
-        direction=np.where(count % 48 < 24, 1, -1),
+    return unnamed(
+        scene(
+            angle_deg,
+            time_s=20.0 * count,
+            temperature_degc=23.0 + 0.01 * count,
+            realisation=1 + count // 160,
+            direction=np.where(count % 48 < 24, 1, -1),
+        )
     )
 
 
-@pytest.mark.parametrize("structure", STRUCTURES, ids=lambda structure: structure.name)
-def test_every_shape_is_described_in_plain_words(rich, structure):
-    forms = structure.forms(rich)
-    assert forms
-    for form in forms:
-        text = structure.describe(form)
-        assert re.fullmatch(r"[A-Za-z0-9 ,.°'=+-]+", text)
-        assert text[0].islower()
-        assert not text.endswith(".")
+def test_every_variable_of_the_contract_is_looked_along(rich):
+    assert {axis.coordinate.word: axis.coordinate.depends_on for axis in rich} == CONTRACT
 
 
-@pytest.mark.parametrize(
-    ("name", "scanned", "text"),
-    [
-        ("?angle bell", {"centre_deg": 140.0, "width_deg": 8.0}, "a bump of the head's error near 140°, some 16° wide"),
-        ("?acceleration bend", {"axis": 1, "order": 5}, "a bend of the response to ay, like its power 5"),
-        ("?time step", {"step_s": 1234.4}, "a step some 1234 s after the first row"),
-        ("?temperature course", {"rate": 1.0}, "a dependence on how fast the temperature changes"),
-        ("?direction of approach", {"scale": 1.0}, "another response after moves in - direction"),
-        ("?realisation alone", {"realisation": 2}, "realisation 2 responds differently"),
-        (
-            "?order of dwells",
-            {"table": 1.0},
-            "a steady course with the number of dwells over the table, which has no time",
-        ),
-        ("?order of dwells", {"mounting": 1.0}, "a steady course since the start of each mounting"),
-        (
-            "?order of dwells",
-            {"realisation": 6.0},
-            "something that dies out within some 6 dwells of the start of each realisation",
-        ),
-    ],
-)
-def test_a_shape_is_described_with_where_it_is(name, scanned, text):
-    assert BY_NAME[name].describe(Form(columns=np.empty((0, 1)), scanned=scanned)) == text
+def test_offset_scale_and_angle_are_looked_at(rich):
+    assert {axis.channel.word for axis in rich} == {"offset", "scale", "angle"}
 
 
-@pytest.mark.parametrize(
-    ("name", "at", "taken"),
-    [
-        ("?acceleration bend", {"axis": 2, "order": 3}, ("kz",)),
-        ("?acceleration bend", {"axis": 0, "order": 4}, ("u0",)),
-        ("?acceleration bend", {"axis": 0, "power": 1.5}, ("u0", "kx")),
-        ("?angle course", {"knots": 24.0}, ("alpha0",)),
-        ("?realisation alone", {"realisation": 2}, ("kx",)),
-        ("?time step", {"step_s": 100.0}, ()),
-    ],
-)
-def test_a_shape_takes_the_parameters_of_which_it_has_a_part_of_its_own(name, at, taken):
-    assert withheld_by(name, at) == taken
+def test_no_scale_follows_the_input_that_it_scales(rich):
+    assert not {("scale", "acceleration"), ("scale", "pose"), ("scale", "angle")} & {axis.place for axis in rich}
+
+
+def test_every_channel_and_variable_is_described_in_plain_words(rich):
+    for axis in rich:
+        for text in (axis.channel.phrase, axis.coordinate.phrase):
+            assert re.fullmatch(r"[A-Za-z ]+", text)
+            assert text[0].islower()
+
+
+def test_without_time_and_temperature_neither_is_looked_along():
+    bare = unnamed(scene(np.arange(0.0, 400.0, 5.0)))
+
+    assert not {"time", "time_since_seating", "temperature"} & {axis.coordinate.word for axis in bare}
+
+
+def test_a_bump_of_the_circle_is_said_with_its_place_and_what_else_it_could_be():
+    def bump(mount, angle_deg):
+        return 2e-4 * np.exp(-0.5 * (((angle_deg - 140.0 + 180.0) % 360.0 - 180.0) / 10.0) ** 2)
+
+    found = close_loop(table(*FLIPS, sweep("face-up"), extra_v=bump)).unexplained
+
+    assert (found.depends_on, found.variable) == ("angle", "angle")
+    assert re.search(r"near 1(3[5-9]|4[0-5])°", found.description)
+    assert ("offset", "acceleration") not in found.also_possible

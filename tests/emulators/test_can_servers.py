@@ -21,7 +21,7 @@ WAYS = [
     pytest.param((serve_socketcand, socketcand_address), id="socketcand"),
     pytest.param((serve_slcan, slcan_address), id="slcan", marks=posix),
 ]
-DROP = {"device": "head", "kind": "drop", "at": {"time_s": 0.3}, "lasts_s": 0.5}
+DROP = {"device": "head", "kind": "drop", "at": {"time_s": 1.5}, "lasts_s": 0.5}
 
 
 @pytest.fixture

@@ -1,7 +1,6 @@
 """A method plugs in without a change elsewhere: closed loop, terminal, JSON, report, record, notebook."""
 
 import json
-from importlib.metadata import EntryPoint
 
 import numpy as np
 import pytest
@@ -12,11 +11,9 @@ from tumble.app import methods
 
 
 @pytest.fixture
-def table(tmp_path, monkeypatch):
+def table(tmp_path, install):
     """A table of a clock that loses two seconds an hour, where its method is installed."""
-    installed = methods.entry_points(group=methods.GROUP)
-    point = EntryPoint("clock", "toy:METHOD", methods.GROUP)
-    monkeypatch.setattr(methods, "entry_points", lambda group: [*installed, point])
+    install("tumble.methods", "clock", "toy:METHOD")
     methods.methods.cache_clear()
     noise_s = np.random.default_rng(4).normal(0.0, 0.01, 30)
     rows = [f"{hour},{5.0 + 2.0 * hour + noise_s[hour]}" for hour in range(30)]

@@ -180,6 +180,6 @@ def test_a_notebook_fits_and_traces_it(recording):
 
 
 def test_an_installation_that_knows_no_job_says_so(monkeypatch):
-    monkeypatch.setattr(jobs, "_named", lambda _: {})
+    monkeypatch.setattr(jobs.plugins, "names", lambda _: [])
     with pytest.raises(InputError, match="install tumble again"):
         jobs.job_names()

@@ -6,11 +6,10 @@ from dataclasses import replace
 import pytest
 from fakes import QUICK, FakeDaq
 from recording_examples import HEADER
-from two_axes import CHANNELS, TWO_AXES, TwoAxesStand, dwell_at
+from two_axes import CHANNELS, TwoAxesStand, dwell_at
 
 from tumble.drivers.errors import LinkLostError
 from tumble.drivers.protocols import Stand
-from tumble.procedures import registry
 from tumble.procedures.approach import Approach
 from tumble.procedures.engine import Engine
 from tumble.procedures.errors import ProgrammeError
@@ -36,13 +35,8 @@ def stand():
 
 
 @pytest.fixture(autouse=True)
-def installed(monkeypatch):
-    class Entry:
-        def load(self):
-            return TWO_AXES
-
-    known = dict(registry._named(()))
-    monkeypatch.setattr(registry, "_named", lambda _: {**known, "two_axes": Entry()})
+def installed(install):
+    install("tumble.procedures", "two_axes", "two_axes:TWO_AXES")
 
 
 @pytest.fixture

@@ -1,13 +1,12 @@
 """A method that the window does not know: two axes, three channels, and a base that somebody levels."""
 
 from dataclasses import dataclass
-from importlib.metadata import EntryPoint
 
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel
 from test_any_stand import DRIVERS, PROGRAMME, STAND
-from two_axes import CHANNELS, MADE, TWO_AXES
+from two_axes import CHANNELS, MADE
 
 from tumble.app.running import Job, run
 from tumble.app.stand import load_stand
@@ -17,7 +16,6 @@ from tumble.calibrations.core.verdict import Judgement, Model, Outcome, Verdict
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.tracing.experiments import Experiment
 from tumble.drivers.clock import VirtualClock
-from tumble.procedures import registry as methods_at_stands
 from tumble.procedures.programme import load_programme, programme_from_text
 from tumble.window import registry
 from tumble.window.look.conditions import ConditionWords
@@ -29,13 +27,8 @@ from tumble.window.work.presentation import Presentation
 
 
 @pytest.fixture(autouse=True)
-def installed(monkeypatch):
-    class Entry:
-        def load(self):
-            return TWO_AXES
-
-    known = dict(methods_at_stands._named(()))
-    monkeypatch.setattr(methods_at_stands, "_named", lambda _: {**known, "two_axes": Entry()})
+def installed(monkeypatch, install):
+    install("tumble.procedures", "two_axes", "two_axes:TWO_AXES")
     monkeypatch.setattr("tumble.app.wiring.SystemClock", lambda: VirtualClock(0))
     registry.window_part.cache_clear()
     yield
@@ -292,13 +285,10 @@ PART = WindowPart(words=BaseWords(), overview=Places, figures=Means, present=as_
 
 
 @pytest.fixture
-def own_parts(monkeypatch):
+def own_parts(install):
     """The method brings its own parts, as one that is installed does."""
-    point = EntryPoint("two_axes", "test_any_method:PART", registry.GROUP)
-    found = registry.entry_points
-    monkeypatch.setattr(
-        registry, "entry_points", lambda group, name: (point,) if name == "two_axes" else found(group=group, name=name)
-    )
+    install(registry.GROUP, "two_axes", "test_any_method:PART")
+    registry.window_part.cache_clear()
 
 
 def test_a_method_is_shown_by_the_parts_that_it_brings_along(own_parts, driver, tmp_path):

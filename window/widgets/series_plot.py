@@ -40,7 +40,8 @@ class SeriesPlot(Plot):
 
     def drawn(self, name: str) -> int:
         """How many points of a series are drawn."""
-        return len(self._series[name].getData()[0]) if name in self._series else 0
+        places = self._series[name].getData()[0] if name in self._series else None
+        return 0 if places is None else len(places)  # None until there is a first point
 
     def _of(self, name: str) -> pg.PlotDataItem:
         if name not in self._series:

@@ -11,6 +11,7 @@ from tumble.calibrations.methods.dividing_head.best_alpha0 import best_parameter
 from tumble.calibrations.methods.dividing_head.model import coefficients
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.poses import mountings
+from tumble.calibrations.methods.dividing_head.weights import robust_weights
 from tumble.messages import Message
 
 _HUBER = 1.345
@@ -20,14 +21,15 @@ _HUBER = 1.345
 def gross_errors(
     observations: Observations, basis: FloatArray, groups: NDArray[np.int64], fitted: int
 ) -> tuple[SetAside, ...]:
-    """Rows to set aside, each with the reason.
+    """Rows to set aside, each with the reason. A kind of dwell that scatters more has wider limits.
 
     `basis` are the ten functions of the declared model, shape (rows, 10); `groups` are the poses, `fitted` the number
     of parameters. Where a pose was visited more than once, a row must also differ from the median of the other visits:
     what comes back at every visit is no gross error but structure.
     """
     residual = robust_residual(basis, observations.output_v)
-    return unlike_repeats(observations, residual, groups, _scale(residual, fitted), len(residual) - fitted)
+    weighted = residual * np.sqrt(robust_weights(observations, residual, groups))
+    return unlike_repeats(observations, weighted, groups, _scale(weighted, fitted), len(residual) - fitted)
 
 
 def unlike_repeats(
@@ -38,6 +40,8 @@ def unlike_repeats(
     spare_rows: int,
 ) -> tuple[SetAside, ...]:
     """Rows whose residual is far too large, and differs as much from the repeats of the pose.
+
+    The residuals are weighted: times the root of the weight of their row.
 
     Where all rows of a mounting are off, each by half as much at least, the seat is, and they are kept.
     """

@@ -89,11 +89,6 @@ def parameter_vector(linear: FloatArray, alpha0_deg: FloatArray | float) -> Floa
     return theta
 
 
-def linear_parameters(theta: FloatArray) -> FloatArray:
-    """The parameter vector, shape (..., 6 + terms), without alpha0."""
-    return np.concatenate([theta[..., :ALPHA0], theta[..., ALPHA0 + 1 :]], axis=-1)
-
-
 def coefficients(theta: FloatArray) -> FloatArray:
     """Coefficients of all columns, shape (..., 10 + terms), in volts, of parameter vectors of shape (..., 6 + terms).
 

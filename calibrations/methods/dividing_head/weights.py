@@ -29,6 +29,26 @@ def dwell_weights(observations: Observations, residual_v: FloatArray, groups: ND
     return np.asarray(weights / weights.mean())
 
 
+def robust_weights(observations: Observations, residual_v: FloatArray, groups: NDArray[np.int64]) -> FloatArray:
+    """The same while gross errors are still among the rows: of each kind they count as three robust deviations."""
+    kinds = _kinds(observations)
+    middle_v = np.array([np.median(np.abs(residual_v[kinds == kind])) for kind in range(kinds.max(initial=0) + 1)])
+    limit_v = _ROBUST * middle_v[kinds]
+    return dwell_weights(observations, np.clip(residual_v, -limit_v, limit_v), groups)
+
+
+_ROBUST = 3.0 * 1.4826
+"""Three standard deviations, in median absolute deviations of normal noise."""
+
+
+def weights_of_all(observations: Observations, used: Observations, weights: FloatArray) -> FloatArray:
+    """Weights of all rows of a table by those of the rows in use, each as its kind; of another kind, 1."""
+    kinds, known = _kinds(observations), np.isin(observations.row, used.row)
+    of_kind = np.ones(int(kinds.max(initial=0)) + 1)
+    of_kind[kinds[known]] = weights
+    return np.asarray(of_kind[kinds])
+
+
 def _kinds(observations: Observations) -> NDArray[np.int64]:
     columns: list[NDArray[np.generic]] = [np.zeros(len(observations), dtype=np.int64)]
     if observations.procedure is not None:

@@ -34,7 +34,10 @@ def _difference_json(comparison: Comparison, difference: Difference) -> dict[str
             for at, way, value, uncertainty in zip(*(column.tolist() for column in columns), strict=True)
         ],
         "parts": [asdict(part) for part in comparison.parts],
-        "unexplained": [asdict(each) for each in comparison.unexplained],
+        "unexplained": [
+            {"depends_on": each.depends_on, "description": each.description, "shaped": each.shaped}
+            for each in comparison.unexplained
+        ],
         "slopes_deg_per_deg": [
             {"value": value, "standard_uncertainty": uncertainty} for value, uncertainty in comparison.slopes or ()
         ],

@@ -32,6 +32,8 @@ CHANGES_HEADINGS = (
     Message("First table alone"),
     Message("Second table alone"),
 )
+_PLACES = 9
+"""Decimals of a degree that a difference of two tables can have; what is below is rounding of the computer."""
 _SIDES = {1: "+", -1: "-", 0: Message("not known")}
 
 
@@ -142,8 +144,8 @@ def part_rows(comparison: Comparison) -> list[tuple[str, ...]]:
             f"{part.from_deg:.4g}°" if part.from_deg == part.to_deg else f"{part.from_deg:.4g}° to {part.to_deg:.4g}°",
             _SIDES[part.direction],
             format_concise(part.mean_deg, part.uncertainty_deg, "deg"),
-            format_number(part.lowest_deg, "deg"),
-            format_number(part.highest_deg, "deg"),
+            format_number(round(part.lowest_deg, _PLACES), "deg"),
+            format_number(round(part.highest_deg, _PLACES), "deg"),
             Message("yes") if part.differs else Message("no"),
         )
         for part in comparison.parts

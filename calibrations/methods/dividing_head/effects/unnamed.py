@@ -1,174 +1,197 @@
-"""Structure without a name: shapes that no effect of the catalogue has, by the variable on which they depend.
+"""On what structure without a name may depend in the table of an accelerometer: channels, and variables for each.
 
-They compete with the catalogue on the same terms. Where one wins, the residual is reported as unexplained, located on
-its variable, and the shape stays in the model only to keep the parameters honest.
+A scale that follows ax, or an angle that follows it, is an offset that does: those pairs are left out. Jumps of the
+offset between realisations and of the angle between mountings have names.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator
+from typing import Final
 
-from tumble.calibrations.methods.dividing_head.effects import shapes
+import numpy as np
+from numpy.typing import NDArray
+
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.repeats import labels
 from tumble.calibrations.methods.dividing_head.effects.scene import Scene
-from tumble.calibrations.tracing.effect import Form, Structure, Variable, plain
+from tumble.calibrations.tracing.components import Axis, Channel, axes
+from tumble.calibrations.tracing.coordinate import Coordinate
 from tumble.messages import Message
 
+_SMOOTHED: Final = 8
+"""Degree of the polynomial in time from which the rate of the temperature is taken."""
 
-def _structure(
-    depends_on: Variable,
-    kind: str,
-    forms: Callable[[Scene], Iterator[Form]],
-    describe: Callable[[Mapping[str, float]], Message],
-) -> Structure[Scene]:
-    def listed(scene: Scene) -> Sequence[Form]:
-        return tuple(forms(scene))
 
-    return Structure(
-        name=f"?{depends_on} {kind}",
-        belongs_to="unit",
-        symbol="",
-        source="",
-        forms=listed,
-        report=plain("amplitude", "V"),
-        depends_on=depends_on,
-        describe=lambda form: describe(form.scanned),
+_DRIFTS: Final = (("offset", "time"), ("offset", "temperature"))
+"""A bias that drifts, or follows the temperature, is commoner than all the others."""
+
+
+def unnamed(scene: Scene) -> tuple[Axis, ...]:
+    """Everything along which a table could show structure without a name."""
+    angle, response = tuple(_of_the_head(scene)), tuple(_of_the_input(scene))
+    passing = (*_of_the_time(scene), *_of_the_warmth(scene), *_of_the_order(scene))
+    offset = Channel(word="offset", gain=np.ones(scene.rows), phrase=Message("an offset of the output"))
+    scale = Channel(word="scale", gain=scene.ax_g, phrase=Message("a change of the response to ax"))
+    error = Channel(word="angle", gain=scene.slope_v_per_deg, phrase=Message("an error of the angle"))
+    return axes(
+        (error, (*angle, *passing)), (offset, (*response, *angle, *passing)), (scale, passing), expected=_DRIFTS
     )
 
 
-def _bend_of(at: Mapping[str, float]) -> Message:
-    return Message(
-        "a bend of the response to a{axis}, like its power {power:g}",
-        axis="xyz"[int(at["axis"])],
-        power=at["order"] if "order" in at else at["power"],
+def _of_the_head(scene: Scene) -> Iterator[Coordinate]:
+    turned_deg = scene.angle_deg % 360.0
+    yield Coordinate(
+        word="angle",
+        depends_on="angle",
+        values=turned_deg,
+        period=360.0,
+        shown=_degrees,
+        bumps=True,
+        steps=True,
+        phrase=Message("that follows the angle of the head"),
+    )
+    if np.ptp(scene.angle_deg) > 360.0:
+        yield Coordinate(
+            word="unwrapped_angle",
+            depends_on="angle",
+            values=scene.angle_deg,
+            shown=_degrees,
+            waves=True,
+            phrase=Message("that follows the angle of the head over all turns"),
+        )
+
+
+def _of_the_input(scene: Scene) -> Iterator[Coordinate]:
+    for axis, name in enumerate("xyz"):
+        yield Coordinate(
+            word="acceleration",
+            depends_on="acceleration",
+            values=scene.gravity_g[:, axis],
+            shown="{:.2f} g".format,
+            bumps=True,
+            phrase=Message("that follows a{axis}", axis=name),
+        )
+    yield Coordinate(
+        word="pose",
+        depends_on="acceleration",
+        values=scene.gravity_g,
+        phrase=Message("that follows the pose of the unit"),
     )
 
 
-def _since(at: Mapping[str, float]) -> Message:
-    ((group, dwells),) = at.items()
-    if group == "table":
-        return Message("a steady course with the number of dwells over the table, which has no time")
-    since = (
-        Message("the start of each realisation") if group == "realisation" else Message("the start of each mounting")
+def _of_the_time(scene: Scene) -> Iterator[Coordinate]:
+    if scene.hours is not None:
+        yield Coordinate(
+            word="time",
+            depends_on="time",
+            values=scene.hours,
+            shown=_seconds,
+            waves=True,
+            steps=True,
+            phrase=Message("that follows the time"),
+        )
+        yield Coordinate(
+            word="time_since_seating",
+            depends_on="time",
+            values=_since(scene.mounting, scene.hours),
+            shown=_seconds,
+            phrase=Message("that follows the time since the unit was seated"),
+        )
+
+
+def _of_the_warmth(scene: Scene) -> Iterator[Coordinate]:
+    if scene.temperature_k is None or not np.ptp(scene.temperature_k):
+        return
+    yield Coordinate(
+        word="temperature",
+        depends_on="temperature",
+        values=scene.temperature_k + scene.reference_temperature_degc,
+        shown="{:.1f} °C".format,
+        steps=True,
+        phrase=Message("that follows the temperature"),
     )
-    if dwells == 1.0:
-        return Message("a steady course since {since}", since=since)
-    return Message("something that dies out within some {dwells:g} dwells of {since}", dwells=dwells, since=since)
+    if scene.hours is not None and np.ptp(scene.hours):
+        smooth = np.polynomial.Polynomial.fit(scene.hours, scene.temperature_k, min(_SMOOTHED, scene.rows // 20 + 1))
+        yield Coordinate(
+            word="temperature",
+            depends_on="temperature",
+            values=np.asarray(smooth.deriv()(scene.hours)),
+            phrase=Message("that follows how fast the temperature changes"),
+        )
 
 
-def _after_moves(at: Mapping[str, float]) -> Message:
-    if "bias" in at:
-        return Message("another bias after moves in - direction")
-    return Message("another response after moves in - direction")
+def _of_the_order(scene: Scene) -> Iterator[Coordinate]:
+    count = np.arange(scene.rows, dtype=float)
+    yield Coordinate(
+        word="order",
+        depends_on="order",
+        values=_since(scene.realisation, count),
+        phrase=Message("that follows the number of dwells in the realisation"),
+    )
+    if scene.hours is None:
+        yield Coordinate(
+            word="order",
+            depends_on="order",
+            values=count,
+            phrase=Message("that follows the number of dwells in the table"),
+        )
+    yield Coordinate(
+        word="direction",
+        depends_on="direction",
+        values=scene.direction.astype(float),
+        ordered=False,
+        phrase=Message("that follows the direction of the last move"),
+    )
+    yield Coordinate(
+        word="direction",
+        depends_on="direction",
+        values=_last_move_deg(scene),
+        phrase=Message("that follows the size of the last move"),
+    )
+    yield Coordinate(
+        word="direction",
+        depends_on="direction",
+        values=_since_reversal(scene),
+        phrase=Message("that follows the number of dwells since the last reversal"),
+    )
+    yield Coordinate(
+        word="order",
+        depends_on="order",
+        values=count % 2.0,
+        ordered=False,
+        phrase=Message("that differs from every dwell to the next"),
+    )
+    yield Coordinate(
+        word="realisation",
+        depends_on="realisation",
+        values=scene.realisation.astype(float),
+        ordered=False,
+        phrase=Message("that differs between realisations"),
+    )
 
 
-def _against_temperature(at: Mapping[str, float]) -> Message:
-    if "rate" in at:
-        return Message("a dependence on how fast the temperature changes")
-    return Message("a course against temperature of no simple shape")
+def _last_move_deg(scene: Scene) -> FloatArray:
+    """Signed; none where the unit was seated anew."""
+    moved_deg = np.diff(scene.angle_deg, prepend=scene.angle_deg[0])
+    return np.asarray(np.where(np.diff(scene.mounting, prepend=-1) != 0, 0.0, moved_deg))
 
 
-def withheld_by(name: str, at: Mapping[str, float]) -> tuple[str, ...]:
-    """Parameters that are not identifiable with a shape that could be them as well.
-
-    A bend has a slope or a mean of its own, and of two realisations nobody knows which is the odd one.
-    """
-    if name == "?acceleration bend" and "order" in at:
-        return (f"k{'xyz'[int(at['axis'])]}",) if at["order"] % 2 else ("u0",)
-    around_zero = ("u0", "kx")
-    return {
-        "?angle course": ("alpha0",),
-        "?acceleration bend": around_zero,
-        "?acceleration course": around_zero,
-        "?realisation alone": ("kx",),
-    }.get(name, ())
+def _since_reversal(scene: Scene) -> FloatArray:
+    """Dwells since the head turned round, negative in - direction; the first of them is 1."""
+    count, reversed_ = np.arange(scene.rows), np.diff(scene.direction, prepend=0) != 0
+    since = count - np.maximum.accumulate(np.where(reversed_, count, 0)) + 1
+    return np.asarray(scene.direction * since, dtype=float)
 
 
-STRUCTURES: tuple[Structure[Scene], ...] = (
-    _structure(
-        "angle",
-        "bell",
-        shapes.head_bells,
-        lambda at: Message(
-            "a bump of the head's error near {centre_deg:g}°, some {width_deg:g}° wide",
-            centre_deg=at["centre_deg"],
-            width_deg=2 * at["width_deg"],
-        ),
-    ),
-    _structure(
-        "angle",
-        "course",
-        shapes.head_course,
-        lambda _: Message("an error of the head of no simple shape round the circle"),
-    ),
-    _structure("acceleration", "bend", shapes.polynomials, _bend_of),
-    _structure(
-        "acceleration",
-        "zone",
-        shapes.zones,
-        lambda at: Message("another slope of the response within {width_g:g} g of ax = 0", width_g=at["width_g"]),
-    ),
-    _structure(
-        "acceleration",
-        "bump",
-        shapes.bumps,
-        lambda at: Message(
-            "a bump of the output near ax = {centre_g:.2f} g, some {width_g:.2g} g wide",
-            centre_g=at["centre_g"],
-            width_g=2 * at["width_g"],
-        ),
-    ),
-    _structure(
-        "acceleration",
-        "course",
-        shapes.response_course,
-        lambda _: Message("a bend of the response to ax of no simple shape"),
-    ),
-    _structure(
-        "time",
-        "bend",
-        shapes.time_bends,
-        lambda at: Message("a drift that bends, like the power {power:g} of the time", power=at["power"]),
-    ),
-    _structure(
-        "time",
-        "period",
-        shapes.time_periods,
-        lambda at: Message("a wave in time with a period of {period_s:.0f} s", period_s=at["period_s"]),
-    ),
-    _structure(
-        "time",
-        "step",
-        shapes.time_steps,
-        lambda at: Message("a step some {step_s:.0f} s after the first row", step_s=at["step_s"]),
-    ),
-    _structure("time", "course", shapes.time_course, lambda _: Message("a course in time of no simple shape")),
-    _structure(
-        "temperature",
-        "bend",
-        shapes.temperature_bends,
-        lambda at: Message("a bend against temperature, like the power {power:g}", power=at["power"]),
-    ),
-    _structure(
-        "temperature",
-        "step",
-        shapes.temperature_steps,
-        lambda at: Message("a transition near a temperature of {at_degc:.1f} °C", at_degc=at["at_degc"]),
-    ),
-    _structure(
-        "temperature",
-        "course",
-        shapes.temperature_course,
-        _against_temperature,
-    ),
-    _structure(
-        "direction",
-        "of approach",
-        shapes.directions,
-        _after_moves,
-    ),
-    _structure(
-        "realisation",
-        "alone",
-        shapes.realisations,
-        lambda at: Message("realisation {realisation:g} responds differently", realisation=at["realisation"]),
-    ),
-    _structure("order", "of dwells", shapes.orders, _since),
-)
+def _seconds(hours: float) -> str:
+    return f"{3600.0 * hours:.0f} s"
+
+
+def _degrees(angle_deg: float) -> str:
+    return f"{angle_deg:.0f}°"
+
+
+def _since(group: NDArray[np.int64], values: FloatArray) -> FloatArray:
+    """Values less the first one of each unbroken run of a group."""
+    run = np.cumsum(np.diff(labels(group), prepend=-1) != 0) - 1
+    first = np.unique(run, return_index=True)[1]
+    return np.asarray(values - values[first][run])

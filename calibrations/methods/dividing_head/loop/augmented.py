@@ -7,10 +7,12 @@ import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.dividing_head.effects.scene import Scene
+from tumble.calibrations.methods.dividing_head.effects.unnamed import unnamed
 from tumble.calibrations.methods.dividing_head.fit import covariance
 from tumble.calibrations.methods.dividing_head.joint import Joint, fit_rows
 from tumble.calibrations.methods.dividing_head.loop.table import DividingHeadTable
 from tumble.calibrations.methods.dividing_head.model import BASIS_SIZE, PARAMETERS, basis, coefficients
+from tumble.calibrations.tracing.components import Component, carried
 from tumble.calibrations.tracing.quantified import Quantified, form_in, slices, tangent
 from tumble.calibrations.tracing.trace import Trace
 
@@ -20,13 +22,18 @@ class Augmented(Quantified):
     """A joint fit with further columns."""
 
     joint: Joint
+    unnamed_v: Sequence[tuple[Component, FloatArray]]
+    """Structure without a name, each with what is known of it in the rows of the fit."""
 
     def residual_v(self, scene: Scene) -> FloatArray:
         """Measured minus fitted for any rows of the same table, shape (rows,), in volts."""
         forms = [form_in(scene, item).columns for item in self.found]
         columns = np.column_stack([basis(scene.observations), *forms])
         used = columns.shape[1] + len(PARAMETERS) - BASIS_SIZE
-        return np.asarray(scene.observations.output_v - columns @ coefficients(self.joint.fit.theta[:used]))
+        residual_v = scene.observations.output_v - columns @ coefficients(self.joint.fit.theta[:used])
+        along = {axis.name: axis for axis in unnamed(scene)} if self.unnamed_v else {}
+        carried_v = [carried(component, part_v, along[component.axis.name]) for component, part_v in self.unnamed_v]
+        return np.asarray(residual_v - sum(carried_v, np.zeros(scene.rows)))
 
 
 def augment(table: DividingHeadTable, trace: Trace) -> Augmented:
@@ -47,6 +54,7 @@ def augment(table: DividingHeadTable, trace: Trace) -> Augmented:
     numbers = iter(range(places[-1].stop if places else 0, len(joint.fit.theta)))
     return Augmented(
         joint=joint,
+        unnamed_v=[(component, _known_v(table, trace, joint, component)) for component in trace.components],
         found=chosen,
         columns=tuple(places),
         scanned=tuple(None if t is None else next(numbers) for t in tangents),
@@ -55,6 +63,13 @@ def augment(table: DividingHeadTable, trace: Trace) -> Augmented:
         residual=joint.residual_v,
         dwell=joint.noise.used_v,
     )
+
+
+def _known_v(table: DividingHeadTable, trace: Trace, joint: Joint, component: Component) -> FloatArray:
+    """What is known of a component in the rows of the fit: its mean given the rows, in volts."""
+    root, level = np.sqrt(joint.weights), table.memory.levels[component.name]
+    shown = level.T @ (joint.residual_v * root)
+    return np.asarray(dict(trace.noise.levels)[component.name] * (level @ shown) / root)
 
 
 def _fit(table: DividingHeadTable, trace: Trace, columns: Sequence[FloatArray]) -> Joint:

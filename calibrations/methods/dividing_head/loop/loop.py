@@ -21,6 +21,7 @@ from tumble.calibrations.methods.dividing_head.loop.augmented import Augmented, 
 from tumble.calibrations.methods.dividing_head.loop.misreading import MISREADING, Misreading, misreadings
 from tumble.calibrations.methods.dividing_head.loop.more_settings import more_settings
 from tumble.calibrations.methods.dividing_head.loop.reach import Reach, reach
+from tumble.calibrations.methods.dividing_head.loop.scatter import scatter_and_wandering
 from tumble.calibrations.methods.dividing_head.loop.still import ONE_POSE, Still, in_one_pose, stillness
 from tumble.calibrations.methods.dividing_head.loop.table import (
     DividingHeadTable,
@@ -29,14 +30,16 @@ from tumble.calibrations.methods.dividing_head.loop.table import (
     scene_of,
 )
 from tumble.calibrations.methods.dividing_head.loop.unexplained import unexplained
-from tumble.calibrations.methods.dividing_head.loop.withholding import without_courses, without_rivals
+from tumble.calibrations.methods.dividing_head.loop.withholding import without_alike, without_rivals
 from tumble.calibrations.methods.dividing_head.model import ALPHA0
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.poses import pose_groups
 from tumble.calibrations.methods.dividing_head.probes import PROBES
 from tumble.calibrations.methods.dividing_head.questions import Questioned, questioned
 from tumble.calibrations.methods.dividing_head.result import Calibration
+from tumble.calibrations.methods.dividing_head.weights import weights_of_all
 from tumble.calibrations.tracing import explained as tracing
+from tumble.calibrations.tracing.beyond import alike
 from tumble.calibrations.tracing.effect import Effect
 from tumble.calibrations.tracing.experiments import Experiment, next_experiments
 from tumble.calibrations.tracing.findings import EffectFound, Unexplained, Withheld, effects_found, withheld
@@ -137,18 +140,21 @@ def explain(
         explained = _explained(fit_without(observations, rejected), effects, reference_temperature_degc)
     trace, close, best = explained.trace, explained.close, explained.best
     misread = misreadings(observations, best.joint)
-    stated = without_courses(assess(best.joint, uncertainty, trials=0), best)
-    if trace.found or trace.names:
+    stated = assess(best.joint, uncertainty, trials=0)
+    if trace.found or trace.names or trace.components:
         stated = replace(
             stated,
             held_out_rms_v=held_out_rms(explained.tracer, trace, held_out_parts(explained.table.joint.observations)),
         )
-    augmented = without_rivals(stated, explained.table, explained.near)
+    whole, others = explained.table.with_components(trace.components), alike(explained.tracer, trace)
+    augmented = without_alike(without_rivals(stated, whole, explained.near), whole, trace, others)
+    said = scatter_and_wandering(explained.table, trace, best.joint)
+    augmented = replace(augmented, warnings=(*augmented.warnings, *said))
     loop = Loop(
         declared=assess(declared, uncertainty, trials=0),
         augmented=augmented,
         effects=_effects(explained, close, misread),
-        unexplained=unexplained(explained.judged, _reach(explained)),
+        unexplained=unexplained(explained.judged, _reach(explained), others),
         misread=misread,
         not_traced=explained.table.not_traced,
         withheld=withheld(explained.table, explained.judged),
@@ -207,7 +213,8 @@ def _explained(joint: Joint, effects: Sequence[Effect[Scene]], reference_tempera
     for _ in range(_ROUNDS):
         found = judged(table)
         trace = found.trace
-        best = augment(table, replace(trace, noise=with_likely_flicker(table, trace.forms, trace.noise)))
+        whole = table.with_components(trace.components)
+        best = augment(whole, replace(trace, noise=with_likely_flicker(whole, trace.forms, trace.noise)))
         explanations.append(Explained(judged=found, best=best))
         alpha0_deg = float(best.joint.fit.theta[ALPHA0])
         moved_deg = abs(alpha0_deg - table.scene.alpha0_deg)
@@ -231,6 +238,7 @@ def _gross_errors(observations: Observations, explained: Explained) -> tuple[Set
     residual = explained.best.residual_v(scene)
     residual[np.isin(observations.row, joint.observations.row)] = joint.residual_v
     spare = len(joint.observations) - joint.fit.fitted
+    residual *= np.sqrt(weights_of_all(observations, joint.observations, joint.weights))
     return unlike_repeats(observations, residual, pose_groups(observations), joint.noise.used_v, spare)
 
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.repeats import visits
 from tumble.calibrations.methods.dividing_head.effects.scene import Scene
-from tumble.calibrations.methods.dividing_head.effects.unnamed import STRUCTURES
+from tumble.calibrations.methods.dividing_head.effects.unnamed import unnamed
 from tumble.calibrations.methods.dividing_head.fit import fit_given_alpha0
 from tumble.calibrations.methods.dividing_head.identifiability import determined_without_kxy
 from tumble.calibrations.methods.dividing_head.joint import Joint
@@ -91,7 +91,8 @@ def _table(joint: Joint, effects: Sequence[Effect[Scene]], scene: Scene) -> Divi
         weights=joint.weights,
         scene=scene,
         effects=tuple(effects),
-        structures=STRUCTURES,
+        structures=(),
+        axes=unnamed(scene),
         memory=memory_of(effects, scene, joint.weights),
         joint=joint,
     )

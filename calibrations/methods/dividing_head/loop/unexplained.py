@@ -1,26 +1,32 @@
 """Structure that no effect of the catalogue explains, or settings that differ in no shape."""
 
+from collections.abc import Sequence
 from typing import Any
 
 from tumble.calibrations.core.quantities import format_number
 from tumble.calibrations.methods.dividing_head.loop.reach import Reach
-from tumble.calibrations.tracing.effect import Structure
 from tumble.calibrations.tracing.findings import SHAPELESS_P, Unexplained
 from tumble.calibrations.tracing.judged import Judged
+from tumble.calibrations.tracing.trace import Trace
 from tumble.calibrations.tracing.variables import VARIABLE_WORDS
 from tumble.messages import Message
 
 
-def unexplained(found: Judged[Any], reach: Reach) -> Unexplained | None:
-    """Structure that no effect of the catalogue explains; None where there is none."""
-    structures = [item for item in found.trace.unnamed if isinstance(item.effect, Structure)]
-    if not structures:
+def unexplained(found: Judged[Any], reach: Reach, others: Sequence[Trace] = ()) -> Unexplained | None:
+    """Structure that no effect of the catalogue explains, and what `others` could stand for it; None for none."""
+    components = found.trace.components
+    if not components:
         has_name = found.trace.names and not found.withheld
         return None if has_name or reach.alike > SHAPELESS_P else _shapeless(reach)
-    first = structures[0]
-    assert isinstance(first.effect, Structure)
+    first = components[0]
+    channel, variable = first.place
+    places = dict.fromkeys(other.components[0].place for other in others)
     return Unexplained(
-        depends_on=VARIABLE_WORDS[first.effect.depends_on], description=first.effect.describe(first.form)
+        depends_on=VARIABLE_WORDS[first.depends_on],
+        description=first.described,
+        channel=channel,
+        variable=variable,
+        also_possible=tuple(place for place in places if place != first.place),
     )
 
 

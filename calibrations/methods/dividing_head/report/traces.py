@@ -10,6 +10,7 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.methods.dividing_head.effects import CATALOGUE
 from tumble.calibrations.methods.dividing_head.effects.scene import Scene
 from tumble.calibrations.methods.dividing_head.loop.loop import Loop
 from tumble.calibrations.methods.dividing_head.loop.table import scene_of
@@ -47,11 +48,17 @@ def abscissae(loop: Loop) -> dict[Abscissa, list[str]]:
     """What to draw the residual against, each with what is to be seen there, in the order of the evidence."""
     wanted: dict[Abscissa, list[str]] = {}
     for effect in loop.effects:
-        if effect.name in BY_EFFECT:
-            wanted.setdefault(BY_EFFECT[effect.name], []).append(effect.name)
+        if abscissa := _abscissa(effect.name):
+            wanted.setdefault(abscissa, []).append(effect.name)
     if loop.unexplained:
         wanted.setdefault(BY_VARIABLE[loop.unexplained.depends_on], []).append(Message("what is unexplained"))
     return dict(list(wanted.items())[:MOST_FIGURES])
+
+
+def _abscissa(name: str) -> Abscissa | None:
+    """What shows an effect: its variable where nothing nearer is known; None for what is no column (a misreading)."""
+    by_variable = {effect.word: BY_VARIABLE[effect.depends_on] for effect in CATALOGUE}
+    return BY_EFFECT.get(name) or by_variable.get(name)
 
 
 @styled

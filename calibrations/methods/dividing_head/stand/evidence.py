@@ -19,7 +19,7 @@ from tumble.calibrations.methods.dividing_head.model import PARAMETERS
 from tumble.calibrations.methods.dividing_head.stand.columns import columns_v, tangent_v
 from tumble.calibrations.stand_records.corrections import Corrections
 from tumble.calibrations.stand_records.terms import LASTING, Term, harmonic_term, head_course, union
-from tumble.calibrations.tracing.effect import Structure
+from tumble.calibrations.tracing.components import Component
 from tumble.calibrations.tracing.findings import EffectFound
 from tumble.calibrations.tracing.trace import Found, Trace
 from tumble.messages import Message
@@ -105,10 +105,10 @@ class Run:
 
     def _terms(self) -> Iterator[Term]:
         distinguished = {effect.name: effect for effect in self._lasting() if not effect.also_possible}
+        if any(_of_the_head(component) for component in self.explained.trace.components):
+            yield head_course(self.highest_order)
         for item in self.explained.trace.found:
-            if isinstance(item.effect, Structure) and item.effect.depends_on == _ANGLE:
-                yield head_course(self.highest_order)
-            elif item.effect.name in distinguished and _is_harmonic(item):
+            if item.effect.name in distinguished and _is_harmonic(item):
                 yield harmonic_term(_order(item))
         yield from (_term(effect) for effect in distinguished.values() if effect.name not in _HARMONICS)
 
@@ -119,7 +119,8 @@ class Run:
         """The trace without what the terms stand for."""
         trace, names = self.explained.trace, {term.effect for term in terms}
         rivals = {effect.name for effect in self.loop.effects if names & set(effect.also_possible)}
-        for name in rivals - names:
+        courses = [each.name for each in trace.components if _of_the_head(each)]
+        for name in (*(rivals - names), *courses):
             trace = trace.without(name)
         return replace(trace, found=tuple(item for item in trace.found if not _stands_for(terms, item)))
 
@@ -144,6 +145,11 @@ def _term(effect: EffectFound) -> Term:
     return Term(effect=effect.name, scanned=scanned)
 
 
+def _of_the_head(component: Component) -> bool:
+    """Whether structure without a name is one of the circle."""
+    return component.axis.coordinate.word == _ANGLE
+
+
 def _is_harmonic(item: Found) -> bool:
     return item.effect.name in _HARMONICS
 
@@ -154,8 +160,6 @@ def _order(item: Found) -> int:
 
 def _stands_for(terms: Sequence[Term], item: Found) -> bool:
     """Whether one of the terms is the same as what was found, or holds it."""
-    if isinstance(item.effect, Structure):
-        return item.effect.depends_on == _ANGLE and any(term.orders for term in terms)
     if _is_harmonic(item):
         return any(_order(item) in term.orders for term in terms)
     return any(term.effect == item.effect.name for term in terms)

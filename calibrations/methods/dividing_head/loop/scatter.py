@@ -1,0 +1,64 @@
+"""What scatters or wanders beyond what the samples of a dwell explain: said with its size, and no effect."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Final
+
+import numpy as np
+from scipy.special import chdtri, fdtrc
+
+from tumble.calibrations.core.quantities import format_number
+from tumble.calibrations.methods.dividing_head.joint import Joint
+from tumble.calibrations.tracing.fitting_noise import FLICKER_PRICE, best_walk
+from tumble.calibrations.tracing.rivals import NEAR
+from tumble.calibrations.tracing.table import Table
+from tumble.calibrations.tracing.trace import Trace
+from tumble.messages import Message
+
+_CHANCE: Final = 1e-3
+"""At which a table is told of scatter or wandering that is not there."""
+
+
+def scatter_and_wandering(table: Table, trace: Trace, joint: Joint) -> Iterator[Message]:
+    """A sentence on each."""
+    source = joint.observations.source
+    for said in (_excess(joint), _wandering(table, trace, joint)):
+        if said:
+            yield Message("{source}: {said}", source=source, said=said)
+
+
+def _excess(joint: Joint) -> Message | None:
+    """Scatter between repeats beyond that of the samples of a dwell, if they were independent."""
+    rows, error = joint.observations, joint.error
+    if rows.voltage_sd_v is None or rows.samples is None or not error.degrees_of_freedom:
+        return None
+    variance = rows.voltage_sd_v**2 / np.maximum(rows.samples, 1.0) * joint.weights
+    known = np.isfinite(variance) & (rows.samples > 1)
+    if not known.any():
+        return None
+    sampled = float(np.mean(variance[known]))
+    spare = float(np.sum(rows.samples[known] - 1.0))
+    if sampled <= 0.0 or fdtrc(error.degrees_of_freedom, spare, error.variance / sampled) > _CHANCE:
+        return None
+    return Message(
+        "repeats scatter by {pure}, the samples of a dwell explain {sampled}: something changes between the repeats",
+        pure=format_number(error.standard_deviation, "V", 2),
+        sampled=format_number(float(np.sqrt(sampled)), "V", 2),
+    )
+
+
+def _wandering(table: Table, trace: Trace, joint: Joint) -> Message | None:
+    """Flicker beside what was found, with its floor; where a walk fits nearly as well, that too."""
+    noise = trace.noise
+    if not noise.flicker:
+        return None
+    without = table.deviance(trace.forms, replace(noise, flicker=0.0))
+    if without - trace.deviance < max(chdtri(1, 2.0 * _CHANCE), FLICKER_PRICE):
+        return None
+    _, walking = best_walk(table, trace.forms, noise)
+    kind = Message("walk or flicker") if walking - trace.deviance < NEAR else Message("flicker")
+    return Message(
+        "the bias wanders ({kind}), in the Allan deviation by some {floor}",
+        kind=kind,
+        floor=format_number(float(np.sqrt(2.0 * np.log(2.0) * noise.flicker)) * joint.noise.used_v, "V", 2),
+    )

@@ -1,0 +1,184 @@
+"""Closing the loop on a triad: what the declared model leaves, traced; parameters before and after."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.blas_threads import one_blas_thread
+from tumble.calibrations.core.parameter import ModelFit, Parameter
+from tumble.calibrations.core.repeats import PureError, pure_error
+from tumble.calibrations.methods.triad.doubts import doubts
+from tumble.calibrations.methods.triad.experiments import Experiment, next_experiments
+from tumble.calibrations.methods.triad.fit import TriadFit, fit_triad
+from tumble.calibrations.methods.triad.gross import gross_errors
+from tumble.calibrations.methods.triad.model import INTERNAL, NAMES, UNITS
+from tumble.calibrations.methods.triad.observations import TriadObservations
+from tumble.calibrations.methods.triad.scalar import ScalarFit, fit_scalar
+from tumble.calibrations.methods.triad.table import TriadTable, triad_table
+from tumble.calibrations.methods.triad.weights import channel_weights
+from tumble.calibrations.tracing.effect import Structure
+from tumble.calibrations.tracing.explained import Explained, unless_rivals_differ
+from tumble.calibrations.tracing.findings import EffectFound, Unexplained, Withheld, effects_found, withheld
+from tumble.calibrations.tracing.held_out import held_out_rms
+from tumble.calibrations.tracing.judged import judged
+from tumble.calibrations.tracing.noise import NoiseModel
+from tumble.calibrations.tracing.trace import Trace
+from tumble.messages import Message
+
+_FOLDS = 6
+"""Into so many parts the positions are dealt for the held-out error, every repeat of one in the same part."""
+FEWEST_POSITIONS = 5
+"""With fewer positions than this the fourteen parameters are not determined by any choice of them."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class TriadLoop:
+    """The loop closed on a table of a triad."""
+
+    observations: TriadObservations
+    """Rows in use; those that are not stand in its `set_aside`."""
+    doubts: tuple[str, ...]
+    """Questions about the table; where there are any, nothing is stated."""
+    before: TriadFit
+    explained: Explained[TriadTable, TriadFit]
+    declared: ModelFit
+    augmented: ModelFit
+    scalar: ScalarFit | None
+    pure_errors: tuple[PureError, ...]
+    """Scatter of a dwell mean of each channel between repeats."""
+    experiments: tuple[Experiment, ...]
+
+    @property
+    def best(self) -> TriadFit:
+        """The fit with what was found."""
+        return self.explained.best
+
+    @property
+    def explained_v(self) -> FloatArray:
+        """What was found, in each dwell and channel, shape (dwells, 3), in volts."""
+        shares = [
+            item.form.columns @ self.best.coefficients[columns]
+            for item, columns in zip(self.best.found, self.best.columns, strict=True)
+        ]
+        return np.asarray(sum(shares, np.zeros(3 * len(self.observations))).reshape(3, -1).T)
+
+    @property
+    def effects(self) -> tuple[EffectFound, ...]:
+        """What was found, in the order of the evidence; nothing of a table in doubt."""
+        if self.doubts:
+            return ()
+        found = effects_found(self.explained.table, self.explained.judged, self.best, self.explained.close)
+        return tuple(sorted(found, key=lambda effect: effect.p_value))
+
+    @property
+    def withheld(self) -> tuple[Withheld, ...]:
+        """What would fit the rows and is not stated."""
+        return () if self.doubts else withheld(self.explained.table, self.explained.judged)
+
+    @property
+    def unexplained(self) -> Unexplained | None:
+        """The largest structure that no effect of the catalogue explains; None where there is none."""
+        shown = [
+            (float(np.std(item.form.columns @ self.best.coefficients[columns])), item)
+            for item, columns in zip(self.best.found, self.best.columns, strict=True)
+            if isinstance(item.effect, Structure)
+        ]
+        if self.doubts or not shown:
+            return None
+        item = max(shown, key=lambda entry: entry[0])[1]
+        assert isinstance(item.effect, Structure)
+        return Unexplained(depends_on=item.effect.depends_on, description=item.effect.describe(item.form))
+
+
+@one_blas_thread
+def close_triad_loop(observations: TriadObservations) -> TriadLoop:
+    """Trace what fourteen parameters leave of a table. Raises `ValueError` where there are too few positions."""
+    if (positions := len(np.unique(observations.positions))) < FEWEST_POSITIONS:
+        raise ValueError(
+            Message(
+                "{source}: {positions} positions do not determine the fourteen parameters of a triad; at least "
+                "{fewest} are needed",
+                source=observations.source or "table",
+                positions=positions,
+                fewest=FEWEST_POSITIONS,
+            )
+        )
+    used = observations.without(gross_errors(observations))
+    table = triad_table(used)
+    nothing = Trace(found=(), noise=NoiseModel(), deviance=table.deviance((), NoiseModel()))
+    before = fit_triad(table, nothing)
+    asked = doubts(table, before.deviations_v)
+    found = judged(table)
+    explained = Explained(judged=found, best=fit_triad(table, found.trace))
+    reason = asked[0] if asked else ""
+    return TriadLoop(
+        observations=used,
+        doubts=asked,
+        before=before,
+        explained=explained,
+        declared=_model(before, before.parameters(), reason, _held_out_declared(table, nothing)),
+        augmented=_model(
+            explained.best,
+            _with_rivals(explained),
+            reason,
+            held_out_rms(found.tracer, found.trace, _parts(table)),
+        ),
+        scalar=None if asked else _scalar(used, explained.best),
+        pure_errors=_pure_errors(used),
+        experiments=() if asked else next_experiments(explained),
+    )
+
+
+def _model(fit: TriadFit, parameters: Mapping[str, Parameter], reason: str, held_out_v: float | None) -> ModelFit:
+    """One of the two models; nothing is stated of a table in doubt."""
+    if reason:
+        kept = {name: Parameter(name=name, unit=UNITS[name], value=None, reason=reason) for name in NAMES}
+        return ModelFit(parameters=kept, residual_rms=None, held_out_rms=None)
+    residual_v = float(np.sqrt(np.mean(fit.residual**2)))
+    return ModelFit(parameters=parameters, residual_rms=residual_v, held_out_rms=held_out_v)
+
+
+def _with_rivals(explained: Explained[TriadTable, TriadFit]) -> dict[str, Parameter]:
+    """Parameters with what was found, but those that depend on which of two near rivals is true."""
+    parameters = explained.best.parameters()
+    for name, rivals in explained.near.items():
+        for rival in rivals:
+            other = fit_triad(explained.table, rival.trace).values
+            for key, value in zip(NAMES, other.tolist(), strict=True):
+                parameters[key] = unless_rivals_differ(parameters[key], value, name, rival.name)
+    return parameters
+
+
+def _parts(table: TriadTable) -> list[np.ndarray[tuple[int, ...], np.dtype[np.bool_]]]:
+    """Parts of the rows, whole positions with all their repeats and channels."""
+    position = np.tile(table.observations.positions, 3)
+    return [position % _FOLDS == fold for fold in range(_FOLDS)]
+
+
+def _held_out_declared(table: TriadTable, nothing: Trace) -> float | None:
+    """Error of predicting held-out positions by the declared model."""
+    errors: list[FloatArray] = []
+    for out in _parts(table):
+        sample = table.sample_of(~out)
+        fit = sample.whitened_fit(nothing.noise)
+        theta = fit.fit(fit.split(np.empty((len(sample.turned(table.declared[~out][:, :1])), 0)))).theta
+        errors.append(table.output[out] - table.declared[out] @ table.model.coefficients(theta[:INTERNAL]))
+    return float(np.sqrt(np.mean(np.concatenate(errors) ** 2))) if errors else None
+
+
+def _scalar(observations: TriadObservations, best: TriadFit) -> ScalarFit | None:
+    """The scalar fit of the outputs less what was found in the unit and in the voltmeter."""
+    shares = [
+        item.form.columns @ best.coefficients[columns]
+        for item, columns in zip(best.found, best.columns, strict=True)
+        if item.effect.belongs_to != "stand"
+    ]
+    corrected = observations.outputs_v - sum(shares, np.zeros(3 * len(observations))).reshape(3, -1).T
+    return fit_scalar(corrected, 1.0 / channel_weights(observations))
+
+
+def _pure_errors(observations: TriadObservations) -> tuple[PureError, ...]:
+    even = np.ones(len(observations))
+    return tuple(pure_error(output, observations.positions, even) for output in observations.outputs_v.T)

@@ -1,0 +1,92 @@
+"""The method `triad`: three accelerometers on a two-axis stand."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from tumble.calibrations.core.files import read_header
+from tumble.calibrations.core.joining import joined
+from tumble.calibrations.core.known_tables import misspelt
+from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.core.view import Section
+from tumble.calibrations.methods.triad.document import document
+from tumble.calibrations.methods.triad.entry import VERSION, entry
+from tumble.calibrations.methods.triad.hand.log import output_names, read_log
+from tumble.calibrations.methods.triad.hand.result import HandResult, calibrated_by_hand
+from tumble.calibrations.methods.triad.loop import TriadLoop, close_triad_loop
+from tumble.calibrations.methods.triad.observations import TriadObservations, read_triad_table
+from tumble.calibrations.methods.triad.sections import sections
+from tumble.calibrations.records.entry import Entry
+from tumble.calibrations.tracing.sentences import set_aside_section
+from tumble.messages import Message
+
+_NEEDED = ("outer_deg", "inner_deg", "u_x_V", "u_y_V", "u_z_V")
+
+
+@dataclass(frozen=True, kw_only=True)
+class TriadResult:
+    """Tables of one triad, taken together."""
+
+    loop: TriadLoop
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What is to be asked of the table, and what was odd in it."""
+        return (*self.loop.doubts, *self.loop.observations.warnings)
+
+    @property
+    def parameters(self) -> Mapping[str, Parameter]:
+        """With what was found."""
+        return self.loop.augmented.parameters
+
+    def document(self) -> dict[str, Any]:
+        """The result as `tumble.loop/1`."""
+        return document(self.loop)
+
+    def entry(self) -> Entry:
+        """The result as the store takes it."""
+        return entry(self.loop)
+
+    def sections(self) -> Sequence[Section]:
+        """What is shown."""
+        rows = self.loop.observations
+        return [*sections(self.loop), set_aside_section(rows.source, rows.set_aside)]
+
+
+@dataclass(frozen=True)
+class TriadMethod:
+    """Three accelerometers on a two-axis stand."""
+
+    name: str = "triad"
+    version: int = VERSION
+    title: str = Message("A triad of accelerometers on a two-axis stand")
+    columns: str = Message(
+        "a triad on a two-axis stand (outer_deg, inner_deg, u_x_V, u_y_V, u_z_V), or its log by hand (u_x_…)"
+    )
+
+    def reads(self, header: Sequence[str], numbers: Sequence[str] | None) -> bool:  # noqa: ARG002  # by names alone
+        """Whether a table holds three outputs, and both angles or none."""
+        return set(_NEEDED) <= set(header) or _by_hand(header)
+
+    def hint(self, header: Sequence[str], numbers: Sequence[str]) -> str:  # noqa: ARG002  # by names alone
+        """Whether its columns are misspelt."""
+        return misspelt(header, [*TriadObservations.spelt()], _NEEDED)
+
+    def close_loop(self, paths: Sequence[Path]) -> TriadResult | HandResult:
+        """Trace tables of one triad, taken together; of a log by hand, one. Raises `TableError`, `ValueError`."""
+        if _by_hand(read_header(paths[0])):
+            if len(paths) > 1:
+                raise ValueError(Message("{path}: give one log of a triad at a time", path=paths[1]))
+            return calibrated_by_hand(read_log(paths[0]))
+        return TriadResult(
+            loop=close_triad_loop(joined([read_triad_table(path) for path in paths], [None] * len(paths)))
+        )
+
+
+def _by_hand(header: Sequence[str]) -> bool:
+    """Whether there are three outputs in one unit, and no angle of any stand."""
+    return output_names(list(header)) is not None and not any(name.endswith("_deg") for name in header)
+
+
+METHOD = TriadMethod()

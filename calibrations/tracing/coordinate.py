@@ -1,0 +1,235 @@
+"""A variable on which structure without a name may depend, and the shapes that are tried along it."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.tracing.effect import Variable
+from tumble.messages import Message
+
+MOST_VALUES: Final = 90
+"""Variables with more distinct values are cut into so many bins of equally many rows."""
+_ROWS_EACH: Final = 3
+"""So many rows each bin has at least, in the mean."""
+_KEPT: Final = 1e-3
+"""Directions in which a process varies by less than this part of its largest are left out."""
+_ROUGH: Final = (0.03, 0.3, 3.0)
+"""Lengths of the exponential kernel, in ranges of the variable: broken courses."""
+_SMOOTH: Final = (0.017, 0.05, 0.15, 0.5, 1.5)
+"""Lengths of the squared exponential kernel: smooth courses."""
+_WIDTHS: Final = (0.02, 0.04, 0.08, 0.16)
+"""Widths of bumps, in ranges of the variable."""
+IntArray = NDArray[np.int64]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Coordinate:
+    """A variable on which a channel may depend."""
+
+    word: str
+    """Of the contract, as `angle` or `time_since_seating`."""
+    depends_on: Variable
+    values: FloatArray
+    """Shape (rows,), or (rows, n) where it is a place in space."""
+    phrase: Message
+    """What it follows, for a reader: `that follows the time`."""
+    shown: Callable[[float], str] = "{:.3g}".format
+    """A value of it, for a reader."""
+    period: float | None = None
+    """Of a variable that comes back on itself."""
+    ordered: bool = True
+    """Whether neighbouring values are alike; of labels they are not."""
+    waves: bool = False
+    """Whether something may swing along it, up to the Nyquist limit of its values."""
+    steps: bool = False
+    """Whether something may step along it."""
+    bumps: bool = False
+    """Whether something may be at one place of it only."""
+
+    @cached_property
+    def bins(self) -> IntArray:
+        """Number of the value of each row, or of the bin that it is in: never many beside the rows.
+
+        With a number of its own for nearly every row, nothing would be left to tell a course from the noise of a dwell.
+        """
+        rows = len(self.values)
+        most = min(MOST_VALUES, rows // _ROWS_EACH)
+        if self.values.ndim > 1:
+            return _cells(self.values, most)
+        distinct, number = np.unique(np.round(self.values, 6), return_inverse=True)
+        if len(distinct) <= most or not self.ordered:
+            return np.asarray(number, dtype=np.int64)
+        rank = np.argsort(np.argsort(self.values, kind="stable"), kind="stable")
+        return np.asarray(rank * most // rows, dtype=np.int64)
+
+    @property
+    def bends_tried(self) -> bool:
+        """Whether polynomials of it make sense."""
+        return self.ordered and self.period is None and self.values.ndim == 1
+
+    @property
+    def varies(self) -> bool:
+        """Whether there is anything to follow."""
+        return bool(self.bins.max(initial=0) > 0)
+
+    @cached_property
+    def centres(self) -> FloatArray:
+        """Mean value of each bin, shape (bins, 1 or n)."""
+        values = self.values.reshape(len(self.values), -1)
+        count = np.bincount(self.bins)[:, None]
+        sums = np.stack([np.bincount(self.bins, column) for column in values.T], axis=1)
+        return np.asarray(sums / count)
+
+    @cached_property
+    def courses(self) -> tuple[tuple[str, FloatArray], ...]:
+        """Square roots of the kernels over the bins, shape (bins, directions), each with the word for it."""
+        if not self.ordered:
+            return (("levels", np.eye(int(self.bins.max()) + 1)),)
+        away = _distances(self.centres, self.period)
+        rough = [(f"broken {length:g}", np.exp(-away / length)) for length in _ROUGH]
+        smooth = [(f"smooth {length:g}", np.exp(-0.5 * (away / length) ** 2)) for length in _SMOOTH]
+        return tuple((word, _root(kernel)) for word, kernel in (*rough, *smooth))
+
+    @cached_property
+    def turns(self) -> FloatArray:
+        """Numbers of turns over the range, up to half of one for each typical distance between neighbours."""
+        apart = np.diff(np.unique(np.round(self._part, 9)))
+        limit = _NYQUIST * min(0.5 / float(np.median(apart)), len(self._part) / 2) if len(apart) else 0.0
+        return np.arange(_TURNS_APART, limit, _TURNS_APART)
+
+    def swung(self, turns: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Sines and cosines of waves with so many turns over the range, shape (rows, waves)."""
+        phase = 2.0 * np.pi * np.outer(self._part, turns)
+        return np.sin(phase), np.cos(phase)
+
+    @cached_property
+    def swing(self) -> tuple[FloatArray, FloatArray]:
+        """The same for all turns."""
+        return self.swung(self.turns)
+
+    @cached_property
+    def bumps_tried(self) -> FloatArray:
+        """Centre and width of every bump that is tried, shape (bumps, 2)."""
+        span = self.period or float(np.ptp(self.values))
+        low = float(self.values.min())
+        tried = [
+            (centre, width * span) for width in _WIDTHS for centre in np.arange(low, low + span, width * span).tolist()
+        ]
+        return self._several_rows(np.array(tried))
+
+    def bumps_near(self, centre: float, width: float) -> FloatArray:
+        """The same closer about one of them."""
+        tried = [(centre + part * width, width * ratio) for part in _PARTS for ratio in _TIMES]
+        return self._several_rows(np.array(tried))
+
+    def bells(self, bumps: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """A bell for each bump, and its slope, shape (rows, bumps)."""
+        away = self.values[:, None] - bumps[:, 0]
+        if self.period is not None:
+            away = (away + self.period / 2) % self.period - self.period / 2
+        away = away / bumps[:, 1]
+        bell = np.exp(-0.5 * away**2)
+        return np.asarray(bell), np.asarray(away * bell)
+
+    @cached_property
+    def bells_tried(self) -> tuple[FloatArray, FloatArray]:
+        """The same for every bump that is tried."""
+        return self.bells(self.bumps_tried)
+
+    def _several_rows(self, bumps: FloatArray) -> FloatArray:
+        """Those in whose middle are several rows."""
+        bell, _ = self.bells(bumps)
+        return np.asarray(bumps[np.count_nonzero(bell > _MIDDLE, axis=0) >= _FEWEST])
+
+    @cached_property
+    def bends(self) -> FloatArray:
+        """Chebyshev's polynomials over the range that bend, shape (rows, polynomials)."""
+        return self.polynomials[:, _STRAIGHT:]
+
+    @cached_property
+    def polynomials(self) -> FloatArray:
+        """The same with those that do not."""
+        return np.asarray(np.polynomial.chebyshev.chebvander(2.0 * self._part - 1.0, _MOST_BENT))
+
+    @cached_property
+    def places(self) -> FloatArray:
+        """Where steps are tried, as parts of the range: between any two rows, or between so many of them."""
+        between = np.unique(self._part)
+        between = (between[1:] + between[:-1]) / 2.0
+        return np.asarray(between[np.unique(np.linspace(0, len(between) - 1, _STEPS).round().astype(int))])
+
+    def nearby(self, place: float) -> FloatArray:
+        """Every place between two rows that is nearer to one of the places than the next of them."""
+        between = np.unique(self._part)
+        between = (between[1:] + between[:-1]) / 2.0
+        number = int(np.searchsorted(self.places, place))
+        low, high = self.places[max(number - 1, 0)], self.places[min(number + 1, len(self.places) - 1)]
+        return np.asarray(between[(between >= low) & (between <= high)])
+
+    def stepped(self, places: FloatArray) -> FloatArray:
+        """A step at each of the places, shape (rows, places)."""
+        return (self._part[:, None] > places).astype(float)
+
+    @property
+    def low(self) -> float:
+        """Its lowest value."""
+        return float(self.values.min())
+
+    @property
+    def range(self) -> float:
+        """Its highest value less its lowest."""
+        return float(np.ptp(self.values))
+
+    @cached_property
+    def _part(self) -> FloatArray:
+        """Where each row is in the range of the variable, from 0 to 1."""
+        return np.asarray((self.values - self.values.min()) / np.ptp(self.values))
+
+
+_PARTS: Final = (-0.6, -0.3, 0.0, 0.3, 0.6)
+_TIMES: Final = (0.6, 0.8, 1.0, 1.25, 1.6)
+_STRAIGHT: Final = 2
+"""A constant and a straight line are no bends."""
+_MOST_BENT: Final = 5
+"""Order of the highest polynomial that is tried."""
+_MIDDLE: Final = 0.6
+_FEWEST: Final = 4
+"""Fewer rows than this in its middle make no bump: they could be gross errors."""
+_STEPS: Final = 120
+"""Places at which a step is tried."""
+_NYQUIST: Final = 0.98
+"""At the limit itself one phase of a wave is nothing."""
+_TURNS_APART: Final = 0.5
+"""Waves are tried so many turns over the range apart: half of what parts two of them."""
+_CELL: Final = 0.15
+"""Places closer than this are one."""
+
+
+def _cells(places: FloatArray, most: int) -> IntArray:
+    """Number of the cell of each place, cells as small as so many of them allow."""
+    cell = _CELL
+    while True:
+        distinct, number = np.unique(np.round(places / cell), axis=0, return_inverse=True)
+        if len(distinct) <= max(most, 2 ** places.shape[1]):
+            return np.asarray(number, dtype=np.int64).ravel()
+        cell *= 1.5
+
+
+def _distances(centres: FloatArray, period: float | None) -> FloatArray:
+    """Distances between bins in ranges of the variable; round a circle, half its circumference is the range."""
+    apart = centres[:, None, :] - centres[None, :, :]
+    if period is not None:
+        return np.asarray(np.abs(2.0 * np.sin(np.pi * apart[..., 0] / period)) / 2.0)
+    away = np.linalg.norm(apart, axis=-1)
+    return np.asarray(away / max(float(away.max()), 1e-300))
+
+
+def _root(kernel: FloatArray) -> FloatArray:
+    values, vectors = np.linalg.eigh(kernel)
+    kept = values > _KEPT * values[-1]
+    return np.asarray(vectors[:, kept] * np.sqrt(values[kept]))

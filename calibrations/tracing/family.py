@@ -1,0 +1,255 @@
+"""A channel along a variable, in every shape that it could take."""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
+from typing import Final
+
+import numpy as np
+
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.tracing.components import COURSES, Axis, Component, penalty
+from tumble.calibrations.tracing.coordinate import IntArray
+from tumble.calibrations.tracing.gains import Beside, Gained, best_column, gains
+from tumble.messages import Message
+
+_FEWEST_ROWS: Final = 4
+"""A pulse of fewer rows could be gross errors."""
+_FEWEST_PLACES: Final = 10
+"""With fewer values, a step between them is any difference between them."""
+
+
+_Placed = tuple[Gained, tuple[int, ...]]
+"""What is gained, and numbers of places."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Proposal:
+    """A component that the table shows."""
+
+    axis: Axis
+    shape: str
+    described: Message
+    """The shape, for a reader."""
+    columns: Callable[[], FloatArray]
+    """For a channel of one, shape (rows, n)."""
+    penalty: float
+    """By how much -2 ln L must fall for it to be believed, everything that is tried counted."""
+    gain: float
+    """Fall of -2 ln L."""
+    variance: float
+    """Mean variance of a row by it, in units of the variance of a dwell."""
+    whole: Callable[[], FloatArray] | None = None
+    """The same as `columns` with what the declared model could as well be in it; None where that is all."""
+
+    @property
+    def worth(self) -> float:
+        """The gain beyond the penalty."""
+        return self.gain - self.penalty
+
+    @cached_property
+    def component(self) -> Component:
+        """The component itself."""
+        channel, coordinate = self.axis.channel, self.axis.coordinate
+        return Component(
+            axis=self.axis,
+            shape=self.shape,
+            columns=self.columns() * channel.gain[:, None],
+            whole=(self.whole or self.columns)() * channel.gain[:, None],
+            penalty=self.penalty,
+            described=Message(
+                "{channel} {follows}, {shape}", channel=channel.phrase, follows=coordinate.phrase, shape=self.described
+            ),
+        )
+
+
+class Family:
+    """A channel along a variable, in every shape."""
+
+    def __init__(self, axis: Axis, chance: float) -> None:
+        self._axis, self._chance = axis, chance
+        bins = axis.coordinate.bins
+        self._order = np.argsort(bins, kind="stable")
+        self._starts = np.flatnonzero(np.diff(bins[self._order], prepend=-1))
+
+    def best(self, seen: Beside, rows: int) -> Proposal | None:
+        """The shape that gains most beyond its penalty; None where none gains anything."""
+        return max(self._tried(seen, rows), key=lambda proposal: proposal.worth, default=None)
+
+    def _tried(self, seen: Beside, rows: int) -> Iterator[Proposal]:
+        yield from self._courses(seen, rows)
+        if self._axis.coordinate.waves and len(self._axis.coordinate.turns):
+            yield from self._wave(seen, rows)
+        if self._axis.coordinate.bends_tried:
+            yield from self._bend(seen, rows)
+        if self._axis.coordinate.bumps:
+            yield from self._bump(seen, rows)
+        if self._axis.coordinate.steps:
+            yield from self._step(seen, rows)
+
+    def _courses(self, seen: Beside, rows: int) -> Iterator[Proposal]:
+        """Gaussian processes of every length."""
+        coordinate, level = self._axis.coordinate, self._axis.channel.gain * seen.root
+        weighted = np.column_stack([seen.taken, seen.left]) * level[:, None]
+        sums = np.add.reduceat(weighted[self._order], self._starts, axis=0)
+        power = np.bincount(coordinate.bins, level**2)
+        gram, with_output = np.diag(power) - sums[:, :-1] @ sums[:, :-1].T, sums[:, -1]
+        for shape, root in coordinate.courses:
+            values, vectors = np.linalg.eigh(root.T @ gram @ root)
+            scale = float(power @ np.sum(root**2, axis=1)) / rows
+            power_along = (vectors.T @ (root.T @ with_output)) ** 2
+            (gain,), (variance,) = gains(values[None] / scale, power_along[None] / scale, seen.squares, rows)
+            yield self._proposed(
+                shape,
+                COURSES[shape.split()[0]],
+                partial(_of_rows, root, coordinate.bins),
+                (gain, variance),
+                len(coordinate.courses),
+            )
+
+    def _wave(self, seen: Beside, rows: int) -> Iterator[Proposal]:
+        """Waves of any phase, up to the Nyquist limit."""
+        coordinate = self._axis.coordinate
+        falls, _ = self._pairs(seen, rows, coordinate.swing)
+        finer = coordinate.turns[np.argmax(falls)] + np.linspace(-0.5, 0.5, 11) * coordinate.turns[0]
+        swing = coordinate.swung(finer)
+        falls, variances = self._pairs(seen, rows, swing)
+        best = int(np.argmax(falls))
+        yield self._proposed(
+            f"wave {finer[best]:.4g}",
+            Message("in waves of {period}", period=coordinate.shown(float(coordinate.range / finer[best]))),
+            partial(_columns, swing, best),
+            (falls[best], variances[best]),
+            len(coordinate.turns),
+        )
+
+    def _bump(self, seen: Beside, rows: int) -> Iterator[Proposal]:
+        """Bumps, with their slope, so that they may stand between two of their places."""
+        coordinate = self._axis.coordinate
+        tried = coordinate.bumps_tried
+        if not len(tried):
+            return
+        falls, _ = self._pairs(seen, rows, coordinate.bells_tried)
+        finer = coordinate.bumps_near(*tried[np.argmax(falls)].tolist())
+        bells = coordinate.bells(finer)
+        falls, variances = self._pairs(seen, rows, bells)
+        best = int(np.argmax(falls))
+        centre, width = finer[best].tolist()
+        yield self._proposed(
+            f"bump {centre:.4g} {width:.4g}",
+            Message("near {place}, within some {width}", place=coordinate.shown(centre), width=coordinate.shown(width)),
+            partial(_columns, bells, best),
+            (falls[best], variances[best]),
+            len(tried),
+        )
+
+    def _bend(self, seen: Beside, rows: int) -> Iterator[Proposal]:
+        """Polynomials of low order."""
+        bends = self._axis.coordinate.bends
+        columns = bends * (self._axis.channel.gain * seen.root)[:, None]
+        whole = np.sum(columns**2, axis=0)
+        left = whole - np.sum((seen.taken.T @ columns) ** 2, axis=0)
+        best, gained = best_column(left, whole, (seen.left @ columns) ** 2, seen.squares, rows)
+        said = Message("in a bend")
+        bend = self._proposed(f"bend {best}", said, partial(_columns, [bends], best), gained, bends.shape[1])
+        yield replace(bend, whole=lambda: self._axis.coordinate.polynomials)
+
+    def _pairs(self, seen: Beside, rows: int, pair: tuple[FloatArray, FloatArray]) -> tuple[FloatArray, FloatArray]:
+        """Gains and variances of shapes of two columns each, given as all the first and all the second ones."""
+        level = self._axis.channel.gain * seen.root
+        weighted = np.column_stack([seen.taken, seen.left]) * level[:, None]
+        sums = [weighted.T @ part for part in pair]
+        square = level**2
+        lengths = [square @ part**2 for part in pair]
+        gram = np.empty((pair[0].shape[1], 2, 2))
+        for row, length in enumerate(lengths):
+            gram[:, row, row] = length - np.sum(sums[row][:-1] ** 2, axis=0)
+        mixed = square @ (pair[0] * pair[1]) - np.sum(sums[0][:-1] * sums[1][:-1], axis=0)
+        gram[:, 0, 1] = gram[:, 1, 0] = mixed
+        values, vectors = np.linalg.eigh(gram)
+        scale = (np.sum(lengths, axis=0) / rows)[:, None]
+        power = np.einsum("wji,jw->wi", vectors, np.stack([each[-1] for each in sums])) ** 2
+        return gains(values / scale, power / scale, seen.squares, rows)
+
+    def _step(self, seen: Beside, rows: int) -> Iterator[Proposal]:
+        """A step at any place, or a pulse between any two."""
+        coordinate = self._axis.coordinate
+        places = coordinate.places
+        if len(places) < _FEWEST_PLACES:
+            return
+        coarse = self._steps(seen, rows, places)
+        for number, (name, kind) in enumerate((("step", 1), ("pulse", 2))):
+            _, ends = coarse[number]
+            finer = np.unique(np.concatenate([coordinate.nearby(float(places[end])) for end in ends]))
+            gained, ends = self._steps(seen, rows, finer)[number]
+            at = finer[list(ends)]
+            yield self._proposed(
+                " ".join([name, *(f"{place:.4g}" for place in at)]),
+                _stepped(*(coordinate.shown(float(value)) for value in coordinate.low + coordinate.range * at)),
+                partial(_risen, coordinate.stepped(at)),
+                gained,
+                len(places) ** kind // kind,
+            )
+
+    def _steps(self, seen: Beside, rows: int, places: FloatArray) -> tuple[_Placed, _Placed]:
+        """The best step, and the best pulse: gain and variance, and the numbers of the places."""
+        level = self._axis.channel.gain * seen.root
+        stepped = self._axis.coordinate.stepped(places)
+        columns = stepped * level[:, None]
+        taken, along = seen.taken.T @ columns, seen.left @ columns
+        whole, first, last = columns.T @ columns, *np.triu_indices(len(places), 1)
+        gram = whole - taken.T @ taken
+        steps = best_column(np.diag(gram), np.diag(whole), along**2, seen.squares, rows)
+        long = np.diff(np.sum(stepped, axis=0)[np.array([last, first])], axis=0)[0] >= _FEWEST_ROWS
+        between = (_between(gram, first, last) * long, _between(whole, first, last))
+        pulses = best_column(*between, (along[first] - along[last]) ** 2, seen.squares, rows)
+        return (steps[1], (steps[0],)), (pulses[1], (int(first[pulses[0]]), int(last[pulses[0]])))
+
+    def _proposed(
+        self,
+        shape: str,
+        described: Message,
+        columns: Callable[[], FloatArray],
+        gained: Gained,
+        tried: int,
+    ) -> Proposal:
+        """A shape with its gain and variance, one of so many of its kind; kinds share the chance of the axis."""
+        coordinate = self._axis.coordinate
+        kinds = 1 + coordinate.bends_tried + coordinate.waves + coordinate.bumps + 2 * coordinate.steps
+        return Proposal(
+            axis=self._axis,
+            shape=shape,
+            described=described,
+            columns=columns,
+            penalty=penalty(self._chance / kinds / tried),
+            gain=float(gained[0]),
+            variance=float(gained[1]),
+        )
+
+
+def _stepped(start: str, stop: str = "") -> Message:
+    """A step, or a pulse, where it is."""
+    if stop:
+        return Message("from {start} to {stop}", start=start, stop=stop)
+    return Message("in a step at {start}", start=start)
+
+
+def _of_rows(bins: FloatArray, number: IntArray) -> FloatArray:
+    """What rows have of the values of bins."""
+    return np.asarray(bins[number])
+
+
+def _risen(steps: FloatArray) -> FloatArray:
+    """One step, or what is between two, shape (rows, 1)."""
+    return np.asarray(steps[:, :1] - (steps[:, 1:] if steps.shape[1] > 1 else 0.0))
+
+
+def _columns(sides: Sequence[FloatArray], number: int) -> FloatArray:
+    """The column of that number of each side."""
+    return np.column_stack([side[:, number] for side in sides])
+
+
+def _between(gram: FloatArray, first: IntArray, last: IntArray) -> FloatArray:
+    """Squares of the differences of columns, from their Gram matrix."""
+    length = np.diag(gram)
+    return np.asarray(length[first] + length[last] - 2.0 * gram[first, last])
