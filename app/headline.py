@@ -5,13 +5,14 @@ from collections.abc import Mapping
 from tumble.app.methods import method_called
 from tumble.calibrations.records.parameter import RecordedParameter
 from tumble.calibrations.records.record import Record
+from tumble.procedures.errors import InputError
 
 
 def headline(record: Record) -> RecordedParameter | None:
     """The parameter that the record's method names, or else `chosen` one; None where there is none."""
     try:
         name = method_called(record.method).headline
-    except LookupError:  # of a method that is not installed
+    except (LookupError, InputError):  # of a method that is not installed, or cannot be used
         name = ""
     return chosen(record.values, name)
 
