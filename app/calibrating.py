@@ -18,8 +18,9 @@ from tumble.app.storing import standing_record
 from tumble.app.wiring import Connected
 from tumble.calibrations.records.errors import StoreError
 from tumble.calibrations.records.record import Record
+from tumble.calibrations.report.language import written_in
 from tumble.calibrations.tracing.chain import Chain
-from tumble.messages import Message
+from tumble.messages import Language, Message
 from tumble.procedures.announcer import Listener
 from tumble.system_errors import reason
 
@@ -68,10 +69,16 @@ def has_report(path: Path) -> bool:
 
 
 def write_report(
-    traced: Traced, path: Path, record_id: str = "", revision: int = 1, chain: Chain[Any] | None = None
+    traced: Traced, path: Path, language: Language, record: Record | None = None, chain: Chain[Any] | None = None
 ) -> None:
-    """Write the HTML report, with the experiments that closed the loop where there were any. Raises `JobError`."""
-    write_text(path, traced.report(record_id, revision, chain, contradictions_of(traced)))
+    """Write the HTML report in a language, with the experiments that closed the loop where there were any.
+
+    `record` is the one that was made of the result. Raises `JobError`.
+    """
+    record_id, revision = (record.id, record.revision) if record else ("", 1)
+    with written_in(language):
+        page = traced.report(record_id, revision, chain, contradictions_of(traced))
+    write_text(path, page)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -92,6 +99,7 @@ def calibrate(
     folder: Path,
     listeners: Sequence[Listener] = (),
     tell: Callable[[str], None] = lambda _: None,
+    language: Language = Language.ENGLISH,
 ) -> Calibrated:
     """Run, fit, trace what is left, store, report: the whole job.
 
@@ -107,6 +115,8 @@ def calibrate(
         Called with every event of the run.
     tell
         Called with a sentence when a stage begins.
+    language
+        Of the report.
 
     Raises
     ------
@@ -120,11 +130,16 @@ def calibrate(
     outcome = run(job, connected, recording, listeners, "calibrate")
     if error := failure(outcome, recording):
         raise error
-    return conclude(recording, folder, tell)
+    return conclude(recording, folder, tell, language)
 
 
-def conclude(recording: Path, folder: Path, tell: Callable[[str], None] = lambda _: None) -> Calibrated:
-    """Fit a recording, trace what is left, store, report: the job once the run is over.
+def conclude(
+    recording: Path,
+    folder: Path,
+    tell: Callable[[str], None] = lambda _: None,
+    language: Language = Language.ENGLISH,
+) -> Calibrated:
+    """Fit a recording, trace what is left, store, report in a language: the job once the run is over.
 
     Raises
     ------
@@ -141,7 +156,7 @@ def conclude(recording: Path, folder: Path, tell: Callable[[str], None] = lambda
     tell("reporting")
     report = report_path(folder, record)
     try:
-        write_report(traced, report, record.id, record.revision)
+        write_report(traced, report, language, record)
     except JobError as error:
         raise JobError(
             Message(

@@ -11,7 +11,7 @@ from rich.table import Table
 from rich.text import Text
 
 from tumble.app.analysed import Analysed
-from tumble.app.terminal import lead_nowhere, shown
+from tumble.app.terminal import lead_nowhere, numeric, shown
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.quantities import (
     format_concise,
@@ -208,8 +208,8 @@ def _cells(parameter: Parameter) -> tuple[str, str, str]:
     if parameter.value is None:
         return Message("not identifiable"), "", ""
     return (
-        format_concise(parameter.value, parameter.standard_uncertainty, parameter.unit),
-        "" if parameter.interval_95 is None else format_interval(*parameter.interval_95, parameter.unit),
+        numeric(format_concise(parameter.value, parameter.standard_uncertainty, parameter.unit)),
+        "" if parameter.interval_95 is None else numeric(format_interval(*parameter.interval_95, parameter.unit)),
         format_freedom(parameter.degrees_of_freedom),
     )
 

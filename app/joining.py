@@ -52,8 +52,8 @@ def _refuse_other_methods(measurements: Sequence[Measurement]) -> None:
         if each.method != first.method:
             raise InputError(
                 Message(
-                    "{path} and {second} are tables of different kinds; give them one by one",
-                    path=first.path,
+                    "{first} and {second} are tables of different kinds; give them one by one",
+                    first=first.path,
                     second=each.path,
                 )
             )

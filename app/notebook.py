@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
 from markupsafe import Markup
 
@@ -25,6 +25,7 @@ from tumble.app.running import Job, Outline, failure
 from tumble.app.running import run as measure
 from tumble.app.stand import load_stand, read_stand
 from tumble.app.stand_lock import holding
+from tumble.app.terminal import shown
 from tumble.app.wiring import connect
 from tumble.calibrations.core.method import Method
 from tumble.calibrations.core.quantities import format_concise
@@ -38,6 +39,7 @@ if TYPE_CHECKING:
 
     from tumble.calibrations.records.store import Store
 
+_HEADINGS: Final = (Message("parameter"), Message("value (standard uncertainty)"), Message("remark"))
 Place: TypeAlias = str | PathLike[str]
 
 
@@ -88,7 +90,7 @@ class Result:
             Markup("<tr><td>{}</td><td>{}</td><td>{}</td></tr>").format(value["name"], *_cells(value))
             for value in self.values
         )
-        head = Markup("<tr><th>parameter</th><th>value (standard uncertainty)</th><th>remark</th></tr>")
+        head = Markup("<tr><th>{}</th><th>{}</th><th>{}</th></tr>").format(*map(shown, _HEADINGS))
         return Markup("<table><caption>{}</caption>{}{}</table>").format(self.name, head, rows)
 
 
@@ -251,5 +253,5 @@ def _found(effects: Sequence[Mapping[str, Any]], where: str = "") -> Iterator[di
 
 def _cells(value: Mapping[str, Any]) -> tuple[str, str]:
     if value["value"] is None:
-        return "not identifiable", value["reason"] or ""
+        return shown(Message("not identifiable")), value["reason"] or ""
     return format_concise(value["value"], value["standard_uncertainty"], value["unit"]), ""

@@ -22,7 +22,7 @@ from tumble.calibrations.records.errors import RecordError, StoreError
 from tumble.calibrations.records.raw import file_sha256
 from tumble.calibrations.records.record import Record
 from tumble.calibrations.records.verify import Verification, verify
-from tumble.messages import Message
+from tumble.messages import Language, Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.recording.errors import RecordingError
 from tumble.procedures.recording.header import Header
@@ -69,12 +69,12 @@ def record_of(recording: Path, header: Header, folder: Path) -> Record | None:
         return None
 
 
-def report_again(folder: Path, record_id: str, path: Path | None = None) -> Path:
-    """Write the report of a record anew from its raw file. Raises as `recall`, and `JobError`."""
+def report_again(folder: Path, record_id: str, language: Language, path: Path | None = None) -> Path:
+    """Write the report of a record anew from its raw file, in a language. Raises as `recall`, and `JobError`."""
     record, measurement = recall(folder, record_id)
     page = path or report_path(folder, record)
     analysed = fit(measurement, record.provenance.serial_number, folder=folder)
-    write_report(trace(analysed), page, record.id, record.revision)
+    write_report(trace(analysed), page, language, record)
     return page
 
 

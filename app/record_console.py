@@ -1,10 +1,11 @@
 """Records on the terminal."""
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, Final
 
 from rich.table import Column, Table
 
+from tumble.app.headline import headline
 from tumble.app.terminal import say
 from tumble.calibrations.core.quantities import format_concise
 from tumble.calibrations.records.parameter import RecordedParameter
@@ -13,16 +14,20 @@ from tumble.messages import Message
 
 _NAMES = 7
 """Width of the column of names; longer names widen it."""
-_SCALE_FACTOR = "kx"
-"""The parameter that the list shows, of records that have it."""
+_HEADINGS: Final = (
+    Message("unit"),
+    Message("programme"),
+    Message("measured"),
+    Message("revision"),
+    Message("verdict"),
+    Message("result"),
+)
 
 
 def listing(found: tuple[Record, ...]) -> Table:
     """A line for every record, and its method below: a further column would break serial numbers."""
-    first = Column("record, method", no_wrap=True)
-    table = Table(first, "unit", "programme", "measured", "revision", "verdict", _SCALE_FACTOR)
+    table = Table(Column(Message("record, method"), no_wrap=True), *_HEADINGS)
     for record in found:
-        shown = record.values.get(_SCALE_FACTOR)
         origin = record.provenance
         measured = origin.measured_at or f"{record.created_at:%Y-%m-%d %H:%M}"
         table.add_row(
@@ -32,10 +37,19 @@ def listing(found: tuple[Record, ...]) -> Table:
             measured,
             str(record.revision),
             record.verdict.outcome.words,
-            "; ".join(filter(None, (_value(shown), shown.condition))) if shown else "",
+            _result(record),
         )
         table.add_row(record.method)
     return table
+
+
+def _result(record: Record) -> str:
+    """The parameter that stands for a record, with the condition on which it stands."""
+    parameter = headline(record)
+    if parameter is None or parameter.value is None:
+        return parameter.condition if parameter else ""
+    named = Message("{parameter} {value}", parameter=parameter.name, value=_value(parameter))
+    return Message.joined("; ", filter(None, (named, parameter.condition)))
 
 
 def effects_of(record: Record) -> Sequence[Mapping[str, Any]]:
@@ -52,7 +66,7 @@ def show_parameters(parameters: Mapping[str, RecordedParameter]) -> None:
         if parameter.value is None:
             say(Message("{beside}not identifiable: {reason}", beside=beside, reason=parameter.reason))
         else:
-            say(f"{beside}{_value(parameter)}{parameter.condition and f'  {parameter.condition}'}")
+            say(Message.joined("  ", filter(None, (f"{beside}{_value(parameter)}", parameter.condition))))
 
 
 def _value(parameter: RecordedParameter) -> str:

@@ -5,6 +5,7 @@ from collections.abc import Iterable
 from rich.table import Table
 
 from tumble.app.console import results
+from tumble.app.terminal import numeric
 from tumble.calibrations.core.view import Section
 
 
@@ -18,11 +19,11 @@ def show_sections(sections: Iterable[Section], *, verbose: bool = False) -> None
 def _show(section: Section) -> None:
     console = results()
     for line in section.lines:
-        console.print(line, markup=False, soft_wrap=True)
+        console.print(numeric(line), markup=False, soft_wrap=True)
     if section.rows:
         table = Table(title=section.title, title_justify="left")
         for heading in section.headings:
             table.add_column(heading, overflow="fold")
         for row in section.rows:
-            table.add_row(*row)
+            table.add_row(*map(numeric, row))
         console.print(table)

@@ -15,6 +15,7 @@ import click
 
 from tumble.drivers.text import visible
 from tumble.messages import Language, Message
+from tumble.numerals import localised
 
 LONGEST_LINE: Final = 20_000
 """Characters of a line that is shown."""
@@ -37,8 +38,15 @@ def speak(language: Language) -> None:
     _SPEECH.language = language
 
 
+def language() -> Language:
+    """The language that is spoken."""
+    return _SPEECH.language
+
+
 def shown(text: str, most: int = LONGEST_LINE) -> str:
-    """Text as it may be put on a terminal: a message in the language that is spoken, what cannot be seen as an escape.
+    """Text as it may be put on a terminal: in the language that is spoken, what cannot be seen as an escape.
+
+    A message is put into the language with its numbers and units; any other text stays as it is.
 
     Parameters
     ----------
@@ -47,12 +55,18 @@ def shown(text: str, most: int = LONGEST_LINE) -> str:
     most
         Characters, of which the middle gives way.
     """
-    return visible(text.in_language(_SPEECH.language) if isinstance(text, Message) else text, most)
+    spoken = _SPEECH.language
+    return visible(localised(text.in_language(spoken), spoken) if isinstance(text, Message) else text, most)
 
 
 def say(*lines: str, err: bool = False, most: int = LONGEST_LINE) -> None:
     """Print lines of text; what cannot be seen is printed as an escape, whatever the text comes from."""
     write("".join(f"{shown(line, most)}\n" for line in lines), sys.stderr if err else sys.stdout)
+
+
+def numeric(text: str) -> Message:
+    """Numbers and units as a message, so that they are written as the language that is spoken writes them."""
+    return text if isinstance(text, Message) else Message("{text}", text=text)
 
 
 def labelled(label: str, text: object, width: int = 10) -> Message:

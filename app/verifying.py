@@ -196,7 +196,7 @@ def _without_record(path: Path) -> Finding:
     return Finding(name=str(path), judgement=judgement, sentences=(words,))
 
 
-def _why_without(job: str, complete: bool) -> tuple[Judgement, str]:
+def _why_without(job: str, complete: bool) -> tuple[Judgement, Message]:
     """What it means that a recording has no record."""
     if job != "calibrate":
         return (

@@ -23,8 +23,6 @@ Tabs: TypeAlias = Sequence[ResultTab]
 class WindowPart:
     """How a method is shown. What it does not bring along is shown as of any method, by what it declares of itself."""
 
-    headline: str = ""
-    """Name of the parameter that stands for a result in a list; empty for the first that has a value."""
     words: ConditionWords = field(default_factory=ConditionWords)
     """What the log says of a condition that the operator sets."""
     prompt: Callable[[Layout], ConditionPrompt] = ConditionPrompt

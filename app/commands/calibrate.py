@@ -10,6 +10,7 @@ from tumble.app.commands.measuring import measures
 from tumble.app.commands.telling import tell_calibrated
 from tumble.app.console import messages, run_display
 from tumble.app.running import Job
+from tumble.app.terminal import language
 from tumble.app.wiring import Connected
 
 
@@ -21,5 +22,5 @@ from tumble.app.wiring import Connected
 def command(job: Job, connected: Connected, folder: Path, json_path: Path | None, verbose: bool) -> None:
     """Run a programme, fit the recording, trace what the model leaves, store the record and write the report."""
     with run_display(job.plan(), connected.stand.clock, messages()) as display:
-        done = calibrate(job, connected, folder, [display])
+        done = calibrate(job, connected, folder, [display], language=language())
     tell_calibrated(done, json_path, verbose=verbose)

@@ -30,7 +30,7 @@ from tumble.app.sections import show_sections
 from tumble.app.stand import read_stand
 from tumble.app.stand_records import with_stand_record
 from tumble.app.storing import record_tables
-from tumble.app.terminal import say
+from tumble.app.terminal import language, say
 from tumble.calibrations.core.method import Method
 from tumble.calibrations.core.rows import Rows
 from tumble.calibrations.records.record import Record
@@ -117,7 +117,7 @@ def _tell_tables(
     if page is not None:
         from tumble.calibrations.report.sections import page as page_of  # jinja2 takes time
 
-        write_text(page, page_of(method.title, files[-1].name, result.sections(), result.warnings))
+        write_text(page, page_of(method.title, files[-1].name, result.sections(), result.warnings, language()))
 
 
 def _traced(files: tuple[Path, ...], wanted: Wanted, folder: Path, *, budget: bool) -> Traced:
@@ -204,6 +204,6 @@ def _tell(
     say(*(Message("record {name}", name=name) for name in recorded.values()), err=True)
     options.write_json(traced.loop_json() | (chain.as_json() if chain else {}) | recorded, json_path)
     if page is not None:
-        write_report(traced, page, chain=chain)
+        write_report(traced, page, language(), chain=chain)
         say(Message("report {page}", page=page), err=True)
     leave_by(traced.verdict)

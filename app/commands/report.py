@@ -13,7 +13,7 @@ from tumble.app.measurements import read_measurement
 from tumble.app.recall import report_again
 from tumble.app.stand import read_stand
 from tumble.app.stand_records import with_stand_record
-from tumble.app.terminal import say
+from tumble.app.terminal import language, say
 from tumble.messages import Message
 
 
@@ -31,7 +31,7 @@ def command(file_or_record: str, out: Path | None, stand_path: Path | None, seri
         check_result(page, Kind.REPORT)
         measurement = read_measurement(path, read_stand(stand_path).recorded if stand_path else None)
         measurement = with_stand_record(measurement, folder)
-        write_report(trace(fit(measurement, serial_number)), page)
+        write_report(trace(fit(measurement, serial_number)), page, language())
     else:
-        page = report_again(folder, file_or_record, out)
+        page = report_again(folder, file_or_record, language(), out)
     say(Message("report {page}", page=page))

@@ -14,7 +14,7 @@ from tumble.app.resuming import Unfinished, find, lived_through, resume
 from tumble.app.running import Job, failure
 from tumble.app.same_stand import followed, load_same_stand
 from tumble.app.stand_lock import holding, holding_recording
-from tumble.app.terminal import say
+from tumble.app.terminal import language, say
 from tumble.app.wiring import connect
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
@@ -75,7 +75,7 @@ def _conclude(
     elif record := record_of(unfinished.path, header, store):
         tell_recorded(unfinished.path, record, store, json_path)
     else:
-        tell_calibrated(conclude(unfinished.path, store), json_path, verbose=verbose)
+        tell_calibrated(conclude(unfinished.path, store, language=language()), json_path, verbose=verbose)
 
 
 def _go_on(

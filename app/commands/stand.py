@@ -18,7 +18,7 @@ from tumble.app.rederiving import Rederivation
 from tumble.app.referencing import is_reference, learn_from_reference
 from tumble.app.stand import read_stand
 from tumble.app.stand_records import list_stand_records
-from tumble.app.terminal import labelled, say
+from tumble.app.terminal import labelled, numeric, say
 from tumble.calibrations.core.quantities import format_number
 from tumble.calibrations.core.sentences import equals, series
 from tumble.calibrations.records.verify import TOLERANCE
@@ -122,7 +122,7 @@ def _map_lines(head_map: HeadMap) -> Iterator[str]:
     )
     yield labelled(Message("head map"), errors)
     for angle, value, u in rows:
-        yield f"  {angle:5.0f}°  {value:8.2f}″ ± {u:.2f}″"
+        yield numeric(f"  {angle:5.0f}°  {value:8.2f}″ ± {u:.2f}″")
 
 
 @command.command("learn")

@@ -8,7 +8,7 @@ from tumble.app.commands.options import write_json
 from tumble.app.console import show_result, show_verdict, warn
 from tumble.app.recall import report_again
 from tumble.app.sections import show_sections
-from tumble.app.terminal import labelled, say
+from tumble.app.terminal import labelled, language, say
 from tumble.calibrations.records.record import Record
 from tumble.messages import Message
 
@@ -45,7 +45,7 @@ def tell_recorded(recording: Path, record: Record, folder: Path, json_path: Path
     report = report_path(folder, record)
     done = Message("nothing was done")
     if not has_report(report):
-        report_again(folder, record.id)
+        report_again(folder, record.id, language())
         done = Message("only its report was missing")
     say(
         Message(

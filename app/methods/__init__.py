@@ -92,8 +92,8 @@ def _method_of_recording(path: Path) -> Method:
     except LookupError as error:
         raise InputError(
             Message(
-                "{path}: is of the method {name}, which this does not analyse; use its own command",
+                "{path}: is of the method {method}, which this does not analyse; use its own command",
                 path=path,
-                name=name,
+                method=name,
             )
         ) from error

@@ -63,6 +63,11 @@ class Method(Protocol):
         """The tables it reads, in words."""
         ...
 
+    @property
+    def headline(self) -> str:
+        """Name of the parameter that stands for a result in a list; empty for the first that has a value."""
+        ...
+
     def reads(self, header: Sequence[str], numbers: Sequence[str] | None) -> bool:
         """Whether a table is one of its own, by its columns.
 

@@ -93,6 +93,7 @@ class Clock:
     version: int = 1
     title: str = "A clock against a better one"
     columns: str = "a clock (clock_h, late_s)"
+    headline: str = ""
 
     def reads(self, header, numbers):
         return {"clock_h", "late_s"} <= set(header)

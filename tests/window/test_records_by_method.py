@@ -6,8 +6,8 @@ import pytest
 from records_examples import provenance
 from test_records_any_method import pendulum
 
+from tumble.app.headline import chosen
 from tumble.calibrations.records.store import Store
-from tumble.window.work.headline import headline
 
 
 @pytest.fixture
@@ -69,12 +69,12 @@ def parameter(name, value, uncertainty):
 )
 def test_a_result_is_headed_by_the_named_value_or_the_first_with_an_uncertainty(wanted, found):
     each = (parameter("a", None, None), parameter("b", 1.0, None), parameter("c", 1.0, 0.1), parameter("d", 1.0, 0.1))
-    record = SimpleNamespace(values={one.name: one for one in (each[0], each[1], each[3], each[2])})
-    heading = headline(record, wanted)
+    values = {one.name: one for one in (each[0], each[1], each[3], each[2])}
+    heading = chosen(values, wanted)
     assert (heading.name if heading else None) == found
 
 
 def test_a_result_without_uncertainties_is_headed_by_its_first_value():
     values = {"a": parameter("a", None, None), "b": parameter("b", 1.0, None)}
-    assert headline(SimpleNamespace(values=values), "").name == "b"
-    assert headline(SimpleNamespace(values={}), "") is None
+    assert chosen(values, "").name == "b"
+    assert chosen({}, "") is None

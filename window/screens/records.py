@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QTabWidget, QVBoxLayout, QWidget
 
+from tumble.app.headline import headline
 from tumble.calibrations.core.quantities import format_concise
 from tumble.calibrations.core.verdict import Outcome
 from tumble.calibrations.records.record import Record
@@ -16,7 +17,6 @@ from tumble.window.look.language import tr
 from tumble.window.look.numbers import local
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
-from tumble.window.registry import window_part
 from tumble.window.screens.cut_off_view import CutOffView
 from tumble.window.screens.stand_records import StandRecords
 from tumble.window.widgets.dialog import FileDialog, QuestionDialog
@@ -27,7 +27,6 @@ from tumble.window.widgets.trend_plot import TrendPlot
 from tumble.window.work import records as store
 from tumble.window.work.activity import Resumption
 from tumble.window.work.background import Background
-from tumble.window.work.headline import headline
 
 if TYPE_CHECKING:
     from tumble.calibrations.records.compare import Difference
@@ -246,7 +245,7 @@ class RecordsScreen(QWidget):
 
 def _headline(record: Record) -> str:
     """The parameter that stands for the result, with the condition on which it stands; empty where none has a value."""
-    parameter = headline(record, window_part(record.method).headline)
+    parameter = headline(record)
     if parameter is None or parameter.value is None:
         return ""
     value = local(format_concise(parameter.value, parameter.standard_uncertainty, parameter.unit))

@@ -7,13 +7,12 @@ import numpy as np
 import pyqtgraph as pg
 from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
 
+from tumble.app.headline import headline
 from tumble.calibrations.records.parameter import RecordedParameter
 from tumble.calibrations.records.record import Record
 from tumble.window.look.language import tr
 from tumble.window.look.numbers import local
 from tumble.window.look.plots import LocalAxis, Plot
-from tumble.window.registry import window_part
-from tumble.window.work.headline import headline
 
 
 class TrendPlot(QWidget):
@@ -58,7 +57,7 @@ class TrendPlot(QWidget):
 
     def _headline(self) -> tuple[str, str] | None:
         """That which stands for the result of the newest record."""
-        found = (headline(record, window_part(record.method).headline) for record in self._records)
+        found = (headline(record) for record in self._records)
         return next((_key(each) for each in found if each is not None), None)
 
     def _lay_out(self) -> None:

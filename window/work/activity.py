@@ -11,6 +11,7 @@ from tumble.app.stand_lock import holding_recording
 from tumble.app.wiring import Connected
 from tumble.procedures.announcer import Listener
 from tumble.procedures.progress import Progress
+from tumble.window.look.language import spoken
 
 if TYPE_CHECKING:  # the analysis and the store take half a second: a window is up before that
     from tumble.app.calibrating import Calibrated
@@ -69,7 +70,7 @@ class Calibration:
         """Do it."""
         from tumble.app.calibrating import calibrate
 
-        return _stored(self.job, calibrate(self.job, connected, self.store, listeners, tell))
+        return _stored(self.job, calibrate(self.job, connected, self.store, listeners, tell, spoken()))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -105,7 +106,7 @@ class Resumption:
             outcome = resume(self.unfinished, self.job, connected, listeners)
         if error := failure(outcome, path):
             raise error
-        return _stored(self.job, conclude(path, self.store, tell))
+        return _stored(self.job, conclude(path, self.store, tell, spoken()))
 
 
 @dataclass(frozen=True, kw_only=True)

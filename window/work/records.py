@@ -16,6 +16,7 @@ from tumble.app.kinds import Kind
 from tumble.app.running import Job
 from tumble.calibrations.core.verdict import Outcome
 from tumble.calibrations.records.record import Record
+from tumble.window.look.language import spoken
 from tumble.window.work.activity import Concluded, Resumption
 
 if TYPE_CHECKING:
@@ -99,7 +100,7 @@ def analyse_again(folder: Path, record_id: str) -> Concluded:
     concluded = open_record(folder, record_id)
     record = store(concluded.traced, folder)
     page = report_path(folder, record)
-    write_report(concluded.traced, page, record.id, record.revision)
+    write_report(concluded.traced, page, spoken(), record)
     return replace(concluded, record_id=record.id, report=page)
 
 
@@ -146,7 +147,7 @@ def export(folder: Path, record_id: str, path: Path) -> Path:
         case ".json":
             write_text(path, document_text(open_store(folder).get(record_id)))
         case ".html":
-            report_again(folder, record_id, path)
+            report_again(folder, record_id, spoken(), path)
         case ".csv":
             _write_rows(folder, record_id, path)
         case ".pdf":
@@ -174,5 +175,5 @@ def _write_pdf(folder: Path, record_id: str, path: Path) -> None:
 
     check_result(path, Kind.PDF)
     with TemporaryDirectory() as aside, replacing(path, Kind.PDF) as begun:
-        page = report_again(folder, record_id, Path(aside) / "report.html")
+        page = report_again(folder, record_id, spoken(), Path(aside) / "report.html")
         print_page(page.read_text(encoding="utf-8"), begun)

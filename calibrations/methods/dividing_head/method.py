@@ -59,6 +59,7 @@ class DividingHead:
     version: int = VERSION
     title: str = Message("An accelerometer on a dividing head")
     columns: str = Message("an accelerometer on a head (angle_deg, voltage_V)")
+    headline: str = "kx"
 
     def reads(self, header: Sequence[str], numbers: Sequence[str] | None) -> bool:  # noqa: ARG002  # by names alone
         """Whether a table holds angles of a head and the output of a unit."""

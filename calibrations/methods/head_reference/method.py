@@ -76,6 +76,7 @@ class HeadReference:
     version: int = VERSION
     title: str = Message("A dividing head measured against a reference")
     columns: str = Message("a head against a reference (angle_deg, reference_deg)")
+    headline: str = ""
 
     def reads(self, header: Sequence[str], numbers: Sequence[str] | None) -> bool:  # noqa: ARG002  # by names alone
         """Whether a table holds angles of a head and of a reference, and no output of a unit."""

@@ -57,6 +57,7 @@ class Temperature:
     version: int = VERSION
     title: str = Message("Parameters against temperature")
     columns: str = Message("parameters against temperature (…_degC, and each parameter with its unit, as bias_mV)")
+    headline: str = ""
 
     def reads(self, header: Sequence[str], numbers: Sequence[str] | None) -> bool:
         """Whether a table holds parameters and a temperature, and no angle of a head."""

@@ -64,6 +64,7 @@ class TriadMethod:
     columns: str = Message(
         "a triad on a two-axis stand (outer_deg, inner_deg, u_x_V, u_y_V, u_z_V), or its log by hand (u_x_…)"
     )
+    headline: str = ""
 
     def reads(self, header: Sequence[str], numbers: Sequence[str] | None) -> bool:  # noqa: ARG002  # by names alone
         """Whether a table holds three outputs, and both angles or none."""

@@ -22,7 +22,6 @@ def _tabs() -> Tabs:
 
 
 PART: Final = WindowPart(
-    headline="kx",
     words=MountWords(),
     prompt=MountPrompt,
     overview=PoseMap,
