@@ -136,8 +136,8 @@ class Memory:
         variances = self._variances(noise)
         size = min(int(np.flatnonzero(variances)[-1]) + 1, len(triangular))
         seen = triangular[:size, variances > 0]
-        vectors, roots, _ = np.linalg.svd(seen * np.sqrt(variances[variances > 0]), full_matrices=False)
-        values = roots**2
+        values, vectors = np.linalg.eigh((seen * variances[variances > 0]) @ seen.T)
+        values = np.clip(values, 0.0, None)
         return Whitening(
             directions=directions,
             shrink=(vectors * (1.0 - 1.0 / np.sqrt(1.0 + values))) @ vectors.T,
