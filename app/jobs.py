@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Final
 from tumble import plugins
 from tumble.app.methods import method_called
 from tumble.calibrations.core.files import read_header
+from tumble.calibrations.core.known_tables import reader
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.registry import FIRST
@@ -57,5 +58,5 @@ def method_of_table(path: Path) -> str:
     first, *others = names = job_names()
     if not others:
         return first
-    header = read_header(path)
-    return next((name for name in names if method_called(name).reads(header, None)), first)
+    method = reader(map(method_called, names), read_header(path))
+    return method.name if method else first

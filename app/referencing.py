@@ -14,6 +14,7 @@ from tumble.app.methods import methods
 from tumble.app.stand_records import identity_of_stand
 from tumble.calibrations.core.cells import TableError
 from tumble.calibrations.core.files import read_header
+from tumble.calibrations.core.known_tables import reader
 from tumble.calibrations.records.raw import file_sha256, stored_path
 from tumble.calibrations.stand_records.corrections import Corrections
 from tumble.calibrations.stand_records.record import Contribution, StandRecord, Status, Validity
@@ -115,5 +116,6 @@ def learn_from_reference(path: Path, stand: Mapping[str, Any], folder: Path) -> 
 
 def _reader(path: Path) -> str | None:
     """The method that reads a table and says what it tells of the stand; None for any other file."""
-    header, known = read_header(path), plugins.names(_GROUP)
-    return next((each.name for each in methods() if each.name in known and each.reads(header, None)), None)
+    known = plugins.names(_GROUP)
+    method = reader((each for each in methods() if each.name in known), read_header(path))
+    return method.name if method else None

@@ -1,15 +1,19 @@
 """Which method reads a table; one that none reads is refused by name, with what is there."""
 
 import difflib
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
+from functools import partial
 from pathlib import Path
-from typing import Final
+from typing import Final, TypeVar
 
 from tumble.calibrations.core.cells import TableError, holds_numbers
 from tumble.calibrations.core.files import read_header, read_lines
 from tumble.calibrations.core.method import Method
 from tumble.calibrations.core.sentences import series
 from tumble.messages import Message
+from tumble.plugins import warn_once
+
+_Answer = TypeVar("_Answer", bool, str)
 
 _FOREIGN: Final[tuple[tuple[str, tuple[str, ...]], ...]] = (
     (Message("a triad on a two-axis stand"), ("outer_deg", "inner_deg")),
@@ -43,11 +47,11 @@ def recognised(path: Path, methods: Sequence[Method]) -> Method:
     TableError
         Unreadable, or a table of none of `methods`: what it looks like or what its columns are, and what is read.
     """
-    if method := _reader(methods, read_header(path), None):
+    if method := reader(methods, read_header(path)):
         return method
     header, lines = read_lines(path)  # a malformed table is refused as such
     numbers = [name for place, name in enumerate(header) if holds_numbers(place, lines)]
-    if method := _reader(methods, header, None):
+    if method := reader(methods, header):
         return method
     read = series([method.columns for method in methods], "or")
     if foreign := _foreign(header):
@@ -60,9 +64,9 @@ def recognised(path: Path, methods: Sequence[Method]) -> Method:
                 read=read,
             )
         )
-    if method := _reader(methods, header, numbers):
+    if method := reader(methods, header, numbers):
         return method
-    hints = (method.hint(header, numbers) for method in methods)
+    hints = (_answer(method, partial(method.hint, header, numbers), "") for method in methods)
     hint = next(filter(None, hints), Message("not a table that tumble knows"))
     raise TableError(
         Message(
@@ -75,8 +79,26 @@ def recognised(path: Path, methods: Sequence[Method]) -> Method:
     )
 
 
-def _reader(methods: Sequence[Method], header: Sequence[str], numbers: Sequence[str] | None) -> Method | None:
-    return next((method for method in methods if method.reads(header, numbers)), None)
+def reader(methods: Iterable[Method], header: Sequence[str], numbers: Sequence[str] | None = None) -> Method | None:
+    """The first method that reads a table, see `Method.reads`; one that fails at it is passed by, with a warning."""
+    return next((method for method in methods if _answer(method, partial(method.reads, header, numbers), False)), None)
+
+
+def _answer(method: Method, ask: Callable[[], _Answer], otherwise: _Answer) -> _Answer:
+    """What a method says of a header, or `otherwise`: a stranger's package that fails stops no other."""
+    try:
+        return ask()
+    except Exception as error:
+        warn_once(
+            Message(
+                "the method {method} fails at the columns of a table ({kind}: {error}) and is left out; "
+                "update or uninstall its package",
+                method=method.name,
+                kind=type(error).__name__,
+                error=error,
+            )
+        )
+        return otherwise
 
 
 def misspelt(header: Sequence[str], known: Sequence[str], wanted: Sequence[str]) -> str:

@@ -186,3 +186,34 @@ def test_one_temperature_in_another_unit_is_named_by_its_line(tmp_path):
 
     with pytest.raises(TableError, match=r"line 4, column temperature_degC: no sensor of a run reads 293 °C"):
         read_runs(path)
+
+
+class Strange:
+    """A method of a package that fails at whatever it is asked."""
+
+    columns = "nothing"
+
+    def __init__(self, name):
+        self.name = name  # a warning is given once in a process
+
+    def reads(self, header, numbers):
+        raise AttributeError("no such column")
+
+    hint = reads
+
+
+def test_a_method_that_fails_at_a_header_stops_no_other(tmp_path, caplog):
+    path = table(tmp_path, "angle_deg,voltage_V,temperature_degC")
+
+    assert recognised(path, (Strange("strange"), *methods())).name == "dividing_head"
+    assert "the method strange fails at the columns of a table (AttributeError: no such column)" in caplog.text
+
+
+def test_a_method_that_fails_at_a_hint_hides_none(tmp_path):
+    path = table(tmp_path, "angle,voltage_V,reference_deg")
+
+    with pytest.raises(TableError) as without:
+        recognised(path, methods())
+    with pytest.raises(TableError) as beside:
+        recognised(path, (*methods(), Strange("odd")))
+    assert str(beside.value).startswith(str(without.value).split("; tumble reads")[0])

@@ -148,3 +148,10 @@ def test_the_window_takes_no_text_from_qt():
     taken = re.compile(r"self\.tr\(|QCoreApplication\.translate|QT_TRANSLATE_NOOP")
     found = [path.name for path in (ROOT / "window").rglob("*.py") if taken.search(path.read_text("utf-8"))]
     assert found == []
+
+
+@pytest.mark.parametrize("word", ["Standdatei", "Standdatensatz", "Ablage", "Messstand"])
+def test_german_has_one_word_for_stand_file_stand_record_and_store(word):
+    strings = [text for message in translated("de") for text in wordings(message.string)]
+
+    assert [text for text in strings if word in text] == []

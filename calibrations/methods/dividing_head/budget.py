@@ -49,7 +49,7 @@ class StandUncertainty:
         if len(missing) == len(stated):
             return Message(
                 "the stand's contribution is not included in the stated uncertainty: no stand file says what head, "
-                "seat and DAQ add; state {keys} in one",
+                "seat and DAQ add; state {keys} in a stand file",
                 keys=", ".join(missing),
             )
         return Message(
