@@ -16,9 +16,6 @@ from tumble.plugins import warn_once
 _Answer = TypeVar("_Answer", bool, str)
 
 _FOREIGN: Final[tuple[tuple[str, tuple[str, ...]], ...]] = (
-    (Message("a triad on a two-axis stand"), ("outer_deg", "inner_deg")),
-    (Message("a triad of accelerometers"), ("u_x_V", "u_y_V", "u_z_V")),
-    (Message("a triad of accelerometers"), ("u_x_counts", "u_y_counts", "u_z_counts")),
     (Message("gyrocompassing in several azimuths"), ("rate_deg_h", "azimuth_deg")),
     (Message("a gyro"), ("rate_deg_h",)),
     (Message("a gyro"), ("rate_deg_s",)),
@@ -30,7 +27,6 @@ _FOREIGN: Final[tuple[tuple[str, tuple[str, ...]], ...]] = (
 """Tables that have a name and are not analysed, by columns that show them."""
 _SIGNALS: Final[tuple[tuple[str, tuple[str, ...]], ...]] = (
     (Message("Allan deviations"), ("adev", "oadev", "mdev", "hdev", "allan", "avar")),
-    (Message("a triad"), ("acc_x", "accel_x", "acceleration_x")),
     (Message("a gyro"), ("gyr_x", "omega_x", "gyro_x", "rate_x")),
     (Message("the climate of a room"), ("humidity", "rh_", "pressure", "dew")),
 )
@@ -66,7 +62,8 @@ def recognised(path: Path, methods: Sequence[Method]) -> Method:
         )
     if method := reader(methods, header, numbers):
         return method
-    hints = (_answer(method, partial(method.hint, header, numbers), "") for method in methods)
+    nearest = sorted(methods, key=lambda method: -sum(_bare(name) in method.columns for name in header))
+    hints = (_answer(method, partial(method.hint, header, numbers), "") for method in nearest)
     hint = next(filter(None, hints), Message("not a table that tumble knows"))
     raise TableError(
         Message(
@@ -82,6 +79,11 @@ def recognised(path: Path, methods: Sequence[Method]) -> Method:
 def reader(methods: Iterable[Method], header: Sequence[str], numbers: Sequence[str] | None = None) -> Method | None:
     """The first method that reads a table, see `Method.reads`; one that fails at it is passed by, with a warning."""
     return next((method for method in methods if _answer(method, partial(method.reads, header, numbers), False)), None)
+
+
+def _bare(name: str) -> str:
+    """A column's name without its unit."""
+    return name.rpartition("_")[0] or name
 
 
 def _answer(method: Method, ask: Callable[[], _Answer], otherwise: _Answer) -> _Answer:

@@ -154,7 +154,7 @@ def test_a_joint_is_compared_as_a_map(tmp_path):
     [
         ("temperature_degC,humidity_percent,time_h", "looks like a table of the climate of a room"),
         ("angle_degs,Voltage_v,temperature_degC", "is angle_degs angle_deg and Voltage_v voltage_V?"),
-        ("outer_deg,inner_deg,u_x_V,temperature_degC", "looks like a table of a triad on a two-axis stand"),
+        ("outer_deg,inner_deg,u_x_V,temperature_degC", "looks like a table of a triad, and it lacks u_y_V and u_z_V"),
     ],
 )
 def test_a_table_that_is_not_known_is_refused_by_name(tmp_path, header, said):

@@ -1,5 +1,6 @@
 """The method `triad`: three accelerometers on a two-axis stand."""
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -9,6 +10,7 @@ from tumble.calibrations.core.files import read_header
 from tumble.calibrations.core.joining import joined
 from tumble.calibrations.core.known_tables import misspelt
 from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.core.sentences import series
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.triad.document import document
 from tumble.calibrations.methods.triad.entry import VERSION, entry
@@ -22,6 +24,7 @@ from tumble.calibrations.tracing.sentences import set_aside_section
 from tumble.messages import Message
 
 _NEEDED = ("outer_deg", "inner_deg", "u_x_V", "u_y_V", "u_z_V")
+_OUTPUT = re.compile(r"u_[xyz]_|acc\w*_[xyz]")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -71,8 +74,16 @@ class TriadMethod:
         return set(_NEEDED) <= set(header) or _by_hand(header)
 
     def hint(self, header: Sequence[str], numbers: Sequence[str]) -> str:  # noqa: ARG002  # by names alone
-        """Whether its columns are misspelt."""
-        return misspelt(header, [*TriadObservations.spelt()], _NEEDED)
+        """What is misspelt or missing in a table that holds an angle of the stand or an output of a triad."""
+        if asked := misspelt(header, [*TriadObservations.spelt()], _NEEDED):
+            return asked
+        if not any(name in _NEEDED or _OUTPUT.match(name) for name in header):
+            return ""
+        return Message(
+            "this looks like a table of a triad, and it lacks {missing}; a log by hand has three outputs "
+            "(u_x_…, u_y_…, u_z_… in one unit) and no angle",
+            missing=series([name for name in _NEEDED if name not in header]),
+        )
 
     def close_loop(self, paths: Sequence[Path]) -> TriadResult | HandResult:
         """Trace tables of one triad, taken together; of a log by hand, one. Raises `TableError`, `ValueError`."""
