@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any, Protocol, Self
 
 from markupsafe import Markup
 
-from tumble.app.measurements import Measurement
+from tumble.app.measurement import Measurement
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.provenance import LimitCheck, Provenance
 from tumble.calibrations.core.rows import Rows

@@ -4,7 +4,8 @@ from pathlib import Path
 
 from tumble.app.analysed import Analysed, Traced
 from tumble.app.jobs import find_job
-from tumble.app.measurements import Measurement, provenance
+from tumble.app.measurement import Measurement
+from tumble.app.measurements import provenance
 from tumble.procedures.errors import InputError
 
 

@@ -15,7 +15,8 @@ from tumble.app.analysing import fit
 from tumble.app.available import Available
 from tumble.app.jobs import find_job
 from tumble.app.joining import read_together
-from tumble.app.measurements import Measurement, read_measurement
+from tumble.app.measurement import Measurement
+from tumble.app.measurements import read_measurement
 from tumble.app.running import Job
 from tumble.app.stand_records import with_stand_record
 from tumble.calibrations.core.sentences import series

@@ -17,7 +17,7 @@ from tumble.calibrations.tracing.experiments import Experiment
 if TYPE_CHECKING:  # `tumble.app.jobs`, which they import, holds parts against this
     from tumble.app.analysed import Analysed, Traced
     from tumble.app.available import Available
-    from tumble.app.measurements import Measurement
+    from tumble.app.measurement import Measurement
     from tumble.app.stand import LoadedStand
 
 

@@ -12,7 +12,7 @@ from tumble.calibrations.core.files import read_header
 from tumble.calibrations.core.known_tables import reader
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
-from tumble.procedures.registry import FIRST
+from tumble.procedures.first_method import FIRST
 
 if TYPE_CHECKING:
     from tumble.app.job_part import JobPart

@@ -6,7 +6,8 @@ from pathlib import Path
 from typing import Any
 
 from tumble.app.jobs import find_job
-from tumble.app.measurements import Measurement, read_measurement
+from tumble.app.measurement import Measurement
+from tumble.app.measurements import read_measurement
 from tumble.calibrations.core.joining import joined
 from tumble.calibrations.core.rows import Rows
 from tumble.messages import Message

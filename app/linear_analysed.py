@@ -11,7 +11,7 @@ from typing import Any, ClassVar, Self
 
 from markupsafe import Markup
 
-from tumble.app.measurements import Measurement
+from tumble.app.measurement import Measurement
 from tumble.calibrations.core.documents import rows_json
 from tumble.calibrations.core.method import Method
 from tumble.calibrations.core.parameter import ModelFit, Parameter

@@ -32,7 +32,8 @@ from tumble.calibrations.core.quantities import format_concise
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.plan import Plan
-from tumble.procedures.programme import Programme, load_programme
+from tumble.procedures.programme import Programme
+from tumble.procedures.programmes import load_programme
 
 if TYPE_CHECKING:
     import pandas as pd

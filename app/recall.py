@@ -11,7 +11,7 @@ from tumble.app.files import is_recording
 from tumble.app.identity import program_identity
 from tumble.app.jobs import has_job
 from tumble.app.joining import read_together
-from tumble.app.measurements import Measurement
+from tumble.app.measurement import Measurement
 from tumble.app.methods import methods
 from tumble.app.stand_records import corrected_by
 from tumble.app.storing import standing_record

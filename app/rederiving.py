@@ -12,7 +12,7 @@ from tumble.app.analysing import fit, trace
 from tumble.app.job_part import StandRun
 from tumble.app.jobs import find_job
 from tumble.app.joining import read_together
-from tumble.app.measurements import Measurement
+from tumble.app.measurement import Measurement
 from tumble.app.referencing import REFERENCE, run_of_reference
 from tumble.calibrations.core.provenance import Provenance
 from tumble.calibrations.records.raw import file_sha256, resolved_path, stored_path

@@ -21,11 +21,13 @@ from tumble.procedures.announcer import Listener
 from tumble.procedures.errors import InputError
 from tumble.procedures.events import Identified
 from tumble.procedures.outcome import Outcome
-from tumble.procedures.programme import Programme, programme_from_text
+from tumble.procedures.programme import Programme
+from tumble.procedures.programmes import programme_from_text
 from tumble.procedures.recording.contents import Said
 from tumble.procedures.recording.errors import RecordingError
 from tumble.procedures.recording.header import written_version
-from tumble.procedures.recording.reader import Recording, complete_messages, leading, monotonic_s, read_recording
+from tumble.procedures.recording.reader import complete_messages, leading, monotonic_s, read_recording
+from tumble.procedures.recording.recorded import Recording
 
 _CUT = re.compile(r"(?P<run>.+)\.cut-(?P<number>\d+)")
 

@@ -8,7 +8,7 @@ from tumble.app.stand import LoadedStand, WrittenStand, load_stand, read_stand
 from tumble.drivers.own_file import is_remote
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
-from tumble.procedures.recording.reader import Recording
+from tumble.procedures.recording.recorded import Recording
 
 
 def load_same_stand(

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tumble.app.jobs import find_job
-from tumble.app.measurements import Measurement
+from tumble.app.measurement import Measurement
 from tumble.calibrations.records import DATABASE
 from tumble.calibrations.stand_records.head_map import Curve
 from tumble.calibrations.stand_records.record import StandIdentity, StandRecord, Status

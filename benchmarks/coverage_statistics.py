@@ -20,7 +20,7 @@ from tumble.calibrations.methods.dividing_head.analysis import analyse
 from tumble.calibrations.methods.dividing_head.model import PARAMETERS, basis, coefficients_jacobian
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.drivers.simulated import Simulated, noise_free_voltage
-from tumble.procedures.programme import load_programme
+from tumble.procedures.programmes import load_programme
 from tumble.procedures.steps import Dwell
 
 SEED = 7_301_952

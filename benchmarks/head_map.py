@@ -20,7 +20,8 @@ import numpy as np
 from benchmarks.bank import DEVELOPMENT, REPORTED
 from tumble.app.analysing import fit, trace
 from tumble.app.learning import learn
-from tumble.app.measurements import Measurement, read_measurement
+from tumble.app.measurement import Measurement
+from tumble.app.measurements import read_measurement
 from tumble.app.running import Job, failure, run
 from tumble.app.stand import LoadedStand, load_stand
 from tumble.app.stand_records import corrected_by
@@ -30,7 +31,7 @@ from tumble.calibrations.stand_records.head_map import HeadMap
 from tumble.calibrations.stand_records.record import StandRecord, Status
 from tumble.drivers.simulated.external import load_function
 from tumble.drivers.simulated.head import HeadErrors
-from tumble.procedures.programme import load_programme
+from tumble.procedures.programmes import load_programme
 
 _SEEDS = {"development": DEVELOPMENT, "reported": REPORTED}
 _FIRST = 960_000

@@ -39,7 +39,7 @@ from tumble.procedures.events import (
 )
 from tumble.procedures.methods.dividing_head.layout import dwell_at
 from tumble.procedures.methods.dividing_head.rows import Row
-from tumble.procedures.programme import programme_from_text
+from tumble.procedures.programmes import programme_from_text
 from tumble.procedures.recording.header import Header
 from tumble.procedures.recording.reader import iter_samples
 from tumble.procedures.steps import Dwell, Point

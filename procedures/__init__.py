@@ -12,7 +12,8 @@ from tumble.procedures.errors import InputError, JournalError, ProgrammeError
 from tumble.procedures.operator import Answer, Answers, ConsoleOperator, Operator, ScriptedOperator, SeatingOperator
 from tumble.procedures.outcome import Outcome
 from tumble.procedures.plan import Plan, PlannedStep, plan
-from tumble.procedures.programme import Limit, Programme, load_programme, programme_from_text, shipped_programmes
+from tumble.procedures.programme import Limit, Programme
+from tumble.procedures.programmes import load_programme, programme_from_text, shipped_programmes
 from tumble.procedures.progress import Progress, TimeLeft
 from tumble.procedures.toml_lines import line_of, load_toml, parse_toml
 

@@ -11,7 +11,7 @@ from tumble.procedures.second_look import Contradicted, nothing_contradicts
 
 if TYPE_CHECKING:
     from tumble.procedures.programme import Programme
-    from tumble.procedures.recording.reader import Recording
+    from tumble.procedures.recording.recorded import Recording
 
 _TEMPERATURE = "temperature_degc"
 Table = TypeVar("Table", covariant=True)

@@ -3,9 +3,7 @@
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from hashlib import sha256
-from importlib.resources.abc import Traversable
-from pathlib import Path
-from typing import ClassVar, Final, Literal
+from typing import ClassVar, Final, Literal, Self
 
 from pydantic import BaseModel, ConfigDict, Field, PrivateAttr, model_validator
 
@@ -15,12 +13,9 @@ from tumble.messages import Message
 from tumble.procedures.acquisition import Acquisition
 from tumble.procedures.approach import Approach
 from tumble.procedures.composition import Part, compose
-from tumble.procedures.errors import InputError, ProgrammeError
 from tumble.procedures.layout import Layout
-from tumble.procedures.registry import FIRST, find_method, usable_methods
 from tumble.procedures.steps import Direction, Dwell, Procedure
-from tumble.procedures.toml_lines import parse_toml, place_of, read_text
-from tumble.procedures.toml_text import read_toml
+from tumble.procedures.toml_lines import parse_toml, place_of
 
 MOST_DWELLS = 200_000
 """In a run: a week or two of stand time."""
@@ -78,6 +73,14 @@ class Programme(BaseModel, ABC):
     _text: str = PrivateAttr("")
     _source: str = PrivateAttr("")
 
+    @classmethod
+    def from_text(cls, text: str, source: str) -> Self:
+        """Read a programme of this method from TOML; messages call it `source`. Raises `InputError`."""
+        programme = parse_toml(text, cls, source)
+        programme._text = text
+        programme._source = source
+        return programme
+
     @property
     def text(self) -> str:
         """The programme as it was read, TOML."""
@@ -122,65 +125,3 @@ class Programme(BaseModel, ABC):
     def where(self, procedure: int) -> str:
         """File and line of a procedure, counted from 0, for a message."""
         return place_of(self._source, self._text, ("procedure", procedure))
-
-
-def shipped_programmes() -> list[str]:
-    """Names of the programmes that come along with all methods, those of the first method at the beginning."""
-    return list(_shipped())
-
-
-def load_programme(name_or_path: str | Path) -> Programme:
-    """Read a programme that comes along, by its name, or one from a file.
-
-    Raises
-    ------
-    ProgrammeError
-        Where there is no such programme, or it is not a valid one: file, line, what is wrong and what to do.
-    """
-    if (entry := _shipped().get(str(name_or_path))) is not None:
-        return programme_from_text(entry.read_bytes().decode("utf-8"), entry.name)
-    path = Path(name_or_path)
-    if not path.is_file():
-        names = ", ".join(shipped_programmes())
-        raise ProgrammeError(
-            Message(
-                "{name_or_path}: there is no such file; give a TOML file or one of {names}",
-                name_or_path=name_or_path,
-                names=names,
-            )
-        )
-    try:
-        return programme_from_text(read_text(path), path.name)
-    except InputError as error:
-        raise ProgrammeError(str(error)) from error
-
-
-def programme_from_text(text: str, source: str) -> Programme:
-    """Read a programme from TOML, for example from a recording; messages call it `source`. Raises `ProgrammeError`."""
-    try:
-        programme = parse_toml(text, _schema(text, source), source)
-    except InputError as error:
-        raise ProgrammeError(str(error)) from error
-    programme._text = text
-    programme._source = source
-    return programme
-
-
-def _schema(text: str, source: str) -> type[Programme]:
-    """The schema of a programme's method. Raises `InputError`."""
-    name = read_toml(text, source).get("method", FIRST)
-    try:
-        return find_method(str(name)).procedure_part.programme
-    except ValueError as error:
-        where = place_of(source, text, ("method",))
-        raise InputError(Message("{where}: method: {error}; correct it", where=where, error=error)) from error
-
-
-def _shipped() -> dict[str, Traversable]:
-    """The programmes that come along, by name."""
-    programmes: dict[str, Traversable] = {}
-    for method in usable_methods():
-        entries = method.procedure_part.shipped.iterdir()
-        found = {entry.name.removesuffix(".toml"): entry for entry in entries if entry.name.endswith(".toml")}
-        programmes |= dict(sorted(found.items()))
-    return programmes

@@ -4,12 +4,11 @@ from typing import TYPE_CHECKING, Final
 
 from tumble import plugins
 from tumble.messages import Message
+from tumble.procedures.first_method import FIRST
 
 if TYPE_CHECKING:
     from tumble.procedures.method import Method
 
-FIRST: Final = "dividing_head"
-"""The method of programmes and recordings that name none: version 0.1 knew no other."""
 _GROUP: Final = "tumble.procedures"
 
 

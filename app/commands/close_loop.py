@@ -38,7 +38,7 @@ from tumble.calibrations.tracing.chain import Chain
 from tumble.messages import Message
 from tumble.procedures.announcer import Listener
 from tumble.procedures.errors import InputError
-from tumble.procedures.programme import load_programme
+from tumble.procedures.programmes import load_programme
 
 
 @click.command("close-loop")

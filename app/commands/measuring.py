@@ -19,7 +19,7 @@ from tumble.app.wiring import Connected, connect
 from tumble.drivers.text import LONGEST_NAME
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
-from tumble.procedures.programme import load_programme
+from tumble.procedures.programmes import load_programme
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -14,7 +14,7 @@ from tumble.app.terminal import say
 from tumble.messages import Message
 from tumble.procedures.layout import Layout
 from tumble.procedures.plan import Plan, PlannedStep
-from tumble.procedures.programme import load_programme
+from tumble.procedures.programmes import load_programme
 from tumble.procedures.steps import Ask, Dwell, pose
 
 _FEW: Final = 4

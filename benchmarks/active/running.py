@@ -12,7 +12,7 @@ from tumble.app.joining import read_together
 from tumble.app.stand import load_stand
 from tumble.app.wiring import connect
 from tumble.calibrations.methods.dividing_head.loop.loop import Loop, explain
-from tumble.procedures.programme import load_programme
+from tumble.procedures.programmes import load_programme
 
 Record = dict[str, object]
 

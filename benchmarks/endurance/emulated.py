@@ -15,7 +15,7 @@ from tumble.emulators.scpi.models import Messages
 from tumble.emulators.speed import FasterClock
 from tumble.emulators.stand_faults import StandFaults
 from tumble.emulators.world import SharedWorld
-from tumble.procedures.programme import programme_from_text
+from tumble.procedures.programmes import programme_from_text
 
 Pair = Literal["serial", "CAN", "plain meter", "Keithley 2000"]
 """Zaber and a multimeter, or a CiA 402 drive and a CAN DAQ on one bus; or Zaber and a meter that takes one query a

@@ -21,7 +21,8 @@ from mcap.opcode import Opcode
 from tumble.app.cli import main as tumble
 from tumble.procedures.recording.errors import RecordingError
 from tumble.procedures.recording.frames import frames
-from tumble.procedures.recording.reader import Recording, iter_samples, read_recording
+from tumble.procedures.recording.reader import iter_samples, read_recording
+from tumble.procedures.recording.recorded import Recording
 
 HEADER = "header"
 _SAYS = {Opcode.METADATA: HEADER, Opcode.ATTACHMENT: HEADER}

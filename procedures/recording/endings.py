@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 
 from tumble.messages import Message
 from tumble.procedures.events import FinishReason, WarningRaised
-from tumble.procedures.recording.reader import Recording
+from tumble.procedures.recording.recorded import Recording
 
 _TOLD = 5
 """So many damages or missing points are named."""

@@ -7,7 +7,7 @@ from dataclasses import MISSING, dataclass, fields
 from typing import Any
 
 from tumble.messages import Message
-from tumble.procedures.registry import FIRST
+from tumble.procedures.first_method import FIRST
 
 FORMAT_VERSION = 3
 """1 had neither `job` nor the identification of instruments, nor runs that were resumed; 2 had no checksum of its

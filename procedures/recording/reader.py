@@ -1,71 +1,27 @@
 """Reading a recording, whole or cut off."""
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TypeVar
 
 import orjson
 
 from tumble.messages import Message
-from tumble.procedures.events import ConditionAnswered, FinishReason, ReadingAnswered, RunFinished, SamplesAcquired
+from tumble.procedures.events import ConditionAnswered, ReadingAnswered, SamplesAcquired
 from tumble.procedures.recording.blocks import join
 from tumble.procedures.recording.contents import Closed, Content, Damage, Said, contents, understood
 from tumble.procedures.recording.errors import RecordingError
 from tumble.procedures.recording.header import Header
 from tumble.procedures.recording.layouts import layout_of
 from tumble.procedures.recording.messages import JOURNAL, Announcement, Entry, from_message
+from tumble.procedures.recording.recorded import Recording
 from tumble.procedures.recording.schemas import POINT, SAMPLES, TEMPERATURE, positioner_topic, topics
-from tumble.procedures.steps import Ask, Dwell, Point, Step
+from tumble.procedures.steps import Ask, Dwell, Point
 
 _LARGEST_JOURNAL = 512 * 2**20
 """Bytes of messages, samples left out; a point takes some 400 of them."""
 _Kind = TypeVar("_Kind")
-
-
-@dataclass(frozen=True, kw_only=True)
-class Recording:
-    """A recording without its samples, up to the end of the file or to where it breaks off."""
-
-    path: Path
-    header: Header
-    points: tuple[Point, ...]
-    """Completed points by index, each once."""
-    steps: tuple[Step, ...]
-    """Steps that were begun, in order."""
-    answers: tuple[ConditionAnswered | ReadingAnswered, ...]
-    events: tuple[Announcement, ...]
-    """States, prompts, warnings and the end, in order."""
-    closed: bool
-    """Whether the file is whole, footer included; false where it was cut off or damaged."""
-    damage: tuple[str, ...] = ()
-    """What in it is not as it was written, as clauses; a file that was merely cut off has none."""
-
-    @property
-    def missing(self) -> tuple[int, ...]:
-        """Numbers of points that are not there although later ones are: they were lost, for none is left out."""
-        return (
-            tuple(sorted(set(range(self.points[-1].index)) - {point.index for point in self.points}))
-            if self.points
-            else ()
-        )
-
-    @property
-    def ending(self) -> RunFinished | None:
-        """How the run ended, where it was resumed the last time; None where the recording breaks off before."""
-        last = self.events[-1] if self.events else None
-        return last if isinstance(last, RunFinished) else None
-
-    @property
-    def finished(self) -> bool:
-        """Whether the run came to an end, of whatever kind, and said so."""
-        return self.ending is not None
-
-    @property
-    def complete(self) -> bool:
-        """Whether the file is whole and the run carried out its programme to the last step."""
-        ended = self.ending is not None and self.ending.reason is FinishReason.COMPLETED
-        return self.closed and ended and not self.missing
 
 
 def read_recording(path: Path) -> Recording:

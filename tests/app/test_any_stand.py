@@ -15,7 +15,7 @@ from tumble.app.wiring import Attendant, connect, obliging_operator
 from tumble.drivers.clock import VirtualClock
 from tumble.procedures.errors import InputError, ProgrammeError
 from tumble.procedures.events import FinishReason, PointCompleted
-from tumble.procedures.programme import programme_from_text
+from tumble.procedures.programmes import programme_from_text
 from tumble.procedures.recording.reader import read_recording
 
 DRIVERS = """

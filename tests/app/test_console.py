@@ -12,7 +12,7 @@ from tumble.app.stand import load_stand
 from tumble.app.wiring import connect
 from tumble.drivers.clock import VirtualClock
 from tumble.procedures.events import ReadingAnswered, ReadingRequested
-from tumble.procedures.programme import load_programme
+from tumble.procedures.programmes import load_programme
 
 
 @pytest.fixture

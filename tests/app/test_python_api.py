@@ -6,7 +6,7 @@ from tumble.app.stand import load_stand
 from tumble.app.wiring import connect
 from tumble.calibrations.records.store import Store
 from tumble.procedures.events import PointCompleted
-from tumble.procedures.programme import load_programme
+from tumble.procedures.programmes import load_programme
 
 
 def test_a_calibration_takes_a_few_lines(tmp_path, no_report):

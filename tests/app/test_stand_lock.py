@@ -14,7 +14,7 @@ from tumble.app.stand import load_stand
 from tumble.app.stand_lock import holding, holding_recording
 from tumble.app.wiring import connect
 from tumble.procedures.events import PointCompleted
-from tumble.procedures.programme import load_programme
+from tumble.procedures.programmes import load_programme
 from tumble.procedures.recording.reader import read_recording
 
 OTHER = """\

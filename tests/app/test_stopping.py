@@ -11,7 +11,7 @@ from tumble.drivers.errors import DeviceError
 from tumble.drivers.simulated.daq import SimulatedDaq
 from tumble.drivers.simulated.head import SimulatedHead
 from tumble.procedures.events import FinishReason, PointCompleted, State, StateChanged
-from tumble.procedures.programme import load_programme
+from tumble.procedures.programmes import load_programme
 from tumble.procedures.recording.reader import read_recording
 
 LOST = DeviceError("voltmeter", "does not answer", "check its cable, then resume the run")

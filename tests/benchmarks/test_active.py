@@ -3,7 +3,7 @@ import pytest
 from benchmarks.active.cases import make
 from benchmarks.active.grading import failures, report
 from tumble.app.stand import load_stand
-from tumble.procedures.programme import programme_from_text
+from tumble.procedures.programmes import programme_from_text
 
 PART = {"ambiguous": True, "failure": None, "outside": False, "effect": "k_xx", "seconds": 1.0, "seed": 1}
 PART |= {"first": "sweep", "seat": "every mount", "before": [["k_xx", "k_yy"]], "experiments": ["probe-end"]}

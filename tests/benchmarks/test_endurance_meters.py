@@ -15,7 +15,7 @@ from tumble.emulators.emulation import Wanted, emulate
 from tumble.emulators.speed import FasterClock
 from tumble.emulators.world import SharedWorld
 from tumble.procedures.methods.dividing_head.observations import observations
-from tumble.procedures.programme import programme_from_text
+from tumble.procedures.programmes import programme_from_text
 from tumble.procedures.recording.reader import read_recording
 
 PROGRAMME = """\

@@ -15,7 +15,7 @@ from tumble.calibrations.tracing.experiments import APART, next_experiments
 from tumble.calibrations.tracing.rivals import CLOSE, rivals, with_best_names
 from tumble.calibrations.tracing.separation import PlannedRows, Question
 from tumble.calibrations.tracing.trace import Tracer
-from tumble.procedures.programme import shipped_programmes
+from tumble.procedures.programmes import shipped_programmes
 
 UP = SWEEP.format("face-up", "up")
 BACK = SWEEP.format("face-up", "there-and-back")

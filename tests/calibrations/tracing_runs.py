@@ -5,7 +5,7 @@ from tables import UNIT, output
 
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.procedures.plan import plan
-from tumble.procedures.programme import load_programme, programme_from_text
+from tumble.procedures.programmes import load_programme, programme_from_text
 from tumble.procedures.steps import Dwell
 
 SWEEP = '[[procedure]]\nkind = "sweep"\nmount = "{}"\nstep_deg = 5.0\npoints = 80\norder = "{}"\n'

@@ -11,7 +11,7 @@ from tumble.calibrations.core.table import read_rows
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.tracing.experiments import next_experiments
 from tumble.calibrations.tracing.linear_loop import as_stated, explain_linear, rms
-from tumble.procedures.programme import load_programme
+from tumble.procedures.programmes import load_programme
 
 
 @dataclass(frozen=True)

@@ -22,7 +22,7 @@ from tumble.procedures.events import (
 from tumble.procedures.methods.dividing_head.layout import MOUNT, dwell_at, mounting
 from tumble.procedures.methods.dividing_head.rows import Row, row_of
 from tumble.procedures.operator import Answer
-from tumble.procedures.programme import programme_from_text
+from tumble.procedures.programmes import programme_from_text
 from tumble.procedures.steps import Confirmed
 
 FLIPS = 'name = "flips"\n[[procedure]]\nkind = "flip"\naxes = ["y", "z"]\n'

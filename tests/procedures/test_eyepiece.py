@@ -16,7 +16,7 @@ from tumble.procedures.methods.dividing_head.doubt import doubt
 from tumble.procedures.methods.dividing_head.layout import dwell_at
 from tumble.procedures.methods.dividing_head.rows import row_of
 from tumble.procedures.operator import Answers, ScriptedOperator
-from tumble.procedures.programme import programme_from_text
+from tumble.procedures.programmes import programme_from_text
 from tumble.procedures.second_look import ReadAgain
 
 SWEEP = programme_from_text('name = "a"\n[[procedure]]\nkind = "sweep"\nstep_deg = 30\npoints = 12\n', "a.toml")

@@ -8,7 +8,7 @@ from tumble.procedures.errors import ProgrammeError
 from tumble.procedures.motion import Motion
 from tumble.procedures.plan import plan
 from tumble.procedures.plan_checks import check_cable, check_limits
-from tumble.procedures.programme import programme_from_text
+from tumble.procedures.programmes import programme_from_text
 
 HERE = Place(angle_deg=10.0, direction=1)
 

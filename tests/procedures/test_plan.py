@@ -4,7 +4,7 @@ from tumble.procedures.acquisition import Acquisition
 from tumble.procedures.errors import ProgrammeError
 from tumble.procedures.plan import plan
 from tumble.procedures.plan_checks import check_condition, check_limits
-from tumble.procedures.programme import load_programme, programme_from_text
+from tumble.procedures.programmes import load_programme, programme_from_text
 from tumble.procedures.steps import Ask, Dwell
 
 SMALL = """\

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tumble.procedures.errors import ProgrammeError
-from tumble.procedures.programme import load_programme, programme_from_text, shipped_programmes
+from tumble.procedures.programmes import load_programme, programme_from_text, shipped_programmes
 from tumble.procedures.steps import Ask, Dwell
 
 PROBES = [

@@ -8,7 +8,7 @@ from tumble.procedures.acquisition import Acquisition
 from tumble.procedures.events import ConditionAnswered, PointCompleted, State, StateChanged, StepStarted
 from tumble.procedures.methods.dividing_head.layout import MOUNT, dwell_at, mounting
 from tumble.procedures.plan import plan
-from tumble.procedures.programme import programme_from_text
+from tumble.procedures.programmes import programme_from_text
 from tumble.procedures.progress import Progress, TimeLeft
 
 PROGRAMME = programme_from_text('name = "a"\n[[procedure]]\nkind = "sweep"\nstep_deg = 0\npoints = 5\n', "a.toml")

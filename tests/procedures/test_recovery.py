@@ -8,7 +8,7 @@ from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError, Refe
 from tumble.drivers.protocols import Identity, PositionerStatus
 from tumble.procedures.events import FinishReason, Identified, PointCompleted, SamplesAcquired, WarningRaised
 from tumble.procedures.methods.dividing_head.rows import row_of
-from tumble.procedures.programme import programme_from_text
+from tumble.procedures.programmes import programme_from_text
 
 SWEEP = programme_from_text(
     'name = "a"\n[[procedure]]\nkind = "sweep"\nstart_deg = 40\nstep_deg = -5\npoints = 4\n', "a"

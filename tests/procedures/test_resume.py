@@ -11,7 +11,7 @@ from tumble.procedures.events import ConditionAnswered, FinishReason, PointCompl
 from tumble.procedures.methods.dividing_head.layout import MOUNT, dwell_at, mounting
 from tumble.procedures.methods.dividing_head.rows import row_of
 from tumble.procedures.operator import Answer
-from tumble.procedures.programme import programme_from_text
+from tumble.procedures.programmes import programme_from_text
 from tumble.procedures.replay import replay
 from tumble.procedures.steps import Confirmed, Dwell
 

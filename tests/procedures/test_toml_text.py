@@ -4,7 +4,7 @@ import pytest
 
 from tumble.procedures.errors import InputError
 from tumble.procedures.methods.dividing_head.programme import DividingHeadProgramme
-from tumble.procedures.programme import load_programme
+from tumble.procedures.programmes import load_programme
 from tumble.procedures.toml_lines import MOST_BYTES, line_of, load_toml, parse_toml, read_text
 from tumble.procedures.toml_text import read_toml
 

@@ -16,7 +16,7 @@ from tumble.procedures.errors import ProgrammeError
 from tumble.procedures.events import ConditionAnswered, FinishReason, PointVerified, SamplesAcquired
 from tumble.procedures.plan import plan
 from tumble.procedures.plan_checks import check_limits
-from tumble.procedures.programme import programme_from_text
+from tumble.procedures.programmes import programme_from_text
 from tumble.procedures.recording.errors import RecordingError
 from tumble.procedures.recording.reader import iter_samples, read_recording
 from tumble.procedures.recording.writer import Recorder

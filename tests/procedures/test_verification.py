@@ -7,7 +7,7 @@ from fakes import FakeStand, point_at
 from tumble.procedures.events import FinishReason, PointVerified, RunResumed
 from tumble.procedures.methods.dividing_head.layout import dwell_at
 from tumble.procedures.methods.dividing_head.rows import row_of
-from tumble.procedures.programme import programme_from_text
+from tumble.procedures.programmes import programme_from_text
 from tumble.procedures.steps import Reading
 from tumble.procedures.verification import allowed
 

@@ -16,7 +16,7 @@ from tumble.calibrations.core.verdict import Judgement, Model, Outcome, Verdict
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.tracing.experiments import Experiment
 from tumble.drivers.clock import VirtualClock
-from tumble.procedures.programme import load_programme, programme_from_text
+from tumble.procedures.programmes import load_programme, programme_from_text
 from tumble.window import registry
 from tumble.window.look.conditions import ConditionWords
 from tumble.window.method import WindowPart

@@ -1,7 +1,7 @@
 from PySide6.QtCore import Qt
 from window_driver import STAND
 
-from tumble.procedures.programme import load_programme
+from tumble.procedures.programmes import load_programme
 from tumble.procedures.recording.reader import read_recording
 
 CUBIC = STAND.replace('preset = "DXL203EB"', 'preset = "DXL203EB"\nnoise_v = 2e-5\neffects = { k_xxx = 5e-4 }')

@@ -14,7 +14,7 @@ from tumble.drivers.protocols import PositionerStatus
 from tumble.drivers.simulated.daq import SimulatedDaq
 from tumble.procedures.errors import InputError
 from tumble.procedures.events import Identified
-from tumble.procedures.programme import load_programme
+from tumble.procedures.programmes import load_programme
 from tumble.window.widgets.dialog import QuestionDialog
 
 

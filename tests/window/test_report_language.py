@@ -7,7 +7,7 @@ from tumble.app.running import Job
 from tumble.app.stand import load_stand
 from tumble.app.wiring import connect
 from tumble.messages import Language
-from tumble.procedures.programme import load_programme
+from tumble.procedures.programmes import load_programme
 from tumble.window.look.language import speak
 from tumble.window.work import records
 from tumble.window.work.activity import Calibration

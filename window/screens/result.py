@@ -12,8 +12,8 @@ from tumble.app.running import Job
 from tumble.app.stand import LoadedStand, same_instruments
 from tumble.calibrations.core.verdict import Model, Outcome, Verdict
 from tumble.procedures.errors import InputError
-from tumble.procedures.programme import load_programme
-from tumble.procedures.registry import FIRST
+from tumble.procedures.first_method import FIRST
+from tumble.procedures.programmes import load_programme
 from tumble.window.look.language import tr
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language

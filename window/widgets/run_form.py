@@ -10,7 +10,8 @@ from tumble.app.running import Job
 from tumble.app.stand import LoadedStand
 from tumble.drivers.text import LONGEST_NAME
 from tumble.procedures.errors import InputError
-from tumble.procedures.programme import Programme, load_programme, shipped_programmes
+from tumble.procedures.programme import Programme
+from tumble.procedures.programmes import load_programme, shipped_programmes
 from tumble.window.look.language import tr
 from tumble.window.look.numbers import local, minutes
 from tumble.window.look.plain import PlainLabel

@@ -7,7 +7,8 @@ from typing import Any, Self
 
 from markupsafe import Markup
 
-from tumble.app.measurements import Measurement, check_limits
+from tumble.app.measurement import Measurement
+from tumble.app.measurements import check_limits
 from tumble.app.methods.dividing_head.summary import details, in_short
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.provenance import LimitCheck, Provenance

@@ -12,7 +12,8 @@ from tumble.messages import Message, translatable
 from tumble.procedures.errors import ProgrammeError
 from tumble.procedures.methods.dividing_head.layout import MOUNT
 from tumble.procedures.methods.dividing_head.sweep import Sweep
-from tumble.procedures.programme import Programme, load_programme, programme_from_text
+from tumble.procedures.programme import Programme
+from tumble.procedures.programmes import load_programme, programme_from_text
 from tumble.procedures.steps import Ask
 
 NO_THERMOMETER = Message("the stand has no thermometer")

@@ -6,7 +6,8 @@ from typing import Final
 
 from tumble.app.available import Available
 from tumble.app.job_part import JobPart
-from tumble.app.measurements import Measurement, check_limits
+from tumble.app.measurement import Measurement
+from tumble.app.measurements import check_limits
 from tumble.app.methods.dividing_head.analysed import DividingHeadAnalysed, DividingHeadTraced, traced_with
 from tumble.app.methods.dividing_head.stand_part import STAND, DividingHeadStand
 from tumble.app.methods.dividing_head.uncertainty import uncertainty_of

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from pydantic import Field
 
-from tumble.app.measurements import Measurement
+from tumble.app.measurement import Measurement
 from tumble.app.stand_file import RecordedDaq, RecordedHead, RecordedStand
 from tumble.calibrations.methods.dividing_head.budget import StandUncertainty
 from tumble.drivers.tables import DAQ, HEAD

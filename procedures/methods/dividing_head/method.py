@@ -12,7 +12,7 @@ from tumble.procedures.second_look import Contradiction
 from tumble.procedures.steps import Point
 
 if TYPE_CHECKING:
-    from tumble.procedures.recording.reader import Recording
+    from tumble.procedures.recording.recorded import Recording
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -10,7 +10,7 @@ from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.screening import set_aside_bad_rows
 from tumble.procedures.methods.dividing_head.rows import Row, row_of
 from tumble.procedures.recording.endings import warnings
-from tumble.procedures.recording.reader import Recording
+from tumble.procedures.recording.recorded import Recording
 
 
 def observations(recording: Recording) -> Observations:

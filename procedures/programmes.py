@@ -1,0 +1,71 @@
+"""The programmes that come along, and those in files of one's own: read from TOML, each by the schema of its method."""
+
+from importlib.resources.abc import Traversable
+from pathlib import Path
+
+from tumble.messages import Message
+from tumble.procedures.errors import InputError, ProgrammeError
+from tumble.procedures.first_method import FIRST
+from tumble.procedures.programme import Programme
+from tumble.procedures.registry import find_method, usable_methods
+from tumble.procedures.toml_lines import place_of, read_text
+from tumble.procedures.toml_text import read_toml
+
+
+def shipped_programmes() -> list[str]:
+    """Names of the programmes that come along with all methods, those of the first method at the beginning."""
+    return list(_shipped())
+
+
+def load_programme(name_or_path: str | Path) -> Programme:
+    """Read a programme that comes along, by its name, or one from a file.
+
+    Raises
+    ------
+    ProgrammeError
+        Where there is no such programme, or it is not a valid one: file, line, what is wrong and what to do.
+    """
+    if (entry := _shipped().get(str(name_or_path))) is not None:
+        return programme_from_text(entry.read_bytes().decode("utf-8"), entry.name)
+    path = Path(name_or_path)
+    if not path.is_file():
+        names = ", ".join(shipped_programmes())
+        raise ProgrammeError(
+            Message(
+                "{name_or_path}: there is no such file; give a TOML file or one of {names}",
+                name_or_path=name_or_path,
+                names=names,
+            )
+        )
+    try:
+        return programme_from_text(read_text(path), path.name)
+    except InputError as error:
+        raise ProgrammeError(str(error)) from error
+
+
+def programme_from_text(text: str, source: str) -> Programme:
+    """Read a programme from TOML, for example from a recording; messages call it `source`. Raises `ProgrammeError`."""
+    try:
+        return _schema(text, source).from_text(text, source)
+    except InputError as error:
+        raise ProgrammeError(str(error)) from error
+
+
+def _schema(text: str, source: str) -> type[Programme]:
+    """The schema of a programme's method. Raises `InputError`."""
+    name = read_toml(text, source).get("method", FIRST)
+    try:
+        return find_method(str(name)).procedure_part.programme
+    except ValueError as error:
+        where = place_of(source, text, ("method",))
+        raise InputError(Message("{where}: method: {error}; correct it", where=where, error=error)) from error
+
+
+def _shipped() -> dict[str, Traversable]:
+    """The programmes that come along, by name."""
+    programmes: dict[str, Traversable] = {}
+    for method in usable_methods():
+        entries = method.procedure_part.shipped.iterdir()
+        found = {entry.name.removesuffix(".toml"): entry for entry in entries if entry.name.endswith(".toml")}
+        programmes |= dict(sorted(found.items()))
+    return programmes
