@@ -24,12 +24,14 @@ _HEADINGS: Final = (
 )
 
 
-def listing(found: tuple[Record, ...]) -> Table:
+def listing(found: tuple[Record, ...]) -> Table | str:
     """A line for every record, and its method below: a further column would break serial numbers."""
+    if not found:
+        return Message("No record matches.")
     table = Table(Column(Message("record, method"), no_wrap=True), *_HEADINGS)
     for record in found:
         origin = record.provenance
-        measured = origin.measured_at or f"{record.created_at:%Y-%m-%d %H:%M}"
+        measured = (origin.measured_at or record.created_at.isoformat())[:16].replace("T", " ")
         table.add_row(
             record.id,
             origin.serial_number,

@@ -57,7 +57,9 @@ def list_command(folder: Path, json_path: Path | None) -> None:
     options.write_json({"schema": "tumble.stand-records/1", "records": [document(r) for r in found]}, json_path)
 
 
-def _listing(found: tuple[StandRecord, ...]) -> Table:
+def _listing(found: tuple[StandRecord, ...]) -> Table | str:
+    if not found:
+        return Message("No stand record yet; tumble stand learn makes one.")
     table = Table(*_HEADINGS)
     for record in found:
         what = series(list(dict.fromkeys(term.effect for term in record.corrections.terms)))

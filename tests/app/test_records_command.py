@@ -176,3 +176,19 @@ def test_a_folder_without_a_store_is_bad_input_and_stays_as_it_is(tmp_path, argu
     assert ran.status == 2
     assert ran.complaint == f"{tmp_path}: there is no records.sqlite in this folder; name the folder of a store"
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("group", "said"),
+    [("records", "No record matches."), ("stand", "No stand record yet; tumble stand learn makes one.")],
+)
+def test_a_list_of_nothing_says_so(calibrated, group, said):
+    arguments = ["--serial", "NOBODY"] if group == "records" else []
+
+    assert tumble(group, "list", "--store", calibrated.store, *arguments).out.strip() == said
+
+
+def test_a_list_says_when_to_the_minute(calibrated):
+    measured = listed(calibrated.store)[0]["provenance"]["measured_at"]
+
+    assert f" {measured[:10]} {measured[11:16]} " in tumble("records", "list", "--store", calibrated.store).out
