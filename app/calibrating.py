@@ -14,7 +14,6 @@ from tumble.app.learning import Learned, contradictions_of, learn
 from tumble.app.measurements import read_measurement
 from tumble.app.running import Job, failure, recording_path, run
 from tumble.app.stand_records import with_stand_record
-from tumble.app.storing import standing_record
 from tumble.app.wiring import Connected
 from tumble.calibrations.records.errors import StoreError
 from tumble.calibrations.records.record import Record
@@ -30,10 +29,7 @@ def store(traced: Traced, folder: Path) -> Record:
     from tumble.calibrations.records.store import Store  # takes half a second, for those that keep records
 
     try:
-        records = Store(folder)
-        entry, origin = traced.entry, traced.provenance
-        before = standing_record(records, origin.serial_number, origin.source_hashes, entry.method)
-        return records.add(entry, origin, supersedes=before.id if before else None)
+        return Store(folder).revise(traced.entry, traced.provenance)
     except StoreError as error:
         raise JobError(
             Message("{error}; the recording is kept in {path}", error=error, path=traced.measurement.path), Exit.STORAGE

@@ -14,7 +14,6 @@ from tumble.app.joining import read_together
 from tumble.app.measurement import Measurement
 from tumble.app.methods import methods
 from tumble.app.stand_records import corrected_by
-from tumble.app.storing import standing_record
 from tumble.calibrations.core.method import Method
 from tumble.calibrations.records import DATABASE
 from tumble.calibrations.records.entry import Entry
@@ -64,7 +63,7 @@ def record_of(recording: Path, header: Header, folder: Path) -> Record | None:
     from tumble.calibrations.records.store import Store
 
     try:
-        return standing_record(Store.existing(folder), header.serial_number, [file_sha256(recording)], header.method)
+        return Store.existing(folder).of_files(header.serial_number, header.method, [file_sha256(recording)])
     except StoreError:
         return None
 

@@ -1,21 +1,17 @@
 """Results kept as records."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+from tumble.app.exits import Exit, JobError
 from tumble.app.identity import program_identity
 from tumble.calibrations.core.method import Result
 from tumble.calibrations.core.provenance import Provenance, Source
-from tumble.calibrations.records.raw import file_sha256, stored_path
-from tumble.procedures.errors import InputError
-
-if TYPE_CHECKING:
-    from tumble.calibrations.records.store import Store
-from tumble.app.exits import Exit, JobError
 from tumble.calibrations.records.errors import StoreError
+from tumble.calibrations.records.raw import file_sha256, stored_path
 from tumble.calibrations.records.record import Record
 from tumble.messages import Message
+from tumble.procedures.errors import InputError
 
 
 def record_tables(result: Result, files: Sequence[Path], folder: Path) -> Record:
@@ -38,17 +34,8 @@ def record_tables(result: Result, files: Sequence[Path], folder: Path) -> Record
         packages=program.packages,
     )
     try:
-        records, entry = Store(folder), result.entry()
-        before = standing_record(records, origin.serial_number, origin.source_hashes, entry.method)
-        return records.add(entry, origin, supersedes=before.id if before else None)
+        return Store(folder).revise(result.entry(), origin)
     except ValueError as error:
         raise InputError(str(error)) from error
     except StoreError as error:
         raise JobError(Message("{error}; nothing was recorded", error=error), Exit.STORAGE) from error
-
-
-def standing_record(records: "Store", serial_number: str, hashes: Collection[str], method: str) -> Record | None:
-    """The record of raw files that stands, which a new analysis of them supersedes; None where there is none."""
-    same_unit = records.find(serial_number=serial_number, method=method)
-    same_files = [record for record in same_unit if set(record.provenance.source_hashes) == set(hashes)]
-    return same_files[-1] if same_files else None

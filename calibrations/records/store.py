@@ -1,11 +1,11 @@
 """A folder of calibration records."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from datetime import datetime
 from pathlib import Path
 from typing import Any
 
-from sqlalchemy import ColumnElement, Select, exists, func, insert, select
+from sqlalchemy import ColumnElement, Connection, Select, exists, func, insert, select
 
 from tumble.calibrations.core.provenance import Provenance
 from tumble.calibrations.core.verdict import Outcome
@@ -84,14 +84,21 @@ class Store:
         """
         with storage_errors(self.path), writing(self._engine) as connection:
             old = revisable(connection, self.path, supersedes, entry, provenance) if supersedes else None
-            where = place(self.folder)
-            link = next_link(connection, where)
-            record = new_record(entry, provenance, old, link, self._now())
-            connection.execute(insert(RECORDS), record_row(record))
-            if parameters := parameter_rows(record):
-                connection.execute(insert(PARAMETERS), parameters)
-            append(connection, where, link, record.content_sha256)
-        return record
+            return self._added(connection, entry, provenance, old)
+
+    def revise(self, entry: Entry, provenance: Provenance) -> Record:
+        """Record a result in place of what stands of the same raw files, unit and method, if anything does.
+
+        One transaction: of several analyses at the same time each supersedes the one before.
+        """
+        with storage_errors(self.path), writing(self._engine) as connection:
+            unit, hashes = provenance.serial_number, provenance.source_hashes
+            return self._added(connection, entry, provenance, self._standing(connection, unit, entry.method, hashes))
+
+    def of_files(self, serial_number: str, method: str, hashes: Collection[str]) -> Record | None:
+        """The record of raw files, by their SHA-256, that stands; None where there is none."""
+        with storage_errors(self.path), reading(self._engine) as connection:
+            return self._standing(connection, serial_number, method, hashes)
 
     def get(self, id_prefix: str) -> Record:
         """Return the record whose id begins so. Raises `RecordError` where none does, or several do."""
@@ -184,6 +191,24 @@ class Store:
         """What the tables hold, to be compared with the folder."""
         with storage_errors(self.path), reading(self._engine) as connection:
             return inventory(connection)
+
+    def _added(self, connection: Connection, entry: Entry, provenance: Provenance, old: Record | None) -> Record:
+        where = place(self.folder)
+        link = next_link(connection, where)
+        record = new_record(entry, provenance, old, link, self._now())
+        connection.execute(insert(RECORDS), record_row(record))
+        if parameters := parameter_rows(record):
+            connection.execute(insert(PARAMETERS), parameters)
+        append(connection, where, link, record.content_sha256)
+        return record
+
+    def _standing(
+        self, connection: Connection, serial_number: str, method: str, hashes: Collection[str]
+    ) -> Record | None:
+        query = select(RECORDS).where(_STANDS, RECORDS.c.serial_number == serial_number, RECORDS.c.method == method)
+        rows = connection.execute(query.order_by(_MEASURED_AT, RECORDS.c.id)).mappings()
+        found = [self._record(dict(row)) for row in rows]
+        return next((each for each in reversed(found) if set(each.provenance.source_hashes) == set(hashes)), None)
 
     def _records(self, query: Select[Any]) -> tuple[Record, ...]:
         with storage_errors(self.path), reading(self._engine) as connection:

@@ -83,6 +83,24 @@ def test_a_revision_names_the_old_record_and_takes_its_place(store):
     assert store.get(first.id) == first
 
 
+def test_analyses_of_one_file_at_the_same_time_supersede_each_other(store):
+    with ThreadPoolExecutor(4) as pool:
+        made = list(pool.map(lambda _: Store(store.folder).revise(entry(calibration()), provenance()), range(8)))
+
+    (standing,) = store.find()
+    assert sorted(record.revision for record in made) == [1, 2, 3, 4, 5, 6, 7, 8]
+    assert [record.revision for record in store.revisions(standing)] == [1, 2, 3, 4, 5, 6, 7, 8]
+
+
+@pytest.mark.parametrize("changed", [{"sources": (raw_source(sha256="00" * 32),)}, {"serial_number": "SN-8"}])
+def test_an_analysis_of_another_file_or_unit_stands_beside(store, changed):
+    first = store.revise(entry(calibration()), provenance())
+    second = store.revise(entry(calibration()), provenance(**changed))
+
+    assert (second.revision, second.supersedes) == (1, None)
+    assert {record.id for record in store.find()} == {first.id, second.id}
+
+
 @pytest.mark.parametrize(
     ("old", "changed", "message"),
     [
