@@ -5,7 +5,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from benchmarks.blind.geometry import FloatArray
+from benchmarks.blind.geometry import FloatArray, IntArray
 from benchmarks.blind.named import FORMS
 from benchmarks.blind.run import Run
 from benchmarks.blind.sizing import beside, declared, slope_v_deg, whitened, world_of
@@ -18,6 +18,7 @@ _PARTED_UNITS: Final = 4.8
 """result.md: right is any variable that the design parts from the true one by less."""
 _SETTINGS: Final = 90
 _CELL_G: Final = 0.1
+_NOTHING: Final = 1e-9
 
 
 def variables(run: Run, unit: Unit) -> dict[str, list[FloatArray]]:
@@ -51,12 +52,27 @@ def right_variables(effect_v: FloatArray, run: Run, unit: Unit) -> frozenset[str
 
 
 def _left(effect: FloatArray, model: FloatArray, values: FloatArray, gain: FloatArray, run: Run) -> float:
-    held = values[~run.fresh]
-    levels = np.unique(held, return_inverse=True)[1]
-    if levels.max() >= _SETTINGS:
-        levels = np.argsort(np.argsort(held, kind="stable"), kind="stable") * _SETTINGS // len(held)
-    course = (levels[:, None] == np.arange(levels.max() + 1)) * whitened(gain, run)[:, None]
-    return float(np.linalg.norm(beside(effect, np.column_stack([model, course]))))
+    """Return what the model and a level for each setting leave: the levels are taken out first, row by row."""
+    levels = _settings(values[~run.fresh])
+    weight = whitened(gain, run)
+    model_left, effect_left = _without_levels(model, levels, weight), _without_levels(effect[:, None], levels, weight)
+    beyond = np.linalg.norm(model_left, axis=0) > _NOTHING * np.linalg.norm(model, axis=0)
+    return float(np.linalg.norm(beside(effect_left[:, 0], model_left[:, beyond])))
+
+
+def _settings(values: FloatArray) -> IntArray:
+    """Number the distinct values, or as many quantiles as a course may have levels."""
+    levels = np.unique(values, return_inverse=True)[1]
+    if levels.max() < _SETTINGS:
+        return levels
+    return np.argsort(np.argsort(values, kind="stable"), kind="stable") * _SETTINGS // len(values)
+
+
+def _without_levels(columns: FloatArray, levels: IntArray, weight: FloatArray) -> FloatArray:
+    """Project columns orthogonally to a free level for each setting, each times a weight."""
+    power = np.maximum(np.bincount(levels, weight**2), _NOTHING)
+    means = np.column_stack([np.bincount(levels, weight * column) for column in columns.T]) / power[:, None]
+    return np.asarray(columns - weight[:, None] * means[levels])
 
 
 def beyond_catalogue_units(effect_v: FloatArray, run: Run, unit: Unit) -> float:

@@ -48,6 +48,8 @@ def declared(run: Run, unit: Unit) -> FloatArray:
 
 def beside(signals: FloatArray, columns: FloatArray) -> FloatArray:
     """Return what is left of signals orthogonally to columns."""
+    if not columns.shape[1]:
+        return signals
     scaled = columns / np.maximum(np.linalg.norm(columns, axis=0), 1e-300)
     left, sizes, _ = np.linalg.svd(scaled, full_matrices=False)
     span = left[:, sizes > _NEGLIGIBLE * sizes[0]]
