@@ -63,14 +63,26 @@ def _share_of(of: Sequence[Any], good: Callable[[Any], bool]) -> str:
 
 
 def unnamed_lines(records: Iterable[Record]) -> str:
-    """Return a line for each size and each kind of structure without a name."""
+    """Return how often structure without a name was found on a right variable: by size and by kind.
+
+    With nothing named beside it it is exact. Where one catalogue effect does as well, its name alone is no mistake.
+    """
     strange = [record for record in records if record["unnamed"]]
     sizes = sorted({units for record in strange for units in record["noise_units"].values()})
     lines = [f"{units:g} units: " + _share_of(_with(strange, units), lambda record: record["exact"]) for units in sizes]
     kinds = dict.fromkeys(record["unnamed"][0] for record in strange)
     grouped = {kind: [record for record in strange if record["unnamed"][0] == kind] for kind in kinds}
+    lines += [
+        "on a right variable, whatever is named beside it: "
+        + _share_of(strange, lambda record: record["right_variable"]),
+        "exact, or a catalogue effect that does as well: " + _share_of(strange, _no_mistake),
+    ]
     lines += [f"{kind}: {sum(record['exact'] for record in group)}/{len(group)}" for kind, group in grouped.items()]
     return "\n".join(lines)
+
+
+def _no_mistake(record: Record) -> bool:
+    return bool(record["exact"] or record["said"].split("|")[0] in record["stand_ins"])
 
 
 def _with(records: Sequence[Record], units: float) -> list[Record]:

@@ -14,7 +14,7 @@ from benchmarks.blind.world import Unit
 COARSE: Final = {"unwrapped_angle": "angle", "pose": "acceleration", "time_since_seating": "time"}
 """`depends_on` of a finer variable (result.md)."""
 
-_PARTED_UNITS: Final = 4.8
+PARTED_UNITS: Final = 4.8
 """result.md: right is any variable that the design parts from the true one by less."""
 _SETTINGS: Final = 90
 _CELL_G: Final = 0.1
@@ -47,7 +47,7 @@ def right_variables(effect_v: FloatArray, run: Run, unit: Unit) -> frozenset[str
     return frozenset(
         name
         for name, meant in variables(run, unit).items()
-        if any(_left(effect, model, values, gain, run) < _PARTED_UNITS for values in meant for gain in gains)
+        if any(_left(effect, model, values, gain, run) < PARTED_UNITS for values in meant for gain in gains)
     )
 
 

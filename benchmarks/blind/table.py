@@ -13,6 +13,7 @@ from benchmarks.blind.named import CATALOGUE, OF_NO_SIZE
 from benchmarks.blind.right import beyond_catalogue_units, right_variables
 from benchmarks.blind.run import Run
 from benchmarks.blind.sizing import CannotShowError, signal_v, sized, visible_units
+from benchmarks.blind.stand_ins import stand_ins
 from benchmarks.blind.together import VISIBLE_UNITS, check_together
 from benchmarks.blind.unnamed import KINDS
 from benchmarks.blind.world import Effect, Unit, respond_v
@@ -56,6 +57,8 @@ class Table:
     noise_free_v: FloatArray
     right: frozenset[str]
     """Right variables for what has no name; empty without such."""
+    stand_ins: frozenset[str]
+    """Single catalogue effects that the design does not part from it."""
     beyond_catalogue_units: float
     left_out: tuple[str, ...]
 
@@ -78,6 +81,7 @@ class Table:
             "effects": list(self.named),
             "unnamed": list(self.unnamed),
             "right_variables": sorted(self.right),
+            "stand_ins": sorted(self.stand_ins),
             "beyond_catalogue_units": round(self.beyond_catalogue_units, 2),
             "noise_units": dict(self.spec.effects),
             "coefficients": {effect.name: dict(effect.coefficients) for effect in self.effects},
@@ -110,23 +114,32 @@ def _drawn(spec: Spec, rng: np.random.Generator) -> Table:
     unit = _drawn_unit(rng)
     effects = tuple(_effect(name, units, run, unit, rng) for name, units in spec.effects)
     check_together(effects, run, unit)
-    right, beyond = _without_name(effects, run, unit)
+    right, others, beyond = _without_name(effects, run, unit)
     noise_free_v = respond_v(run, unit, effects)
-    quantum_v = nuisances.quantum_v(spec.nuisance, rng)
-    voltage_v = noise_free_v + run.noise_v * rng.normal(size=len(noise_free_v))
-    needed = frozenset().union(*(_NEEDS.get(name, frozenset()) for name in names))
     return Table(
         spec=spec,
         design=design,
         run=run,
         unit=unit,
         effects=effects,
-        voltage_v=np.round(voltage_v / quantum_v) * quantum_v if quantum_v else voltage_v,
+        voltage_v=_read(noise_free_v, run, spec.nuisance, rng),
         noise_free_v=noise_free_v,
         right=right,
+        stand_ins=others,
         beyond_catalogue_units=beyond,
-        left_out=nuisances.left_out(spec.nuisance, needed, rng),
+        left_out=nuisances.left_out(spec.nuisance, _needed(names), rng),
     )
+
+
+def _read(noise_free_v: FloatArray, run: Run, nuisance: str, rng: np.random.Generator) -> FloatArray:
+    """Return the readings: with noise, and rounded where the nuisance says so."""
+    quantum_v = nuisances.quantum_v(nuisance, rng)
+    voltage_v = noise_free_v + run.noise_v * rng.normal(size=len(noise_free_v))
+    return np.asarray(np.round(voltage_v / quantum_v) * quantum_v) if quantum_v else voltage_v
+
+
+def _needed(names: list[str]) -> frozenset[str]:
+    return frozenset().union(*(_NEEDS.get(name, frozenset()) for name in names))
 
 
 def _drawn_unit(rng: np.random.Generator) -> Unit:
@@ -144,14 +157,14 @@ def _effect(name: str, units: float, run: Run, unit: Unit, rng: np.random.Genera
     return family(units) if name in OF_NO_SIZE else sized(family, run, unit, units)
 
 
-def _without_name(effects: tuple[Effect, ...], run: Run, unit: Unit) -> tuple[frozenset[str], float]:
-    """Return the right variables of what has no name, and how much of it no catalogue effect takes up."""
+def _without_name(effects: tuple[Effect, ...], run: Run, unit: Unit) -> tuple[frozenset[str], frozenset[str], float]:
+    """Return right variables and stand-ins of what has no name, and how much of it no catalogue effect takes up."""
     strange = [effect for effect in effects if effect.name in KINDS]
     if not strange:
-        return frozenset(), 0.0
+        return frozenset(), frozenset(), 0.0
     signal = signal_v(run, unit, strange)
     beyond = beyond_catalogue_units(signal, run, unit)
     if beyond < max(VISIBLE_UNITS, 0.5 * visible_units(run, unit, strange)):
         raise CannotShowError(f"{strange[0].name}: catalogue effects take it up")
     meant = frozenset(word for effect in strange for word in (KINDS[effect.name].variable, *KINDS[effect.name].also))
-    return right_variables(signal, run, unit) | meant, beyond
+    return right_variables(signal, run, unit) | meant, stand_ins(signal, run, unit), beyond

@@ -16,6 +16,7 @@ from benchmarks.blind.report import share
 from benchmarks.blind.right import beyond_catalogue_units, right_variables
 from benchmarks.blind.score import is_exact, judged_parameter, pairs_up, said
 from benchmarks.blind.sizing import CannotShowError, signal_v, sized
+from benchmarks.blind.stand_ins import stand_ins
 from benchmarks.blind.together import check_together
 from benchmarks.blind.unnamed import KINDS
 from benchmarks.blind.world import Unit
@@ -59,6 +60,17 @@ def test_nothing_of_a_catalogue_effect_is_beyond_the_catalogue():
     run = drawn_run("mounts", 3, 1, np.random.default_rng(3))
     effect = CATALOGUE["k_xxx"](run, UNIT, np.random.default_rng(1))(1e-4)
     assert beyond_catalogue_units(signal_v(run, UNIT, [effect]), run, UNIT) < 0.05
+
+
+def test_a_graduation_error_has_itself_as_stand_in():
+    run = drawn_run("mounts", 3, 1, np.random.default_rng(3))
+    effect = sized(CATALOGUE["graduation"](run, UNIT, np.random.default_rng(1)), run, UNIT, 40.0)
+    assert stand_ins(signal_v(run, UNIT, [effect]), run, UNIT) == {"graduation"}
+
+
+def test_four_harmonics_have_no_stand_in():
+    effect, run = drawn("odd_harmonics_of_head", "mounts", 40.0)
+    assert not stand_ins(signal_v(run, UNIT, [effect]), run, UNIT)
 
 
 def test_aliases_are_not_asked_for_together():
