@@ -90,10 +90,20 @@ def test_coefficients_say_what_the_effect_does(name):
 def test_positive_hysteresis_is_lower_after_ax_rose():
     run = run_of("mounts")
     world = world_of(run, STRAIGHT)
-    rose = np.r_[False, np.diff(world.ax) > 0.01] & run.follows & (run.procedure == "sweep")
+    rose = np.r_[False, np.diff(world.ax) > 0.061] & run.follows & (run.procedure == "sweep")
     effect = stated("hysteresis", {"hysteresis": 1e-4})
     assert effect is not None
     assert effect.amount(world)[rose] == pytest.approx(-1e-4)
+
+
+def test_hysteresis_does_not_turn_where_ax_hardly_falls_after_the_pole():
+    run = run_of("mounts")
+    unit = replace(STRAIGHT, alpha0_deg=0.2)
+    effect = stated("hysteresis", {"hysteresis": 1e-4})
+    assert effect is not None
+    past = (run.mount == "face-up") & (run.angle_deg == 270.0) & (run.direction > 0) & run.follows
+    assert past.any()
+    assert effect.amount(world_of(run, unit))[past] == pytest.approx(-1e-4, rel=1e-2)
 
 
 def test_settling_leaves_nothing_over_a_change_of_mount():

@@ -7,26 +7,17 @@ import numpy as np
 
 from benchmarks.blind.geometry import FloatArray
 from benchmarks.blind.named import signed
+from benchmarks.blind.named.lag import lag
 from benchmarks.blind.named.signed import Form, hours
 from benchmarks.blind.run import Run
 from benchmarks.blind.sizing import Draw, Family
 from benchmarks.blind.world import Acts, Effect, Unit, World
 
 _REFERENCE_DEGC: Final = 23.0
-_BACK_DEG: Final = 0.01
-_STILL_G: Final = 1e-12
 
 
 def _warmer(world: World) -> FloatArray:
     return world.run.temperature_degc - _REFERENCE_DEGC
-
-
-def _lag(world: World) -> FloatArray:
-    """-1 where ax rose on the last of the way, 1 where it fell, 0 where neither (effects.md, `hysteresis`)."""
-    none = np.zeros(len(world.run.time_s))
-    before = World(world.run, world.unit, world.angle_error_deg - _BACK_DEG * world.run.direction, none, none)
-    rise_g = world.ax - before.ax
-    return -np.sign(np.where(np.abs(rise_g) < _STILL_G, 0.0, rise_g))
 
 
 FORMS: Final[Mapping[str, Form]] = {
@@ -37,7 +28,7 @@ FORMS: Final[Mapping[str, Form]] = {
     "k_yz": lambda world: world.ay * world.az,
     "k_xxx": lambda world: world.ax**3,
     "scale_asymmetry": lambda world: np.abs(world.ax),
-    "hysteresis": _lag,
+    "hysteresis": lag,
     "bias_temperature": _warmer,
     "scale_temperature": lambda world: world.ax * _warmer(world),
     "bias_drift": hours,
