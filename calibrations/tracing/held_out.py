@@ -5,10 +5,9 @@ from itertools import compress
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from tumble.calibrations.core.adequacy import told_without
-from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.arrays import BoolArray, FloatArray
 from tumble.calibrations.tracing.components import Component
 from tumble.calibrations.tracing.noise import WHITE, NoiseModel
 from tumble.calibrations.tracing.problem import Problem
@@ -16,7 +15,6 @@ from tumble.calibrations.tracing.search import search
 from tumble.calibrations.tracing.table import Table
 from tumble.calibrations.tracing.trace import Trace, Tracer
 
-BoolArray = NDArray[np.bool_]
 _FAR: Final = 4.0
 """So many times the variance of a prediction of the declared model, or of a dwell, is far off the rows."""
 _RANK: Final = 1e-10

@@ -3,9 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.arrays import BoolArray, FloatArray
 from tumble.calibrations.core.compression import compress
-from tumble.calibrations.core.gross import gross_sigmas
+from tumble.calibrations.core.gross import burst, gross_sigmas
 from tumble.calibrations.core.rows import SetAside
 from tumble.calibrations.methods.dividing_head.best_alpha0 import best_parameters
 from tumble.calibrations.methods.dividing_head.model import coefficients
@@ -46,19 +46,31 @@ def unlike_repeats(
     Where all rows of a mounting are off, each by half as much at least, the seat is, and they are kept.
     """
     limit_v = gross_sigmas(spare_rows) * scale_v
-    suspects = np.abs(residual_v) > limit_v
-    mounting = mountings(observations)
-    visits = np.bincount(mounting)
-    seat_off = (np.bincount(mounting, np.abs(residual_v) > limit_v / 2) == visits) & (visits > 1)
+    seat_off = _seat_off(mountings(observations), np.abs(residual_v) > limit_v / 2)
+    gross, doubtful = (
+        (np.abs(residual_v) > limit) & ~seat_off & _differ_from_repeats(residual_v, groups, limit)
+        for limit in (limit_v, limit_v / 2)
+    )
     return tuple(
         SetAside(
             row=int(observations.row[row]),
-            reason=Message("gross error: {sigmas:.0f} sigma", sigmas=abs(residual_v[row]) / scale_v),
+            reason=_reason(bool(gross[row]), abs(residual_v[row]) / scale_v),
             gross=True,
         )
-        for row in np.flatnonzero(suspects & ~seat_off[mounting]).tolist()
-        if _differs_from_repeats(row, residual_v, groups, limit_v)
+        for row in np.flatnonzero(burst(gross, doubtful, observations.time_s) & ~seat_off).tolist()
     )
+
+
+def _reason(alone: bool, sigmas: float) -> Message:
+    if alone:
+        return Message("gross error: {sigmas:.0f} sigma", sigmas=sigmas)
+    return Message("in a burst of gross errors: {sigmas:.0f} sigma", sigmas=sigmas)
+
+
+def _seat_off(mounting: NDArray[np.int64], off: BoolArray) -> BoolArray:
+    """Rows of mountings with several rows all of which are off."""
+    visits = np.bincount(mounting)
+    return np.asarray(((np.bincount(mounting, off) == visits) & (visits > 1))[mounting])
 
 
 def _scale(residual: FloatArray, fitted: int) -> float:
@@ -86,7 +98,11 @@ def robust_residual(basis: FloatArray, voltage_v: FloatArray) -> FloatArray:
     return np.asarray(residual)
 
 
-def _differs_from_repeats(row: int, residual: FloatArray, groups: NDArray[np.int64], limit_v: float) -> bool:
-    others = np.flatnonzero(groups == groups[row])
-    others = others[others != row]
-    return not len(others) or bool(abs(residual[row] - np.median(residual[others])) > limit_v)
+def _differ_from_repeats(residual: FloatArray, groups: NDArray[np.int64], limit_v: float) -> BoolArray:
+    """Of rows beyond a limit those that are as far from the median of the other visits of their pose, or have none."""
+    differ = np.ones(len(residual), dtype=bool)
+    for row in np.flatnonzero(np.abs(residual) > limit_v).tolist():
+        others = np.flatnonzero(groups == groups[row])
+        others = others[others != row]
+        differ[row] = not len(others) or abs(residual[row] - np.median(residual[others])) > limit_v
+    return differ

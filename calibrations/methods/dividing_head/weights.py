@@ -1,4 +1,4 @@
-"""Weights of dwells: by their kind, where repeats say that kinds scatter differently."""
+"""Weights of dwells: by their kind where repeats say that kinds scatter differently, by their samples in a burst."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,14 +9,25 @@ from tumble.calibrations.methods.dividing_head.observations import Observations
 
 UNEQUAL_P = 1e-3
 """Kinds of dwell are weighted differently only where their repeats differ beyond this chance."""
+DISTURBED = 3.0
+"""A dwell whose samples scatter so many times as much as is usual among its kind was disturbed, whatever its mean."""
+_FEWEST = 3
+"""Disturbed dwells that tell how much more they scatter."""
+_ROBUST = 3.0 * 1.4826
+"""Three standard deviations, in median absolute deviations of normal noise."""
 
 
 def dwell_weights(observations: Observations, residual_v: FloatArray, groups: NDArray[np.int64]) -> FloatArray:
-    """Weight of every row, mean 1, from the repeats of its kind of dwell.
+    """Weight of every row, mean 1, from the repeats of its kind of dwell, and of dwells that were disturbed.
 
     A kind is a procedure with a number of samples. All rows weigh the same unless Bartlett's test (Snedecor and
     Cochran, Statistical Methods, 10.21) says that the kinds scatter differently.
     """
+    weights = _by_kind(observations, residual_v, groups) * _by_disturbance(observations, residual_v, groups)
+    return np.asarray(weights / weights.mean())
+
+
+def _by_kind(observations: Observations, residual_v: FloatArray, groups: NDArray[np.int64]) -> FloatArray:
     kinds = _kinds(observations)
     ones = np.ones(len(residual_v))
     errors = [pure_error(residual_v[kinds == kind], groups[kinds == kind], ones[kinds == kind])
@@ -25,8 +36,57 @@ def dwell_weights(observations: Observations, residual_v: FloatArray, groups: ND
         return ones
     pooled = pure_error(residual_v, groups, ones).variance
     variances = np.array([e.variance if e.degrees_of_freedom > 1 else pooled for e in errors])
-    weights: FloatArray = 1.0 / variances[kinds]
-    return np.asarray(weights / weights.mean())
+    return np.asarray(pooled / variances[kinds])
+
+
+def _by_disturbance(observations: Observations, residual_v: FloatArray, groups: NDArray[np.int64]) -> FloatArray:
+    """1 but for dwells whose samples scatter far more than those of their kind, and which scatter more themselves.
+
+    They are held against the calm visits of their pose. What goes with the power of the scatter is taken off, for that
+    is rectified vibration and no noise; where more is left than chance allows (chi-squared at `UNEQUAL_P`), the
+    variance of such a dwell goes with that of its samples.
+    """
+    weights = np.ones(len(residual_v))
+    ratio = times_usual(observations)
+    disturbed = ratio > DISTURBED
+    calm = np.bincount(groups[~disturbed], minlength=int(groups.max(initial=0)) + 1)
+    rows = np.flatnonzero(disturbed & (calm[groups] > 0))
+    variance = pure_error(residual_v[~disturbed], groups[~disturbed], weights[~disturbed]).variance
+    if len(rows) < _FEWEST or not variance > 0:
+        return weights
+    mean = np.bincount(groups[~disturbed], residual_v[~disturbed], len(calm))[groups[rows]] / calm[groups[rows]]
+    away = (residual_v[rows] - mean) / np.sqrt(variance * (1.0 + 1.0 / calm[groups[rows]]))
+    power = ratio[rows] ** 2
+    away -= power * (away @ power) / (power @ power)
+    if not _beyond_chance(away):
+        return weights
+    grown = float(np.mean(away**2 / power) * len(rows) / (len(rows) - 1))
+    weights[disturbed] = 1.0 / np.maximum(1.0, grown * ratio[disturbed] ** 2)
+    return weights
+
+
+def times_usual(observations: Observations) -> FloatArray:
+    """Deviation of the samples of each dwell over the median of its kind; 1 where the table does not hold it."""
+    deviation, kinds = observations.voltage_sd_v, _kinds(observations)
+    if deviation is None:
+        return np.ones(len(observations))
+    middle = [_middle(deviation[kinds == kind]) for kind in range(kinds.max(initial=0) + 1)]
+    usual = np.array(middle)[kinds]
+    return np.asarray(
+        np.divide(deviation, usual, out=np.ones(len(deviation)), where=(usual > 0) & ~np.isnan(deviation))
+    )
+
+
+def _middle(values: FloatArray) -> float:
+    """Median of those that are known; 0 where none is."""
+    known = values[~np.isnan(values)]
+    return float(np.median(known)) if len(known) else 0.0
+
+
+def _beyond_chance(standardised: FloatArray) -> bool:
+    from scipy.special import chdtrc  # takes a tenth of a second, in which a window is half up
+
+    return bool(chdtrc(len(standardised) - 1, float(standardised @ standardised)) < UNEQUAL_P)
 
 
 def robust_weights(observations: Observations, residual_v: FloatArray, groups: NDArray[np.int64]) -> FloatArray:
@@ -37,16 +97,15 @@ def robust_weights(observations: Observations, residual_v: FloatArray, groups: N
     return dwell_weights(observations, np.clip(residual_v, -limit_v, limit_v), groups)
 
 
-_ROBUST = 3.0 * 1.4826
-"""Three standard deviations, in median absolute deviations of normal noise."""
-
-
 def weights_of_all(observations: Observations, used: Observations, weights: FloatArray) -> FloatArray:
-    """Weights of all rows of a table by those of the rows in use, each as its kind; of another kind, 1."""
+    """Weights of all rows of a table by those of the rows in use, others as the calm ones of their kind, or 1."""
     kinds, known = _kinds(observations), np.isin(observations.row, used.row)
-    of_kind = np.ones(int(kinds.max(initial=0)) + 1)
-    of_kind[kinds[known]] = weights
-    return np.asarray(of_kind[kinds])
+    of_kind = np.zeros(int(kinds.max(initial=0)) + 1)
+    np.maximum.at(of_kind, kinds[known], weights)
+    of_kind[of_kind == 0.0] = 1.0
+    of_all = of_kind[kinds]
+    of_all[known] = weights
+    return np.asarray(of_all)
 
 
 def _kinds(observations: Observations) -> NDArray[np.int64]:

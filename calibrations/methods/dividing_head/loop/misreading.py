@@ -10,6 +10,7 @@ from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.dividing_head.joint import Joint
 from tumble.calibrations.methods.dividing_head.model import BASIS_SIZE, PARAMETERS, basis, coefficients
 from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.calibrations.methods.dividing_head.weights import DISTURBED, times_usual
 from tumble.messages import Message
 
 MISREADING: Final = Message.named("misreading", "misreading")
@@ -51,10 +52,10 @@ def misreadings(whole: Observations, joint: Joint) -> tuple[Misreading, ...]:
 
     `whole` is the table with these rows still in it. Round amounts lie so close that a heavy tail of the noise meets
     one by chance: there must be a row far beyond what noise without such tails reaches, or more agreement than chance
-    gives.
+    gives. Who reads an angle wrong disturbs no samples.
     """
     aside = {entry.row for entry in joint.observations.set_aside if entry.gross}
-    rows = whole.select(np.isin(whole.row, list(aside)))
+    rows = whole.select(np.isin(whole.row, list(aside)) & (times_usual(whole) <= DISTURBED))
     looks = [_look(rows.select(np.arange(len(rows)) == number), joint) for number in range(len(rows))]
     agreeing = [look.misreading for look in looks if look.misreading]
     most = len(agreeing) > _MOST * len(looks)
