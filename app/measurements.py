@@ -13,6 +13,7 @@ from tumble.app.header_checks import check_header
 from tumble.app.identity import program_identity
 from tumble.app.jobs import find_job, has_job, method_of_table
 from tumble.app.stand import RecordedStand, Site
+from tumble.calibrations.adopted.effect import AdoptedEffect
 from tumble.calibrations.core.cells import TableError
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.provenance import LimitCheck, Provenance, Source, inside
@@ -50,6 +51,8 @@ class Measurement:
     """What head and DAQ said of themselves when they were identified."""
     stand_record: StandRecord | None = None
     """What the rows were corrected by."""
+    adopted: tuple[AdoptedEffect, ...] = ()
+    """Effects of the laboratory's own that are sought in it beside those of the method."""
 
     def source(self, folder: Path) -> Source:
         """The file as records name it, its path relative to a folder if it lies in it."""

@@ -11,8 +11,11 @@ from tumble.app.methods.dividing_head.analysed import DividingHeadAnalysed, Divi
 from tumble.app.methods.dividing_head.stand_part import STAND, DividingHeadStand
 from tumble.app.methods.dividing_head.uncertainty import uncertainty_of
 from tumble.app.stand import LoadedStand
+from tumble.calibrations.adopted.offered import Adopting, offered
 from tumble.calibrations.core.provenance import Provenance
 from tumble.calibrations.methods.dividing_head.analysis import analyse
+from tumble.calibrations.methods.dividing_head.effects.adopting import ADOPTING
+from tumble.calibrations.methods.dividing_head.effects.scene import Scene
 from tumble.calibrations.methods.dividing_head.loop.loop import asked_next, explain
 from tumble.calibrations.methods.dividing_head.montecarlo import TRIALS
 from tumble.calibrations.methods.dividing_head.observations import Observations
@@ -28,6 +31,7 @@ class DividingHeadJob:
 
     experiments: frozenset[str] = frozenset(probe.programme for probe in PROBES)
     stand: DividingHeadStand = STAND
+    adopting: Adopting[Scene] = ADOPTING
 
     def read_table(self, path: Path) -> Observations:
         """Read an observation table. Raises `TableError`."""
@@ -55,7 +59,9 @@ class DividingHeadJob:
         """Close the loop."""
         measurement = analysed.measurement
         reference_degc = measurement.reference_temperature_degc
-        return traced_with(analysed, *explain(_rows(measurement), uncertainty_of(measurement), reference_degc))
+        effects = (*self.adopting.catalogue, *(offered(each, self.adopting) for each in measurement.adopted))
+        loop = explain(_rows(measurement), uncertainty_of(measurement), reference_degc, effects)
+        return traced_with(analysed, *loop)
 
     def suggested(self, traced: DividingHeadTraced) -> tuple[Experiment, ...]:
         """What to measure next, of all probes, and how many more settings it takes."""
