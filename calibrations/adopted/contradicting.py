@@ -47,7 +47,7 @@ def contradictions(explained: Explained[Any, Any], adopted: AdoptedEffect) -> It
 
 
 def size_in(run: Seen, adopted: AdoptedEffect) -> tuple[float, float]:
-    """Size of an effect by a run alone, with its standard uncertainty, in which stands what is not known of its course."""
+    """Size of an effect by a run alone; its standard uncertainty holds what is not known of the course."""
     size, noise = run.along(adopted.curve.values)
     shown = run.design @ adopted.curve.values
     unknown = size * (run.design @ adopted.curve.parts).T @ shown / max(float(shown @ shown), 1e-300)

@@ -17,7 +17,7 @@ _NOTHING: Final = 1e-9
 class Curve:
     """What an effect of mean size adds to its channel, at every knot, with what is not known of it.
 
-    What the declared model could be as well (a mean, say, which is a bias) is 0 in `values`, and stands in `covariance`.
+    What the declared model could be as well (a mean, say, which is a bias) is left to it: it stands in `covariance`.
     """
 
     knots: Knots

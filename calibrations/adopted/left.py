@@ -15,7 +15,7 @@ _RATIOS = np.logspace(-3.0, 4.0, 57)
 def left(run: Seen, curve: Curve, size: float) -> bool:
     """Whether a run shows a course beside so many times the curve; what is not known of the curve is no such course.
 
-    A course of any kernel counts, if its likelihood is higher by the penalty of them all (`tracing.components.penalty`).
+    A course of any kernel counts whose likelihood is higher by the penalty of all of them, `tracing.components`.
     """
     shown = run.design @ curve.values
     outside = np.eye(len(shown)) - np.outer(shown, shown) / max(float(shown @ shown), 1e-300)

@@ -1,8 +1,9 @@
 """The course that several units share, each with a size of its own.
 
 Unit j shows aⱼ f over the knots, f a Gaussian process of which each kernel and variance is tried (as in
-`tracing.components`), the aⱼ with a mean of 1. Given the sizes, f follows from all units by least squares with that prior;
-given f, each size does (expectation-conditional maximisation, Meng and Rubin 1993); both are repeated until they stand.
+`tracing.components`), the aⱼ with a mean of 1. Given the sizes, f follows from all units by least squares with that
+prior; given f, each size does; both are repeated until they stand (expectation-conditional maximisation, Meng and Rubin
+1993).
 """
 
 from collections.abc import Sequence
