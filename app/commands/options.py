@@ -67,8 +67,8 @@ def known(function: Callable[..., None]) -> Callable[..., None]:
     """Give a command `--store` and `--effects`; it is called with both as `known`."""
 
     @wraps(function)
-    def command(folder: Path, effects: Path | None, **own: object) -> None:
-        function(known=Known(folder=folder, effects=effects), **own)
+    def command(*arguments: object, folder: Path, effects: Path | None, **own: object) -> None:
+        function(*arguments, known=Known(folder=folder, effects=effects), **own)
 
     return store(effects(command))
 

@@ -1,5 +1,6 @@
 """Adopted effects as effects of a catalogue: a method that declares its axes has them sought like any other."""
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final, Generic, TypeVar
@@ -15,6 +16,8 @@ from tumble.messages import Message
 Scene = TypeVar("Scene")
 SIZE: Final = "size"
 """Key of its only coefficient."""
+_EXPECTED: Final = -2.0 * math.log(100.0)
+"""Penalty of what comes again with all units that were seen: odds of a hundred to one that this one has it too."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -40,7 +43,8 @@ def offered(adopted: AdoptedEffect, adopting: Adopting[Scene]) -> Effect[Scene]:
         axis = axis_in(scene)
         if axis is None:
             return ()
-        return (Form(columns=_added(axis, adopted.curve.at(axis.coordinate.values)[:, None])),)
+        odds = _EXPECTED if adopted.expected else 0.0
+        return (Form(columns=_added(axis, adopted.curve.at(axis.coordinate.values)[:, None]), penalty=odds),)
 
     def unknown(scene: Scene) -> FloatArray:
         axis = axis_in(scene)

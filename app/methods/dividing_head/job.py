@@ -59,9 +59,10 @@ class DividingHeadJob:
         """Close the loop."""
         measurement = analysed.measurement
         reference_degc = measurement.reference_temperature_degc
-        effects = (*self.adopting.catalogue, *(offered(each, self.adopting) for each in measurement.adopted))
-        loop = explain(_rows(measurement), uncertainty_of(measurement), reference_degc, effects)
-        return traced_with(analysed, *loop)
+        adopted = [offered(each, self.adopting) for each in measurement.adopted]
+        effects = [(*self.adopting.catalogue, *adopted)] if adopted else []
+        loop, explained = explain(_rows(measurement), uncertainty_of(measurement), reference_degc, *effects)
+        return traced_with(analysed, loop, explained)
 
     def suggested(self, traced: DividingHeadTraced) -> tuple[Experiment, ...]:
         """What to measure next, of all probes, and how many more settings it takes."""
