@@ -16,7 +16,10 @@ from tumble.messages import Message
 
 AGREE_P: Final = 0.001
 """Below this chance a size is not that of the units on which the effect was found."""
-_TWO_SIDED_95: Final = 1.96
+_WITHIN: Final = 1.96
+"""Standard uncertainties: 95% of a normal distribution."""
+_LEAST: Final = 0.25
+"""A unit with less than this of the mean size is none of those with the effect, however much they differ."""
 
 
 def contradictions(explained: Explained[Any, Any], adopted: AdoptedEffect) -> Iterator[Message]:
@@ -30,18 +33,14 @@ def contradictions(explained: Explained[Any, Any], adopted: AdoptedEffect) -> It
     run = seen(explained, axis, adopted.curve.knots, adopted.name)
     size, uncertainty = size_in(run, adopted)
     known = adopted.expected
-    apart = np.hypot(uncertainty, known.standard_deviation if known else 0.0)
-    absent = abs(size) <= _TWO_SIDED_95 * uncertainty
-    text = format_concise(size, uncertainty, "") if np.isfinite(uncertainty) else ""
-    if (known or absent) and 2.0 * ndtr(-abs(size - 1.0) / apart) < AGREE_P:
-        if absent:
-            yield Message("it is not there: its size is {size}, where 1 is the mean of its units", size=text)
-        else:
-            yield Message(
-                "its size is {size}, where its units have 1 and differ by {spread:.2g}",
-                size=text,
-                spread=known.standard_deviation if known else 0.0,
-            )
+    if not np.isfinite(uncertainty):
+        return
+    text, absent = format_concise(size, uncertainty, ""), abs(size) <= _WITHIN * uncertainty
+    spread = known.standard_deviation if known else 0.0
+    if absent and ndtr((size - max(1.0 - _WITHIN * spread, _LEAST)) / uncertainty) < AGREE_P:
+        yield Message("it is not there: its size is {size}, where 1 is the mean of its units", size=text)
+    elif known and not absent and 2.0 * ndtr(-abs(size - 1.0) / np.hypot(uncertainty, spread)) < AGREE_P:
+        yield Message("its size is {size}, where its units have 1 and differ by {spread:.2g}", size=text, spread=spread)
     if not absent and left(run, adopted.curve, size):
         yield Message("it has another course: structure is left {phrase}", phrase=axis.coordinate.phrase)
 
