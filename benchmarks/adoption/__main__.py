@@ -2,6 +2,7 @@
 
 import argparse
 from collections.abc import Sequence
+from concurrent.futures import ProcessPoolExecutor
 
 import numpy as np
 
@@ -78,14 +79,16 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m benchmarks.adoption", description=__doc__)
     parser.add_argument("--seeds", choices=sorted(_SEEDS), default="development")
     parser.add_argument("--count", type=int, default=3)
+    parser.add_argument("--workers", type=int, default=1)
     parser.add_argument("--verbose", action="store_true", help="every further unit too")
     given = parser.parse_args()
     first = _SEEDS[given.seeds][_FIRST]
     found = []
-    for seed in range(first, first + given.count):
-        found.append(outcome(seed))
-        if given.verbose:
-            print(row(found[-1]), *found[-1].further, *found[-1].lacking, sep="\n", flush=True)
+    with ProcessPoolExecutor(given.workers) as pool:
+        for each in pool.map(outcome, range(first, first + given.count)):
+            found.append(each)
+            if given.verbose:
+                print(row(each), *each.further, *each.lacking, sep="\n", flush=True)
     print(report(found))
 
 

@@ -19,6 +19,7 @@ from tumble.calibrations.adopted.effect import UnitType as KeptWithType
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.methods.dividing_head.fit import joint_fit
 from tumble.calibrations.methods.dividing_head.loop.table import scene_of
+from tumble.calibrations.methods.dividing_head.model import ALPHA0
 
 FIRST_UNITS: Final = 5
 FURTHER: Final = 10
@@ -148,8 +149,12 @@ def _error(bare: Measurement, known: Measurement) -> Error:
 
 
 def _left(traced: Traced, rows: object) -> np.ndarray:  # type: ignore[type-arg]
-    best = traced.explained.best  # type: ignore[union-attr]
-    return best.residual_v(scene_of(rows, best.joint.fit.theta))  # type: ignore[no-any-return, arg-type]
+    """What a fit leaves of rows; effects are seen from where they were linearised."""
+    explained = traced.explained
+    assert explained is not None, "the rows are traced"
+    theta = explained.best.joint.fit.theta.copy()
+    theta[ALPHA0] = explained.table.scene.alpha0_deg
+    return explained.best.residual_v(scene_of(rows, theta))  # type: ignore[no-any-return, arg-type]
 
 
 def _rms(values: np.ndarray) -> float:  # type: ignore[type-arg]
