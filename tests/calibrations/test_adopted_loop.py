@@ -15,6 +15,8 @@ from tumble.calibrations.methods.dividing_head.effects import CATALOGUE
 from tumble.calibrations.methods.dividing_head.effects.adopting import ADOPTING
 from tumble.calibrations.methods.dividing_head.loop.loop import explain
 from tumble.calibrations.methods.dividing_head.loop.sections import sections
+from tumble.calibrations.methods.dividing_head.report.abscissa import BY_VARIABLE
+from tumble.calibrations.methods.dividing_head.report.traces import abscissae
 
 _SWEEP_DEG = tuple(range(0, 360, 10))
 PARTS = (*FLIPS, ("sweep", "face-up", _SWEEP_DEG), ("sweep", "face-down", _SWEEP_DEG))
@@ -56,6 +58,12 @@ def test_it_is_found_by_its_name_with_its_size():
 
 def test_what_is_shown_of_a_loop_names_it():
     assert any("odd_bump" in line for section in sections(traced(LIKE_THE_OTHERS)[0]) for line in section.lines)
+
+
+def test_the_residual_is_drawn_against_what_it_depends_on():
+    ((abscissa, names),) = abscissae(traced(LIKE_THE_OTHERS)[0]).items()
+
+    assert (abscissa, names) == (BY_VARIABLE["acceleration"], ["odd_bump"])
 
 
 def test_parameters_are_right_beside_it():
