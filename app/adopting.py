@@ -1,12 +1,12 @@
 """From unnamed to named: what several runs leave unexplained on one variable becomes an effect of one's own."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
-from typing import Any
 
-from tumble.app.adopted_effects import FOLDER, adopting_of
+from tumble.app.adopted_effects import FOLDER
+from tumble.app.adoption_wish import Key, Wish, check_wish
 from tumble.app.analysed import Analysed, Traced
 from tumble.app.analysing import fit
 from tumble.app.files import write_new
@@ -14,10 +14,9 @@ from tumble.app.identity import program_identity
 from tumble.app.jobs import find_job
 from tumble.app.terminal import as_json
 from tumble.calibrations.adopted.document import document, sealed
-from tumble.calibrations.adopted.effect import AdoptedEffect, KeptWith, UnitSeen
-from tumble.calibrations.adopted.folder import SUFFIX, check_effect_name, taken
+from tumble.calibrations.adopted.effect import AdoptedEffect, UnitSeen
+from tumble.calibrations.adopted.folder import SUFFIX
 from tumble.calibrations.adopted.knots import knots_of
-from tumble.calibrations.adopted.offered import Adopting
 from tumble.calibrations.adopted.seen import seen
 from tumble.calibrations.adopted.shared import Shared, shared
 from tumble.calibrations.core.blas_threads import one_blas_thread
@@ -28,52 +27,6 @@ from tumble.calibrations.tracing.candidates import FALSE_ALARM, UNNAMED
 from tumble.calibrations.tracing.components import Axis, penalty
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
-
-Key = tuple[str, str, str]
-"""Channel, variable, and which of several variables of one word."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Wish:
-    """What somebody wants to be adopted."""
-
-    name: str
-    kept_with: KeptWith
-    channel: str = ""
-    """Any without it."""
-    variable: str = ""
-    """Its word, or that with which of several it is: `acceleration`, `acceleration ax`; any without it."""
-    operator: str = ""
-
-    def wants(self, key: Key) -> bool:
-        """Whether structure along an axis is meant."""
-        channel, variable, detail = key
-        return self.channel in ("", channel) and self.variable in ("", variable, f"{variable} {detail}".strip())
-
-
-def check_wish(wish: Wish, method: str, folder: Path) -> Adopting[Any]:
-    """Find out before anything is traced whether the name is free. Raises `InputError`."""
-    adopting = adopting_of(method)
-    if adopting is None:
-        raise InputError(Message("the method {method} says no variables on which to adopt anything", method=method))
-    try:
-        check_effect_name(wish.name)
-    except ValueError as error:
-        raise InputError(str(error)) from error
-    ours = {effect.word.lower() for effect in adopting.catalogue} | {
-        effect.name.lower() for effect in adopting.catalogue
-    }
-    if wish.name.lower() in ours:
-        raise InputError(Message("{name} is an effect of the catalogue; choose another name", name=wish.name))
-    if wish.name.lower() in taken(folder / FOLDER):
-        raise InputError(
-            Message(
-                "{folder}: holds an effect {name} already, and none is written over; choose another name",
-                folder=folder / FOLDER,
-                name=wish.name,
-            )
-        )
-    return adopting
 
 
 @one_blas_thread

@@ -8,7 +8,8 @@ import click
 from rich.table import Table
 
 from tumble.app.adopted_effects import FOLDER, read_kept
-from tumble.app.adopting import Wish, adopt, check_wish
+from tumble.app.adopting import adopt
+from tumble.app.adoption_wish import Wish, check_wish
 from tumble.app.commands import options
 from tumble.app.console import results
 from tumble.app.files import write_new, write_text

@@ -10,7 +10,8 @@ import numpy as np
 
 from benchmarks.adoption.world import DWELL_V, Unit, UnitType, measured, unit, unit_type
 from tumble.app.adopted_effects import contradicted, with_what_is_known
-from tumble.app.adopting import Wish, adopt
+from tumble.app.adopting import adopt
+from tumble.app.adoption_wish import Wish
 from tumble.app.analysed import Traced
 from tumble.app.analysing import fit
 from tumble.app.jobs import find_job
