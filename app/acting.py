@@ -43,6 +43,8 @@ class AtStand:
     serial_number: str
     folder: Path
     operator: str = ""
+    effects: Path | None = None
+    """Adopted effects in place of those of the folder."""
 
     def job(self, programme: Programme) -> Job:
         """A run of the unit."""

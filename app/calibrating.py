@@ -1,10 +1,11 @@
 """The main job and its parts: run, fit, trace, store, report."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from tumble.app.adopted_effects import FOLDER, adopted_json, read_kept, with_what_is_known
 from tumble.app.analysed import Traced
 from tumble.app.analysing import fit, trace
 from tumble.app.exits import Exit, JobError
@@ -13,8 +14,8 @@ from tumble.app.jobs import find_job
 from tumble.app.learning import Learned, contradictions_of, learn
 from tumble.app.measurements import read_measurement
 from tumble.app.running import Job, failure, recording_path, run
-from tumble.app.stand_records import with_stand_record
 from tumble.app.wiring import Connected
+from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.records.errors import StoreError
 from tumble.calibrations.records.record import Record
 from tumble.calibrations.report.language import written_in
@@ -29,11 +30,17 @@ def store(traced: Traced, folder: Path) -> Record:
     from tumble.calibrations.records.store import Store  # takes half a second, for those that keep records
 
     try:
-        return Store(folder).revise(traced.entry, traced.provenance)
+        return Store(folder).revise(_entry(traced), traced.provenance)
     except StoreError as error:
         raise JobError(
             Message("{error}; the recording is kept in {path}", error=error, path=traced.measurement.path), Exit.STORAGE
         ) from error
+
+
+def _entry(traced: Traced) -> Entry:
+    """A result as the store takes it, with the adopted effects that were offered to it."""
+    entry = traced.entry
+    return replace(entry, result={**entry.result, **adopted_json(traced)})
 
 
 def make_ready(folder: Path) -> None:
@@ -96,6 +103,7 @@ def calibrate(
     listeners: Sequence[Listener] = (),
     tell: Callable[[str], None] = lambda _: None,
     language: Language = Language.ENGLISH,
+    effects: Path | None = None,
 ) -> Calibrated:
     """Run, fit, trace what is left, store, report: the whole job.
 
@@ -113,6 +121,8 @@ def calibrate(
         Called with a sentence when a stage begins.
     language
         Of the report.
+    effects
+        File or folder of adopted effects, in place of those of the store.
 
     Raises
     ------
@@ -122,11 +132,12 @@ def calibrate(
     find_job(job.programme.method)
     job.plan()
     make_ready(folder)
+    read_kept(effects or folder / FOLDER)  # what is broken is told before anything is measured
     recording = recording_path(folder, job.serial_number, job.programme.name, connected.stand.clock)
     outcome = run(job, connected, recording, listeners, "calibrate")
     if error := failure(outcome, recording):
         raise error
-    return conclude(recording, folder, tell, language)
+    return conclude(recording, folder, tell, language, effects)
 
 
 def conclude(
@@ -134,8 +145,11 @@ def conclude(
     folder: Path,
     tell: Callable[[str], None] = lambda _: None,
     language: Language = Language.ENGLISH,
+    effects: Path | None = None,
 ) -> Calibrated:
     """Fit a recording, trace what is left, store, report in a language: the job once the run is over.
+
+    Adopted effects are those of the store, or those of the file or folder `effects`.
 
     Raises
     ------
@@ -143,7 +157,7 @@ def conclude(
         What went wrong; the recording is kept.
     """
     tell("fitting")
-    analysed = fit(with_stand_record(read_measurement(recording), folder), folder=folder)
+    analysed = fit(with_what_is_known(read_measurement(recording), folder, effects), folder=folder)
     tell("tracing")
     traced = trace(analysed)
     tell("storing")

@@ -25,6 +25,7 @@ _COMMANDS = {
     "report": "Write the report of a recording, a table or a stored record.",
     "records": "List, show, compare, export and verify stored calibrations.",
     "stand": "List, show, learn and verify what is known of stands.",
+    "effects": "Adopt, list, show and retire effects of the laboratory's own.",
     "export": "Write the observation table of a recording.",
 }
 """Name of every command with the sentence that `--help` says of it.

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from tumble.app.acting import AtStand, DeclinedError, prepare, run_experiment
+from tumble.app.adopted_effects import with_what_is_known
 from tumble.app.analysed import Traced
 from tumble.app.analysing import fit
 from tumble.app.available import Available
@@ -18,7 +19,6 @@ from tumble.app.joining import read_together
 from tumble.app.measurement import Measurement
 from tumble.app.measurements import read_measurement
 from tumble.app.running import Job
-from tumble.app.stand_records import with_stand_record
 from tumble.calibrations.core.sentences import series
 from tumble.calibrations.tracing.chain import (
     FUTILE,
@@ -93,7 +93,7 @@ def _programme_name(measurement: Measurement) -> str:
 
 def _begun(files: Sequence[Path], at: AtStand) -> Closing:
     """What a first measurement says; several files are taken together."""
-    measurement = with_stand_record(read_together(files, at.stand.recorded), at.folder)
+    measurement = with_what_is_known(read_together(files, at.stand.recorded), at.folder, at.effects)
     if measurement.header and measurement.header.serial_number != at.serial_number:
         raise InputError(
             Message(
@@ -120,7 +120,7 @@ def _begun(files: Sequence[Path], at: AtStand) -> Closing:
 def follow(closing: Closing, experiment: Experiment, recording: Path, stand_time_s: float, at: AtStand) -> Closing:
     """What everything says together once an experiment was run. Raises `InputError`."""
     files = (*closing.files, recording)
-    measurement = with_stand_record(read_together(files, at.stand.recorded), at.folder)
+    measurement = with_what_is_known(read_together(files, at.stand.recorded), at.folder, at.effects)
     traced = _traced(measurement, at)
     link = Link(
         experiment=experiment,

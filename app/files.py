@@ -77,6 +77,32 @@ def write_text(path: Path, text: str) -> None:
         begun.write_text(text, encoding="utf-8", newline="\n")
 
 
+def write_new(path: Path, text: str) -> None:
+    """The same for a file that must not be there yet.
+
+    Raises
+    ------
+    InputError
+        It is there.
+    JobError
+        It cannot be written; then there is none.
+    """
+    check_result(path, None)
+    with _storage(path):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        try:
+            path.touch(exist_ok=False)
+        except FileExistsError as error:
+            raise InputError(
+                Message("{path}: is there already, and is not written over; choose another name", path=path)
+            ) from error
+    try:
+        write_text(path, text)
+    except BaseException:
+        path.unlink(missing_ok=True)
+        raise
+
+
 def _check_earlier(path: Path, place: Path, there: os.stat_result, kind: Kind | None) -> None:
     """Refuse to write over what is there, but for an earlier result of the same kind, or nothing at all in a file."""
     if not stat.S_ISREG(there.st_mode):

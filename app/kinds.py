@@ -16,6 +16,7 @@ class Kind(StrEnum):
 
     RESULT = "result (JSON)"
     RECORD = "record (JSON)"
+    EFFECT = "adopted effect (JSON)"
     REPORT = "report (HTML)"
     TABLE = "table of a recording (CSV)"
     PDF = "report (PDF)"
@@ -29,6 +30,7 @@ class Kind(StrEnum):
 _WORDS: Final = {
     Kind.RESULT: Message("result (JSON)"),
     Kind.RECORD: Message("record (JSON)"),
+    Kind.EFFECT: Message("adopted effect (JSON)"),
     Kind.REPORT: Message("report (HTML)"),
     Kind.TABLE: Message("table of a recording (CSV)"),
     Kind.PDF: Message("report (PDF)"),
@@ -43,6 +45,7 @@ _PAGE: Final = (
 _CREATOR: Final = re.escape("tumble".encode("utf-16-be"))
 _BEGINNINGS: Final = {
     Kind.RECORD: rb'\{"content_sha256":"[0-9a-f]{64}"|\{\s*"schema":\s*"tumble\.record/',
+    Kind.EFFECT: rb'\{\s*"schema":\s*"tumble\.(?:adopted|retired)-effect/',
     Kind.RESULT: rb'\{\s*"schema":\s*"tumble\.[a-z-]+/\d',
     Kind.REPORT: _PAGE,
     Kind.PDF: rb"%PDF-.{,1000}/Creator \(\xfe\xff" + _CREATOR + rb"\)",

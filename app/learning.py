@@ -5,8 +5,11 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from tumble.app.adopted_effects import contradicted
 from tumble.app.analysed import Traced
+from tumble.app.analysing import fit
 from tumble.app.identity import program_identity
+from tumble.app.jobs import find_job
 from tumble.app.rederiving import Source, run_of, source_again, source_of
 from tumble.app.stand_records import identity_of
 from tumble.calibrations.core.blas_threads import one_blas_thread
@@ -45,12 +48,26 @@ def learn(traced: Traced, folder: Path) -> Learned:
     StoreError
         The store cannot be read or written.
     """
+    said_of_effects = tuple(contradicted(traced))
+    learned = _learn(_without_adopted(traced), folder)
+    return replace(learned, sentences=(*said_of_effects, *learned.sentences))
+
+
+def _without_adopted(traced: Traced) -> Traced:
+    """A run as its stand record can be derived again from the raw file alone."""
+    if not traced.measurement.adopted:
+        return traced
+    bare = fit(replace(traced.measurement, adopted=()), traced.provenance.serial_number, trials=0)
+    return find_job(traced.measurement.method).trace(bare)
+
+
+def _learn(traced: Traced, folder: Path) -> Learned:
     identity = identity_of(traced.measurement)
     source = source_of(traced, folder)
     if identity is None or source is None:
         return Learned(sentences=())
     if traced.measurement.stand_record is not None:
-        return Learned(sentences=contradictions_of(traced))
+        return Learned(sentences=_stand_contradictions(traced))
     said = source.run.doubts
     if source.run.objections:
         reason = Message(
@@ -67,7 +84,11 @@ def learn(traced: Traced, folder: Path) -> Learned:
 
 @one_blas_thread
 def contradictions_of(traced: Traced) -> tuple[str, ...]:
-    """Where a run contradicts the stand record that was applied to it, in words."""
+    """Where a run contradicts the adopted effects, or the stand record, that were applied to it, in words."""
+    return (*contradicted(traced), *_stand_contradictions(traced))
+
+
+def _stand_contradictions(traced: Traced) -> tuple[str, ...]:
     run, applied = run_of(traced), traced.measurement.stand_record
     return () if run is None or applied is None else tuple(run.contradictions(applied))
 

@@ -8,6 +8,7 @@ from typing import Any, TypeVar
 from pydantic import ValidationError
 
 from tumble.app.stand import RecordedStand, Site
+from tumble.calibrations.adopted.effect import AdoptedEffect
 from tumble.calibrations.core.provenance import Source
 from tumble.calibrations.core.rows import Rows
 from tumble.calibrations.records.raw import stored_path
@@ -40,6 +41,8 @@ class Measurement:
     """What head and DAQ said of themselves when they were identified."""
     stand_record: StandRecord | None = None
     """What the rows were corrected by."""
+    adopted: tuple[AdoptedEffect, ...] = ()
+    """Effects of the laboratory's own that are sought in it beside those of the method."""
 
     def source(self, folder: Path) -> Source:
         """The file as records name it, its path relative to a folder if it lies in it."""

@@ -5,6 +5,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from tumble.app.adopted_effects import as_offered
 from tumble.app.analysing import fit, trace
 from tumble.app.calibrating import report_path, write_report
 from tumble.app.files import is_recording
@@ -116,7 +117,8 @@ def _unprotected(raw_file: Path) -> str:
 
 
 def _as_corrected(measurement: Measurement, record: Record, folder: Path) -> Measurement:
-    """The measurement with the stand record that was applied when it was calibrated, and no other."""
+    """The measurement with the stand record and the adopted effects of when it was calibrated, and no others."""
+    measurement = as_offered(measurement, record.result.get("adopted_effects", ()), folder)
     applied = record.result.get("stand_record")
     if applied is None:
         return measurement

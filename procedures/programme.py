@@ -52,6 +52,8 @@ class Programme(BaseModel, ABC):
 
     method: str
     name: GivenName
+    unit_type: GivenName | None = None
+    """Type of the units that it is for: with it are kept the effects that a laboratory adopts."""
     realisations: int = Field(default=1, ge=1, le=10_000)
     dwell_s: float | None = Field(default=None, gt=0.0, le=86_400.0)
     """Duration of a dwell; samples = duration times the DAQ's rate, rounded."""

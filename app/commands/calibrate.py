@@ -16,11 +16,11 @@ from tumble.app.wiring import Connected
 
 @click.command("calibrate")
 @measures
-@options.store
+@options.known
 @options.json_out
 @options.verbose
-def command(job: Job, connected: Connected, folder: Path, json_path: Path | None, verbose: bool) -> None:
+def command(job: Job, connected: Connected, known: options.Known, json_path: Path | None, verbose: bool) -> None:
     """Run a programme, fit the recording, trace what the model leaves, store the record and write the report."""
     with run_display(job.plan(), connected.stand.clock, messages()) as display:
-        done = calibrate(job, connected, folder, [display], language=language())
+        done = calibrate(job, connected, known.folder, [display], language=language(), effects=known.effects)
     tell_calibrated(done, json_path, verbose=verbose)

@@ -9,6 +9,7 @@ from typing import Any
 import click
 
 from tumble.app.acting import AtStand, measure
+from tumble.app.adopted_effects import adopted_json, with_what_is_known
 from tumble.app.analysed import Traced
 from tumble.app.analysing import fit, trace
 from tumble.app.calibrating import store, write_report
@@ -28,7 +29,6 @@ from tumble.app.row_sentences import row_lines
 from tumble.app.running import Job
 from tumble.app.sections import show_sections
 from tumble.app.stand import read_stand
-from tumble.app.stand_records import with_stand_record
 from tumble.app.storing import record_tables
 from tumble.app.terminal import language, say
 from tumble.calibrations.core.method import Method
@@ -50,7 +50,7 @@ from tumble.procedures.programmes import load_programme
     type=click.IntRange(min=0),
     help=f"How many further experiments to run at most: without FILE {MOST_EXPERIMENTS}, after files 0 unless given.",
 )
-@options.store
+@options.known
 @click.option(
     "--record", is_flag=True, help="Keep what files say as a record in --store; a loop that acts always is kept."
 )
@@ -61,7 +61,7 @@ def command(
     wanted: Wanted,
     files: tuple[Path, ...],
     most: int | None,
-    folder: Path,
+    known: options.Known,
     record: bool,
     verbose: bool,
     json_path: Path | None,
@@ -85,17 +85,21 @@ def command(
                     path=files[0],
                 )
             )
-        _tell_tables(method, files, folder if record else None, verbose, json_path, page)
+        if known.effects is not None:
+            raise InputError(
+                Message("{path}: in a table of this kind no effect is adopted; leave --effects out", path=files[0])
+            )
+        _tell_tables(method, files, known.folder if record else None, verbose, json_path, page)
         return
     if files and not most:
-        traced = _traced(files, wanted, folder, budget=bool(page or record))
-        _tell(traced, None, json_path, page, store(traced, folder) if record else None)
+        traced = _traced(files, wanted, known, budget=bool(page or record))
+        _tell(traced, None, json_path, page, store(traced, known.folder) if record else None)
         return
-    closing = _closed(wanted, files, MOST_EXPERIMENTS if most is None else most, folder)
+    closing = _closed(wanted, files, MOST_EXPERIMENTS if most is None else most, known)
     traced = closing.traced
-    say(*learn(traced, folder).sentences, err=True)
-    traced = traced.refitted(fit(traced.measurement, wanted.serial_number, folder=folder))
-    _tell(traced, closing.chain, json_path, page, store(traced, folder))
+    say(*learn(traced, known.folder).sentences, err=True)
+    traced = traced.refitted(fit(traced.measurement, wanted.serial_number, folder=known.folder))
+    _tell(traced, closing.chain, json_path, page, store(traced, known.folder))
 
 
 def _tell_tables(
@@ -120,14 +124,14 @@ def _tell_tables(
         write_text(page, page_of(method.title, files[-1].name, result.sections(), result.warnings, language()))
 
 
-def _traced(files: tuple[Path, ...], wanted: Wanted, folder: Path, *, budget: bool) -> Traced:
+def _traced(files: tuple[Path, ...], wanted: Wanted, known: options.Known, *, budget: bool) -> Traced:
     """What files say, without a stand to ask."""
     stand = read_stand(wanted.stand_path).recorded if wanted.stand_path else None
-    measurement = with_stand_record(read_together(files, stand), folder)
+    measurement = with_what_is_known(read_together(files, stand), known.folder, known.effects)
     return trace(fit(measurement, wanted.serial_number, trials=None if budget else 0))
 
 
-def _closed(wanted: Wanted, files: tuple[Path, ...], most: int, folder: Path) -> Closing:
+def _closed(wanted: Wanted, files: tuple[Path, ...], most: int, known: options.Known) -> Closing:
     """What files, or else a first measurement, say together with the experiments that it takes."""
     loaded, programme = wanted.stand(), load_programme(wanted.programme)
     find_job(programme.method)
@@ -136,14 +140,15 @@ def _closed(wanted: Wanted, files: tuple[Path, ...], most: int, folder: Path) ->
             stand=loaded,
             connected=connected,
             serial_number=wanted.serial_number,
-            folder=folder,
+            folder=known.folder,
             operator=wanted.operator,
+            effects=known.effects,
         )
 
         def watching(job: Job) -> AbstractContextManager[Listener]:
             return run_display(job.plan(), connected.stand.clock, messages())
 
-        with _saying_how_to_go_on(wanted, files, connected.ran, folder):
+        with _saying_how_to_go_on(wanted, files, connected.ran, known):
             if not files:
                 with watching(at.job(programme)) as display:
                     files = (measure(at, programme, [display]),)
@@ -151,7 +156,9 @@ def _closed(wanted: Wanted, files: tuple[Path, ...], most: int, folder: Path) ->
 
 
 @contextmanager
-def _saying_how_to_go_on(wanted: Wanted, files: Sequence[Path], ran: Sequence[Path], folder: Path) -> Iterator[None]:
+def _saying_how_to_go_on(
+    wanted: Wanted, files: Sequence[Path], ran: Sequence[Path], known: options.Known
+) -> Iterator[None]:
     """Where the loop is cut off: how it goes on from what was measured."""
     try:
         yield
@@ -159,7 +166,8 @@ def _saying_how_to_go_on(wanted: Wanted, files: Sequence[Path], ran: Sequence[Pa
         kept = [path for path in dict.fromkeys([*(file.resolve() for file in files), *ran]) if _has_rows(path)]
         if kept:
             stand = ["--stand", str(wanted.stand_path)] if wanted.stand_path else []
-            where = ["--serial", wanted.serial_number, "--store", str(folder)]
+            where = ["--serial", wanted.serial_number, "--store", str(known.folder)]
+            where += ["--effects", str(known.effects)] if known.effects else []
             words = shlex.join([*map(str, kept), *stand, *where, "--experiments", str(MOST_EXPERIMENTS)])
             goes_on = Message(
                 "the loop goes on from what was measured with: tumble close-loop {arguments}", arguments=words
@@ -202,7 +210,9 @@ def _tell(
     warn(contradictions_of(traced))
     recorded = {} if record is None else {"record": record.id}
     say(*(Message("record {name}", name=name) for name in recorded.values()), err=True)
-    options.write_json(traced.loop_json() | (chain.as_json() if chain else {}) | recorded, json_path)
+    options.write_json(
+        traced.loop_json() | adopted_json(traced) | (chain.as_json() if chain else {}) | recorded, json_path
+    )
     if page is not None:
         write_report(traced, page, language(), chain=chain)
         say(Message("report {page}", page=page), err=True)

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import click
 
+from tumble.app.adopted_effects import adopted_json, contradicted, with_what_is_known
 from tumble.app.analysing import fit, trace
 from tumble.app.commands import options
 from tumble.app.commands.leaving import leave_by
@@ -11,7 +12,6 @@ from tumble.app.console import results, show_result, warn
 from tumble.app.measurements import read_measurement
 from tumble.app.sections import show_sections
 from tumble.app.stand import read_stand
-from tumble.app.stand_records import with_stand_record
 from tumble.app.terminal import say
 from tumble.messages import Message
 
@@ -22,9 +22,16 @@ from tumble.messages import Message
 @click.option("--stand", "stand_path", type=options.EXISTING, help="Stand file for the budget of a table.")
 @options.serial_of_file
 @click.option("--store", "folder", type=options.EXISTING, help="Folder of the records; without it nothing is stored.")
+@options.effects
 @options.verbose
 def command(
-    file: Path, json_path: Path | None, stand_path: Path | None, serial_number: str, folder: Path | None, verbose: bool
+    file: Path,
+    json_path: Path | None,
+    stand_path: Path | None,
+    serial_number: str,
+    folder: Path | None,
+    effects: Path | None,
+    verbose: bool,
 ) -> None:
     """Fit a recording (.mcap) or an observation table (CSV).
 
@@ -32,9 +39,9 @@ def command(
     alone.
     """
     measurement = read_measurement(file, read_stand(stand_path).recorded if stand_path else None)
-    measurement = with_stand_record(measurement, folder)
+    measurement = with_what_is_known(measurement, folder, effects)
     analysed = fit(measurement, serial_number, folder=folder)
-    traced = trace(analysed) if analysed.limits or folder is not None else None
+    traced = trace(analysed) if analysed.limits or folder is not None or effects is not None else None
     result = traced or analysed
     warn(result.warnings)
     if str(json_path) != "-":
@@ -45,7 +52,8 @@ def command(
             )
         else:
             show_sections(traced.sections())
-    document = result.as_json()
+            warn(contradicted(traced))
+    document = result.as_json() | adopted_json(result)
     if traced is not None and folder is not None:
         from tumble.app.calibrating import store  # what drives a stand comes with it
 

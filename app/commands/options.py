@@ -2,6 +2,9 @@
 
 import math
 import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import wraps
 from pathlib import Path
 from typing import Any
 
@@ -43,6 +46,31 @@ store = click.option(
     "--store", "folder", type=EXISTING, default=STORE, show_default=True, help="Folder of the records."
 )
 json_out = click.option("--json", "json_path", type=RESULT, help="Write the result as JSON; - for standard output.")
+effects = click.option(
+    "--effects",
+    type=EXISTING,
+    help="File or folder of adopted effects that are sought, in place of those in the store.",
+)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Known:
+    """Where that lies which is known before a run."""
+
+    folder: Path
+    """The store."""
+    effects: Path | None
+    """Adopted effects in place of those of the store."""
+
+
+def known(function: Callable[..., None]) -> Callable[..., None]:
+    """Give a command `--store` and `--effects`; it is called with both as `known`."""
+
+    @wraps(function)
+    def command(*arguments: object, folder: Path, effects: Path | None, **own: object) -> None:
+        function(*arguments, known=Known(folder=folder, effects=effects), **own)
+
+    return store(effects(command))
 
 
 def name(_context: click.Context, parameter: click.Parameter, value: str) -> str:

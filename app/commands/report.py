@@ -4,6 +4,7 @@ from pathlib import Path
 
 import click
 
+from tumble.app.adopted_effects import with_what_is_known
 from tumble.app.analysing import fit, trace
 from tumble.app.calibrating import write_report
 from tumble.app.commands import options
@@ -12,7 +13,6 @@ from tumble.app.kinds import Kind
 from tumble.app.measurements import read_measurement
 from tumble.app.recall import report_again
 from tumble.app.stand import read_stand
-from tumble.app.stand_records import with_stand_record
 from tumble.app.terminal import language, say
 from tumble.messages import Message
 
@@ -22,16 +22,22 @@ from tumble.messages import Message
 @click.option("--out", type=options.REPORT, help="Page to write; beside the file, or in the store, without.")
 @click.option("--stand", "stand_path", type=options.EXISTING, help="Stand file for the budget of a table.")
 @options.serial_of_file
-@options.store
-def command(file_or_record: str, out: Path | None, stand_path: Path | None, serial_number: str, folder: Path) -> None:
+@options.known
+def command(
+    file_or_record: str,
+    out: Path | None,
+    stand_path: Path | None,
+    serial_number: str,
+    known: options.Known,
+) -> None:
     """Write the report (HTML) of a recording, an observation table, or a stored record by its id."""
     path = Path(file_or_record)
     if path.is_file() or path.suffix:  # an id has none
         page = out or path.with_suffix(".html")
         check_result(page, Kind.REPORT)
         measurement = read_measurement(path, read_stand(stand_path).recorded if stand_path else None)
-        measurement = with_stand_record(measurement, folder)
+        measurement = with_what_is_known(measurement, known.folder, known.effects)
         write_report(trace(fit(measurement, serial_number)), page, language())
     else:
-        page = report_again(folder, file_or_record, language(), out)
+        page = report_again(known.folder, file_or_record, language(), out)
     say(Message("report {page}", page=page))

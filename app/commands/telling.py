@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from tumble.app.adopted_effects import adopted_json
 from tumble.app.calibrating import Calibrated, has_report, report_path
 from tumble.app.commands.leaving import leave_by
 from tumble.app.commands.options import write_json
@@ -33,7 +34,7 @@ def tell_calibrated(done: Calibrated, json_path: Path | None, *, verbose: bool =
     say(*left_behind, err=True)
     say(*done.learned.sentences, err=True)
     left = {"record": done.record.id, "recording": str(done.recording), "report": str(done.report)}
-    write_json(done.analysed.as_json() | left, json_path)
+    write_json(done.analysed.as_json() | adopted_json(done.analysed) | left, json_path)
     leave_by(done.analysed.verdict)
 
 

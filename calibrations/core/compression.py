@@ -32,6 +32,19 @@ class Compressed:
     rest_v2: float
     """Weighted sum of squares that no choice of coefficients can reach, in square volts."""
 
+    def knowing(self, place: int, value: float, weight_v: float) -> "Compressed":
+        """The same with one row more, that no dwell gave: of a coefficient it is known that it is near a value.
+
+        `weight_v` is the standard deviation of a row of weight 1 over that of the coefficient about the value.
+        """
+        row = np.zeros(self.r.shape[1])
+        row[place] = weight_v
+        q, r = np.linalg.qr(np.vstack([self.r, row]))
+        seen = np.append(self.z, weight_v * value)
+        z = q.T @ seen
+        rest = seen - q @ z
+        return Compressed(r=r, z=z, rotation=self.rotation @ q[:-1], rest_v2=self.rest_v2 + float(rest @ rest))
+
 
 Whiten: TypeAlias = Callable[[FloatArray], FloatArray]
 """A symmetric linear transformation of columns, shape (rows, n) or (rows,), after which noise is white."""

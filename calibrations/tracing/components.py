@@ -38,6 +38,8 @@ class Channel:
     """What one unit of it adds to the output, shape (rows,)."""
     phrase: Message
     """What changes, for a reader: `an offset of the output`."""
+    unit: str = ""
+    """Of what changes: that of the output over that of the gain."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -58,6 +60,11 @@ class Axis:
     def place(self) -> tuple[str, str]:
         """Channel and variable, as the contract calls them."""
         return self.channel.word, self.coordinate.word
+
+    @property
+    def key(self) -> tuple[str, str, str]:
+        """The same with which of several variables of one word it is: the same in every table of a method."""
+        return self.channel.word, self.coordinate.word, self.coordinate.detail
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

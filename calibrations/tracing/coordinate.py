@@ -50,6 +50,12 @@ class Coordinate:
     """Whether something may step along it."""
     bumps: bool = False
     """Whether something may be at one place of it only."""
+    detail: str = ""
+    """Which of several variables of the same word it is: `ax` of the acceleration."""
+    unit: str = ""
+    """Of its values; empty where they count or are labels."""
+    recurs: bool = True
+    """Whether a value means the same in another run; the number of a realisation does not."""
 
     @cached_property
     def bins(self) -> IntArray:

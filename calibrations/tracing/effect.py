@@ -42,6 +42,14 @@ class Quantity:
     unit: str
 
 
+@dataclass(frozen=True, kw_only=True)
+class Expected:
+    """A coefficient as it is known before a table is seen: the mean of a population, and how its members differ."""
+
+    value: float
+    standard_deviation: float
+
+
 Seen = TypeVar("Seen")
 """The kind of scene in which an effect is seen: what is known of each row of a table of its kind."""
 Forms: TypeAlias = Callable[[Seen], Sequence[Form]]
@@ -74,6 +82,11 @@ class Effect(Generic[Seen]):
     """Whether coefficients of two forms add up to one reported coefficient; otherwise the larger is reported."""
     depends_on: Variable = "acceleration"
     """The variable whose blocks carry the evidence: settings for angle, acceleration (voltage too) and direction."""
+    expected: Expected | None = None
+    """What is known of its only coefficient before a table is seen; None where nothing is."""
+    unknown: Callable[[Seen], FloatArray] | None = None
+    """What is not known of its shape: what one standard uncertainty of each independent part of that adds to the output
+    where the coefficient is 1, shape (rows, parts); None where the shape is given."""
 
     @property
     def word(self) -> str:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from scipy.special import chdtrc
 
-from tumble.calibrations.tracing.effect import Quantity
+from tumble.calibrations.tracing.effect import Quantity, Variable
 from tumble.calibrations.tracing.judged import Judged
 from tumble.calibrations.tracing.quantified import Quantified, level_quantities
 from tumble.calibrations.tracing.rivals import Rival
@@ -24,6 +24,8 @@ class EffectFound:
     belongs_to: str
     coefficients: Mapping[str, Quantity]
     p_value: float
+    depends_on: Variable | None = None
+    """What its evidence rests on, where that is known."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -72,6 +74,7 @@ def _effect(table: Table, found: Judged[Any], best: Quantified, name: str, close
         belongs_to=_owner(table, name),
         coefficients=_coefficients(table, trace, best, name),
         p_value=found.evidence[name].p_value if name in found.evidence else _chance(table, trace, name),
+        depends_on=next((effect.depends_on for effect in table.effects if effect.name == name), None),
     )
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.solutions import smallest_solution
 from tumble.calibrations.tracing.effect import Quantity
-from tumble.calibrations.tracing.quantified import Quantified, slices, tangent
+from tumble.calibrations.tracing.quantified import Quantified, expectations, slices, tangent
 from tumble.calibrations.tracing.table import Table
 from tumble.calibrations.tracing.trace import Trace
 
@@ -33,9 +33,16 @@ def fit_linear(table: Table, trace: Trace, units: Mapping[str, str]) -> LinearFi
     found, size = trace.found, table.model.parameters
     places = slices([item.form.columns.shape[1] for item in found])
     forms = [item.form.columns for item in found]
-    first = _solve(table, trace, forms)[0][size:]
-    changes = [tangent(table.scene, item, first[place]) for item, place in zip(found, places, strict=True)]
-    theta, scatter, residual, dwell = _solve(table, trace, [*forms, *(c for c in changes if c is not None)])
+    first, _, _, dwell = _solve(table, trace, forms)
+    changes = [tangent(table.scene, item, first[size:][place]) for item, place in zip(found, places, strict=True)]
+    columns = [*forms, *(change for change in changes if change is not None)]
+    known = [(size + place, value, weight) for place, value, weight in expectations(found, places, dwell)]
+    unknown = [
+        float(first[size:][place][0]) * item.effect.unknown(table.scene)
+        for item, place in zip(found, places, strict=True)
+        if item.effect.unknown is not None
+    ]
+    theta, scatter, residual, dwell = _solve(table, trace, columns, known, unknown)
     numbers = iter(range(places[-1].stop if places else 0, len(theta) - size))
     root = np.sqrt(np.diag(scatter))
     return LinearFit(
@@ -55,12 +62,23 @@ def fit_linear(table: Table, trace: Trace, units: Mapping[str, str]) -> LinearFi
 
 
 def _solve(
-    table: Table, trace: Trace, further: Sequence[FloatArray]
+    table: Table,
+    trace: Trace,
+    further: Sequence[FloatArray],
+    known: Sequence[tuple[int, float, float]] = (),
+    unknown: Sequence[FloatArray] = (),
 ) -> tuple[FloatArray, FloatArray, FloatArray, float]:
-    """Coefficients of all columns, their covariance, the residual of the rows, standard deviation of a row."""
+    """Coefficients of all columns, their covariance, the residual of the rows, standard deviation of a row.
+
+    `known` is what is known of coefficients beforehand, see `quantified.expectations`; `unknown` what errors of one
+    standard uncertainty add to the rows.
+    """
     whiten, root = table.memory.whitening(trace.noise), np.sqrt(table.weights)
     columns = np.column_stack([table.declared, *further])
     white, output = whiten(columns * root[:, None]), whiten(table.output * root)
+    for place, value, weight in known:
+        white = np.vstack([white, weight * (np.arange(columns.shape[1]) == place)])
+        output = np.append(output, weight * value)
     q, r = np.linalg.qr(white)
     theta = smallest_solution(r, q.T @ output)
     squares = float(np.sum((output - white @ theta) ** 2))
@@ -68,4 +86,8 @@ def _solve(
     misfit = (table.output - columns @ theta) * root
     residual = np.asarray(whiten(whiten(misfit)) / root)  # best linear unbiased prediction (Henderson 1975)
     inverse = np.linalg.pinv(r, rcond=_UNSEEN)
-    return theta, np.asarray(variance * inverse @ inverse.T), residual, float(np.sqrt(variance))
+    scatter = variance * inverse @ inverse.T
+    for errors in unknown:
+        shift = inverse @ (q[: table.rows].T @ whiten(errors * root[:, None]))
+        scatter = scatter + shift @ shift.T
+    return theta, np.asarray(scatter), residual, float(np.sqrt(variance))

@@ -102,6 +102,18 @@ def slices(widths: Sequence[int]) -> list[slice]:
     return [slice(end - width, end) for end, width in zip(ends, widths, strict=True)]
 
 
+def expectations(found: Sequence[Found], places: Sequence[slice], dwell: float) -> list[tuple[int, float, float]]:
+    """What is known of coefficients beforehand: place among those of all effects, value, and its weight.
+
+    The weight is the standard deviation of a row, `dwell`, over that of the coefficient about the value.
+    """
+    return [
+        (columns.start, known.value, dwell / known.standard_deviation)
+        for item, columns in zip(found, places, strict=True)
+        if (known := item.effect.expected) is not None
+    ]
+
+
 def tangent(scene: View, item: Found, coefficients: FloatArray) -> FloatArray | None:
     """Change of the effect with its scanned value, shape (rows, 1); None where that is no smooth change."""
     if item.effect.at is None:

@@ -12,8 +12,11 @@ from tumble.app.methods.dividing_head.analysed import DividingHeadAnalysed, Divi
 from tumble.app.methods.dividing_head.stand_part import STAND, DividingHeadStand
 from tumble.app.methods.dividing_head.uncertainty import uncertainty_of
 from tumble.app.stand import LoadedStand
+from tumble.calibrations.adopted.offered import Adopting, offered
 from tumble.calibrations.core.provenance import Provenance
 from tumble.calibrations.methods.dividing_head.analysis import analyse
+from tumble.calibrations.methods.dividing_head.effects.adopting import ADOPTING
+from tumble.calibrations.methods.dividing_head.effects.scene import Scene
 from tumble.calibrations.methods.dividing_head.loop.loop import asked_next, explain
 from tumble.calibrations.methods.dividing_head.montecarlo import TRIALS
 from tumble.calibrations.methods.dividing_head.observations import Observations
@@ -29,6 +32,7 @@ class DividingHeadJob:
 
     experiments: frozenset[str] = frozenset(probe.programme for probe in PROBES)
     stand: DividingHeadStand = STAND
+    adopting: Adopting[Scene] = ADOPTING
 
     def read_table(self, path: Path) -> Observations:
         """Read an observation table. Raises `TableError`."""
@@ -56,7 +60,10 @@ class DividingHeadJob:
         """Close the loop."""
         measurement = analysed.measurement
         reference_degc = measurement.reference_temperature_degc
-        return traced_with(analysed, *explain(_rows(measurement), uncertainty_of(measurement), reference_degc))
+        adopted = [offered(each, self.adopting) for each in measurement.adopted]
+        effects = [(*self.adopting.catalogue, *adopted)] if adopted else []
+        loop, explained = explain(_rows(measurement), uncertainty_of(measurement), reference_degc, *effects)
+        return traced_with(analysed, loop, explained)
 
     def suggested(self, traced: DividingHeadTraced) -> tuple[Experiment, ...]:
         """What to measure next, of all probes, and how many more settings it takes."""

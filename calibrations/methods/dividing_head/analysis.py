@@ -48,10 +48,12 @@ def analyse(observations: Observations, stand: StandUncertainty | None = None, t
 
 
 @one_blas_thread
-def assess(fitted: Joint, stand: StandUncertainty, trials: int = TRIALS) -> Calibration:
-    """What a joint fit says of the parameters; further columns in it are taken into account."""
+def assess(
+    fitted: Joint, stand: StandUncertainty, trials: int = TRIALS, further: tuple[Source, ...] = ()
+) -> Calibration:
+    """What a joint fit says of the parameters; further columns in it, and further sources, are taken into account."""
     verdicts = identify(fitted)
-    listed = sources(fitted.scene, stand)
+    listed = (*sources(fitted.scene, stand), *further)
     type_a = covariance(fitted.compressed, fitted.fit, fitted.profile, fitted.noise.used_v**2)
     type_b = {source.name: _spread(fitted, source) for source in listed}
     combined = type_a + sum(type_b.values(), start=np.zeros_like(type_a))

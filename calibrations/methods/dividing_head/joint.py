@@ -1,5 +1,6 @@
 """The joint fit of a table: gross errors out, weights from the repeats, the noise that the uncertainties rest on."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -108,7 +109,11 @@ def fit_without(observations: Observations, rejected: tuple[SetAside, ...]) -> J
 
 
 def fit_rows(
-    observations: Observations, functions: FloatArray, weights: FloatArray, whiten: Whiten = unchanged
+    observations: Observations,
+    functions: FloatArray,
+    weights: FloatArray,
+    whiten: Whiten = unchanged,
+    known: Sequence[tuple[int, float, float]] = (),
 ) -> Joint:
     """Fit rows that are taken as they are.
 
@@ -122,9 +127,13 @@ def fit_rows(
         Relative weight of each row, shape (rows,).
     whiten
         What makes weighted rows independent of each other.
+    known
+        What is known of coefficients beforehand, see `Compressed.knowing`.
     """
     groups = pose_groups(observations)
     compressed = compress(functions, observations.output_v, weights, whiten)
+    for place, value, weight_v in known:
+        compressed = compressed.knowing(place, value, weight_v)
     fit = joint_fit(compressed)
     residual, error, lack, noise = _judge(observations, functions, weights, groups, fit, whiten)
     profile = alpha0_profile(compressed, fit, noise.used_v**2, coverage_factor(noise.used_degrees_of_freedom))

@@ -29,9 +29,9 @@ def unnamed(scene: Scene) -> tuple[Axis, ...]:
     """Everything along which a table could show structure without a name."""
     angle, response = tuple(_of_the_head(scene)), tuple(_of_the_input(scene))
     passing = (*_of_the_time(scene), *_of_the_warmth(scene), *_of_the_order(scene))
-    offset = Channel(word="offset", gain=np.ones(scene.rows), phrase=Message("an offset of the output"))
-    scale = Channel(word="scale", gain=scene.ax_g, phrase=Message("a change of the response to ax"))
-    error = Channel(word="angle", gain=scene.slope_v_per_deg, phrase=Message("an error of the angle"))
+    offset = Channel(word="offset", gain=np.ones(scene.rows), phrase=Message("an offset of the output"), unit="V")
+    scale = Channel(word="scale", gain=scene.ax_g, phrase=Message("a change of the response to ax"), unit="V/g")
+    error = Channel(word="angle", gain=scene.slope_v_per_deg, phrase=Message("an error of the angle"), unit="deg")
     return axes(
         (error, (*angle, *passing)), (offset, (*response, *angle, *passing)), (scale, passing), expected=_DRIFTS
     )
@@ -48,6 +48,7 @@ def _of_the_head(scene: Scene) -> Iterator[Coordinate]:
         bumps=True,
         steps=True,
         phrase=Message("that follows the angle of the head"),
+        unit="deg",
     )
     if np.ptp(scene.angle_deg) > 360.0:
         yield Coordinate(
@@ -57,6 +58,7 @@ def _of_the_head(scene: Scene) -> Iterator[Coordinate]:
             shown=_degrees,
             waves=True,
             phrase=Message("that follows the angle of the head over all turns"),
+            unit="deg",
         )
 
 
@@ -69,12 +71,15 @@ def _of_the_input(scene: Scene) -> Iterator[Coordinate]:
             shown="{:.2f} g".format,
             bumps=True,
             phrase=Message("that follows a{axis}", axis=name),
+            detail=f"a{name}",
+            unit="g",
         )
     yield Coordinate(
         word="pose",
         depends_on="acceleration",
         values=scene.gravity_g,
         phrase=Message("that follows the pose of the unit"),
+        unit="g",
     )
 
 
@@ -88,6 +93,7 @@ def _of_the_time(scene: Scene) -> Iterator[Coordinate]:
             waves=True,
             steps=True,
             phrase=Message("that follows the time"),
+            unit="h",
         )
         yield Coordinate(
             word="time_since_seating",
@@ -95,6 +101,7 @@ def _of_the_time(scene: Scene) -> Iterator[Coordinate]:
             values=_since(scene.mounting, scene.hours),
             shown=_seconds,
             phrase=Message("that follows the time since the unit was seated"),
+            unit="h",
         )
 
 
@@ -108,6 +115,7 @@ def _of_the_warmth(scene: Scene) -> Iterator[Coordinate]:
         shown="{:.1f} °C".format,
         steps=True,
         phrase=Message("that follows the temperature"),
+        unit="°C",
     )
     if scene.hours is not None and np.ptp(scene.hours):
         smooth = np.polynomial.Polynomial.fit(scene.hours, scene.temperature_k, min(_SMOOTHED, scene.rows // 20 + 1))
@@ -116,6 +124,8 @@ def _of_the_warmth(scene: Scene) -> Iterator[Coordinate]:
             depends_on="temperature",
             values=np.asarray(smooth.deriv()(scene.hours)),
             phrase=Message("that follows how fast the temperature changes"),
+            detail="rate",
+            unit="K/h",
         )
 
 
@@ -126,6 +136,7 @@ def _of_the_order(scene: Scene) -> Iterator[Coordinate]:
         depends_on="order",
         values=_since(scene.realisation, count),
         phrase=Message("that follows the number of dwells in the realisation"),
+        detail="in the realisation",
     )
     if scene.hours is None:
         yield Coordinate(
@@ -133,6 +144,7 @@ def _of_the_order(scene: Scene) -> Iterator[Coordinate]:
             depends_on="order",
             values=count,
             phrase=Message("that follows the number of dwells in the table"),
+            detail="in the table",
         )
     yield Coordinate(
         word="direction",
@@ -140,18 +152,22 @@ def _of_the_order(scene: Scene) -> Iterator[Coordinate]:
         values=scene.direction.astype(float),
         ordered=False,
         phrase=Message("that follows the direction of the last move"),
+        detail="sign",
     )
     yield Coordinate(
         word="direction",
         depends_on="direction",
         values=_last_move_deg(scene),
         phrase=Message("that follows the size of the last move"),
+        detail="size",
+        unit="deg",
     )
     yield Coordinate(
         word="direction",
         depends_on="direction",
         values=_since_reversal(scene),
         phrase=Message("that follows the number of dwells since the last reversal"),
+        detail="since reversal",
     )
     yield Coordinate(
         word="order",
@@ -159,6 +175,7 @@ def _of_the_order(scene: Scene) -> Iterator[Coordinate]:
         values=count % 2.0,
         ordered=False,
         phrase=Message("that differs from every dwell to the next"),
+        detail="parity",
     )
     yield Coordinate(
         word="realisation",
@@ -166,6 +183,7 @@ def _of_the_order(scene: Scene) -> Iterator[Coordinate]:
         values=scene.realisation.astype(float),
         ordered=False,
         phrase=Message("that differs between realisations"),
+        recurs=False,
     )
 
 

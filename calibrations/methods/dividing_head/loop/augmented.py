@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.methods.dividing_head.budget import Source
 from tumble.calibrations.methods.dividing_head.effects.scene import Scene
 from tumble.calibrations.methods.dividing_head.effects.unnamed import unnamed
 from tumble.calibrations.methods.dividing_head.fit import covariance
@@ -13,8 +14,9 @@ from tumble.calibrations.methods.dividing_head.joint import Joint, fit_rows
 from tumble.calibrations.methods.dividing_head.loop.table import DividingHeadTable
 from tumble.calibrations.methods.dividing_head.model import BASIS_SIZE, PARAMETERS, basis, coefficients
 from tumble.calibrations.tracing.components import Component, carried
-from tumble.calibrations.tracing.quantified import Quantified, form_in, slices, tangent
+from tumble.calibrations.tracing.quantified import Quantified, expectations, form_in, slices, tangent
 from tumble.calibrations.tracing.trace import Trace
+from tumble.messages import Message
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -24,6 +26,19 @@ class Augmented(Quantified):
     joint: Joint
     unnamed_v: Sequence[tuple[Component, FloatArray]]
     """Structure without a name, each with what is known of it in the rows of the fit."""
+
+    @property
+    def shapes(self) -> tuple[Source, ...]:
+        """What is not known of the shape of effects that were found, as sources of uncertainty."""
+        return tuple(
+            Source(
+                name=Message("course of {name}", name=item.effect.name),
+                symbol=Message("as far as it was not known when it was adopted"),
+                errors_v=float(self.coefficients[columns][0]) * item.effect.unknown(self.joint.scene),
+            )
+            for item, columns in zip(self.found, self.columns, strict=True)
+            if item.effect.unknown is not None
+        )
 
     def residual_v(self, scene: Scene) -> FloatArray:
         """Measured minus fitted for any rows of the same table, shape (rows,), in volts."""
@@ -49,7 +64,9 @@ def augment(table: DividingHeadTable, trace: Trace) -> Augmented:
         tangent(table.scene, item, first.fit.theta[start + where.start : start + where.stop])
         for item, where in zip(chosen, places, strict=True)
     ]
-    joint = _fit(table, trace, [*(item.form.columns for item in chosen), *(t for t in tangents if t is not None)])
+    columns = [*(item.form.columns for item in chosen), *(t for t in tangents if t is not None)]
+    known = expectations(chosen, places, first.noise.used_v)
+    joint = _fit(table, trace, columns, [(BASIS_SIZE + place, value, weight_v) for place, value, weight_v in known])
     everything = covariance(joint.compressed, joint.fit, joint.profile, joint.noise.used_v**2)
     numbers = iter(range(places[-1].stop if places else 0, len(joint.fit.theta)))
     return Augmented(
@@ -72,6 +89,13 @@ def _known_v(table: DividingHeadTable, trace: Trace, joint: Joint, component: Co
     return np.asarray(dict(trace.noise.levels)[component.name] * (level @ shown) / root)
 
 
-def _fit(table: DividingHeadTable, trace: Trace, columns: Sequence[FloatArray]) -> Joint:
+def _fit(
+    table: DividingHeadTable,
+    trace: Trace,
+    columns: Sequence[FloatArray],
+    known: Sequence[tuple[int, float, float]] = (),
+) -> Joint:
     functions = np.column_stack([table.declared, *columns])
-    return fit_rows(table.joint.observations, functions, table.joint.weights, table.memory.whitening(trace.noise))
+    return fit_rows(
+        table.joint.observations, functions, table.joint.weights, table.memory.whitening(trace.noise), known
+    )

@@ -140,7 +140,7 @@ def explain(
         explained = _explained(fit_without(observations, rejected), effects, reference_temperature_degc)
     trace, close, best = explained.trace, explained.close, explained.best
     misread = misreadings(observations, best.joint)
-    stated = assess(best.joint, uncertainty, trials=0)
+    stated = assess(best.joint, uncertainty, trials=0, further=best.shapes)
     if trace.found or trace.names or trace.components:
         stated = replace(
             stated,

@@ -24,6 +24,7 @@ from tumble.calibrations.methods.dividing_head.report.residuals import (
 )
 from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.calibrations.report.drawing import COLOURS, HALF_IN, INK, sheet, styled, to_svg
+from tumble.calibrations.tracing.findings import EffectFound
 from tumble.messages import Message
 
 MOST_FIGURES = 4
@@ -48,17 +49,18 @@ def abscissae(loop: Loop) -> dict[Abscissa, list[str]]:
     """What to draw the residual against, each with what is to be seen there, in the order of the evidence."""
     wanted: dict[Abscissa, list[str]] = {}
     for effect in loop.effects:
-        if abscissa := _abscissa(effect.name):
+        if abscissa := _abscissa(effect):
             wanted.setdefault(abscissa, []).append(effect.name)
     if loop.unexplained:
         wanted.setdefault(BY_VARIABLE[loop.unexplained.depends_on], []).append(Message("what is unexplained"))
     return dict(list(wanted.items())[:MOST_FIGURES])
 
 
-def _abscissa(name: str) -> Abscissa | None:
+def _abscissa(effect: EffectFound) -> Abscissa | None:
     """What shows an effect: its variable where nothing nearer is known; None for what is no column (a misreading)."""
-    by_variable = {effect.word: BY_VARIABLE[effect.depends_on] for effect in CATALOGUE}
-    return BY_EFFECT.get(name) or by_variable.get(name)
+    by_variable = {each.word: BY_VARIABLE[each.depends_on] for each in CATALOGUE}
+    depends_on = BY_VARIABLE[effect.depends_on] if effect.depends_on else None
+    return BY_EFFECT.get(effect.name) or by_variable.get(effect.name) or depends_on
 
 
 @styled
