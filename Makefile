@@ -39,7 +39,7 @@ demo: setup
 	$(BIN)/tumble records verify --store tumble-store
 
 test: setup
-	@$(MAKE) --no-print-directory --jobs=2 --output-sync=target check tests  # one core has time while the types are looked at
+	@$(MAKE) --no-print-directory --jobs=2 check tests  # one core has time while the types are looked at
 
 tests: setup
 	$(BIN)/python -m pytest -n $(WORKERS) --dist loadfile $(COVERAGE)
