@@ -6,8 +6,10 @@ WORKERS ?= 2
 RELATIVE ?= 1e-9
 CATALOGUES := $(wildcard tumble/locales/*/LC_MESSAGES/tumble.po)
 
+unexport PYTHONDONTWRITEBYTECODE  # what was compiled once need not be compiled by every process
+
 .DEFAULT_GOAL := help
-.PHONY: help setup gui texts demo test coverage test-screen docs frozen check endurance lock clean
+.PHONY: help setup gui texts demo test tests coverage test-screen docs frozen check endurance lock clean
 
 help:
 	@echo "make demo   run the main job on the simulated stand: recording, record and report in tumble-store/"
@@ -36,7 +38,10 @@ demo: setup
 	$(BIN)/tumble calibrate --programme seed --serial DEMO-1 --operator demo --store tumble-store
 	$(BIN)/tumble records verify --store tumble-store
 
-test: setup check
+test: setup
+	@$(MAKE) --no-print-directory --jobs=2 check tests  # one core has time while the types are looked at
+
+tests: setup
 	$(BIN)/python -m pytest -n $(WORKERS) --dist loadfile $(COVERAGE)
 
 coverage:
@@ -61,8 +66,7 @@ check: setup
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
-	$(BIN)/mypy docs/examples/mercury.py
-	$(BIN)/mypy docs/examples/own.py
+	$(BIN)/mypy docs/examples/mercury.py docs/examples/own.py
 	$(BIN)/lint-imports
 
 endurance: setup

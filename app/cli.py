@@ -3,7 +3,6 @@
 import io
 import os
 import sys
-import traceback
 from importlib import import_module
 
 import click
@@ -141,7 +140,9 @@ def _wrong_usage(error: click.ClickException) -> int:
 
 def _failed(error: Exception) -> int:
     """Say what happened; return the exit status."""
-    from tumble.app.exits import Exit, sentence_of, status_of  # only when something went wrong
+    import traceback  # only when something went wrong
+
+    from tumble.app.exits import Exit, sentence_of, status_of
 
     if isinstance(error, OSError) and error.filename is None:  # of a stream, which would fail again at the end
         lead_nowhere(sys.stdout)

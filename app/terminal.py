@@ -4,7 +4,6 @@ Messages are put into the language that was asked for; documents stay in English
 """
 
 import io
-import json
 import os
 import sys
 from contextlib import suppress
@@ -81,6 +80,8 @@ def say_document(document: dict[str, Any]) -> None:
 
 def as_json(document: dict[str, Any]) -> str:
     """Text of a document as JSON, in which every character that cannot be seen is escaped."""
+    import json  # not of `tumble --help`
+
     text = json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False)
     return "\n".join(map(_escaped, text.split("\n"))) + "\n"
 
@@ -129,4 +130,6 @@ def _escaped(line: str) -> str:
 
 
 def _escaped_character(character: str) -> str:
+    import json
+
     return character if visible(character) == character else json.dumps(character)[1:-1]

@@ -7,10 +7,13 @@ import logging
 import sys
 from collections.abc import Iterator, Mapping
 from functools import lru_cache
-from importlib.metadata import Distribution, EntryPoint, EntryPoints, distributions
-from typing import Any
+from importlib.metadata import Distribution, EntryPoint, EntryPoints, distribution, distributions
+from typing import Any, Final
 
 from tumble.messages import Message
+
+_OURS: Final = "tumble."
+"""How the name of each of our groups begins."""
 
 
 class PluginError(ValueError):
@@ -120,13 +123,18 @@ def _named(group: str, path: tuple[str, ...]) -> Mapping[str, tuple[EntryPoint, 
 
 @lru_cache(maxsize=8)
 def _entry_points(_: tuple[str, ...]) -> EntryPoints:
-    seen: set[str] = set()
-    found: list[EntryPoint] = []
+    """What all packages name in our groups; of no other package is the name read, which takes 5 ms for each."""
+    found: dict[str, list[EntryPoint]] = {}
     for package in distributions():
-        if package.name not in seen:  # the first on the path is the one that is imported
-            seen.add(package.name)
-            found.extend(_points_of(package))
-    return EntryPoints(found)
+        points = [point for point in _points_of(package) if point.group.startswith(_OURS)]
+        if points and _is_imported(package):
+            found.setdefault(package.name, points)
+    return EntryPoints(point for points in found.values() for point in points)
+
+
+def _is_imported(package: Distribution) -> bool:
+    """Whether no other version of the package lies before it on the path."""
+    return distribution(package.name).locate_file("") == package.locate_file("")
 
 
 def _points_of(package: Distribution) -> Iterator[EntryPoint]:

@@ -92,8 +92,17 @@ def cheaply(blank="report"):
                 )
             )
         else:
-            stack.enter_context(patch("tumble.calibrations.report.drawing._lay_out", lambda _: None))
-            stack.enter_context(patch.object(Figure, "savefig", lambda _, file, **__: file.write("<svg ></svg>")))
+            stack.enter_context(blank_figures())
+        yield
+
+
+@contextmanager
+def blank_figures():
+    """Figures are made, but not drawn, which takes most of the time of a report."""
+    with (
+        patch("tumble.calibrations.report.drawing._lay_out", lambda _: None),
+        patch.object(Figure, "savefig", lambda _, file, **__: file.write("<svg ></svg>")),
+    ):
         yield
 
 

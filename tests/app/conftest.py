@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
-from app_jobs import STAND, TINY, Ran, cheaply, few_trials_of, tracing_once, tumble
+from app_jobs import STAND, TINY, Ran, blank_figures, cheaply, few_trials_of, tracing_once, tumble
 
 from tumble.calibrations.methods.dividing_head import analysis
 
@@ -37,16 +37,25 @@ def calibrated(tmp_path_factory):
     return Done(ran=ran, store=folder / "store", document=json.loads((folder / "fit.json").read_text("utf-8")))
 
 
-@pytest.fixture(autouse=True)
-def few_trials(monkeypatch):
+@pytest.fixture(scope="module", autouse=True)
+def few_trials():
     """Monte Carlo takes most of the time of a fit; how well it does is tested elsewhere."""
-    monkeypatch.setattr(analysis, "monte_carlo", few_trials_of(analysis.monte_carlo))
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr(analysis, "monte_carlo", few_trials_of(analysis.monte_carlo))
+        yield
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="module", autouse=True)
 def traced_once():
     """Rows that several runs of `tumble` have in common are traced by the first of them."""
     with tracing_once():
+        yield
+
+
+@pytest.fixture(scope="module", autouse=True)
+def figures():
+    """Nobody looks at the figures of a report; a file where somebody does has a fixture of this name of its own."""
+    with blank_figures():
         yield
 
 
@@ -90,13 +99,6 @@ def tiny_recording(tmp_path_factory):
         tumble("run", "--programme", folder / "tiny.toml", "--serial", "SN-7", "--out", folder / "x.mcap").status == 0
     )
     return folder / "x.mcap"
-
-
-@pytest.fixture
-def no_figures():
-    """A report has blank figures where a test looks at what stands beside them, or whether there is one at all."""
-    with cheaply(blank="figures"):
-        yield
 
 
 @pytest.fixture

@@ -23,7 +23,6 @@ kind = "sweep"
 step_deg = 10.0
 points = 36
 """
-pytestmark = pytest.mark.usefixtures("traced_once")
 RIVALS = {"k_xx", "k_yy", "k_zz", "axis_tilt", "head_eccentricity"}
 
 

@@ -12,8 +12,6 @@ from tumble.app.measurements import provenance
 from tumble.calibrations.core.table import write_table
 from tumble.calibrations.methods.dividing_head.loop.loop import explain
 
-pytestmark = pytest.mark.usefixtures("traced_once")
-
 
 @pytest.fixture(scope="session")
 def looped(tmp_path_factory):

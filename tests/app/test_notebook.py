@@ -19,6 +19,11 @@ TURN = "angle_deg,voltage_V\n" + "".join(
 HEAD = "angle_deg,reference_deg\n" + "".join(f"{angle},{angle + 0.001}\n" for angle in range(0, 360, 30))
 
 
+@pytest.fixture(scope="module", autouse=True)
+def figures():
+    """They are drawn here."""
+
+
 @pytest.fixture(scope="module")
 def calibrated(tmp_path_factory):
     store = tmp_path_factory.mktemp("store")

@@ -18,7 +18,6 @@ from tumble.app.kinds import Kind, kind_of
 from tumble.drivers.simulated.head import SimulatedHead
 from tumble.procedures.errors import InputError
 
-pytestmark = pytest.mark.usefixtures("traced_once")
 TABLE = "angle_deg,voltage_V\n" + "".join(f"{angle},{2.5 + 0.1 * (angle % 7)}\n" for angle in range(0, 360, 10))
 EXPORTED = "time_s,realisation,procedure,mount,angle_deg,direction,voltage_V,voltage_sd_V,samples\n"
 RESULT = '{\n  "schema": "tumble.fit/1",\n  "complete": true\n}\n'
@@ -92,7 +91,7 @@ def test_an_earlier_result_is_replaced(table, write, before):
     assert json.loads(there.read_text("utf-8"))["schema"] == "tumble.fit/1"
 
 
-def test_a_result_is_known_again_by_every_command(tiny_recording, tmp_path, no_figures):
+def test_a_result_is_known_again_by_every_command(tiny_recording, tmp_path):
     page, exported, planned = tmp_path / "page.html", tmp_path / "x.csv", tmp_path / "plan.json"
     for _ in range(2):
         assert tumble("export", tiny_recording, "--out", exported).status == 0
@@ -202,7 +201,7 @@ def test_a_full_disk_leaves_the_earlier_result_and_nothing_else(table, write, tm
 
 @pytest.mark.parametrize("command", ["fit", "report", "export"])
 def test_a_disk_that_is_full_while_it_is_written_leaves_no_half_of_a_result(
-    tiny_recording, tmp_path, monkeypatch, no_figures, command
+    tiny_recording, tmp_path, monkeypatch, command
 ):
     recording = shutil.copy(tiny_recording, tmp_path / "run.mcap")
     place = tmp_path / "out"
@@ -284,7 +283,7 @@ def test_text_that_is_no_result_is_written_over_nothing(write):
 
 
 @pytest.mark.parametrize("left", [1000, 0], ids=["half", "none"])
-def test_a_report_that_an_earlier_version_left_half_is_written_anew(copied, left, no_figures):
+def test_a_report_that_an_earlier_version_left_half_is_written_anew(copied, left):
     (report,) = (copied.store / "reports").glob("*.html")
     whole = report.read_bytes()
     report.write_bytes(whole[:left])

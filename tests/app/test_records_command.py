@@ -6,8 +6,6 @@ from app_jobs import STAND, tumble
 
 from tumble.calibrations.methods.dividing_head.loop.loop import explain
 
-pytestmark = pytest.mark.usefixtures("traced_once")
-
 
 def listed(store, *arguments):
     return json.loads(tumble("records", "list", "--store", store, "--json", "-", *arguments).out)["records"]

@@ -8,7 +8,6 @@ from pathlib import Path
 import pytest
 from app_jobs import tumble
 
-pytestmark = pytest.mark.usefixtures("traced_once")
 FIRST_FORMAT = Path(__file__).parents[1] / "procedures" / "fixtures" / "recording_v1.mcap"
 
 

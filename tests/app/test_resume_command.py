@@ -16,7 +16,6 @@ from tumble.procedures.events import FinishReason, PointCompleted, PointVerified
 from tumble.procedures.recording.reader import iter_samples, read_recording
 from tumble.procedures.recording.writer import Recorder
 
-pytestmark = pytest.mark.usefixtures("traced_once")
 TWICE = """\
 name = "twice"
 realisations = 2

@@ -33,7 +33,6 @@ settle_s = 0.0
     f'[[procedure]]\nkind = "sweep"\nmount = "{mount}"\nstep_deg = 20.0\npoints = 18\norder = "there-and-back"\n'
     for mount in ("face-up", "face-down", "face-up-90")
 )
-pytestmark = pytest.mark.usefixtures("traced_once")
 UNITS = {"A": (1, 1.0), "B": (2, 1.02), "C": (3, 0.98)}
 
 

@@ -32,7 +32,6 @@ ky = { min = -0.03, max = 0.03 }
 
 
 K_XX = "{ k_xx = 2e-3 }"
-pytestmark = pytest.mark.usefixtures("traced_once")
 
 
 def stand_with(write, effects, parameters="{}"):

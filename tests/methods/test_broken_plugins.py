@@ -113,3 +113,19 @@ def test_entry_points_that_cannot_be_parsed_stop_no_other_package(installed, cap
     installed("no sign of equality")
     assert [method.name for method in methods()] == ["dividing_head", "head_reference", "temperature", "triad"]
     assert caplog.records[0].message.startswith("the entry points of the package broken cannot be read")
+
+
+def test_a_package_is_hidden_by_one_of_its_name_before_it_on_the_path(installed, tmp_path, monkeypatch):
+    installed("other = raising_part:X")
+    before = tmp_path / "before" / "broken-2.dist-info"
+    before.mkdir(parents=True)
+    (before / "METADATA").write_text("Metadata-Version: 2.1\nName: broken\nVersion: 2\n")
+    assert "other" in plugins.names("tumble.methods")
+    monkeypatch.syspath_prepend(str(before.parent))
+    assert "other" not in plugins.names("tumble.methods")
+
+
+def test_of_a_package_that_brings_nothing_along_not_even_the_name_is_read(installed, tmp_path):
+    installed("other = raising_part:X")
+    (tmp_path / "nameless-1.dist-info").mkdir()
+    assert "other" in plugins.names("tumble.methods")

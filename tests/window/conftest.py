@@ -8,6 +8,7 @@ from pathlib import Path
 os.environ.setdefault("QT_QPA_PLATFORM", f"offscreen:configfile={Path(__file__).with_name('screen.json')}")
 
 import pytest
+from app_jobs import blank_figures, tracing_once
 from PySide6.QtCore import QEvent, QSettings
 from window_driver import LONG, TINY, Driver
 
@@ -36,6 +37,20 @@ def few_trials():
     simulate = analysis.monte_carlo
     with pytest.MonkeyPatch.context() as patched:
         patched.setattr(analysis, "monte_carlo", lambda *arguments: simulate(*arguments[:-1], 100))
+        yield
+
+
+@pytest.fixture(scope="module", autouse=True)
+def traced_once():
+    """Rows that several runs have in common are traced by the first of them."""
+    with tracing_once():
+        yield
+
+
+@pytest.fixture(scope="module", autouse=True)
+def figures():
+    """Nobody looks at the figures of a report; a file where somebody does has a fixture of this name of its own."""
+    with blank_figures():
         yield
 
 

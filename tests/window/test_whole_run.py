@@ -4,6 +4,11 @@ from PySide6.QtCore import Qt
 from tumble.calibrations.records.store import Store
 
 
+@pytest.fixture(scope="module", autouse=True)
+def figures():
+    """They are drawn here."""
+
+
 @pytest.fixture
 def driver(lent_driver):
     """A window that was lent."""

@@ -22,9 +22,9 @@ from tumble.calibrations.tracing.effect import Structure
 from tumble.calibrations.tracing.explained import Explained, unless_rivals_differ
 from tumble.calibrations.tracing.findings import EffectFound, Unexplained, Withheld, effects_found, withheld
 from tumble.calibrations.tracing.held_out import held_out_rms
-from tumble.calibrations.tracing.judged import judged
+from tumble.calibrations.tracing.judged import Judged, judged
 from tumble.calibrations.tracing.noise import NoiseModel
-from tumble.calibrations.tracing.trace import Trace
+from tumble.calibrations.tracing.trace import Trace, Tracer
 from tumble.messages import Message
 
 _FOLDS = 6
@@ -110,32 +110,41 @@ def close_triad_loop(observations: TriadObservations) -> TriadLoop:
     nothing = Trace(found=(), noise=NoiseModel(), deviance=table.deviance((), NoiseModel()))
     before = fit_triad(table, nothing)
     asked = doubts(table, before.deviations_v)
-    found = judged(table)
-    explained = Explained(judged=found, best=fit_triad(table, found.trace))
+    found = _untraced(table, nothing) if asked else judged(table)
+    explained = Explained(judged=found, best=before if asked else fit_triad(table, found.trace))
     reason = asked[0] if asked else ""
     return TriadLoop(
         observations=used,
         doubts=asked,
         before=before,
         explained=explained,
-        declared=_model(before, before.parameters(), reason, _held_out_declared(table, nothing)),
-        augmented=_model(
-            explained.best,
-            _with_rivals(explained),
-            reason,
-            held_out_rms(found.tracer, found.trace, _parts(table)),
-        ),
+        declared=_silent(reason) if asked else _model(before, before.parameters(), _held_out_declared(table, nothing)),
+        augmented=_silent(reason) if asked else _augmented(explained),
         scalar=None if asked else _scalar(used, explained.best),
         pure_errors=_pure_errors(used),
         experiments=() if asked else next_experiments(explained),
     )
 
 
-def _model(fit: TriadFit, parameters: Mapping[str, Parameter], reason: str, held_out_v: float | None) -> ModelFit:
-    """One of the two models; nothing is stated of a table in doubt."""
-    if reason:
-        kept = {name: Parameter(name=name, unit=UNITS[name], value=None, reason=reason) for name in NAMES}
-        return ModelFit(parameters=kept, residual_rms=None, held_out_rms=None)
+def _untraced(table: TriadTable, nothing: Trace) -> Judged[TriadTable]:
+    """What a table in doubt is traced to: nothing is looked for where nothing would be stated."""
+    return Judged(tracer=Tracer(table), trace=nothing, near={}, evidence={}, withheld=())
+
+
+def _silent(reason: str) -> ModelFit:
+    """What is stated of a table in doubt."""
+    unsaid = {name: Parameter(name=name, unit=UNITS[name], value=None, reason=reason) for name in NAMES}
+    return ModelFit(parameters=unsaid, residual_rms=None, held_out_rms=None)
+
+
+def _augmented(explained: Explained[TriadTable, TriadFit]) -> ModelFit:
+    """The model with what was found."""
+    held_out_v = held_out_rms(explained.judged.tracer, explained.judged.trace, _parts(explained.table))
+    return _model(explained.best, _with_rivals(explained), held_out_v)
+
+
+def _model(fit: TriadFit, parameters: Mapping[str, Parameter], held_out_v: float | None) -> ModelFit:
+    """One of the two models."""
     residual_v = float(np.sqrt(np.mean(fit.residual**2)))
     return ModelFit(parameters=parameters, residual_rms=residual_v, held_out_rms=held_out_v)
 
