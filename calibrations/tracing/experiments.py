@@ -1,7 +1,9 @@
 """Which experiment would tell apart what a table cannot: chosen by what the rivals predict for it."""
 
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import combinations
 
 import numpy as np
@@ -10,7 +12,7 @@ from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.tracing.experiment_sentences import no_programme, promised, qualified
 from tumble.calibrations.tracing.probe import Probe
 from tumble.calibrations.tracing.rivals import Rival
-from tumble.calibrations.tracing.separation import Difference, Outlook, PlannedRows, Question
+from tumble.calibrations.tracing.separation import Difference, Expected, Outlook, PlannedRows, Question
 from tumble.calibrations.tracing.table import Extensible
 from tumble.calibrations.tracing.trace import Trace
 
@@ -18,6 +20,10 @@ APART = 16.0
 """Explanations that differ by this in -2 ln L are distinguished: four standard deviations."""
 _RUNS = 3
 """How often a probe is run where once is not enough."""
+MOST_RUNS = 6
+"""So many are planned in a row at most, where each tells a little."""
+_TRIED = 3
+"""Of so many offers that bring most for a run a longer row is made."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -34,6 +40,8 @@ class Experiment:
     separation: float
     """Expected difference in -2 ln L, that of the closest of the rivals."""
     stand_time_s: float
+    least: float = 0.0
+    """What that will hardly stay below: less than the expectation by what the table leaves open of its causes."""
     runs: int = 1
     """How often it is to be run; the stand time is that of all of them."""
     together: tuple[str, ...] = ()
@@ -56,89 +64,124 @@ def next_experiments(
 
 @dataclass(frozen=True, kw_only=True)
 class _Offer:
-    """One or two probes, run one after the other, and what they would tell."""
+    """Probes, run one after the other, and what they would tell."""
 
+    question: Question
     probes: tuple[Probe, ...]
-    runs: int
+    """In the order in which they are run; some more than once."""
     rows: PlannedRows
-    each_way: FloatArray
-    """Separation from each rival, if the effect is true and if the rival is, shape (2, rivals)."""
+
+    def further(self, *probes: Probe) -> "_Offer":
+        """The same with more of them."""
+        rows = self.rows
+        for probe in probes:
+            rows = rows.followed_by(probe)
+        return _Offer(question=self.question, probes=(*self.probes, *probes), rows=rows)
 
     @property
     def stand_time_s(self) -> float:
-        return self.runs * sum(probe.stand_time_s for probe in self.probes)
+        return sum(probe.stand_time_s for probe in self.probes)
 
-    def separations(self, sure: bool) -> FloatArray:
-        """Separation from each rival: sure whichever is true, or if one of the two is."""
-        return np.asarray(self.each_way.min(axis=0) if sure else self.each_way.max(axis=0))
+    @cached_property
+    def expected(self) -> Expected:
+        """What it tells of each rival."""
+        return self.question.expected(self.rows)
+
+    def promises(self, sure: bool) -> FloatArray:
+        """What it tells of each rival at least: whichever is true, or if one of the two is."""
+        promises = self.expected.promises
+        return np.asarray(promises.min(axis=0) if sure else promises.max(axis=0))
 
     def apart(self, among: list[int], sure: bool) -> list[int]:
         """Rivals that it tells apart."""
-        separations = self.separations(sure)
-        return [rival for rival in among if separations[rival] >= APART]
+        promises = self.promises(sure)
+        return [rival for rival in among if promises[rival] >= APART]
 
     def worth(self, among: list[int], sure: bool) -> tuple[float, float]:
         """Rivals distinguished per second; of equal ones the clearer, in whole multiples of what is needed."""
-        clearness = float(np.minimum(self.separations(sure)[among] // APART, 4).sum())
+        clearness = float(np.clip(self.promises(sure)[among] // APART, 0, 4).sum())
         return len(self.apart(among, sure)) / max(self.stand_time_s, 1.0), clearness
+
+    def nearness(self, among: list[int], sure: bool) -> float:
+        """How near it comes to telling any of them."""
+        return float(self.promises(sure)[among].max())
 
 
 def _answers(question: Question, probes: Sequence[Probe], otherwise: str) -> Iterator[Experiment]:
     """Experiments until every rival is distinguished or nothing tells any of the rest."""
-    rows, left = question.table, list(range(len(question.rivals)))
+    start, left = _Offer(question=question, probes=(), rows=question.table), list(range(len(question.rivals)))
     while left:
-        offers = _offers(question, rows, left, probes)
-        chosen, apart = _best(offers, left, sure=True)
-        if not apart:
-            chosen, apart = _best(offers, left, sure=False)
+        chosen, sure = _chosen(start, left, probes)
+        apart = chosen.apart(left, sure)
         if not apart:
             yield _nothing(question, left, chosen, otherwise)
             return
-        yield from (_experiment(question, chosen, probe, apart) for probe in chosen.probes)
-        rows, left = chosen.rows, [rival for rival in left if rival not in apart]
+        yield from (_experiment(question, chosen, probe, apart) for probe in dict.fromkeys(chosen.probes))
+        start, left = replace(start, rows=chosen.rows), [rival for rival in left if rival not in apart]
 
 
-def _best(offers: Sequence[_Offer], left: list[int], sure: bool) -> tuple[_Offer, list[int]]:
-    """The offer worth most, and the rivals that it tells apart."""
-    best = max(offers, key=lambda offer: offer.worth(left, sure))
-    return best, best.apart(left, sure)
+def _chosen(start: _Offer, left: list[int], probes: Sequence[Probe]) -> tuple[_Offer, bool]:
+    """The offer worth most, and whether it is sure: what few runs tell goes before what many do."""
+    single = [start.further(probe) for probe in probes]
+    if any(offer.apart(left, sure=True) for offer in single):
+        return _best(single, left, sure=True), True
+    several = _several(start, single, left)
+    for sure in (True, False):
+        for offers in (several, [_summed(start, several, left, sure)]):
+            if any(offer.apart(left, sure) for offer in offers):
+                return _best(offers, left, sure), sure
+    return max(several, key=lambda offer: offer.nearness(left, sure=False)), False
 
 
-def _offers(question: Question, rows: PlannedRows, left: list[int], probes: Sequence[Probe]) -> list[_Offer]:
-    """Single probes, then more of them: several times, or two together, where no single one is sure to tell anything.
+def _best(offers: Sequence[_Offer], left: list[int], sure: bool) -> _Offer:
+    return max(offers, key=lambda offer: offer.worth(left, sure))
 
-    Without any probe there is one offer, of nothing.
+
+def _several(start: _Offer, single: Sequence[_Offer], left: list[int]) -> list[_Offer]:
+    """Single probes, then what promises most several times, or two together. Without any there is one offer, of none.
+
+    What three runs of a probe tell is three times what one does.
     """
-    offers = [_offer(question, rows, (probe,)) for probe in probes]
-    if not any(offer.apart(left, sure=True) for offer in offers):
-        others = [probe for probe in probes if probe.pairs]
-        promising = [offer for offer in offers if offer.separations(sure=True)[left].max() * _RUNS >= APART]
-        offers += [_offer(question, rows, offer.probes, _RUNS) for offer in promising]
-        offers += [_offer(question, rows, pair) for pair in combinations(others, 2)]
-    return offers or [_offer(question, rows, ())]
+    promising = [offer for offer in single if offer.nearness(left, sure=True) * _RUNS >= APART]
+    mounted = [probe for offer in single for probe in offer.probes if probe.pairs]
+    repeated = [offer.further(*offer.probes * (_RUNS - 1)) for offer in promising]
+    return [*single, *repeated, *(start.further(*pair) for pair in combinations(mounted, 2))] or [start]
 
 
-def _offer(question: Question, rows: PlannedRows, probes: tuple[Probe, ...], runs: int = 1) -> _Offer:
-    for probe in probes * runs:
-        rows = rows.followed_by(probe)
-    return _Offer(probes=probes, runs=runs, rows=rows, each_way=question.separations(rows))
+def _summed(start: _Offer, several: Sequence[_Offer], left: list[int], sure: bool) -> _Offer:
+    """One run after the other of what brings most by itself, each time the best, until a rival is distinguished.
+
+    Where even the best brings so little that so many runs would not do, it is left at that.
+    """
+    now = start.nearness(left, sure)
+    ranked = sorted(several, key=lambda offer: (now - offer.nearness(left, sure)) / max(len(offer.probes), 1))
+    offer, *others = ranked[:_TRIED]
+    brings = (offer.nearness(left, sure) - now) / max(len(offer.probes), 1)
+    probes = list(dict.fromkeys(probe for each in (offer, *others) for probe in each.probes))
+    if now + MOST_RUNS * brings < APART:
+        return offer
+    while len(offer.probes) < MOST_RUNS and not offer.apart(left, sure):
+        offer = max((offer.further(probe) for probe in probes), key=lambda each: each.nearness(left, sure))
+    return offer
 
 
 def _experiment(question: Question, offer: _Offer, probe: Probe, apart: list[int]) -> Experiment:
-    separations = offer.separations(sure=False)[apart]
-    sure = bool((offer.separations(sure=True)[apart] >= APART).all())
-    separation = float((offer.separations(sure=True)[apart] if sure else separations).min())
+    sure = offer.apart(apart, sure=True) == apart
+    choose = np.min if sure else np.max
     rivals = tuple(question.rivals[rival] for rival in apart)
-    others = [other.programme for other in offer.probes if other is not probe]
+    runs = Counter(each.programme for each in offer.probes)
+    others = [name for name in runs if name != probe.programme]
     needed = () if sure else _needed(question, offer, apart)
+    separation = float(choose(offer.expected.separations[:, apart], axis=0).min())
     return Experiment(
         separates=(question.name, *rivals),
         programme=probe.programme,
-        why=qualified(promised(probe, question.name, rivals, separation), needed, others, offer.runs),
+        why=qualified(promised(probe, question.name, rivals, separation), needed, others, runs[probe.programme]),
         command=probe.command,
         separation=separation,
-        stand_time_s=offer.runs * probe.stand_time_s,
-        runs=offer.runs,
+        least=float(choose(offer.expected.promises[:, apart], axis=0).min()),
+        stand_time_s=runs[probe.programme] * probe.stand_time_s,
+        runs=runs[probe.programme],
         together=tuple(others),
         outlook=_outlook(question, offer, probe, apart, sure),
     )
@@ -147,7 +190,7 @@ def _experiment(question: Question, offer: _Offer, probe: Probe, apart: list[int
 def _outlook(question: Question, offer: _Offer, probe: Probe, apart: list[int], sure: bool) -> Outlook:
     """What the probe would show of each rival: where the two are closer if that is enough, else where they are not."""
     left_v = question.left(offer.rows) * question.dwell_v
-    each_way = offer.each_way[:, apart]
+    each_way = offer.expected.separations[:, apart]
     ways = each_way.argmin(axis=0) if sure else each_way.argmax(axis=0)
     pairs = [(question.name, question.rivals[rival]) for rival in apart]
     return Outlook(
@@ -163,12 +206,12 @@ def _outlook(question: Question, offer: _Offer, probe: Probe, apart: list[int], 
 
 def _needed(question: Question, offer: _Offer, apart: list[int]) -> list[str]:
     """Explanations one of which must be true for them to be distinguished."""
-    return sorted({question.name if offer.each_way[0, rival] >= APART else question.rivals[rival] for rival in apart})
+    return sorted({question.name if offer.expected.promises[0, rival] >= APART else question.rivals[rival] for rival in apart})
 
 
 def _nothing(question: Question, left: list[int], nearest: _Offer, otherwise: str) -> Experiment:
     rivals = tuple(question.rivals[rival] for rival in left)
-    separation = float(nearest.separations(sure=False)[left].max())
+    separation = float(nearest.expected.separations.max(axis=0)[left].max())
     owners = {question.belongs_to(name) for name in (question.name, *rivals)}
     return Experiment(
         separates=(question.name, *rivals),

@@ -3,10 +3,16 @@
 The measure is that of T-optimality (Atkinson and Fedorov 1975): if one explanation is true, the squared length T
 of what the other cannot follow, in standard deviations of a dwell. As the noise is estimated with everything else,
 -2 ln L of the other is then expected to lie above by n ln(1 + T/n) in n rows.
+
+What is true is known only as it was fitted. What may be promised is the least that any effect would show that the table
+does not refute, d standard uncertainties from the fit: T = |l + Ld|² with |d| up to `COVERAGE`. It counts on from how far
+the explanations are apart by now, whatever they should have been.
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +24,13 @@ from tumble.calibrations.tracing.probe import Probe
 from tumble.calibrations.tracing.rivals import Rival
 from tumble.calibrations.tracing.table import Extensible
 from tumble.calibrations.tracing.trace import Trace
+
+
+COVERAGE: Final = 1.645
+"""Standard uncertainties from the fit within which a promise is kept: the limit is passed in 5 of 100."""
+
+
+_HALVINGS: Final = 60
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -64,6 +77,16 @@ class Outlook:
     """One for each rival that is distinguished."""
 
 
+@dataclass(frozen=True, kw_only=True)
+class Expected:
+    """Differences in -2 ln L once further rows are there, if the effect is true and if each rival is: (2, rivals)."""
+
+    separations: FloatArray
+    """As the table was fitted."""
+    promises: FloatArray
+    """What they will hardly stay below, counted on from what they are now."""
+
+
 class Question:
     """Which of several explanations is true: an effect that was found, or one of its rivals.
 
@@ -81,6 +104,8 @@ class Question:
         self.name, self.rivals = name, tuple(rival.name for rival in close)
         self.table = PlannedRows(rows=base.observations, weights=base.weights, programmes=np.full(base.rows, ""))
         self._base = base
+        self.behind = np.array([rival.behind for rival in close])
+        """How far each rival is behind by now, in -2 ln L, shape (rivals,)."""
         self._found = Prediction(base, trace, name)
         self._rivals = [Prediction(base, rival.trace, rival.name) for rival in close]
 
@@ -99,11 +124,7 @@ class Question:
         First what each rival cannot follow if the effect is true, then what the effect cannot if the rival is; in rows
         that are weighted and whitened.
         """
-        scene = self._base.view(rows.rows, self._found.theta)
-        output = self._found.output_v(scene)[:, None] / self.dwell_v
-        others = np.column_stack([rival.output_v(scene) for rival in self._rivals]) / self.dwell_v
-        if_found = np.column_stack([rival.left(scene, rows.weights, output) for rival in self._rivals])
-        return np.array([if_found, self._found.left(scene, rows.weights, others)])
+        return np.array([np.column_stack([left[:, 0] for left in way]) for way in self._left(rows)])
 
     def separations(self, rows: PlannedRows) -> FloatArray:
         """Expected difference in -2 ln L between the effect and each rival, shape (2, rivals).
@@ -111,6 +132,63 @@ class Question:
         First if the effect is true, then if the rival is.
         """
         return separation(self.left(rows))
+
+    def expected(self, rows: PlannedRows) -> "Expected":
+        """The same, with what may be promised of it."""
+        lefts = self._left(rows)
+        gained = [
+            [_least(after, now) for after, now in zip(*ways, strict=True)]
+            for ways in zip(lefts, self._now, strict=True)
+        ]
+        return Expected(
+            separations=np.array([[separation(left[:, :1])[0] for left in way] for way in lefts]),
+            promises=np.array([self.behind, -self.behind]) + np.array(gained),
+        )
+
+    @cached_property
+    def _now(self) -> tuple[list[FloatArray], list[FloatArray]]:
+        return self._left(self.table)
+
+    def _left(self, rows: PlannedRows) -> tuple[list[FloatArray], list[FloatArray]]:
+        """What is left of the effect by each rival, and by the effect of each rival, with their changes."""
+        scene, weights = self._base.view(rows.rows, self._found.theta), rows.weights
+        own = self._found.signal(scene)
+        by_rivals = [rival.left(scene, weights, [own])[0] for rival in self._rivals]
+        return by_rivals, self._found.left(scene, weights, [rival.signal(scene) for rival in self._rivals])
+
+
+def _least(after: FloatArray, now: FloatArray) -> float:
+    """By how much a difference grows at least, for signals of which so much, shape (rows, 1 + n), is left."""
+    products, known = after.T @ after, now.T @ now
+    rows, before = len(after), float(known[0, 0])
+    least = nearest_to_nothing(products - known, COVERAGE)
+    return rows * float(np.log1p((before + least) / rows) - np.log1p(before / rows))
+
+
+def nearest_to_nothing(products: FloatArray, radius: float) -> float:
+    """Least of |l + Ld|² for |d| up to a radius, from the products of l and the columns of L, shape (1 + n, 1 + n).
+
+    As in Levenberg's method: d = -(L'L + m)⁻¹ L'l, with the least m ≥ 0 that keeps d within the radius.
+    """
+    values, turned = np.linalg.eigh(products[1:, 1:])
+    values, along = np.clip(values, 0.0, None), turned.T @ products[0, 1:]
+
+    def step(damping: float) -> FloatArray:
+        return np.asarray(-along / (values + damping))
+
+    length = float(products[0, 0])
+    low = 1e-12 * float(values.sum())
+    if low <= 0.0 or length <= 0.0:
+        return max(length, 0.0)
+    high = max(float(np.linalg.norm(along)) / radius, low)
+    if np.linalg.norm(step(low)) > radius:
+        for _ in range(_HALVINGS):
+            middle = np.sqrt(low * high)
+            low, high = (middle, high) if np.linalg.norm(step(middle)) > radius else (low, middle)
+    else:
+        high = low
+    moved = step(high)
+    return max(float(length + 2.0 * along @ moved + values @ moved**2), 0.0)
 
 
 def separation(left: FloatArray) -> FloatArray:

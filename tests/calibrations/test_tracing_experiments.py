@@ -13,7 +13,7 @@ from tumble.calibrations.methods.dividing_head.probes import PROBES, Probe
 from tumble.calibrations.tracing import experiments
 from tumble.calibrations.tracing.experiments import APART, next_experiments
 from tumble.calibrations.tracing.rivals import CLOSE, rivals, with_best_names
-from tumble.calibrations.tracing.separation import PlannedRows, Question
+from tumble.calibrations.tracing.separation import Expected, PlannedRows, Question
 from tumble.calibrations.tracing.trace import Tracer
 from tumble.procedures.programme import shipped_programmes
 
@@ -187,6 +187,9 @@ class Stub(Question):
 
     def belongs_to(self, name):
         return "unit"
+
+    def expected(self, rows):
+        return Expected(separations=self.separations(rows), promises=self.separations(rows))
 
     def left(self, rows):
         realisations = rows.rows.realisations[:, None]
