@@ -5,19 +5,24 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import combinations
+from typing import Protocol
 
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.tracing.experiment_sentences import no_programme, promised, qualified
+from tumble.calibrations.tracing.places import PlaceQuestion, places
 from tumble.calibrations.tracing.probe import Probe
 from tumble.calibrations.tracing.rivals import Rival
-from tumble.calibrations.tracing.separation import Difference, Expected, Outlook, PlannedRows, Question
+from tumble.calibrations.tracing.separation import (
+    Expected,
+    Outlook,
+    PlannedRows,
+    Question,
+)
 from tumble.calibrations.tracing.table import Extensible
 from tumble.calibrations.tracing.trace import Trace
 
-APART = 16.0
-"""Explanations that differ by this in -2 ln L are distinguished: four standard deviations."""
 _RUNS = 3
 """How often a probe is run where once is not enough."""
 MOST_RUNS = 6
@@ -62,11 +67,51 @@ def next_experiments(
     return tuple(experiment for question in questions for experiment in _answers(question, probes, otherwise))
 
 
+def locating_experiments(
+    base: Extensible, trace: Trace, others: Sequence[Trace], probes: Sequence[Probe], otherwise: str = ""
+) -> tuple[Experiment, ...]:
+    """Experiments that tell on which variable structure without a name lives.
+
+    `others` are explanations with the structure elsewhere, from which the table does not part it.
+    """
+    if len(places(trace, others)) < 2:
+        return ()
+    return tuple(_answers(PlaceQuestion(base, trace, others), probes, otherwise))
+
+
+class Asked(Protocol):
+    """What planning needs to know of a question: what could be true, and what rows would tell of it."""
+
+    name: str
+    """What was found."""
+    rivals: tuple[str, ...]
+    """What else it could be."""
+    table: PlannedRows
+    """The rows that are there."""
+
+    @property
+    def needed(self) -> float:
+        """Explanations that differ by this in -2 ln L are distinguished."""
+        ...
+
+    def expected(self, rows: PlannedRows) -> Expected:
+        """What the rows would tell."""
+        ...
+
+    def outlook(self, rows: PlannedRows, programme: str, apart: list[int], sure: bool) -> Outlook | None:
+        """What the rows of a probe would show of the rivals that it tells apart; None for what has no one signal."""
+        ...
+
+    def belongs_to(self, name: str) -> str:
+        """Owner of an explanation."""
+        ...
+
+
 @dataclass(frozen=True, kw_only=True)
 class _Offer:
     """Probes, run one after the other, and what they would tell."""
 
-    question: Question
+    question: Asked
     probes: tuple[Probe, ...]
     """In the order in which they are run; some more than once."""
     rows: PlannedRows
@@ -95,11 +140,11 @@ class _Offer:
     def apart(self, among: list[int], sure: bool) -> list[int]:
         """Rivals that it tells apart."""
         promises = self.promises(sure)
-        return [rival for rival in among if promises[rival] >= APART]
+        return [rival for rival in among if promises[rival] >= self.question.needed]
 
     def worth(self, among: list[int], sure: bool) -> tuple[float, float]:
         """Rivals distinguished per second; of equal ones the clearer, in whole multiples of what is needed."""
-        clearness = float(np.clip(self.promises(sure)[among] // APART, 0, 4).sum())
+        clearness = float(np.clip(self.promises(sure)[among] // self.question.needed, 0, 4).sum())
         return len(self.apart(among, sure)) / max(self.stand_time_s, 1.0), clearness
 
     def nearness(self, among: list[int], sure: bool) -> float:
@@ -107,7 +152,7 @@ class _Offer:
         return float(self.promises(sure)[among].max())
 
 
-def _answers(question: Question, probes: Sequence[Probe], otherwise: str) -> Iterator[Experiment]:
+def _answers(question: Asked, probes: Sequence[Probe], otherwise: str) -> Iterator[Experiment]:
     """Experiments until every rival is distinguished or nothing tells any of the rest."""
     start, left = _Offer(question=question, probes=(), rows=question.table), list(range(len(question.rivals)))
     while left:
@@ -142,7 +187,7 @@ def _several(start: _Offer, single: Sequence[_Offer], left: list[int]) -> list[_
 
     What three runs of a probe tell is three times what one does.
     """
-    promising = [offer for offer in single if offer.nearness(left, sure=True) * _RUNS >= APART]
+    promising = [offer for offer in single if offer.nearness(left, sure=True) * _RUNS >= offer.question.needed]
     mounted = [probe for offer in single for probe in offer.probes if probe.pairs]
     repeated = [offer.further(*offer.probes * (_RUNS - 1)) for offer in promising]
     return [*single, *repeated, *(start.further(*pair) for pair in combinations(mounted, 2))] or [start]
@@ -158,14 +203,14 @@ def _summed(start: _Offer, several: Sequence[_Offer], left: list[int], sure: boo
     offer, *others = ranked[:_TRIED]
     brings = (offer.nearness(left, sure) - now) / max(len(offer.probes), 1)
     probes = list(dict.fromkeys(probe for each in (offer, *others) for probe in each.probes))
-    if now + MOST_RUNS * brings < APART:
+    if now + MOST_RUNS * brings < offer.question.needed:
         return offer
     while len(offer.probes) < MOST_RUNS and not offer.apart(left, sure):
         offer = max((offer.further(probe) for probe in probes), key=lambda each: each.nearness(left, sure))
     return offer
 
 
-def _experiment(question: Question, offer: _Offer, probe: Probe, apart: list[int]) -> Experiment:
+def _experiment(question: Asked, offer: _Offer, probe: Probe, apart: list[int]) -> Experiment:
     sure = offer.apart(apart, sure=True) == apart
     choose = np.min if sure else np.max
     rivals = tuple(question.rivals[rival] for rival in apart)
@@ -183,33 +228,21 @@ def _experiment(question: Question, offer: _Offer, probe: Probe, apart: list[int
         stand_time_s=runs[probe.programme] * probe.stand_time_s,
         runs=runs[probe.programme],
         together=tuple(others),
-        outlook=_outlook(question, offer, probe, apart, sure),
+        outlook=question.outlook(offer.rows, probe.programme, apart, sure),
     )
 
 
-def _outlook(question: Question, offer: _Offer, probe: Probe, apart: list[int], sure: bool) -> Outlook:
-    """What the probe would show of each rival: where the two are closer if that is enough, else where they are not."""
-    left_v = question.left(offer.rows) * question.dwell_v
-    each_way = offer.expected.separations[:, apart]
-    ways = each_way.argmin(axis=0) if sure else each_way.argmax(axis=0)
-    pairs = [(question.name, question.rivals[rival]) for rival in apart]
-    return Outlook(
-        rows=offer.rows.rows,
-        probed=offer.rows.programmes == probe.programme,
-        dwell_v=question.dwell_v,
-        differences=tuple(
-            Difference(true=pair[way], other=pair[1 - way], left_v=left_v[way, :, rival])
-            for pair, way, rival in zip(pairs, ways.tolist(), apart, strict=True)
-        ),
-    )
-
-
-def _needed(question: Question, offer: _Offer, apart: list[int]) -> list[str]:
+def _needed(question: Asked, offer: _Offer, apart: list[int]) -> list[str]:
     """Explanations one of which must be true for them to be distinguished."""
-    return sorted({question.name if offer.expected.promises[0, rival] >= APART else question.rivals[rival] for rival in apart})
+    return sorted(
+        {
+            question.name if offer.expected.promises[0, rival] >= question.needed else question.rivals[rival]
+            for rival in apart
+        }
+    )
 
 
-def _nothing(question: Question, left: list[int], nearest: _Offer, otherwise: str) -> Experiment:
+def _nothing(question: Asked, left: list[int], nearest: _Offer, otherwise: str) -> Experiment:
     rivals = tuple(question.rivals[rival] for rival in left)
     separation = float(nearest.expected.separations.max(axis=0)[left].max())
     owners = {question.belongs_to(name) for name in (question.name, *rivals)}

@@ -1,14 +1,14 @@
 """One explanation of a table, and what it says of rows that are not there yet."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
 
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.compression import compress
+from tumble.calibrations.tracing.continued import continued_noise
 from tumble.calibrations.tracing.effect import Structure
-from tumble.calibrations.tracing.noise import Memory, Whitening, scaled_levels, slow_modes
+from tumble.calibrations.tracing.noise import Whitening
 from tumble.calibrations.tracing.quantified import form_in, tangent
 from tumble.calibrations.tracing.table import Extensible, View
 from tumble.calibrations.tracing.trace import Found, Trace
@@ -166,17 +166,9 @@ class Prediction:
         return np.pad(walk_v, (0, scene.rows - len(walk_v)), mode="edge")
 
     def _whitening(self, scene: View, weights: FloatArray) -> Whitening:
-        """What makes the noise of this explanation white; a walk goes the further the longer it takes."""
-        noise = self._noise
-        if noise.walk and scene.hours is not None and self._base.scene.hours is not None:
-            longer = float(np.ptp(scene.hours) / np.ptp(self._base.scene.hours))
-            noise = replace(noise, walk=noise.walk * longer, corner=noise.corner * longer)
-        names = [name for name, _ in noise.levels]
-        drawn = {effect.name: effect.forms(scene)[0].columns for effect in self._base.effects if effect.name in names}
-        unnamed = {each.name: _longer(each.columns, scene.rows) for each in self._components}
-        levels = {name: scaled_levels(columns, weights) for name, columns in (drawn | unnamed).items()}
-        slow = scene.hours if noise.flicker or noise.walk else None
-        return Memory(modes=slow_modes(slow, weights), levels=levels).whitening(noise)
+        """What makes the noise of this explanation white."""
+        memory, noise = continued_noise(self._base, self._noise, self._components, scene, weights)
+        return memory.whitening(noise)
 
 
 def _columns(scene: View, item: Found) -> FloatArray:

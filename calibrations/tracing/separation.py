@@ -4,9 +4,9 @@ The measure is that of T-optimality (Atkinson and Fedorov 1975): if one explanat
 of what the other cannot follow, in standard deviations of a dwell. As the noise is estimated with everything else,
 -2 ln L of the other is then expected to lie above by n ln(1 + T/n) in n rows.
 
-What is true is known only as it was fitted. What may be promised is the least that any effect would show that the table
-does not refute, d standard uncertainties from the fit: T = |l + Ld|² with |d| up to `COVERAGE`. It counts on from how far
-the explanations are apart by now, whatever they should have been.
+What is true is known only as it was fitted. What may be promised is the least that any effect would show that the
+table does not refute, d standard uncertainties from the fit: T = |l + Ld|² with |d| up to `COVERAGE`. It counts on
+from how far the explanations are apart by now, whatever they should have been.
 """
 
 from collections.abc import Sequence
@@ -25,7 +25,8 @@ from tumble.calibrations.tracing.rivals import Rival
 from tumble.calibrations.tracing.table import Extensible
 from tumble.calibrations.tracing.trace import Trace
 
-
+APART: Final = 16.0
+"""Explanations that differ by this in -2 ln L are distinguished: four standard deviations."""
 COVERAGE: Final = 1.645
 """Standard uncertainties from the fit within which a promise is kept: the limit is passed in 5 of 100."""
 
@@ -100,6 +101,8 @@ class Question:
         Its rivals.
     """
 
+    needed = APART
+
     def __init__(self, base: Extensible, trace: Trace, name: str, close: Sequence[Rival]) -> None:
         self.name, self.rivals = name, tuple(rival.name for rival in close)
         self.table = PlannedRows(rows=base.observations, weights=base.weights, programmes=np.full(base.rows, ""))
@@ -143,6 +146,22 @@ class Question:
         return Expected(
             separations=np.array([[separation(left[:, :1])[0] for left in way] for way in lefts]),
             promises=np.array([self.behind, -self.behind]) + np.array(gained),
+        )
+
+    def outlook(self, rows: PlannedRows, programme: str, apart: list[int], sure: bool) -> Outlook:
+        """What a probe would show of each rival: where the two are closer if that is `sure`, else where they are not."""
+        left = self.left(rows)
+        each_way = separation(left)[:, apart]
+        ways = each_way.argmin(axis=0) if sure else each_way.argmax(axis=0)
+        pairs = [(self.name, self.rivals[rival]) for rival in apart]
+        return Outlook(
+            rows=rows.rows,
+            probed=rows.programmes == programme,
+            dwell_v=self.dwell_v,
+            differences=tuple(
+                Difference(true=pair[way], other=pair[1 - way], left_v=left[way, :, rival] * self.dwell_v)
+                for pair, way, rival in zip(pairs, ways.tolist(), apart, strict=True)
+            ),
         )
 
     @cached_property
