@@ -8,13 +8,13 @@ import numpy as np
 
 FIRST: Final = 970_000
 """Among the seeds of the bank, beyond those of its lists."""
-_SWEEP = '\n[[procedure]]\nkind = "sweep"\nmount = "{}"\nstep_deg = 5.0\npoints = POINTS\norder = "{}"\n'
-_FLIPS = '\n[[procedure]]\nkind = "flip"\naxes = ["x", "y", "z"]\n'
+SWEEP = '\n[[procedure]]\nkind = "sweep"\nmount = "{}"\nstep_deg = 5.0\npoints = POINTS\norder = "{}"\n'
+FLIPS = '\n[[procedure]]\nkind = "flip"\naxes = ["x", "y", "z"]\n'
 _PROGRAMMES: Final = {
-    "flips and sweep": _FLIPS + _SWEEP.format("face-up", "up"),
-    "sweep": _SWEEP.format("face-up", "up"),
-    "there and back": _FLIPS + _SWEEP.format("face-up", "there-and-back"),
-    "two mounts": _FLIPS + _SWEEP.format("face-up", "up") + _SWEEP.format("face-down", "up"),
+    "flips and sweep": FLIPS + SWEEP.format("face-up", "up"),
+    "sweep": SWEEP.format("face-up", "up"),
+    "there and back": FLIPS + SWEEP.format("face-up", "there-and-back"),
+    "two mounts": FLIPS + SWEEP.format("face-up", "up") + SWEEP.format("face-down", "up"),
 }
 _STANDS: Final = {
     "every mount": "",
@@ -57,10 +57,18 @@ def make(seed: int) -> Case:
     return made(seed, _OUTSIDE if rng.random() < 1 / 3 else {})
 
 
-def made(seed: int, physics_files: Mapping[str, Physics]) -> Case:
-    """The case of a seed with one of the physics files; with a named effect of the simulation where there are none."""
+def made(
+    seed: int,
+    physics_files: Mapping[str, Physics],
+    programmes: Mapping[str, str] = _PROGRAMMES,
+    realisations: tuple[int, int] = (2, 3),
+) -> Case:
+    """The case of a seed with one of the physics files; with a named effect of the simulation where there are none.
+
+    The first programme is one of `programmes`, with so many realisations at least and at most.
+    """
     rng = np.random.default_rng(seed)
-    first, seat = str(rng.choice(list(_PROGRAMMES))), str(rng.choice(list(_STANDS), p=_CHANCES))
+    first, seat = str(rng.choice(list(programmes))), str(rng.choice(list(_STANDS), p=_CHANCES))
     rng.random()
     outside = bool(physics_files)
     effect = str(rng.choice(list(physics_files or _INSIDE)))
@@ -81,14 +89,15 @@ def made(seed: int, physics_files: Mapping[str, Physics]) -> Case:
     ramp = rng.uniform(2.0, 4.0) if "temperature" in effect else 0.0
     simulated += [f"seed = {seed}", "noise_v = 1e-3", f"temperature = {{ ramp_K_per_h = {ramp} }}"]
     points = "37" if "half a turn" in seat else "80"
-    procedures = _PROGRAMMES[first].replace("POINTS", points)
+    procedures = programmes[first].replace("POINTS", points)
+    realisation_count = rng.integers(realisations[0], realisations[1] + 1)
     return Case(
         seed=seed,
         effect=effect,
         outside=outside,
         first=first,
         seat=seat,
-        programme_text=f'name = "first"\nrealisations = {rng.integers(2, 4)}\ndwell_s = 1.0\n{procedures}',
+        programme_text=f'name = "first"\nrealisations = {realisation_count}\ndwell_s = 1.0\n{procedures}',
         stand_text=_stand(_STANDS[seat], simulated),
         physics_text=physics,
     )

@@ -287,6 +287,7 @@ def cannot(experiments: Sequence[Experiment], elsewhere: Mapping[str, tuple[Expe
     elsewhere
         By programme, an experiment that would help, and why it cannot be run.
     """
+    nothing = [each for each in experiments if not each.command]
     sentences = [
         Message(
             "No experiment that can be run here tells {name} from {rivals}: they would differ by {difference} at most, "
@@ -296,9 +297,9 @@ def cannot(experiments: Sequence[Experiment], elsewhere: Mapping[str, tuple[Expe
             difference=deviations(each.separation),
             needed=APART**0.5,
         )
-        for each in experiments
-        if not each.command
+        for each in nothing
     ]
+    sentences += [Message("What is left to do: {remedy}.", remedy=each.remedy) for each in nothing if each.remedy]
     sentences += [
         Message(
             "{programme} would tell {name} from {rivals}, but it cannot be run here: {reason}.",

@@ -10,7 +10,7 @@ from typing import Protocol
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
-from tumble.calibrations.tracing.experiment_sentences import no_programme, promised, qualified
+from tumble.calibrations.tracing.experiment_sentences import no_programme, promised, qualified, remedied
 from tumble.calibrations.tracing.places import PlaceQuestion, places
 from tumble.calibrations.tracing.probe import Probe
 from tumble.calibrations.tracing.rivals import Rival
@@ -27,6 +27,8 @@ _RUNS = 3
 """How often a probe is run where once is not enough."""
 MOST_RUNS = 6
 """So many are planned in a row at most, where each tells a little."""
+_PATIENCE = 30.0
+"""More repetitions than this are not advised."""
 _TRIED = 3
 """Of so many offers that bring most for a run a longer row is made."""
 
@@ -53,6 +55,8 @@ class Experiment:
     """Programmes without which it tells nothing apart."""
     outlook: Outlook | None = None
     """What it would show; None where no programme would help."""
+    remedy: str = ""
+    """What would help where no programme does; empty where nothing is known to."""
 
 
 def next_experiments(
@@ -159,7 +163,7 @@ def _answers(question: Asked, probes: Sequence[Probe], otherwise: str) -> Iterat
         chosen, sure = _chosen(start, left, probes)
         apart = chosen.apart(left, sure)
         if not apart:
-            yield _nothing(question, left, chosen, otherwise)
+            yield _nothing(question, left, start, chosen, otherwise)
             return
         yield from (_experiment(question, chosen, probe, apart) for probe in dict.fromkeys(chosen.probes))
         start, left = replace(start, rows=chosen.rows), [rival for rival in left if rival not in apart]
@@ -242,15 +246,24 @@ def _needed(question: Asked, offer: _Offer, apart: list[int]) -> list[str]:
     )
 
 
-def _nothing(question: Asked, left: list[int], nearest: _Offer, otherwise: str) -> Experiment:
+def _nothing(question: Asked, left: list[int], start: _Offer, nearest: _Offer, otherwise: str) -> Experiment:
     rivals = tuple(question.rivals[rival] for rival in left)
     separation = float(nearest.expected.separations.max(axis=0)[left].max())
     owners = {question.belongs_to(name) for name in (question.name, *rivals)}
+    remedy = remedied(owners, nearest.probes, _runs_needed(question, left, start, nearest), otherwise)
     return Experiment(
         separates=(question.name, *rivals),
         programme="",
-        why=no_programme(question.name, rivals, separation, owners, otherwise),
+        why=no_programme(question.name, rivals, separation, remedy),
         command="",
         separation=separation,
         stand_time_s=0.0,
+        remedy=remedy,
     )
+
+
+def _runs_needed(question: Asked, left: list[int], start: _Offer, nearest: _Offer) -> int:
+    """How often the nearest offer would have to be run; 0 where that is beyond all reason."""
+    now, then = (offer.nearness(left, sure=True) for offer in (start, nearest))
+    needed = (question.needed - now) / max(then - now, 1e-9)
+    return int(np.ceil(needed)) if needed < _PATIENCE else 0

@@ -149,7 +149,7 @@ class Question:
         )
 
     def outlook(self, rows: PlannedRows, programme: str, apart: list[int], sure: bool) -> Outlook:
-        """What a probe would show of each rival: where the two are closer if that is `sure`, else where they are not."""
+        """What a probe would show of each rival: where the two are closer if it is `sure`, else where they are not."""
         left = self.left(rows)
         each_way = separation(left)[:, apart]
         ways = each_way.argmin(axis=0) if sure else each_way.argmax(axis=0)
