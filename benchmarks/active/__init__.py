@@ -9,7 +9,7 @@ that it can run is run and everything is traced together. Where both leave one n
 rivals, and the loop must find the right name without a rival; where both leave several, the loop must say that nothing
 available tells them apart. Where only one of the two tells, the noise decides, and nothing is asked.
 
-With `--unnamed` the effects are outside the catalogue, and what is asked is the variable on which they live.
+With `--unnamed` the effects are outside the catalogue, and what is asked is channel and variable.
 
 A third of the other cases have their effect in a physics file, `response` or `head_error`, in formulas of their own.
 """

@@ -44,7 +44,7 @@ def graded(job: Job) -> Record:
     record: Record = {
         "key": job.key,
         "seed": case.seed,
-        "effect": unnamed.KINDS[case.effect].variable if job.unnamed else case.effect,
+        "effect": unnamed.KINDS[case.effect].place if job.unnamed else case.effect,
         "kind": case.effect,
         "outside": case.outside,
         "first": case.first,
@@ -119,7 +119,5 @@ def _after_everything(case: Case, folder: Path) -> list[list[str]]:
 
 
 def _names(stage: Stage[Any]) -> list[list[str]]:
-    """What every effect could be, and with what structure without a name could go."""
-    named = [[effect.name, *effect.also_possible] for effect in stage.loop.effects]
-    variables = dict.fromkeys(place.rpartition(" ")[2] for place in stage.places)
-    return [*named, [*variables]] if variables else named
+    """What every effect could be, and on what structure without a name could live."""
+    return [list(names) for names in stage.explanations]

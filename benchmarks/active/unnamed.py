@@ -1,4 +1,4 @@
-"""Units and heads with structure that no catalogue names, and the variable on which each lives.
+"""Units and heads with structure that no catalogue names, and the channel and variable on which each lives.
 
 Every case is a physics file: along a variable, something is added to the declared response or to the angle of the head.
 """
@@ -21,8 +21,8 @@ class Kind:
     """Formula with SIZE, PLACE from 0 to 1 and SIGN."""
     to: str
     """response or head_error."""
-    variable: str
-    """Of the contract."""
+    place: str
+    """Channel and variable of the contract."""
     low: float
     high: float
     """Limits of its size, in volts or degrees."""
@@ -31,24 +31,24 @@ class Kind:
 _BELL: Final = "exp(-0.5 * (({0}) / {1}) ** 2)"
 _ROUND: Final = "(angle_deg - 360.0 * PLACE + 180.0) % 360.0 - 180.0"
 KINDS: Final = {
-    "bell in ax": Kind(added=_BELL.format("ax - 1.6 * PLACE + 0.8", 0.12), to="response", variable="acceleration",
+    "bell in ax": Kind(added=_BELL.format("ax - 1.6 * PLACE + 0.8", 0.12), to="response", place="offset × acceleration",
                        low=4e-4, high=2e-3),
-    "bell in ay": Kind(added=_BELL.format("ay - 1.6 * PLACE + 0.8", 0.12), to="response", variable="acceleration",
+    "bell in ay": Kind(added=_BELL.format("ay - 1.6 * PLACE + 0.8", 0.12), to="response", place="offset × acceleration",
                        low=4e-4, high=2e-3),
-    "bell in the angle": Kind(added=_BELL.format(_ROUND, 14.0), to="head_error", variable="angle",
+    "bell in the angle": Kind(added=_BELL.format(_ROUND, 14.0), to="head_error", place="angle × angle",
                               low=0.04, high=0.2),
-    "sector of the angle": Kind(added=f"(1.0 if abs({_ROUND}) < 25.0 else 0.0)", to="head_error", variable="angle",
+    "sector of the angle": Kind(added=f"(1.0 if abs({_ROUND}) < 25.0 else 0.0)", to="head_error", place="angle × angle",
                                 low=0.04, high=0.2),
     "wave over all turns": Kind(added="sin(angle_deg / (30.0 + 60.0 * PLACE) + 6.0 * PLACE)", to="head_error",
-                                variable="unwrapped_angle", low=0.04, high=0.2),
-    "wave in time": Kind(added="sin(time_s * 6.2832 / (60.0 + 300.0 * PLACE))", to="response", variable="time",
+                                place="angle × unwrapped_angle", low=0.04, high=0.2),
+    "wave in time": Kind(added="sin(time_s * 6.2832 / (60.0 + 300.0 * PLACE))", to="response", place="offset × time",
                          low=4e-4, high=2e-3),
     "pulse in time": Kind(added="(1.0 if 60.0 < time_s - 300.0 * PLACE < 260.0 else 0.0)", to="response",
-                          variable="time", low=4e-4, high=2e-3),
+                          place="offset × time", low=4e-4, high=2e-3),
     "wave of the scale in time": Kind(added="ax * sin(time_s * 6.2832 / (60.0 + 300.0 * PLACE))", to="response",
-                                      variable="time", low=4e-4, high=2e-3),
+                                      place="scale × time", low=4e-4, high=2e-3),
     "wave of the angle in time": Kind(added="sin(time_s * 6.2832 / (60.0 + 300.0 * PLACE))", to="head_error",
-                                      variable="time", low=0.04, high=0.2),
+                                      place="angle × time", low=0.04, high=0.2),
 }  # fmt: skip
 
 _PROGRAMMES: Final = {

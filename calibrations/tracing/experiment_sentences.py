@@ -64,7 +64,7 @@ def remedied(owners: Collection[str], probes: Sequence[Probe], runs: int, otherw
     otherwise
         What the method knows of.
     """
-    ways = []
+    ways: list[str] = []
     if len(owners) > 1:
         exchanged = series(sorted(_OWNERS[owner] for owner in owners))
         ways.append(Message("as they belong to {owners}, exchange one of these", owners=exchanged))

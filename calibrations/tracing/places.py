@@ -148,13 +148,13 @@ class _Place:
         slopes = self.base.functions(scene) @ self.base.model.slopes(self._theta)
         changes = [form_in(scene, item).columns for item in self.trace.found]
         free = np.column_stack([slopes, *changes]) * np.sqrt(weights)[:, None]
-        free = free / np.linalg.norm(free[: self.base.rows], axis=0).clip(1e-300) * np.sqrt(self.base.rows)
+        free = free / np.linalg.norm(free, axis=0).clip(1e-300) * np.sqrt(len(free))
         memory, noise = continued_noise(self.base, self.trace.noise, self.trace.components, scene, weights)
         return np.column_stack([free / _FREE, memory.drawn(noise)])
 
     def _solved(self, columns: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Root R of RR' = 1 + C'C for columns C of the table, and R⁻¹C'y."""
-        root = np.linalg.cholesky(np.eye(columns.shape[1]) + columns.T @ columns)
+        root = np.asarray(np.linalg.cholesky(np.eye(columns.shape[1]) + columns.T @ columns))
         return root, np.asarray(np.linalg.solve(root, columns.T @ self._output))
 
     def further(self, rows: PlannedRows) -> _Further:
@@ -162,5 +162,5 @@ class _Place:
         columns = self._columns(self.base.view(rows.rows, self._theta), rows.weights)
         known, new = columns[: self.base.rows], columns[self.base.rows :]
         root, solved = self._solved(known)
-        spread = np.linalg.solve(root, new.T).T
+        spread = np.asarray(np.linalg.solve(root, new.T).T)
         return _Further(mean=spread @ solved, spread=spread)

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.rows import Rows
+from tumble.calibrations.tracing.least import nearest_to_nothing
 from tumble.calibrations.tracing.prediction import Prediction
 from tumble.calibrations.tracing.probe import Probe
 from tumble.calibrations.tracing.rivals import Rival
@@ -29,9 +30,6 @@ APART: Final = 16.0
 """Explanations that differ by this in -2 ln L are distinguished: four standard deviations."""
 COVERAGE: Final = 1.645
 """Standard uncertainties from the fit within which a promise is kept: the limit is passed in 5 of 100."""
-
-
-_HALVINGS: Final = 60
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -182,32 +180,6 @@ def _least(after: FloatArray, now: FloatArray) -> float:
     rows, before = len(after), float(known[0, 0])
     least = nearest_to_nothing(products - known, COVERAGE)
     return rows * float(np.log1p((before + least) / rows) - np.log1p(before / rows))
-
-
-def nearest_to_nothing(products: FloatArray, radius: float) -> float:
-    """Least of |l + Ld|² for |d| up to a radius, from the products of l and the columns of L, shape (1 + n, 1 + n).
-
-    As in Levenberg's method: d = -(L'L + m)⁻¹ L'l, with the least m ≥ 0 that keeps d within the radius.
-    """
-    values, turned = np.linalg.eigh(products[1:, 1:])
-    values, along = np.clip(values, 0.0, None), turned.T @ products[0, 1:]
-
-    def step(damping: float) -> FloatArray:
-        return np.asarray(-along / (values + damping))
-
-    length = float(products[0, 0])
-    low = 1e-12 * float(values.sum())
-    if low <= 0.0 or length <= 0.0:
-        return max(length, 0.0)
-    high = max(float(np.linalg.norm(along)) / radius, low)
-    if np.linalg.norm(step(low)) > radius:
-        for _ in range(_HALVINGS):
-            middle = np.sqrt(low * high)
-            low, high = (middle, high) if np.linalg.norm(step(middle)) > radius else (low, middle)
-    else:
-        high = low
-    moved = step(high)
-    return max(float(length + 2.0 * along @ moved + values @ moved**2), 0.0)
 
 
 def separation(left: FloatArray) -> FloatArray:
