@@ -14,6 +14,10 @@ from tumble.calibrations.tracing.table import Extensible, View
 
 _BENT: Final = 0.5
 """A bend goes on as a smooth course of this length, in ranges of the table: its polynomial would go anywhere."""
+_HAPPENED: Final = 0.3
+"""What happened once, beyond the values of the table goes on as a broken course of this length."""
+_BEYOND: Final = 1.1
+"""Further rows go beyond the values of the table where their range is so many times as long."""
 
 
 def continued_noise(
@@ -62,6 +66,8 @@ def _shape(component: Component, further: Coordinate) -> FloatArray:
             return np.column_stack([np.sin(phase), np.cos(phase)])
         case "bump":
             return np.column_stack(further.bells(sizes[None]))
+        case "step" | "pulse" if further.range > _BEYOND * own.range:
+            return _course("broken", _HAPPENED, own, further)
         case "step" | "pulse":
             risen = (further.values[:, None] > own.low + own.range * sizes).astype(float)
             return np.asarray(risen[:, :1] - (risen[:, 1:] if word == "pulse" else 0.0))
