@@ -14,7 +14,7 @@ from tumble.calibrations.tracing.table import Extensible, View
 
 _BENT: Final = 0.5
 """A bend goes on as a smooth course of this length, in ranges of the table: its polynomial would go anywhere."""
-_HAPPENED: Final = 0.3
+_HAPPENED: Final = np.array([0.3])
 """What happened once, beyond the values of the table goes on as a broken course of this length."""
 _BEYOND: Final = 1.1
 """Further rows go beyond the values of the table where their range is so many times as long."""
@@ -58,6 +58,8 @@ def _shape(component: Component, further: Coordinate) -> FloatArray:
     own = component.axis.coordinate
     word, *numbers = component.shape.split()
     sizes = np.array(numbers, dtype=float)
+    if word in {"step", "pulse"} and further.range > _BEYOND * own.range:
+        word, sizes = "broken", _HAPPENED
     match word:
         case "levels":
             return np.eye(int(further.bins.max()) + 1)[further.bins]
@@ -66,15 +68,12 @@ def _shape(component: Component, further: Coordinate) -> FloatArray:
             return np.column_stack([np.sin(phase), np.cos(phase)])
         case "bump":
             return np.column_stack(further.bells(sizes[None]))
-        case "step" | "pulse" if further.range > _BEYOND * own.range:
-            return _course("broken", _HAPPENED, own, further)
         case "step" | "pulse":
             risen = (further.values[:, None] > own.low + own.range * sizes).astype(float)
             return np.asarray(risen[:, :1] - (risen[:, 1:] if word == "pulse" else 0.0))
-        case "bend":
-            return _course("smooth", _BENT, own, further)
         case _:
-            return _course(word, sizes[0], own, further)
+            kind, length = ("smooth", _BENT) if word == "bend" else (word, float(sizes[0]))
+            return _course(kind, length, own, further)
 
 
 def _course(word: str, length: float, own: Coordinate, further: Coordinate) -> FloatArray:
