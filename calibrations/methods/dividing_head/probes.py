@@ -155,8 +155,7 @@ PROBES = (
     Probe(
         programme="probe-turns",
         does=Message("goes round twice, so that what comes back with the circle parts from what does not"),
-        step_deg=10.0,
-        points=76,
+        step_deg=9.0,
         order="there-and-back",
     ),
     Probe(
