@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from tumble.calibrations.tracing.experiment_sentences import no_programme, promised, qualified, remedied
-from tumble.calibrations.tracing.offers import Asked, Offer, chosen, runs_needed
+from tumble.calibrations.tracing.offers import Asked, Offer, chosen, distinct, runs_needed
 from tumble.calibrations.tracing.places import PlaceQuestion, places
 from tumble.calibrations.tracing.probe import Probe
 from tumble.calibrations.tracing.rivals import Rival
@@ -78,7 +78,7 @@ def _answers(question: Asked, probes: Sequence[Probe], otherwise: str) -> Iterat
         if not apart:
             yield _nothing(question, left, start, best, otherwise)
             return
-        yield from (_experiment(question, best, probe, apart) for probe in dict.fromkeys(best.probes))
+        yield from (_experiment(question, best, probe, apart) for probe in distinct(best.probes))
         start, left = replace(start, rows=best.rows), [rival for rival in left if rival not in apart]
 
 

@@ -133,7 +133,7 @@ def _summed(start: Offer, several: Sequence[Offer], left: list[int], sure: bool)
     ranked = sorted(several, key=lambda offer: (now - offer.nearness(left, sure)) / max(len(offer.probes), 1))
     offer, *others = ranked[:_TRIED]
     brings = (offer.nearness(left, sure) - now) / max(len(offer.probes), 1)
-    probes = list(dict.fromkeys(probe for each in (offer, *others) for probe in each.probes))
+    probes = distinct([probe for each in (offer, *others) for probe in each.probes])
     if now + MOST_RUNS * brings < offer.question.needed:
         return offer
     while len(offer.probes) < MOST_RUNS and not offer.apart(left, sure):
@@ -146,3 +146,8 @@ def runs_needed(question: Asked, left: list[int], start: Offer, nearest: Offer) 
     now, then = (offer.nearness(left, sure=True) for offer in (start, nearest))
     needed = (question.needed - now) / max(then - now, 1e-9)
     return int(np.ceil(needed)) if needed < _PATIENCE else 0
+
+
+def distinct(probes: Sequence[Probe]) -> list[Probe]:
+    """Each probe once, in their order."""
+    return list({probe.programme: probe for probe in probes}.values())

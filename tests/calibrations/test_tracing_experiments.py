@@ -344,3 +344,20 @@ def test_what_a_reasonable_number_of_runs_would_tell_is_advised(monkeypatch):
 def next_experiments_of(monkeypatch, names, separations):
     monkeypatch.setattr(experiments, "Question", lambda *_: Stub(names, separations))
     return next_experiments(None, None, {"a": ["some"]}, PROBES)
+
+
+def test_a_probe_that_holds_its_rows_is_planned_for_like_any_other(monkeypatch):
+    """An array in it has no hash."""
+
+    class Held:
+        programme, does, command, stand_time_s, pairs = "held", "holds", "run it", 10.0, False
+        __hash__ = None
+
+        def after(self, rows):
+            return BY_NAME["probe-edge"].after(rows)
+
+    monkeypatch.setattr(
+        experiments, "Question", lambda *_: Stub(("b",), lambda mounts: [[2.5 * mounts.count("edge")]] * 2)
+    )
+    (experiment,) = next_experiments(None, None, {"a": ["some"]}, [Held()])
+    assert (experiment.programme, experiment.runs) == ("held", 3)
