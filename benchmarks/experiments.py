@@ -54,6 +54,8 @@ class Outcome:
     predicted: float
     realised: float
     """Mean over the draws."""
+    promised: float = 0.0
+    """What the difference was to reach at least, with what is there already."""
 
 
 def outcomes(tables: int, draws: int) -> Iterator[Outcome]:
@@ -88,11 +90,11 @@ def _outcomes(spec: Spec, seed: int, draws: int) -> Iterator[Outcome]:
     for experiment in next_experiments(base, trace, close, PROBES)[:1]:
         if experiment.outlook is None:
             return
-        name, *told = experiment.separates
-        question = Question(base, trace, name, [rival for rival in close[name] if rival.name in told])
+        name, *apart = experiment.separates
+        question = Question(base, trace, name, [rival for rival in close[name] if rival.name in apart])
         rows = experiment.outlook.rows
-        predicted = question.separations(_rows(question.table, rows))
-        for (way, number), expected in np.ndenumerate(predicted):
+        told = question.expected(_rows(question.table, rows))
+        for (way, number), expected in np.ndenumerate(told.separations):
             pair = (name, question.rivals[number])
             if pair[way] == true:
                 yield Outcome(
@@ -102,6 +104,7 @@ def _outcomes(spec: Spec, seed: int, draws: int) -> Iterator[Outcome]:
                     rival=pair[1 - way],
                     programme=experiment.programme,
                     predicted=float(expected),
+                    promised=float(told.promises[way, number]),
                     realised=_realised(case.observations, rows, (spec, seed, stage), (true, pair[1 - way]), draws),
                 )
 
@@ -169,10 +172,13 @@ def _longer(run: Run, rows: Observations) -> Run:
 
 def report(found: Sequence[Outcome]) -> str:
     """Every rival, and the ratio of the sums."""
-    lines = ["| true | rival | design | experiment | predicted | realised | ratio |", "|---|---|---|---|---|---|---|"]
+    lines = [
+        "| true | rival | design | experiment | predicted | realised | ratio | promised |",
+        "|---|---|---|---|---|---|---|---|",
+    ]
     lines += [
         f"| {each.true} | {each.rival} | {each.design} | {each.programme} | {each.predicted:.1f} | {each.realised:.1f} "
-        f"| {each.realised / each.predicted:.2f} |"
+        f"| {each.realised / each.predicted:.2f} | {each.promised:.1f} |"
         for each in found
     ]
     ratios = [each.realised / each.predicted for each in found]
@@ -181,6 +187,7 @@ def report(found: Sequence[Outcome]) -> str:
         [
             *lines,
             "",
+            f"as much as promised, or more: {sum(each.realised >= each.promised for each in found)} of {len(found)}",
             f"{tables} tables, {len(found)} rivals: median ratio {np.median(ratios):.2f}, mean {np.mean(ratios):.2f}",
         ]
     )

@@ -7,6 +7,7 @@ from multiprocessing import get_context
 from pathlib import Path
 
 import benchmarks.active
+from benchmarks.active import unnamed
 from benchmarks.active.cases import FIRST
 from benchmarks.active.grading import failures, report
 from benchmarks.active.running import Job, Record, graded
@@ -24,13 +25,16 @@ def main() -> None:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("--seeds", choices=sorted(_SEEDS), default="development")
+    parser.add_argument("--unnamed", action="store_true", help="effects outside the catalogue, to be located")
     parser.add_argument("--count", type=int, default=160, help="cases, ambiguous or not")
     parser.add_argument("--skip", type=int, default=0, help="cases that were used before")
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--out", type=Path, help="file of results, one line for each case; continued where it exists")
     parser.add_argument("--verbose", action="store_true", help="list every case that went wrong")
     given = parser.parse_args()
-    wanted = [Job(seed=seed) for seed in _SEEDS[given.seeds][FIRST + given.skip : FIRST + given.skip + given.count]]
+    first = (unnamed.FIRST if given.unnamed else FIRST) + given.skip
+    seeds = _SEEDS[given.seeds][first : first + given.count]
+    wanted = [Job(seed=seed, unnamed=given.unnamed) for seed in seeds]
     records = _run(wanted, given.workers, given.out)
     print(report(records))
     if given.verbose:

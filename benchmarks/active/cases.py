@@ -1,6 +1,6 @@
 """Units, heads, seats and first programmes, drawn from a seed."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Final
 
@@ -8,13 +8,13 @@ import numpy as np
 
 FIRST: Final = 970_000
 """Among the seeds of the bank, beyond those of its lists."""
-_SWEEP = '\n[[procedure]]\nkind = "sweep"\nmount = "{}"\nstep_deg = 5.0\npoints = POINTS\norder = "{}"\n'
-_FLIPS = '\n[[procedure]]\nkind = "flip"\naxes = ["x", "y", "z"]\n'
+SWEEP = '\n[[procedure]]\nkind = "sweep"\nmount = "{}"\nstep_deg = 5.0\npoints = POINTS\norder = "{}"\n'
+FLIPS = '\n[[procedure]]\nkind = "flip"\naxes = ["x", "y", "z"]\n'
 _PROGRAMMES: Final = {
-    "flips and sweep": _FLIPS + _SWEEP.format("face-up", "up"),
-    "sweep": _SWEEP.format("face-up", "up"),
-    "there and back": _FLIPS + _SWEEP.format("face-up", "there-and-back"),
-    "two mounts": _FLIPS + _SWEEP.format("face-up", "up") + _SWEEP.format("face-down", "up"),
+    "flips and sweep": FLIPS + SWEEP.format("face-up", "up"),
+    "sweep": SWEEP.format("face-up", "up"),
+    "there and back": FLIPS + SWEEP.format("face-up", "there-and-back"),
+    "two mounts": FLIPS + SWEEP.format("face-up", "up") + SWEEP.format("face-down", "up"),
 }
 _STANDS: Final = {
     "every mount": "",
@@ -23,6 +23,8 @@ _STANDS: Final = {
     "flat mounts only, half a turn": 'mounts = ["face-up", "face-down", "edge"]\nlimits_deg = [-95.0, 185.0]',
 }
 """Of seats: those of the flips are always there."""
+_CHANCES: Final = (0.4, 0.1, 0.35, 0.15)
+"""Of the stands."""
 
 Rng = np.random.Generator
 
@@ -44,12 +46,32 @@ class Case:
     physics_text: str = field(default="", repr=False)
 
 
+Physics = Callable[[Rng, dict[str, float]], tuple[str, str]]
+"""Makes a physics file for a unit: the key under which a stand names it, and its text."""
+
+
 def make(seed: int) -> Case:
-    """The case of a seed."""
+    """The case of a seed, one in three with a physics file."""
     rng = np.random.default_rng(seed)
-    first, seat = str(rng.choice(list(_PROGRAMMES))), str(rng.choice(list(_STANDS), p=[0.4, 0.1, 0.35, 0.15]))
-    outside = bool(rng.random() < 1 / 3)
-    effect = str(rng.choice(list(_OUTSIDE if outside else _INSIDE)))
+    rng.choice(list(_PROGRAMMES)), rng.choice(list(_STANDS), p=_CHANCES)
+    return made(seed, _OUTSIDE if rng.random() < 1 / 3 else {})
+
+
+def made(
+    seed: int,
+    physics_files: Mapping[str, Physics],
+    programmes: Mapping[str, str] = _PROGRAMMES,
+    realisations: tuple[int, int] = (2, 3),
+) -> Case:
+    """The case of a seed with one of the physics files; with a named effect of the simulation where there are none.
+
+    The first programme is one of `programmes`, with so many realisations at least and at most.
+    """
+    rng = np.random.default_rng(seed)
+    first, seat = str(rng.choice(list(programmes))), str(rng.choice(list(_STANDS), p=_CHANCES))
+    rng.random()
+    outside = bool(physics_files)
+    effect = str(rng.choice(list(physics_files or _INSIDE)))
     unit = {
         "u0": rng.uniform(2.0, 3.0),
         "kx": rng.uniform(0.9, 1.1),
@@ -59,7 +81,7 @@ def make(seed: int) -> Case:
         "alpha0_deg": rng.uniform(-0.3, 0.3),
     }
     if outside:
-        key, physics = _OUTSIDE[effect](rng, unit)
+        key, physics = physics_files[effect](rng, unit)
         simulated = [f'{key} = "physics.py:{key}"', f"parameters = {_inline(unit)}"]
     else:
         physics = ""
@@ -67,14 +89,15 @@ def make(seed: int) -> Case:
     ramp = rng.uniform(2.0, 4.0) if "temperature" in effect else 0.0
     simulated += [f"seed = {seed}", "noise_v = 1e-3", f"temperature = {{ ramp_K_per_h = {ramp} }}"]
     points = "37" if "half a turn" in seat else "80"
-    procedures = _PROGRAMMES[first].replace("POINTS", points)
+    procedures = programmes[first].replace("POINTS", points)
+    realisation_count = rng.integers(realisations[0], realisations[1] + 1)
     return Case(
         seed=seed,
         effect=effect,
         outside=outside,
         first=first,
         seat=seat,
-        programme_text=f'name = "first"\nrealisations = {rng.integers(2, 4)}\ndwell_s = 1.0\n{procedures}',
+        programme_text=f'name = "first"\nrealisations = {realisation_count}\ndwell_s = 1.0\n{procedures}',
         stand_text=_stand(_STANDS[seat], simulated),
         physics_text=physics,
     )
@@ -93,16 +116,16 @@ def _inline(values: dict[str, float]) -> str:
 
 def _size(low: float, high: float) -> Callable[[Rng], str]:
     """A number of either sign."""
-    return lambda rng: repr(_drawn(rng, low, high) * int(rng.choice([-1, 1])))
+    return lambda rng: repr(drawn(rng, low, high) * int(rng.choice([-1, 1])))
 
 
-def _drawn(rng: Rng, low: float, high: float) -> float:
+def drawn(rng: Rng, low: float, high: float) -> float:
     """A size: small ones are as many as large ones."""
     return float(np.exp(rng.uniform(np.log(low), np.log(high))))
 
 
 def _wave(low: float, high: float) -> Callable[[Rng], str]:
-    return lambda rng: _inline({"amplitude_deg": _drawn(rng, low, high), "phase_deg": rng.uniform(0.0, 360.0)})
+    return lambda rng: _inline({"amplitude_deg": drawn(rng, low, high), "phase_deg": rng.uniform(0.0, 360.0)})
 
 
 _INSIDE: Final[dict[str, Callable[[Rng], str]]] = {
@@ -121,7 +144,7 @@ _INSIDE: Final[dict[str, Callable[[Rng], str]]] = {
     "axis_tilt": _size(0.5, 3.0),
     "head_eccentricity": _wave(0.006, 0.05),
     "head_second_harmonic": _wave(0.006, 0.05),
-    "daq_nonlinearity": lambda rng: _inline({"amplitude": _drawn(rng, 5e-5, 3e-4), "period_V": rng.uniform(0.4, 1.5)}),
+    "daq_nonlinearity": lambda rng: _inline({"amplitude": drawn(rng, 5e-5, 3e-4), "period_V": rng.uniform(0.4, 1.5)}),
 }
 
 
@@ -129,7 +152,7 @@ def _response(term: str) -> Callable[[Rng, dict[str, float]], tuple[str, str]]:
     """A unit of somebody else's: the declared response, written out, with one term more, of a size of its own."""
 
     def physics(rng: Rng, unit: dict[str, float]) -> tuple[str, str]:
-        size = _drawn(rng, 1e-4, 8e-4) * int(rng.choice([-1, 1]))
+        size = drawn(rng, 1e-4, 8e-4) * int(rng.choice([-1, 1]))
         numbers = [float(unit[name]) for name in ("u0", "kx", "ky", "kz", "kxy")]
         return "response", (
             f"U0, KX, KY, KZ, KXY = {numbers}\nSIZE = {size!r}\n\n\n"
@@ -144,7 +167,7 @@ def _head_error(body: str, low: float, high: float) -> Callable[[Rng, dict[str, 
     """A head of somebody else's."""
 
     def physics(rng: Rng, _unit: dict[str, float]) -> tuple[str, str]:
-        size, phase = _drawn(rng, low, high), float(rng.uniform(0.0, 360.0))
+        size, phase = drawn(rng, low, high), float(rng.uniform(0.0, 360.0))
         return "head_error", (
             f"from math import atan2, cos, degrees, radians, sin\n\nSIZE, PHASE = {size!r}, {phase!r}\n\n\n"
             f"def head_error(angle_deg, direction, time_s):\n    turn = radians(angle_deg + PHASE)\n    return {body}\n"

@@ -11,14 +11,21 @@ from tumble.calibrations.tracing.chain import Ended
 Record = dict[str, Any]
 
 
-def told_by_everything(record: Record) -> bool:
-    """Whether all experiments together leave the right name without a rival."""
-    return [record["effect"]] in record["everything_found"]
+def distinguishable(record: Record) -> bool:
+    """Whether some experiments leave the right name without a rival: the loop's, or all there are, in either noise."""
+    return told(record) or all([record["effect"]] in found for found in _everything(record))
 
 
-def left_by_everything(record: Record) -> bool:
-    """Whether the right name still has rivals after all experiments."""
-    return any(record["effect"] in names and len(names) > 1 for names in record["everything_found"])
+def indistinguishable(record: Record) -> bool:
+    """Whether the right name still has rivals after all experiments, in either noise."""
+    return not told(record) and all(
+        any(record["effect"] in names and len(names) > 1 for names in found) for found in _everything(record)
+    )
+
+
+def _everything(record: Record) -> list[list[list[str]]]:
+    """What is left after all experiments; once more in another noise where that was measured too."""
+    return [record["everything_found"], record.get("again_found", record["everything_found"])]
 
 
 def told(record: Record) -> bool:
@@ -39,8 +46,8 @@ def said_so(record: Record) -> bool:
 def report(records: Sequence[Record]) -> str:
     """The figures."""
     ambiguous = [record for record in records if record["ambiguous"]]
-    partable = [record for record in ambiguous if told_by_everything(record)]
-    never = [record for record in ambiguous if left_by_everything(record)]
+    partable = [record for record in ambiguous if distinguishable(record)]
+    never = [record for record in ambiguous if indistinguishable(record)]
     failed = [record for record in records if record["failure"]]
     lines = [
         f"{len(records)} cases, {len(failed)} failed, {len(ambiguous)} ambiguous after the first programme",
@@ -48,7 +55,8 @@ def report(records: Sequence[Record]) -> str:
         _share("  of these with a physics file", [each for each in partable if each["outside"]], told),
         _share("nothing available parts the rivals, said so", never, said_so),
         _share("  of these with a physics file", [each for each in never if each["outside"]], said_so),
-        f"neither: all experiments together name something else in {len(ambiguous) - len(partable) - len(never)}",
+        f"neither: by chance told by all experiments together, or something else is named by them, in "
+        f"{len(ambiguous) - len(partable) - len(never)}",
     ]
     if done := [record for record in partable if told(record)]:
         counts = [len(record["experiments"]) for record in done]
@@ -76,11 +84,11 @@ def failures(records: Sequence[Record]) -> list[str]:
         if record["failure"]:
             lines.append(f"{words}: {record['failure']}")
         elif record["ambiguous"]:
-            good = told(record) if told_by_everything(record) else said_so(record) and left_by_everything(record)
+            good = told(record) if distinguishable(record) else said_so(record) and indistinguishable(record)
             if not good:
                 lines.append(
                     f"{words}: before {record['before']}, ran {record['experiments']} {record['differences']}, found "
                     f"{record['found']} ({record['ended']}: {record['why']}); everything finds "
-                    f"{record['everything_found']}"
+                    f"{_everything(record)}"
                 )
     return lines

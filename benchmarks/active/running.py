@@ -2,19 +2,21 @@
 
 import tempfile
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
+from benchmarks.active import unnamed
 from benchmarks.active.cases import Case, make
+from benchmarks.active.grading import Record, told
 from tumble.app.acting import AtStand, measure, prepare, run_experiment
 from tumble.app.closing import MOST_EXPERIMENTS, act, begin
 from tumble.app.joining import read_together
 from tumble.app.stand import load_stand
 from tumble.app.wiring import connect
-from tumble.calibrations.methods.dividing_head.loop.loop import Loop, explain
+from tumble.calibrations.methods.dividing_head.loop.loop import explain
+from tumble.calibrations.tracing.chain import Stage, stage_of
 from tumble.procedures.programmes import load_programme
-
-Record = dict[str, object]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -22,20 +24,28 @@ class Job:
     """One case to be graded."""
 
     seed: int
+    unnamed: bool = False
+    """Whether its effect is outside the catalogue, and is to be located instead of named."""
 
     @property
     def key(self) -> str:
         """Its name among results on file."""
-        return f"active {self.seed}"
+        return f"{'unnamed' if self.unnamed else 'active'} {self.seed}"
+
+    @property
+    def case(self) -> Case:
+        """What is measured."""
+        return unnamed.make(self.seed) if self.unnamed else make(self.seed)
 
 
 def graded(job: Job) -> Record:
     """Carry out a case and grade it; one that is not ambiguous has no grade."""
-    case = make(job.seed)
+    case = job.case
     record: Record = {
         "key": job.key,
         "seed": case.seed,
-        "effect": case.effect,
+        "effect": unnamed.KINDS[case.effect].place if job.unnamed else case.effect,
+        "kind": case.effect,
         "outside": case.outside,
         "first": case.first,
         "seat": case.seat,
@@ -46,6 +56,8 @@ def graded(job: Job) -> Record:
     try:
         with tempfile.TemporaryDirectory() as folder:
             record |= _carried_out(case, Path(folder))
+            if record["ambiguous"] and not told(record):
+                record |= _everything_told(case, Path(folder))
     except Exception as error:  # whatever it is, the case counts as failed and the others are still graded
         record |= {"failure": repr(error)}
     return record | {"seconds": time.perf_counter() - began_s}
@@ -54,11 +66,11 @@ def graded(job: Job) -> Record:
 def _carried_out(case: Case, folder: Path) -> Record:
     at, first = _at_stand(case, folder / "loop")
     closing = begin([first], at)
-    if not closing.chain.first.disputed:
-        return {"found": _names(closing.traced.loop)}
-    before, every = closing.chain.first.disputed, closing.available.probes
+    before = _names(closing.chain.first)
+    if not any(len(names) > 1 for names in before):
+        return {"found": before}
+    every = closing.available.probes
     closing = act(closing, at, MOST_EXPERIMENTS)
-    told = _everything_told(case, folder / "everything")
     time_s = {probe.programme: probe.stand_time_s for probe in every}
     run = [link.experiment.programme for link in closing.chain.links]
     return {
@@ -69,10 +81,9 @@ def _carried_out(case: Case, folder: Path) -> Record:
         "differences": [(link.experiment.separation, link.realised) for link in closing.chain.links],
         "stand_time_s": sum(time_s[name] for name in run),
         "everything_s": sum(time_s.values()),
-        "found": _names(closing.traced.loop),
+        "found": _names(closing.chain.last),
         "ended": closing.chain.ended,
         "why": closing.chain.why,
-        "everything_found": _names(told),
     }
 
 
@@ -88,17 +99,25 @@ def _at_stand(case: Case, folder: Path) -> tuple[AtStand, Path]:
     return at, measure(at, load_programme(folder / "first.toml"))
 
 
-def _everything_told(case: Case, folder: Path) -> Loop:
-    """What is known once every experiment that the stand can run was run."""
+def _everything_told(case: Case, folder: Path) -> Record:
+    """What is known once every experiment that the stand can run was run: in the noise of the case, and in another."""
+    again = replace(case, stand_text=case.stand_text.replace(f"\nseed = {case.seed}", f"\nseed = {case.seed + 1}"))
+    return {
+        "everything_found": _after_everything(case, folder / "everything"),
+        "again_found": _after_everything(again, folder / "again"),
+    }
+
+
+def _after_everything(case: Case, folder: Path) -> list[list[str]]:
     at, first = _at_stand(case, folder)
     offers = begin([first], at).available.offers
     files = [first]
     for offer in offers:
         prepare(at, offer)
         files.append(run_experiment(at, offer))
-    loop, _ = explain(read_together(files).observations)
-    return loop
+    return _names(stage_of(*explain(read_together(files).observations)))
 
 
-def _names(loop: Loop) -> list[list[str]]:
-    return [[effect.name, *effect.also_possible] for effect in loop.effects]
+def _names(stage: Stage[Any]) -> list[list[str]]:
+    """What every effect could be, and on what structure without a name could live."""
+    return [list(names) for names in stage.explanations]

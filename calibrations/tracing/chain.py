@@ -7,11 +7,13 @@ from typing import Any, Final, Generic, Protocol, TypeVar
 
 from tumble.calibrations.core.blas_threads import one_blas_thread
 from tumble.calibrations.core.sentences import deviations, series
-from tumble.calibrations.tracing.experiments import APART, Experiment, next_experiments
+from tumble.calibrations.tracing.experiments import Experiment, locating_experiments, next_experiments
 from tumble.calibrations.tracing.explained import Explained
 from tumble.calibrations.tracing.findings import EffectFound
+from tumble.calibrations.tracing.places import places
 from tumble.calibrations.tracing.probe import Probe
 from tumble.calibrations.tracing.rivals import rivals
+from tumble.calibrations.tracing.separation import APART
 from tumble.calibrations.tracing.table import Extensible
 from tumble.messages import Message
 
@@ -76,11 +78,19 @@ class Stage(Generic[L]):
     loop: L
     behind: Mapping[str, float]
     """How far each explanation lies behind the best in -2 ln L, 0 for what was found."""
+    places: tuple[str, ...] = ()
+    """Where structure without a name may live, the nearest first; empty where there is none."""
+
+    @property
+    def explanations(self) -> tuple[tuple[str, ...], ...]:
+        """For everything that was found, its name and those of its rivals."""
+        named = tuple((effect.name, *effect.also_possible) for effect in self.loop.effects)
+        return (*named, self.places) if self.places else named
 
     @property
     def disputed(self) -> tuple[tuple[str, ...], ...]:
-        """For each effect that has rivals, its name and theirs."""
-        return tuple((effect.name, *effect.also_possible) for effect in self.loop.effects if effect.also_possible)
+        """The same for what has rivals."""
+        return tuple(names for names in self.explanations if len(names) > 1)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -107,7 +117,7 @@ class Link(Generic[L]):
     @property
     def separated(self) -> tuple[str, ...]:
         """The names that it distinguished, the ones that are left first; none where it failed to."""
-        left = {name for effect in self.after.loop.effects for name in (effect.name, *effect.also_possible)}
+        left = {name for names in self.after.explanations for name in names}
         remaining = tuple(name for name in self.rivals_before if name in left)
         gone = tuple(name for name in self.rivals_before if name not in left)
         return (*remaining, *gone) if remaining and gone else ()
@@ -125,8 +135,9 @@ class Link(Generic[L]):
     @property
     def rivals_after(self) -> tuple[str, ...]:
         """Of these, what still could be."""
-        found = [(effect.name, *effect.also_possible) for effect in self.after.loop.effects]
-        return tuple(dict.fromkeys(name for names in found for name in names if name in self.rivals_before))
+        return tuple(
+            dict.fromkeys(name for names in self.after.explanations for name in names if name in self.rivals_before)
+        )
 
     @property
     def realised(self) -> float | None:
@@ -233,6 +244,7 @@ def stage_of(loop: L, explained: Explained[Any, Any] | None, asked: Collection[s
                 further = rival.trace.deviance - explained.trace.deviance
                 behind[rival.name] = min(further, behind.get(rival.name, further))
         behind |= dict.fromkeys(explained.trace.names, 0.0)
+        return Stage(loop=loop, behind=behind, places=places(explained.trace, explained.alike))
     return Stage(loop=loop, behind=behind)
 
 
@@ -248,7 +260,10 @@ def experiments_for(
         return ()
     close = {name: found for name, found in explained.close.items() if found}
     near = {name: explained.near[name][: max(len(found), _MOST_NEAR)] for name, found in close.items()}
-    return next_experiments(explained.table, explained.trace, near, probes, otherwise)
+    return (
+        *next_experiments(explained.table, explained.trace, near, probes, otherwise),
+        *locating_experiments(explained.table, explained.trace, explained.alike, probes, otherwise),
+    )
 
 
 def cheapest(experiments: Sequence[Experiment]) -> Experiment | None:
@@ -272,6 +287,7 @@ def cannot(experiments: Sequence[Experiment], elsewhere: Mapping[str, tuple[Expe
     elsewhere
         By programme, an experiment that would help, and why it cannot be run.
     """
+    nothing = [each for each in experiments if not each.command]
     sentences = [
         Message(
             "No experiment that can be run here tells {name} from {rivals}: they would differ by {difference} at most, "
@@ -281,9 +297,9 @@ def cannot(experiments: Sequence[Experiment], elsewhere: Mapping[str, tuple[Expe
             difference=deviations(each.separation),
             needed=APART**0.5,
         )
-        for each in experiments
-        if not each.command
+        for each in nothing
     ]
+    sentences += [Message("What is left to do: {remedy}.", remedy=each.remedy) for each in nothing if each.remedy]
     sentences += [
         Message(
             "{programme} would tell {name} from {rivals}, but it cannot be run here: {reason}.",

@@ -41,17 +41,36 @@ def qualified(why: Message, needed: Sequence[str], others: Sequence[str], runs: 
     return why
 
 
-def no_programme(
-    name: str, rivals: Sequence[str], separation: float, owners: Collection[str], otherwise: str
-) -> Message:
-    """That no experiment separates explanations, by how much they differ at most, and what to do `otherwise`."""
+def no_programme(name: str, rivals: Sequence[str], separation: float, remedy: str) -> Message:
+    """That no experiment separates explanations, by how much they differ at most, and what would."""
     why = Message(
         "no programme that comes along tells {name} from {rivals}: they differ by {difference} at most",
         name=name,
         rivals=series(rivals, "or"),
         difference=deviations(separation),
     )
+    return Message("{why}; {remedy}", why=why, remedy=remedy) if remedy else why
+
+
+def remedied(owners: Collection[str], probes: Sequence[Probe], runs: int, otherwise: str) -> str:
+    """What would tell explanations apart where no programme does; empty where nothing is known to.
+
+    Parameters
+    ----------
+    owners
+        To what the explanations belong.
+    probes, runs
+        What would have to be run so often; `runs` is 0 where no number would do.
+    otherwise
+        What the method knows of.
+    """
+    ways: list[str] = []
     if len(owners) > 1:
         exchanged = series(sorted(_OWNERS[owner] for owner in owners))
-        why = Message("{why}; as they belong to {owners}, exchange one of these", why=why, owners=exchanged)
-    return Message("{why}; {otherwise}", why=why, otherwise=otherwise) if otherwise else why
+        ways.append(Message("as they belong to {owners}, exchange one of these", owners=exchanged))
+    if runs:
+        names = series(list(dict.fromkeys(probe.programme for probe in probes)))
+        ways.append(Message("run {programmes} some {runs} times", programmes=names, runs=runs))
+    if otherwise:
+        ways.append(otherwise)
+    return Message.joined("; ", ways) if ways else ""

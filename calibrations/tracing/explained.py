@@ -2,9 +2,11 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Generic, TypeVar
 
 from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.tracing.beyond import alike
 from tumble.calibrations.tracing.judged import Judged
 from tumble.calibrations.tracing.rivals import CLOSE, Rival
 from tumble.calibrations.tracing.table import Table
@@ -59,6 +61,11 @@ class Explained(Generic[_T, _F]):
     def table(self) -> _T:
         """The table."""
         return self.tracer.table
+
+    @cached_property
+    def alike(self) -> list[Trace]:
+        """The trace with its structure without a name in each other place from which the rows do not part it."""
+        return alike(self.tracer, self.trace)
 
     @property
     def close(self) -> dict[str, list[Rival]]:

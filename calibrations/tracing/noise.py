@@ -123,6 +123,12 @@ class Memory:
         """How many rows of turned columns lie along the memory."""
         return int(self._factors[0].shape[1])
 
+    def drawn(self, noise: NoiseModel) -> FloatArray:
+        """Columns whose coefficients are independent draws of the variance of a dwell, weighted, shape (rows, n)."""
+        variances = self._variances(noise)
+        along = np.column_stack([self.modes, *self.levels.values()])
+        return np.asarray(along[:, variances > 0] * np.sqrt(variances[variances > 0]))
+
     def whitening(self, noise: NoiseModel) -> Whitening:
         """The transformation for a noise model; the identity for white noise."""
         if noise not in self._whitenings:

@@ -1,15 +1,14 @@
 """One explanation of a table, and what it says of rows that are not there yet."""
 
-from collections.abc import Iterable, Iterator
-from dataclasses import replace
-from functools import reduce
+from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.compression import compress
+from tumble.calibrations.tracing.continued import continued_noise
 from tumble.calibrations.tracing.effect import Structure
-from tumble.calibrations.tracing.noise import Memory, Whitening, scaled_levels, slow_modes
+from tumble.calibrations.tracing.noise import Whitening
 from tumble.calibrations.tracing.quantified import form_in, tangent
 from tumble.calibrations.tracing.table import Extensible, View
 from tumble.calibrations.tracing.trace import Found, Trace
@@ -18,6 +17,8 @@ _RANK = 1e-9
 """Directions in which columns differ by less than this part of their length are one."""
 _ALLOWED = 16.0
 """A form that misses no more of an effect than this, in -2 ln L, is not refuted by the table."""
+_UNSEEN = 1e-4
+"""Of a change of the effect less than this part is seen: the table says nothing of it."""
 _STEP = 1e-3
 """Relative step for the change of a form with what is scanned."""
 
@@ -54,6 +55,7 @@ class Prediction:
         self._own = [(item, values) for item, values in found if item.effect.name == name]
         self._beside = [(item, values) for item, values in found if item.effect.name != name]
         self._name = name
+        self._spread = self._principal_changes()
         self._grid = self._scanned(base.scene)
         self._allowed = self._not_refuted()
 
@@ -63,14 +65,24 @@ class Prediction:
             return self._random_v(scene)
         return np.asarray(sum(_columns(scene, item)[:, : len(values)] @ values for item, values in self._own))
 
-    def left(self, scene: View, weights: FloatArray, outputs: FloatArray) -> FloatArray:
-        """What this explanation cannot follow of each output, shape (rows, outputs), weighted and whitened.
+    def signal(self, scene: View) -> FloatArray:
+        """What the effect adds to the output, in standard deviations of a dwell, shape (rows, 1 + n).
+
+        First as it was fitted, then how much each of n independent standard uncertainties of the fit would change it.
+        """
+        changes = self._followed(scene, self._own) @ self._spread
+        return np.asarray(np.column_stack([self.output_v(scene), changes]) / self.dwell_v)
+
+    def left(self, scene: View, weights: FloatArray, signals: Sequence[FloatArray]) -> list[FloatArray]:
+        """What this explanation cannot follow of each signal, of the same shape, weighted and whitened.
 
         It may take any form of the effect that the table allows, or that only more rows bring up.
         """
         new = [value for value in self._scanned(scene) if value > 1.01 * max(self._grid)]
         forms = [self._followed(scene, self._own), *(self._form(scene, value) for value in (*self._allowed, *new))]
-        return reduce(_shorter, self._rests(scene, weights, outputs, forms))
+        columns, ends = np.column_stack(signals), np.cumsum([each.shape[1] for each in signals])
+        rests = [np.split(rest, ends[:-1], axis=1) for rest in self._rests(scene, weights, columns, forms)]
+        return [min(each, key=_of_the_fit) for each in zip(*rests, strict=True)]
 
     def _rests(
         self, scene: View, weights: FloatArray, outputs: FloatArray, forms: Iterable[FloatArray]
@@ -86,6 +98,24 @@ class Prediction:
             columns = whiten(form * root)
             added = _directions(_off(span, columns), np.linalg.norm(columns, axis=0))
             yield _off(added, free)
+
+    def _principal_changes(self) -> FloatArray:
+        """Independent changes of what was fitted of the effect, a standard uncertainty each, shape (fitted, n).
+
+        Without the directions of which the table says nothing at all.
+        """
+        base, scene = self._base, self._base.scene
+        root, own = np.sqrt(base.weights)[:, None], self._followed(scene, self._own)
+        whiten = base.memory.whitening(self._noise)
+        declared = base.declared @ base.model.slopes(self.theta)
+        beside = whiten(np.column_stack([declared, self._followed(scene, self._beside)]) * root)
+        span = _directions(beside, np.linalg.norm(beside, axis=0))
+        length = np.linalg.norm(own * root, axis=0)
+        length = np.where(length > 0, length, 1.0)
+        seen = _off(span, whiten(own * root)) / length
+        _, values, turned = np.linalg.svd(seen, full_matrices=False)
+        kept = values > _UNSEEN
+        return np.asarray(turned[kept].T / values[kept] / length[:, None] * self.dwell_v)
 
     def _scanned(self, scene: View) -> list[float]:
         """Values to try of what is scanned for, where that is a continuous quantity."""
@@ -136,17 +166,9 @@ class Prediction:
         return np.pad(walk_v, (0, scene.rows - len(walk_v)), mode="edge")
 
     def _whitening(self, scene: View, weights: FloatArray) -> Whitening:
-        """What makes the noise of this explanation white; a walk goes the further the longer it takes."""
-        noise = self._noise
-        if noise.walk and scene.hours is not None and self._base.scene.hours is not None:
-            longer = float(np.ptp(scene.hours) / np.ptp(self._base.scene.hours))
-            noise = replace(noise, walk=noise.walk * longer, corner=noise.corner * longer)
-        names = [name for name, _ in noise.levels]
-        drawn = {effect.name: effect.forms(scene)[0].columns for effect in self._base.effects if effect.name in names}
-        unnamed = {each.name: _longer(each.columns, scene.rows) for each in self._components}
-        levels = {name: scaled_levels(columns, weights) for name, columns in (drawn | unnamed).items()}
-        slow = scene.hours if noise.flicker or noise.walk else None
-        return Memory(modes=slow_modes(slow, weights), levels=levels).whitening(noise)
+        """What makes the noise of this explanation white."""
+        memory, noise = continued_noise(self._base, self._noise, self._components, scene, weights)
+        return memory.whitening(noise)
 
 
 def _columns(scene: View, item: Found) -> FloatArray:
@@ -172,6 +194,6 @@ def _off(span: FloatArray, columns: FloatArray) -> FloatArray:
     return np.asarray(columns - span @ (span.T @ columns))
 
 
-def _shorter(one: FloatArray, other: FloatArray) -> FloatArray:
-    """Of two columns in the same place, the shorter."""
-    return np.where(np.sum(one**2, axis=0) <= np.sum(other**2, axis=0), one, other)
+def _of_the_fit(rest: FloatArray) -> float:
+    """Squared length of what is left of a signal as it was fitted."""
+    return float(np.sum(rest[:, 0] ** 2))

@@ -3,21 +3,33 @@
 The measure is that of T-optimality (Atkinson and Fedorov 1975): if one explanation is true, the squared length T
 of what the other cannot follow, in standard deviations of a dwell. As the noise is estimated with everything else,
 -2 ln L of the other is then expected to lie above by n ln(1 + T/n) in n rows.
+
+What is true is known only as it was fitted. What may be promised is the least that any effect would show that the
+table does not refute, d standard uncertainties from the fit: T = |l + Ld|² with |d| up to `COVERAGE`. It counts on
+from how far the explanations are apart by now, whatever they should have been.
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.rows import Rows
+from tumble.calibrations.tracing.least import nearest_to_nothing
 from tumble.calibrations.tracing.prediction import Prediction
 from tumble.calibrations.tracing.probe import Probe
 from tumble.calibrations.tracing.rivals import Rival
 from tumble.calibrations.tracing.table import Extensible
 from tumble.calibrations.tracing.trace import Trace
+
+APART: Final = 16.0
+"""Explanations that differ by this in -2 ln L are distinguished: four standard deviations."""
+COVERAGE: Final = 1.645
+"""Standard uncertainties from the fit within which a promise is kept: the limit is passed in 5 of 100."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -64,6 +76,16 @@ class Outlook:
     """One for each rival that is distinguished."""
 
 
+@dataclass(frozen=True, kw_only=True)
+class Expected:
+    """Differences in -2 ln L once further rows are there, if the effect is true and if each rival is: (2, rivals)."""
+
+    separations: FloatArray
+    """As the table was fitted."""
+    promises: FloatArray
+    """What they will hardly stay below, counted on from what they are now."""
+
+
 class Question:
     """Which of several explanations is true: an effect that was found, or one of its rivals.
 
@@ -77,10 +99,14 @@ class Question:
         Its rivals.
     """
 
+    needed = APART
+
     def __init__(self, base: Extensible, trace: Trace, name: str, close: Sequence[Rival]) -> None:
         self.name, self.rivals = name, tuple(rival.name for rival in close)
         self.table = PlannedRows(rows=base.observations, weights=base.weights, programmes=np.full(base.rows, ""))
         self._base = base
+        self.behind = np.array([rival.behind for rival in close])
+        """How far each rival is behind by now, in -2 ln L, shape (rivals,)."""
         self._found = Prediction(base, trace, name)
         self._rivals = [Prediction(base, rival.trace, rival.name) for rival in close]
 
@@ -99,11 +125,7 @@ class Question:
         First what each rival cannot follow if the effect is true, then what the effect cannot if the rival is; in rows
         that are weighted and whitened.
         """
-        scene = self._base.view(rows.rows, self._found.theta)
-        output = self._found.output_v(scene)[:, None] / self.dwell_v
-        others = np.column_stack([rival.output_v(scene) for rival in self._rivals]) / self.dwell_v
-        if_found = np.column_stack([rival.left(scene, rows.weights, output) for rival in self._rivals])
-        return np.array([if_found, self._found.left(scene, rows.weights, others)])
+        return np.array([np.column_stack([left[:, 0] for left in way]) for way in self._left(rows)])
 
     def separations(self, rows: PlannedRows) -> FloatArray:
         """Expected difference in -2 ln L between the effect and each rival, shape (2, rivals).
@@ -111,6 +133,53 @@ class Question:
         First if the effect is true, then if the rival is.
         """
         return separation(self.left(rows))
+
+    def expected(self, rows: PlannedRows) -> "Expected":
+        """The same, with what may be promised of it."""
+        lefts = self._left(rows)
+        gained = [
+            [_least(after, now) for after, now in zip(*ways, strict=True)]
+            for ways in zip(lefts, self._now, strict=True)
+        ]
+        return Expected(
+            separations=np.array([[separation(left[:, :1])[0] for left in way] for way in lefts]),
+            promises=np.array([self.behind, -self.behind]) + np.array(gained),
+        )
+
+    def outlook(self, rows: PlannedRows, programme: str, apart: list[int], sure: bool) -> Outlook:
+        """What a probe would show of each rival: where the two are closer if it is `sure`, else where they are not."""
+        left = self.left(rows)
+        each_way = separation(left)[:, apart]
+        ways = each_way.argmin(axis=0) if sure else each_way.argmax(axis=0)
+        pairs = [(self.name, self.rivals[rival]) for rival in apart]
+        return Outlook(
+            rows=rows.rows,
+            probed=rows.programmes == programme,
+            dwell_v=self.dwell_v,
+            differences=tuple(
+                Difference(true=pair[way], other=pair[1 - way], left_v=left[way, :, rival] * self.dwell_v)
+                for pair, way, rival in zip(pairs, ways.tolist(), apart, strict=True)
+            ),
+        )
+
+    @cached_property
+    def _now(self) -> tuple[list[FloatArray], list[FloatArray]]:
+        return self._left(self.table)
+
+    def _left(self, rows: PlannedRows) -> tuple[list[FloatArray], list[FloatArray]]:
+        """What is left of the effect by each rival, and by the effect of each rival, with their changes."""
+        scene, weights = self._base.view(rows.rows, self._found.theta), rows.weights
+        own = self._found.signal(scene)
+        by_rivals = [rival.left(scene, weights, [own])[0] for rival in self._rivals]
+        return by_rivals, self._found.left(scene, weights, [rival.signal(scene) for rival in self._rivals])
+
+
+def _least(after: FloatArray, now: FloatArray) -> float:
+    """By how much a difference grows at least, for signals of which so much, shape (rows, 1 + n), is left."""
+    products, known = after.T @ after, now.T @ now
+    rows, before = len(after), float(known[0, 0])
+    least = nearest_to_nothing(products - known, COVERAGE)
+    return rows * float(np.log1p((before + least) / rows) - np.log1p(before / rows))
 
 
 def separation(left: FloatArray) -> FloatArray:

@@ -170,6 +170,10 @@ class Extensible(Table, ABC):
     def functions(self, view: View) -> FloatArray:
         """Functions of the declared model in a view of this table, shape (rows, functions)."""
 
+    def axes_in(self, view: View) -> tuple[Axis, ...]:  # noqa: ARG002
+        """Along what there may be components without a name in a view of this table; unless it says so, nothing."""
+        return ()
+
 
 def memory_of(effects: Sequence[Effect[Any]], scene: View, weights: FloatArray) -> Memory:
     """Along what noise can be correlated over in a table: its time, and the levels of the effects that draw some."""

@@ -11,9 +11,10 @@ from tumble.calibrations.methods.dividing_head.loop.table import dividing_head_t
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.probes import PROBES, Probe
 from tumble.calibrations.tracing import experiments
-from tumble.calibrations.tracing.experiments import APART, next_experiments
+from tumble.calibrations.tracing.experiments import next_experiments
+from tumble.calibrations.tracing.least import nearest_to_nothing
 from tumble.calibrations.tracing.rivals import CLOSE, rivals, with_best_names
-from tumble.calibrations.tracing.separation import PlannedRows, Question
+from tumble.calibrations.tracing.separation import APART, Expected, PlannedRows, Question
 from tumble.calibrations.tracing.trace import Tracer
 from tumble.procedures.programmes import shipped_programmes
 
@@ -188,6 +189,9 @@ class Stub(Question):
     def belongs_to(self, name):
         return "unit"
 
+    def expected(self, rows):
+        return Expected(separations=self.separations(rows), promises=self.separations(rows))
+
     def left(self, rows):
         realisations = rows.rows.realisations[:, None]
         visited = np.unique(np.column_stack([rows.rows.mounts[:, None], realisations.astype(str)]), axis=0)
@@ -292,3 +296,68 @@ def test_why_an_experiment_is_proposed_reads_as_a_sentence(monkeypatch, separate
         assert not words.endswith(".")
         assert "  " not in words
         assert (experiment.command == "") == experiment.why.startswith("no programme that comes along tells a from")
+
+
+@pytest.mark.parametrize(
+    ("products", "least"),
+    [
+        ([[25.0]], 25.0),
+        ([[25.0, 5.0], [5.0, 1.0]], 16.0),
+        ([[0.25, 0.5], [0.5, 1.0]], 0.0),
+        ([[25.0, 0.0], [0.0, 4.0]], 25.0),
+        ([[26.0, 5.0, 1.0], [5.0, 1.0, 0.0], [1.0, 0.0, 1.0]], (26.0**0.5 - 1.0) ** 2),
+    ],
+    ids=["nothing unknown", "its size", "within its uncertainty", "across it", "its size and something across"],
+)
+def test_the_least_that_an_effect_would_show_is_what_its_uncertainty_leaves(products, least):
+    """|l + Ld|² for |d| up to 1, by hand: 5 less 1, say, or a vector of length √26 less 1."""
+    assert nearest_to_nothing(np.array(products), 1.0) == pytest.approx(least, abs=1e-6)
+
+
+def test_a_promise_counts_on_from_what_is_there_and_is_less_than_what_the_fit_says():
+    base, trace, found = traced(runs(programme(FLIPS, BACK, DOWN, realisations=2), extra_v=k_xx, seed=2))
+    (rival,) = (rival for rival in found["k_xx"] if rival.name == "head_eccentricity")
+    question = Question(base, trace, "k_xx", [rival])
+    now, then = (question.expected(rows) for rows in (question.table, question.table.followed_by(BY_NAME["probe-end"])))
+    assert now.promises == pytest.approx(np.array([[rival.behind], [-rival.behind]]), abs=1e-6)
+    assert (then.promises - now.promises < then.separations - now.separations).all()
+    assert (then.promises > now.promises + APART).all()
+
+
+def test_many_runs_that_each_tell_a_little_are_planned_together(monkeypatch):
+    def separations(mounts):
+        return [[1.2 * (len(mounts) - 1)]] * 2
+
+    proposed = next_experiments_of(monkeypatch, ("b",), separations)
+    assert sum(each.runs for each in proposed) == 5  # of three realisations each, 3.6 in -2 ln L a run
+
+
+def test_what_a_reasonable_number_of_runs_would_tell_is_advised(monkeypatch):
+    def separations(mounts):
+        return [[0.5 * mounts.count("edge")]] * 2
+
+    (experiment,) = next_experiments_of(monkeypatch, ("b",), separations)
+    assert (experiment.command, experiment.remedy) == ("", "run probe-edge some 11 times")
+    assert experiment.why.endswith("; run probe-edge some 11 times")
+
+
+def next_experiments_of(monkeypatch, names, separations):
+    monkeypatch.setattr(experiments, "Question", lambda *_: Stub(names, separations))
+    return next_experiments(None, None, {"a": ["some"]}, PROBES)
+
+
+def test_a_probe_that_holds_its_rows_is_planned_for_like_any_other(monkeypatch):
+    """An array in it has no hash."""
+
+    class Held:
+        programme, does, command, stand_time_s, pairs = "held", "holds", "run it", 10.0, False
+        __hash__ = None
+
+        def after(self, rows):
+            return BY_NAME["probe-edge"].after(rows)
+
+    monkeypatch.setattr(
+        experiments, "Question", lambda *_: Stub(("b",), lambda mounts: [[2.5 * mounts.count("edge")]] * 2)
+    )
+    (experiment,) = next_experiments(None, None, {"a": ["some"]}, [Held()])
+    assert (experiment.programme, experiment.runs) == ("held", 3)

@@ -19,6 +19,8 @@ PROBES = [
     "probe-later",
     "probe-repeat",
     "probe-shuffled",
+    "probe-slow",
+    "probe-turns",
     "probe-warm",
 ]
 

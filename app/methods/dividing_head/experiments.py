@@ -7,7 +7,7 @@ from tumble.app.available import Available, Offer
 from tumble.app.running import Outline
 from tumble.app.stand import LoadedStand
 from tumble.calibrations.methods.dividing_head.observations import Observations
-from tumble.calibrations.methods.dividing_head.probes import PROBES, STEP_DEG, Probe
+from tumble.calibrations.methods.dividing_head.probes import PROBES, Probe
 from tumble.messages import Message, translatable
 from tumble.procedures.errors import ProgrammeError
 from tumble.procedures.methods.dividing_head.layout import MOUNT
@@ -66,7 +66,7 @@ def programme_of(probe: Probe) -> Programme:
     if (sweep.start_deg, sweep.points) == (probe.start_deg, probe.points):
         return shipped
     lines = [line for line in shipped.text.splitlines() if not line.startswith(("start_deg", "step_deg", "points"))]
-    angles = f"start_deg = {probe.start_deg}\nstep_deg = {STEP_DEG}\npoints = {probe.points}"
+    angles = f"start_deg = {probe.start_deg}\nstep_deg = {probe.step_deg}\npoints = {probe.points}"
     return programme_from_text(
         "\n".join([*lines, angles, ""]), Message("{programme}.toml, shortened", programme=probe.programme)
     )

@@ -1,7 +1,7 @@
 """Probes: short programmes that visit a unit in a way in which a table may not have seen it.
 
-Each corresponds to a programme `probe-….toml` that comes along, one sweep of 80 steps of 5°, fewer where the head does
-not go so far.
+Each corresponds to a programme `probe-….toml` that comes along: one sweep, as a rule of 80 steps of 5°, shorter
+where the head does not go so far.
 """
 
 from dataclasses import dataclass, replace
@@ -38,6 +38,7 @@ class Probe:
     """Time until it is, or that is to pass."""
     start_deg: float = 0.0
     points: int = 80
+    step_deg: float = STEP_DEG
     mounting_s: float = 60.0
     """Time in which an operator seats the unit; every run begins with it."""
     speed_deg_s: float = 20.0
@@ -46,10 +47,10 @@ class Probe:
 
     def between(self, lowest_deg: float, highest_deg: float) -> "Probe | None":
         """The same where the head goes no further than so: as much of it as there is room for, None for too little."""
-        if lowest_deg <= self.start_deg and self.start_deg + STEP_DEG * (self.points - 1) <= highest_deg:
+        if lowest_deg <= self.start_deg and self.start_deg + self.step_deg * (self.points - 1) <= highest_deg:
             return self
-        start_deg = float(np.ceil(lowest_deg / STEP_DEG)) * STEP_DEG
-        points = min(self.points, int((highest_deg - start_deg) // STEP_DEG) + 1)
+        start_deg = float(np.ceil(lowest_deg / self.step_deg)) * self.step_deg
+        points = min(self.points, int((highest_deg - start_deg) // self.step_deg) + 1)
         return replace(self, start_deg=start_deg, points=points) if points >= _FEWEST_DWELLS else None
 
     @property
@@ -58,7 +59,7 @@ class Probe:
         return np.array([self._angles_deg(number) for number in range(1, self.realisations + 1)])
 
     def _angles_deg(self, realisation: int) -> FloatArray:
-        up: FloatArray = self.start_deg + STEP_DEG * np.arange(self.points, dtype=np.float64)
+        up: FloatArray = self.start_deg + self.step_deg * np.arange(self.points, dtype=np.float64)
         match self.order:
             case "up":
                 return up
@@ -145,6 +146,17 @@ PROBES = (
         programme="probe-shuffled",
         does=Message("takes the angles in no order, so that neither time nor the dwell before goes with them"),
         order="shuffled",
+    ),
+    Probe(
+        programme="probe-slow",
+        does=Message("dwells five times as long, so that what follows the time does not follow the number of dwells"),
+        dwell_s=5.5,
+    ),
+    Probe(
+        programme="probe-turns",
+        does=Message("goes round twice, so that what comes back with the circle parts from what does not"),
+        step_deg=9.0,
+        order="there-and-back",
     ),
     Probe(
         programme="probe-later",

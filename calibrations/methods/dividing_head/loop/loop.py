@@ -39,9 +39,8 @@ from tumble.calibrations.methods.dividing_head.questions import Questioned, ques
 from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.calibrations.methods.dividing_head.weights import weights_of_all
 from tumble.calibrations.tracing import explained as tracing
-from tumble.calibrations.tracing.beyond import alike
 from tumble.calibrations.tracing.effect import Effect
-from tumble.calibrations.tracing.experiments import Experiment, next_experiments
+from tumble.calibrations.tracing.experiments import Experiment, locating_experiments, next_experiments
 from tumble.calibrations.tracing.findings import EffectFound, Unexplained, Withheld, effects_found, withheld
 from tumble.calibrations.tracing.fitting_noise import with_likely_flicker
 from tumble.calibrations.tracing.held_out import held_out_rms
@@ -106,7 +105,10 @@ def asked_next(loop: Loop, explained: Explained | None) -> Loop:
     """What `explain` gives, with what to measure next."""
     if explained is None:
         return loop
-    separating = next_experiments(explained.table, explained.trace, explained.close, PROBES)
+    separating = (
+        *next_experiments(explained.table, explained.trace, explained.close, PROBES),
+        *locating_experiments(explained.table, explained.trace, explained.alike, PROBES),
+    )
     return replace(
         loop, next_experiment=(*separating, *more_settings(loop.withheld, loop.unexplained, _reach(explained)))
     )
@@ -146,7 +148,7 @@ def explain(
             stated,
             held_out_rms_v=held_out_rms(explained.tracer, trace, held_out_parts(explained.table.joint.observations)),
         )
-    whole, others = explained.table.with_components(trace.components), alike(explained.tracer, trace)
+    whole, others = explained.table.with_components(trace.components), explained.alike
     augmented = without_alike(without_rivals(stated, whole, explained.near), whole, trace, others)
     said = scatter_and_wandering(explained.table, trace, best.joint)
     augmented = replace(augmented, warnings=(*augmented.warnings, *said))

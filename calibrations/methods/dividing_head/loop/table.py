@@ -24,6 +24,7 @@ from tumble.calibrations.methods.dividing_head.model import (
 )
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.poses import distinct_settings
+from tumble.calibrations.tracing.components import Axis
 from tumble.calibrations.tracing.effect import Effect, Variable
 from tumble.calibrations.tracing.table import Extensible, View, memory_of
 
@@ -58,6 +59,11 @@ class DividingHeadTable(Extensible):
         """The ten functions of the pose, shape (rows, 10)."""
         assert isinstance(view, Scene), "it is a view of this table"
         return basis(view.observations)
+
+    def axes_in(self, view: View) -> tuple[Axis, ...]:
+        """Channels, each with every variable that varies in the view."""
+        assert isinstance(view, Scene), "it is a view of this table"
+        return unnamed(view)
 
 
 def dividing_head_table(

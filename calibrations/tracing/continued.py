@@ -1,0 +1,93 @@
+"""What a table may be noise in, in further rows: walks and levels go on, and so does structure without a name."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Final
+
+import numpy as np
+
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.tracing.components import Axis, Component
+from tumble.calibrations.tracing.coordinate import Coordinate
+from tumble.calibrations.tracing.noise import Memory, NoiseModel, scaled_levels, slow_modes
+from tumble.calibrations.tracing.table import Extensible, View
+
+_BENT: Final = 0.5
+"""A bend goes on as a smooth course of this length, in ranges of the table: its polynomial would go anywhere."""
+_HAPPENED: Final = np.array([0.3])
+"""What happened once, beyond the values of the table goes on as a broken course of this length."""
+_BEYOND: Final = 1.1
+"""Further rows go beyond the values of the table where their range is so many times as long."""
+
+
+def continued_noise(
+    base: Extensible, noise: NoiseModel, components: Sequence[Component], scene: View, weights: FloatArray
+) -> tuple[Memory, NoiseModel]:
+    """Along what the rows of a table and further ones are correlated, and how much; a walk goes the further.
+
+    The first rows of `scene` are those of the table.
+    """
+    if noise.walk and scene.hours is not None and base.scene.hours is not None:
+        longer = float(np.ptp(scene.hours) / np.ptp(base.scene.hours))
+        noise = replace(noise, walk=noise.walk * longer, corner=noise.corner * longer)
+    names = [name for name, _ in noise.levels]
+    levels = {
+        effect.name: scaled_levels(effect.forms(scene)[0].columns, weights)
+        for effect in base.effects
+        if effect.name in names
+    }
+    axes = {axis.name: axis for axis in base.axes_in(scene)} if components else {}
+    for each in components:
+        columns = continued(each, axes.get(each.axis.name), scene.rows)
+        known = columns[: base.rows] * np.sqrt(weights[: base.rows])[:, None]
+        size = float(np.sqrt(np.mean(np.sum(known**2, axis=1))))
+        levels[each.name] = columns * np.sqrt(weights)[:, None] / (size or 1.0)
+    slow = scene.hours if noise.flicker or noise.walk else None
+    return Memory(modes=slow_modes(slow, weights), levels=levels), noise
+
+
+def continued(component: Component, axis: Axis | None, rows: int) -> FloatArray:
+    """Columns of a component in more rows, along its axis there; nothing of it where there is no such axis."""
+    if axis is None:
+        return np.pad(component.columns, ((0, rows - len(component.columns)), (0, 0)))
+    return np.asarray(_shape(component, axis.coordinate) * axis.channel.gain[:, None])
+
+
+def _shape(component: Component, further: Coordinate) -> FloatArray:
+    """The same for a channel of one."""
+    own = component.axis.coordinate
+    word, *numbers = component.shape.split()
+    sizes = np.array(numbers, dtype=float)
+    if word in {"step", "pulse"} and further.range > _BEYOND * own.range:
+        word, sizes = "broken", _HAPPENED
+    match word:
+        case "levels":
+            return np.eye(int(further.bins.max()) + 1)[further.bins]
+        case "wave":
+            phase = 2.0 * np.pi * sizes[0] * (further.values - own.low) / own.range
+            return np.column_stack([np.sin(phase), np.cos(phase)])
+        case "bump":
+            return np.column_stack(further.bells(sizes[None]))
+        case "step" | "pulse":
+            risen = (further.values[:, None] > own.low + own.range * sizes).astype(float)
+            return np.asarray(risen[:, :1] - (risen[:, 1:] if word == "pulse" else 0.0))
+        case _:
+            kind, length = ("smooth", _BENT) if word == "bend" else (word, float(sizes[0]))
+            return _course(kind, length, own, further)
+
+
+def _course(word: str, length: float, own: Coordinate, further: Coordinate) -> FloatArray:
+    """Square root of the kernel of a process that is so many ranges of the table long, in each row."""
+    away = _apart(further) / (length * float(_apart(own).max() if own.period is None else 1.0))
+    kernel = np.exp(-away) if word == "broken" else np.exp(-0.5 * away**2)
+    values, vectors = np.linalg.eigh(kernel)
+    kept = values > 1e-3 * values[-1]
+    return np.asarray((vectors[:, kept] * np.sqrt(values[kept]))[further.bins])
+
+
+def _apart(coordinate: Coordinate) -> FloatArray:
+    """Distances between bins, shape (bins, bins); round a circle, in halves of its circumference."""
+    apart = coordinate.centres[:, None, :] - coordinate.centres[None, :, :]
+    if coordinate.period is not None:
+        return np.asarray(np.abs(np.sin(np.pi * apart[..., 0] / coordinate.period)))
+    return np.asarray(np.linalg.norm(apart, axis=-1))

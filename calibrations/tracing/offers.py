@@ -1,0 +1,153 @@
+"""What could be run to answer a question, and which of it is worth most for its time at the stand."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import combinations
+from typing import Protocol
+
+import numpy as np
+
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.tracing.probe import Probe
+from tumble.calibrations.tracing.separation import Expected, Outlook, PlannedRows
+
+_RUNS = 3
+"""How often a probe is run where once is not enough."""
+MOST_RUNS = 6
+"""So many are planned in a row at most, where each tells a little."""
+_PATIENCE = 30.0
+"""More repetitions than this are not advised."""
+_TRIED = 3
+"""Of so many offers that bring most for a run a longer row is made."""
+
+
+class Asked(Protocol):
+    """What planning needs to know of a question: what could be true, and what rows would tell of it."""
+
+    name: str
+    """What was found."""
+    rivals: tuple[str, ...]
+    """What else it could be."""
+    table: PlannedRows
+    """The rows that are there."""
+
+    @property
+    def needed(self) -> float:
+        """Explanations that differ by this in -2 ln L are distinguished."""
+        ...
+
+    def expected(self, rows: PlannedRows) -> Expected:
+        """What the rows would tell."""
+        ...
+
+    def outlook(self, rows: PlannedRows, programme: str, apart: list[int], sure: bool) -> Outlook | None:
+        """What the rows of a probe would show of the rivals that it tells apart; None for what has no one signal."""
+        ...
+
+    def belongs_to(self, name: str) -> str:
+        """Owner of an explanation."""
+        ...
+
+
+@dataclass(frozen=True, kw_only=True)
+class Offer:
+    """Probes, run one after the other, and what they would tell."""
+
+    question: Asked
+    probes: tuple[Probe, ...]
+    """In the order in which they are run; some more than once."""
+    rows: PlannedRows
+
+    def further(self, *probes: Probe) -> "Offer":
+        """The same with more of them."""
+        rows = self.rows
+        for probe in probes:
+            rows = rows.followed_by(probe)
+        return Offer(question=self.question, probes=(*self.probes, *probes), rows=rows)
+
+    @property
+    def stand_time_s(self) -> float:
+        """Time that all of them take."""
+        return sum(probe.stand_time_s for probe in self.probes)
+
+    @cached_property
+    def expected(self) -> Expected:
+        """What it tells of each rival."""
+        return self.question.expected(self.rows)
+
+    def promises(self, sure: bool) -> FloatArray:
+        """What it tells of each rival at least: whichever is true, or if one of the two is."""
+        promises = self.expected.promises
+        return np.asarray(promises.min(axis=0) if sure else promises.max(axis=0))
+
+    def apart(self, among: list[int], sure: bool) -> list[int]:
+        """Rivals that it tells apart."""
+        promises = self.promises(sure)
+        return [rival for rival in among if promises[rival] >= self.question.needed]
+
+    def worth(self, among: list[int], sure: bool) -> tuple[float, float]:
+        """Rivals distinguished per second; of equal ones the clearer, in whole multiples of what is needed."""
+        clearness = float(np.clip(self.promises(sure)[among] // self.question.needed, 0, 4).sum())
+        return len(self.apart(among, sure)) / max(self.stand_time_s, 1.0), clearness
+
+    def nearness(self, among: list[int], sure: bool) -> float:
+        """How near it comes to telling any of them."""
+        return float(self.promises(sure)[among].max())
+
+
+def chosen(start: Offer, left: list[int], probes: Sequence[Probe]) -> tuple[Offer, bool]:
+    """The offer worth most, and whether it is sure: what few runs tell goes before what many do."""
+    single = [start.further(probe) for probe in probes]
+    if any(offer.apart(left, sure=True) for offer in single):
+        return _best(single, left, sure=True), True
+    several = _several(start, single, left)
+    for sure in (True, False):
+        for offers in (several, [_summed(start, several, left, sure)]):
+            if any(offer.apart(left, sure) for offer in offers):
+                return _best(offers, left, sure), sure
+    return max(several, key=lambda offer: offer.nearness(left, sure=False)), False
+
+
+def _best(offers: Sequence[Offer], left: list[int], sure: bool) -> Offer:
+    return max(offers, key=lambda offer: offer.worth(left, sure))
+
+
+def _several(start: Offer, single: Sequence[Offer], left: list[int]) -> list[Offer]:
+    """Single probes, then what promises most several times, or two together. Without any there is one offer, of none.
+
+    What three runs of a probe tell is three times what one does.
+    """
+    promising = [offer for offer in single if offer.nearness(left, sure=True) * _RUNS >= offer.question.needed]
+    mounted = [probe for offer in single for probe in offer.probes if probe.pairs]
+    repeated = [offer.further(*offer.probes * (_RUNS - 1)) for offer in promising]
+    return [*single, *repeated, *(start.further(*pair) for pair in combinations(mounted, 2))] or [start]
+
+
+def _summed(start: Offer, several: Sequence[Offer], left: list[int], sure: bool) -> Offer:
+    """One run after the other of what brings most by itself, each time the best, until a rival is distinguished.
+
+    Where even the best brings so little that so many runs would not do, it is left at that.
+    """
+    now = start.nearness(left, sure)
+    ranked = sorted(several, key=lambda offer: (now - offer.nearness(left, sure)) / max(len(offer.probes), 1))
+    offer, *others = ranked[:_TRIED]
+    brings = (offer.nearness(left, sure) - now) / max(len(offer.probes), 1)
+    probes = distinct([probe for each in (offer, *others) for probe in each.probes])
+    if now + MOST_RUNS * brings < offer.question.needed:
+        return offer
+    while len(offer.probes) < MOST_RUNS and not offer.apart(left, sure):
+        offer = max((offer.further(probe) for probe in probes), key=lambda each: each.nearness(left, sure))
+    return offer
+
+
+def runs_needed(question: Asked, left: list[int], start: Offer, nearest: Offer) -> int:
+    """How often the nearest offer would have to be run; 0 where that is beyond all reason."""
+    now, then = (offer.nearness(left, sure=True) for offer in (start, nearest))
+    needed = (question.needed - now) / max(then - now, 1e-9)
+    return int(np.ceil(needed)) if needed < _PATIENCE else 0
+
+
+def distinct(probes: Sequence[Probe]) -> list[Probe]:
+    """Each probe once, in their order."""
+    return list({probe.programme: probe for probe in probes}.values())
