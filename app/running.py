@@ -165,10 +165,10 @@ def carry_out(
 
 
 def _second_look(job: Job, connected: Connected) -> SecondLook | None:
-    """Whoever reads a positioner by eye, asked again where the method of the programme doubts a reading."""
-    if connected.eyepiece is None:
+    """Whoever reads positioners by eye, asked again where the method of the programme doubts a reading."""
+    if not connected.eyepieces:
         return None
-    return ReadAgain(connected.eyepiece, find_method(job.programme.method).procedure_part.contradicted)
+    return ReadAgain(connected.eyepieces, find_method(job.programme.method).procedure_part.contradicted)
 
 
 def _warn_of_what_is_due(job: Job, clock: Clock, announcer: Announcer) -> None:

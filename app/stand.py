@@ -14,6 +14,8 @@ from tumble.app.instrument_tables import POSITIONERS, SAMPLERS, Place, places
 from tumble.app.stand_file import RecordedDaq, RecordedHead, RecordedStand, Site, StandFile, stand_file_with
 from tumble.drivers.driver import SIMULATED, DaqDriver, Driver, HeadDriver, find_daq, find_head
 from tumble.drivers.own_file import hash_of_file, is_own_file
+from tumble.drivers.simulated.table import FIRST_WORLD, SimulatedTable
+from tumble.drivers.simulated.worlds import find_world
 from tumble.drivers.tables import HEAD, DaqTable, HeadTable
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
@@ -129,8 +131,7 @@ class _Text:
 
     def checked(self, tables: Mapping[Place, type[BaseModel]]) -> StandFile:
         file = self._read_as(tables)
-        simulated = {name for name, table in file.instruments.items() if table.driver == SIMULATED}
-        if simulated and not (file.simulates and file.head_table and _seen(file.head_table)):
+        if not _of_one_kind(file):
             raise InputError(Message("{source}: {mistake}; correct it", source=self.source, mistake=_APART))
         return file
 
@@ -139,7 +140,19 @@ class _Text:
             tuple((place.name, kind) for place, kind in tables.items() if place.location[:-1] == outer)
             for outer in ((), (POSITIONERS,), (SAMPLERS,))
         )
-        return parse_toml(self.text, stand_file_with(single, positioners, samplers), self.source)
+        return parse_toml(self.text, stand_file_with(self._world(), single, positioners, samplers), self.source)
+
+    def _world(self) -> type[SimulatedTable]:
+        """Keys of the table `simulated`, by the world that it names. Raises `InputError`."""
+        table = self.data.get("simulated")
+        name = table.get("world", FIRST_WORLD) if isinstance(table, Mapping) else FIRST_WORLD
+        try:
+            return find_world(str(name)).table
+        except ValueError as error:
+            where = place_of(self.source, self.text, ("simulated", "world"))
+            raise InputError(
+                Message("{where}: simulated: world: {error}; correct it", where=where, error=error)
+            ) from error
 
     def driver(self, place: Place) -> Driver[Any, Any] | None:
         name = str(place.table(self.data).get("driver", ""))
@@ -161,10 +174,8 @@ class _Text:
 
 def _code_of(file: StandFile) -> set[str]:
     """The Python files that a stand file names, as `FILE.py:NAME`."""
-    simulated = file.simulated
-    physics = (simulated.response, simulated.head_error) if simulated else ()
     drivers = (table.driver for table in file.instruments.values() if is_own_file(table.driver))
-    return {*drivers, *filter(None, physics)}
+    return {*drivers, *(file.simulated.code if file.simulated else ())}
 
 
 def same_instruments(recorded: Mapping[str, Any], loaded: LoadedStand) -> bool:
@@ -181,6 +192,14 @@ def _instruments(data: Mapping[str, Any]) -> dict[str, Any]:
     return {"name": data.get("name")} | {
         ".".join(location): {key: table[key] for key in keys if key in table} for location, table in tables.items()
     }
+
+
+def _of_one_kind(file: StandFile) -> bool:
+    """Whether everything is simulated that belongs together, or nothing is."""
+    simulated = [table.driver == SIMULATED for table in file.samplers.values()]
+    if not any(simulated):
+        return not any(table.driver == SIMULATED for table in file.positioners.values())
+    return all(simulated) and bool(file.positioners) and all(map(_seen, file.positioners.values()))
 
 
 def _seen(head: HeadTable) -> bool:

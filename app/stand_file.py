@@ -11,7 +11,7 @@ from tumble.app.instrument_tables import POSITIONERS, SAMPLERS, Tables, tables_o
 from tumble.calibrations.core.gravity import Gravity, normal_gravity
 from tumble.drivers.driver import SIMULATED
 from tumble.drivers.names import GivenName
-from tumble.drivers.simulated import Simulated
+from tumble.drivers.simulated.table import SimulatedTable
 from tumble.drivers.tables import DAQ, HEAD, DaqTable, HeadTable
 from tumble.drivers.text import check_name
 from tumble.messages import Message
@@ -67,7 +67,8 @@ class StandFile(BaseModel):
     daq_table: DaqTable | None = Field(default=None, alias=DAQ)
     named_positioners: Tables = Field(default=Tables(), alias=POSITIONERS)
     named_samplers: Tables = Field(default=Tables(), alias=SAMPLERS)
-    simulated: Simulated | None = None
+    simulated: SimulatedTable | None = None
+    """By the kind of world that it names."""
     stand_record: StandRecordTable = StandRecordTable()
 
     @model_validator(mode="after")
@@ -137,7 +138,7 @@ class StandFile(BaseModel):
     @property
     def simulates(self) -> bool:
         """Whether the unit exists in this process only."""
-        return self.daq_table is not None and self.daq_table.driver == SIMULATED
+        return any(table.driver == SIMULATED for table in self.samplers.values())
 
     def expired(self, on: date) -> list[str]:
         """A sentence for every instrument whose calibration is overdue on a day, see `Instrument.overdue`."""
@@ -180,9 +181,12 @@ TablesOf: TypeAlias = tuple[tuple[str, type[BaseModel]], ...]
 
 
 @lru_cache(maxsize=32)
-def stand_file_with(single: TablesOf, positioners: TablesOf, samplers: TablesOf) -> type[StandFile]:
+def stand_file_with(
+    simulated: type[SimulatedTable], single: TablesOf, positioners: TablesOf, samplers: TablesOf
+) -> type[StandFile]:
     """A stand file with the keys of these tables: `single` are `head` and `daq`, as far as they must be there."""
     fields: dict[str, Any] = {f"{name}_table": (kind, Field(alias=name)) for name, kind in single}
+    fields["simulated"] = (simulated | None, None)
     if positioners:
         fields["named_positioners"] = (tables_of(dict(positioners)), Field(alias=POSITIONERS))
     if samplers:

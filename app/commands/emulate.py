@@ -13,7 +13,6 @@ from tumble.app.simulation import simulation
 from tumble.app.stand import read_stand
 from tumble.app.terminal import say
 from tumble.drivers.links.places import LOOPBACK, one_host
-from tumble.drivers.simulated import SimulatedStand
 from tumble.drivers.tables import Instrument, OnCan
 from tumble.emulators.emulation import Wanted, emulate
 from tumble.emulators.faults import FaultScript
@@ -71,7 +70,7 @@ def command(
         ptys=ptys,
     )
     simulated = simulation(loaded, clock)
-    shared = SharedWorld(SimulatedStand(stand=simulated.stand, world=simulated.world))
+    shared = SharedWorld(simulated)
     faults = StandFaults(_read(script), clock, lambda: simulated.world.counts.dwells)
     with ExitStack() as stack:
         try:
