@@ -132,7 +132,8 @@ def plan(programme: Place, *, stand: Place | None = None) -> Plan:
 
     `programme` is the name of one that comes along, or a file; without `stand` it is planned for the built-in one.
     """
-    return Outline(stand=read_stand(_path(stand)), programme=_programme(programme)).plan()
+    planned = _programme(programme)
+    return Outline(stand=read_stand(_path(stand), planned.method), programme=planned).plan()
 
 
 def run(
@@ -190,8 +191,9 @@ def records(store: Place) -> "Store":
 
 
 def _job(programme: Place, serial_number: str, stand: Place | None, operator: str) -> Job:
-    loaded = load_stand(_path(stand))
-    return Job(stand=loaded, programme=_programme(programme), serial_number=serial_number, operator=operator)
+    wanted = _programme(programme)
+    loaded = load_stand(_path(stand), wanted.method)
+    return Job(stand=loaded, programme=wanted, serial_number=serial_number, operator=operator)
 
 
 def _programme(programme: Place) -> Programme:

@@ -19,6 +19,7 @@ from tumble.drivers.simulated.worlds import find_world
 from tumble.drivers.tables import HEAD, DaqTable, HeadTable
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
+from tumble.procedures.registry import FIRST, find_method
 from tumble.procedures.toml_lines import parse_toml, place_of, read_text
 from tumble.procedures.toml_text import read_toml
 
@@ -63,8 +64,10 @@ class LoadedStand(WrittenStand):
         return self.positioner_drivers.get(HEAD)
 
 
-def read_stand(path: Path | None = None) -> WrittenStand:
-    """Read a stand file, or the built-in simulated stand where there is no path, and run no file that it names.
+def read_stand(path: Path | None = None, method: str = FIRST) -> WrittenStand:
+    """Read a stand file, or the simulated stand that is built in for a method where there is no path.
+
+    No file that it names is run.
 
     The keys of a driver in such a file are not checked: only the file says what they are.
 
@@ -73,10 +76,10 @@ def read_stand(path: Path | None = None) -> WrittenStand:
     InputError
         Unreadable or invalid: file, line, what is wrong and what to do.
     """
-    return _Text.at(path).written()
+    return _Text.at(path, method).written()
 
 
-def load_stand(path: Path | None = None) -> LoadedStand:
+def load_stand(path: Path | None = None, method: str = FIRST) -> LoadedStand:
     """Read a stand file likewise, and load the drivers that it names, which runs their files.
 
     Raises
@@ -84,7 +87,7 @@ def load_stand(path: Path | None = None) -> LoadedStand:
     InputError
         Unreadable or invalid, or a driver cannot be loaded: file, line, what is wrong and what to do.
     """
-    text = _Text.at(path)
+    text = _Text.at(path, method)
     written = text.written()
     drivers = {place: text.driver(place) for place in places(text.data)}
     file = text.checked({place: driver.table if driver else place.kind for place, driver in drivers.items()})
@@ -104,10 +107,11 @@ class _Text:
     path: Path | None
 
     @classmethod
-    def at(cls, path: Path | None) -> Self:
+    def at(cls, path: Path | None, method: str) -> Self:
         if path is None:
-            built_in = (files("tumble.app") / "stands" / "simulated.toml").read_text("utf-8")
-            return cls(text=built_in, source=Message("the built-in stand"), path=None)
+            own = find_method(method).procedure_part.stand
+            built_in = own or files("tumble.app") / "stands" / "simulated.toml"
+            return cls(text=built_in.read_text("utf-8"), source=Message("the built-in stand"), path=None)
         return cls(text=read_text(path), source=str(path), path=path)
 
     @property

@@ -31,6 +31,8 @@ class ProcedurePart(Generic[Table]):
     """The kind of that table."""
     contradicted: Contradicted = nothing_contradicts
     """What speaks against a position that a person read."""
+    stand: Traversable | None = None
+    """The simulated stand that is built in for its programmes; None for that of a head and a DAQ."""
 
     @property
     def layout(self) -> Layout:

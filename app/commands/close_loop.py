@@ -38,7 +38,6 @@ from tumble.calibrations.tracing.chain import Chain
 from tumble.messages import Message
 from tumble.procedures.announcer import Listener
 from tumble.procedures.errors import InputError
-from tumble.procedures.programme import load_programme
 
 
 @click.command("close-loop")
@@ -129,7 +128,7 @@ def _traced(files: tuple[Path, ...], wanted: Wanted, folder: Path, *, budget: bo
 
 def _closed(wanted: Wanted, files: tuple[Path, ...], most: int, folder: Path) -> Closing:
     """What files, or else a first measurement, say together with the experiments that it takes."""
-    loaded, programme = wanted.stand(), load_programme(wanted.programme)
+    loaded, programme = wanted.asked()
     find_job(programme.method)
     with wanted.connected(loaded, [path for path in files if is_recording(path)]) as connected:
         at = AtStand(

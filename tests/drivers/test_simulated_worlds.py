@@ -11,7 +11,7 @@ def test_a_table_without_a_world_is_of_the_head():
 
 
 def test_an_unknown_world_is_refused_with_those_that_are_known():
-    with pytest.raises(ValueError, match="no simulated world is called 'moon'; known are .*head"):
+    with pytest.raises(ValueError, match=r"no simulated world is called 'moon'; known are .*head"):
         find_world("moon")
 
 
