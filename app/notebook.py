@@ -16,7 +16,7 @@ from tumble.app.analysed import Analysed
 from tumble.app.analysing import fit as analyse
 from tumble.app.analysing import trace
 from tumble.app.calibrating import calibrate as carry_out
-from tumble.app.jobs import has_job
+from tumble.app.jobs import measured_at_stand
 from tumble.app.joining import read_together
 from tumble.app.measurements import read_measurement
 from tumble.app.methods import close_loop as close_tables
@@ -119,7 +119,7 @@ def close_loop(path: Place, *further: Place, stand: Place | None = None, serial_
     """
     files = [Path(place) for place in (path, *further)]
     method = method_of(files)
-    if not has_job(method.name):
+    if not measured_at_stand(method.name, files):
         if further:
             raise InputError(Message("{path}: give one table of this kind at a time", path=files[1]))
         return _of_method(method, files)

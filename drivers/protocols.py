@@ -62,6 +62,11 @@ class SampleBlock:
         """The one channel, by its name."""
         return {VOLTAGE: self.voltage_v}
 
+    @property
+    def temperatures_degc(self) -> Mapping[str, float]:
+        """The one thermometer is that of the whole."""
+        return {}
+
 
 @dataclass(frozen=True, kw_only=True)
 class ChannelBlock:
@@ -74,6 +79,8 @@ class ChannelBlock:
     """The sampler's own time of the first sample."""
     temperature_degc: float | None
     """As in `SampleBlock`."""
+    temperatures_degc: Mapping[str, float] = field(default_factory=dict)
+    """Of what each channel measures, by channel, as far as it has a thermometer of its own."""
 
 
 Block: TypeAlias = SampleBlock | ChannelBlock

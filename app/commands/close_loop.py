@@ -18,7 +18,7 @@ from tumble.app.commands.leaving import leave_by
 from tumble.app.commands.measuring import Wanted, may_measure
 from tumble.app.console import messages, parameter_table, results, run_display, show_verdict, warn
 from tumble.app.files import is_recording, write_text
-from tumble.app.jobs import find_job, has_job
+from tumble.app.jobs import find_job, measured_at_stand
 from tumble.app.joining import read_together
 from tumble.app.learning import contradictions_of, learn
 from tumble.app.loop_console import tell_closing
@@ -76,7 +76,7 @@ def command(
     apart, the experiment that tells most for its time is run there, and everything is fitted together again. After
     files, --experiments N does the same: they are the first measurement, and a loop that was cut off goes on from them.
     """
-    if files and not has_job((method := method_of(files)).name):
+    if files and not measured_at_stand((method := method_of(files)).name, files):
         if most:
             raise InputError(
                 Message(
