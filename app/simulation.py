@@ -1,7 +1,7 @@
 """The stand that exists in this process only: its operator, its past, and a head of it that a person turns."""
 
 from collections.abc import Callable, Sequence
-from copy import copy
+from copy import deepcopy
 from dataclasses import dataclass, replace
 from functools import reduce
 from typing import Protocol
@@ -74,7 +74,7 @@ class Simulation:
         outcome = engine.run(_beginning(past.programme.procedure(), past.points, stop))
         if not moments_s and outcome.error:  # somebody interrupted the program
             raise outcome.error
-        putting_back = _putting_back(self.world, clock, copy(self.world.counts), moments_s[0])
+        putting_back = _putting_back(self.world, clock, deepcopy(self.world.counts), moments_s[0])
         return replace(self, lived_s=moments_s[0] - began_s, listeners=(*self.listeners, putting_back))
 
 

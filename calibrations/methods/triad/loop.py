@@ -56,6 +56,16 @@ class TriadLoop:
         return self.explained.best
 
     @property
+    def unit(self) -> str:
+        """Of the outputs."""
+        return "V"
+
+    @property
+    def held_out_rms(self) -> float | None:
+        """Error of positions that are held out, with what was found, in volts."""
+        return self.augmented.held_out_rms
+
+    @property
     def explained_v(self) -> FloatArray:
         """What was found, in each dwell and channel, shape (dwells, 3), in volts."""
         shares = [
@@ -92,9 +102,33 @@ class TriadLoop:
         return Unexplained(depends_on=item.effect.depends_on, description=item.effect.describe(item.form))
 
 
+@dataclass(frozen=True, kw_only=True)
+class TriadDeclared:
+    """The declared model fitted to a table of a triad."""
+
+    observations: TriadObservations
+    """Rows in use."""
+    table: TriadTable
+    fit: TriadFit
+    doubts: tuple[str, ...]
+    """Questions about the table; where there are any, nothing is stated."""
+    model: ModelFit
+
+
 @one_blas_thread
-def close_triad_loop(observations: TriadObservations) -> TriadLoop:
-    """Trace what fourteen parameters leave of a table. Raises `ValueError` where there are too few positions."""
+def declared_fit(observations: TriadObservations, reference_temperature_degc: float = 23.0) -> TriadDeclared:
+    """Fit fourteen parameters to a table. Raises `ValueError` where there are too few positions."""
+    _check_positions(observations)
+    used = observations.without(gross_errors(observations))
+    table = triad_table(used, reference_temperature_degc)
+    nothing = Trace(found=(), noise=NoiseModel(), deviance=table.deviance((), NoiseModel()))
+    fit = fit_triad(table, nothing)
+    asked = doubts(table, fit.deviations_v)
+    model = _model(fit, fit.parameters(), asked[0] if asked else "", _held_out_declared(table, nothing))
+    return TriadDeclared(observations=used, table=table, fit=fit, doubts=asked, model=model)
+
+
+def _check_positions(observations: TriadObservations) -> None:
     if (positions := len(np.unique(observations.positions))) < FEWEST_POSITIONS:
         raise ValueError(
             Message(
@@ -105,20 +139,22 @@ def close_triad_loop(observations: TriadObservations) -> TriadLoop:
                 fewest=FEWEST_POSITIONS,
             )
         )
-    used = observations.without(gross_errors(observations))
-    table = triad_table(used)
-    nothing = Trace(found=(), noise=NoiseModel(), deviance=table.deviance((), NoiseModel()))
-    before = fit_triad(table, nothing)
-    asked = doubts(table, before.deviations_v)
+
+
+@one_blas_thread
+def close_triad_loop(observations: TriadObservations, reference_temperature_degc: float = 23.0) -> TriadLoop:
+    """Trace what fourteen parameters leave of a table. Raises `ValueError` where there are too few positions."""
+    before = declared_fit(observations, reference_temperature_degc)
+    used, table, asked = before.observations, before.table, before.doubts
     found = judged(table)
     explained = Explained(judged=found, best=fit_triad(table, found.trace))
     reason = asked[0] if asked else ""
     return TriadLoop(
         observations=used,
         doubts=asked,
-        before=before,
+        before=before.fit,
         explained=explained,
-        declared=_model(before, before.parameters(), reason, _held_out_declared(table, nothing)),
+        declared=before.model,
         augmented=_model(
             explained.best,
             _with_rivals(explained),

@@ -21,7 +21,8 @@ from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.tracing.sentences import set_aside_section
 from tumble.messages import Message
 
-_NEEDED = ("outer_deg", "inner_deg", "u_x_V", "u_y_V", "u_z_V")
+NEEDED = ("outer_deg", "inner_deg", "u_x_V", "u_y_V", "u_z_V")
+"""Columns without which a table is none of a run at a stand."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -68,11 +69,11 @@ class TriadMethod:
 
     def reads(self, header: Sequence[str], numbers: Sequence[str] | None) -> bool:  # noqa: ARG002  # by names alone
         """Whether a table holds three outputs, and both angles or none."""
-        return set(_NEEDED) <= set(header) or _by_hand(header)
+        return set(NEEDED) <= set(header) or _by_hand(header)
 
     def hint(self, header: Sequence[str], numbers: Sequence[str]) -> str:  # noqa: ARG002  # by names alone
         """Whether its columns are misspelt."""
-        return misspelt(header, [*TriadObservations.spelt()], _NEEDED)
+        return misspelt(header, [*TriadObservations.spelt()], NEEDED)
 
     def close_loop(self, paths: Sequence[Path]) -> TriadResult | HandResult:
         """Trace tables of one triad, taken together; of a log by hand, one. Raises `TableError`, `ValueError`."""
