@@ -1,6 +1,6 @@
 """The axis of an emulated Zaber stage: motion, reference and warnings."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from typing import Final
 
@@ -40,11 +40,13 @@ class ZaberAxis:
         """Whether it moved at the last look."""
         self.arrivals = 0
         """How often it has come to rest."""
+        self.arrived_s = 0.0
+        """When it last did, by the clock of the world."""
 
     @property
     def flag(self) -> str:
         """The most severe warning flag, `--` for none."""
-        return next((flag for flag in _BY_SEVERITY if flag in self._flags), "--")
+        return most_severe(self._flags)
 
     def look(self) -> None:
         """See what has come of the motion until now: state and position are of the same moment."""
@@ -165,6 +167,7 @@ class ZaberAxis:
 
     def _arrive(self) -> None:
         self.arrivals += 1
+        self.arrived_s = self._clock.monotonic_s()
         if self._homing:
             self._homing = False
             self._zero_deg = 0.0
@@ -176,6 +179,11 @@ class ZaberAxis:
         self._homing = False
         self._stalls_at_s = None
         self._head.stop()
+
+
+def most_severe(flags: Collection[str]) -> str:
+    """The most severe of some warning flags, `--` for none."""
+    return next((flag for flag in _BY_SEVERITY if flag in flags), "--")
 
 
 def _number(text: str) -> int:

@@ -13,7 +13,7 @@ from tumble.app.simulation import simulation
 from tumble.app.stand import read_stand
 from tumble.app.terminal import say
 from tumble.drivers.links.places import LOOPBACK, one_host
-from tumble.drivers.tables import Instrument, OnCan
+from tumble.drivers.tables import DAQ, HEAD, Instrument, OnCan
 from tumble.emulators.emulation import Wanted, emulate
 from tumble.emulators.faults import FaultScript
 from tumble.emulators.speed import FasterClock
@@ -59,13 +59,14 @@ def command(
                 "{path}: has no table [simulated], so that it is no stand to be emulated; add one", path=loaded.path
             )
         )
-    head, daq = loaded.file.head, loaded.file.daq
+    file = loaded.file
     clock = FasterClock(speed)
+    asked = {HEAD: head_port, DAQ: daq_port}
+    ports = {name: _port(table) for name, table in file.instruments.items()}
     wanted = Wanted(
-        head=head,
-        daq=daq,
-        head_port=_port(head) if head_port is None else head_port,
-        daq_port=_port(daq) if daq_port is None else daq_port,
+        positioners=file.positioners,
+        samplers=file.samplers,
+        ports=ports | {name: port for name, port in asked.items() if port is not None},
         folder=loaded.folder,
         ptys=ptys,
     )

@@ -28,6 +28,10 @@ class Meter(Sampler, Protocol):
         """What `acquire` returns when the samples are there. Raises `DeviceError`."""
         ...
 
+    def temperatures_degc(self) -> Mapping[str, float]:
+        """What the thermometers of its channels say now; it is no look at the outputs."""
+        ...
+
 
 class Counted(Protocol):
     """How often things have happened in a world, by which random draws are keyed; a dataclass."""

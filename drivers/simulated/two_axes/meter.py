@@ -98,6 +98,11 @@ class TriadMeter:
             temperatures_degc=degc,
         )
 
+    def temperatures_degc(self) -> dict[str, float]:
+        """What the thermometers say now, by channel; it is no look at the outputs."""
+        now_s = self._clock.monotonic_s()
+        return {name: self._terminals.sensor_degc(now_s, number) for name, number in self._channels.items()}
+
     def _begin(self, now_s: float) -> None:
         self._terminals.begin_acquisition()
         if self._terminals.dwell != self._dwell:

@@ -1,0 +1,100 @@
+"""Emulated stands with two axes in this process, reached by the real drivers through loopback sockets."""
+
+from collections.abc import Iterator, Mapping
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+from tumble.app.running import Job
+from tumble.app.simulation import simulation
+from tumble.app.stand import LoadedStand, load_stand
+from tumble.app.wiring import Connected, connect
+from tumble.emulators.emulation import Wanted, emulate
+from tumble.emulators.speed import FasterClock
+from tumble.emulators.stand_faults import StandFaults
+from tumble.emulators.world import SharedWorld
+from tumble.procedures.programme import load_programme, programme_from_text
+
+_LIMITS: Final = "limits_deg = [-190.0, 190.0]\nspeed_deg_s = 90.0\nsteps_per_deg = 3600.0\n"
+_NOWHERE: Final = "socket://127.0.0.1:0"
+ZABER: Final = "\n".join(
+    f'[positioners.{name}]\ndriver = "zaber"\nurl = "{{{name}}}"\naxis = {axis}\n{_LIMITS}'
+    for axis, name in enumerate(("outer", "inner"), start=1)
+)
+"""Two axes of one controller on one line."""
+ZABER_CHAIN: Final = ZABER.replace("axis = 1", "device = 1").replace("axis = 2", "device = 2")
+"""Two stages in one chain."""
+CIA402: Final = "\n".join(
+    f'[positioners.{name}]\ndriver = "cia402"\nurl = "{{{name}}}"\nnode = {node}\n{_LIMITS}'
+    for node, name in enumerate(("outer", "inner"), start=1)
+)
+"""Two nodes on one bus."""
+MANUAL: Final = "\n".join(
+    f'[positioners.{name}]\ndriver = "manual"\nlimits_deg = [-190.0, 190.0]\n' for name in ("outer", "inner")
+)
+SCANNER: Final = """[samplers.scanner]
+driver = "scanner"
+url = "{scanner}"
+scan = { u_x_v = 101, u_y_v = 102, u_z_v = 103 }
+thermometers = { u_x_v = 111, u_y_v = 112, u_z_v = 113 }
+samples = 20
+rate_hz = 10.0
+"""
+METERS: Final = "\n".join(
+    f'[samplers.{axis}]\ndriver = "scpi"\nurl = "{{{axis}}}"\nchannels = ["u_{axis}_v"]\nsamples = 20\nrate_hz = 10.0\n'
+    for axis in "xyz"
+)
+"""A multimeter for each output."""
+SIMULATED: Final = (
+    "\n".join(f'[positioners.{name}]\ndriver = "simulated"\n{_LIMITS}' for name in ("outer", "inner"))
+    + '[samplers.triad]\ndriver = "simulated"\nsamples = 20\nrate_hz = 10.0\n'
+)
+WORLD: Final = '[simulated]\nworld = "two_axes"\nseed = 3\ntemperature = { wander_K = 0.0 }\n'
+
+
+@dataclass(frozen=True, kw_only=True)
+class TwoAxesStand:
+    """A stand being served, and what is to be measured there."""
+
+    job: Job
+    clock: FasterClock
+    shared: SharedWorld
+    faults: StandFaults
+
+    def connect(self) -> Connected:
+        """Connect the real drivers. Raises `DeviceError`."""
+        return connect(self.job.stand, clock=self.clock)
+
+
+@contextmanager
+def served(
+    folder: Path, instruments: str, programme: str, speed: float = 30.0, world: str = WORLD
+) -> Iterator[TwoAxesStand]:
+    """Serve a stand of these tables while the context lasts; `programme` is a name, or TOML."""
+    clock = FasterClock(speed)
+    anywhere = stand_of(folder, instruments, {}, world)
+    simulated = simulation(anywhere, clock)
+    shared = SharedWorld(simulated)
+    faults = StandFaults(None, clock, lambda: simulated.world.counts.dwells)
+    wanted = Wanted(positioners=anywhere.file.positioners, samplers=anywhere.file.samplers)
+    with ExitStack() as stack:
+        stand = stand_of(folder, instruments, emulate(stack, shared, wanted, faults), world)
+        yield TwoAxesStand(job=job_at(stand, programme), clock=clock, shared=shared, faults=faults)
+
+
+def stand_of(folder: Path, instruments: str, where: Mapping[str, str], world: str = WORLD) -> LoadedStand:
+    """The stand whose instruments have these addresses, by their names; anywhere where nothing is said."""
+    text = instruments
+    for name in ("outer", "inner", "scanner", "x", "y", "z", "triad", "chamber"):
+        nowhere = "virtual:anywhere" if "cia402" in instruments and name in ("outer", "inner") else _NOWHERE
+        text = text.replace(f"{{{name}}}", where.get(name, nowhere))
+    file = folder / "stand.toml"
+    file.write_text(f'name = "two axes"\n{text}\n{world}', "utf-8")
+    return load_stand(file)
+
+
+def job_at(stand: LoadedStand, programme: str) -> Job:
+    """A run of a triad there."""
+    loaded = programme_from_text(programme, "p.toml") if "\n" in programme else load_programme(programme)
+    return Job(stand=stand, programme=loaded, serial_number="E-1")
