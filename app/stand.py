@@ -1,7 +1,7 @@
 """Reading stand files, without and with the code that they name."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from datetime import date
 from hashlib import sha256
 from importlib.resources import files
@@ -11,12 +11,29 @@ from typing import Any, Final, Self
 from pydantic import BaseModel
 
 from tumble.app.instrument_tables import POSITIONERS, SAMPLERS, Place, places
-from tumble.app.stand_file import RecordedDaq, RecordedHead, RecordedStand, Site, StandFile, stand_file_with
-from tumble.drivers.driver import SIMULATED, DaqDriver, Driver, HeadDriver, find_daq, find_head
+from tumble.app.stand_file import (
+    RecordedChamber,
+    RecordedDaq,
+    RecordedHead,
+    RecordedStand,
+    Site,
+    StandFile,
+    stand_file_with,
+)
+from tumble.drivers.driver import (
+    SIMULATED,
+    ChamberDriver,
+    DaqDriver,
+    Driver,
+    HeadDriver,
+    find_chamber,
+    find_daq,
+    find_head,
+)
 from tumble.drivers.own_file import hash_of_file, is_own_file
 from tumble.drivers.simulated.table import FIRST_WORLD, SimulatedTable
 from tumble.drivers.simulated.worlds import find_world
-from tumble.drivers.tables import HEAD, DaqTable, HeadTable
+from tumble.drivers.tables import HEAD, ChamberTable, DaqTable, HeadTable
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.registry import FIRST, find_method
@@ -25,7 +42,12 @@ from tumble.procedures.toml_text import read_toml
 
 __all__ = ["LoadedStand", "RecordedStand", "Site", "StandFile", "WrittenStand", "load_stand", "read_stand"]
 
-_RECORDED: Final[Mapping[type[BaseModel], type[BaseModel]]] = {HeadTable: RecordedHead, DaqTable: RecordedDaq}
+_RECORDED: Final[Mapping[type[BaseModel], type[BaseModel]]] = {
+    HeadTable: RecordedHead,
+    DaqTable: RecordedDaq,
+    ChamberTable: RecordedChamber,
+}
+_FINDERS: Final = {HeadTable: find_head, DaqTable: find_daq, ChamberTable: find_chamber}
 _APART: Final = Message("a simulated head and a simulated daq belong together: a real one does not see the other")
 
 
@@ -57,6 +79,8 @@ class LoadedStand(WrittenStand):
     """By name; None for the simulated head."""
     sampler_drivers: Mapping[str, DaqDriver | None]
     """By name; None for the simulated DAQ."""
+    environment_drivers: Mapping[str, ChamberDriver | None] = field(default_factory=dict)
+    """By name; None for the simulated chamber."""
 
     @property
     def head_driver(self) -> HeadDriver | None:
@@ -91,11 +115,16 @@ def load_stand(path: Path | None = None, method: str = FIRST) -> LoadedStand:
     written = text.written()
     drivers = {place: text.driver(place) for place in places(text.data)}
     file = text.checked({place: driver.table if driver else place.kind for place, driver in drivers.items()})
-    positioners, samplers = (
+    positioners, samplers, environments = (
         {place.name: driver for place, driver in drivers.items() if place.kind is kind}
-        for kind in (HeadTable, DaqTable)
+        for kind in (HeadTable, DaqTable, ChamberTable)
     )
-    return LoadedStand(**vars(written) | {"file": file}, positioner_drivers=positioners, sampler_drivers=samplers)
+    return LoadedStand(
+        **vars(written) | {"file": file},
+        positioner_drivers=positioners,
+        sampler_drivers=samplers,
+        environment_drivers=environments,
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -161,7 +190,7 @@ class _Text:
     def driver(self, place: Place) -> Driver[Any, Any] | None:
         name = str(place.table(self.data).get("driver", ""))
         try:
-            return find_head(name, self.folder) if place.kind is HeadTable else find_daq(name, self.folder)
+            return _FINDERS[place.kind](name, self.folder)
         except ValueError as error:
             where = place_of(self.source, self.text, (*place.location, "driver"))
             raise InputError(
@@ -202,7 +231,8 @@ def _of_one_kind(file: StandFile) -> bool:
     """Whether everything is simulated that belongs together, or nothing is."""
     simulated = [table.driver == SIMULATED for table in file.samplers.values()]
     if not any(simulated):
-        return not any(table.driver == SIMULATED for table in file.positioners.values())
+        return not any(table.driver == SIMULATED for table in file.instruments.values())
+    simulated += [table.driver == SIMULATED for table in file.environments.values()]
     return all(simulated) and bool(file.positioners) and all(map(_seen, file.positioners.values()))
 
 

@@ -12,7 +12,7 @@ from tumble.calibrations.core.gravity import Gravity, normal_gravity
 from tumble.drivers.driver import SIMULATED
 from tumble.drivers.names import GivenName
 from tumble.drivers.simulated.table import SimulatedTable
-from tumble.drivers.tables import DAQ, HEAD, DaqTable, HeadTable
+from tumble.drivers.tables import CHAMBER, DAQ, HEAD, ChamberTable, DaqTable, HeadTable
 from tumble.drivers.text import check_name
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
@@ -67,13 +67,14 @@ class StandFile(BaseModel):
     daq_table: DaqTable | None = Field(default=None, alias=DAQ)
     named_positioners: Tables = Field(default=Tables(), alias=POSITIONERS)
     named_samplers: Tables = Field(default=Tables(), alias=SAMPLERS)
+    chamber_table: ChamberTable | None = Field(default=None, alias=CHAMBER)
     simulated: SimulatedTable | None = None
     """By the kind of world that it names."""
     stand_record: StandRecordTable = StandRecordTable()
 
     @model_validator(mode="after")
     def _each_name_once(self) -> Self:
-        names = [*self.positioners, *self.samplers]
+        names = [*self.positioners, *self.samplers, *self.environments]
         for name in names:
             check_name(name)
         if twice := next((name for name in names if names.count(name) > 1), None):
@@ -95,9 +96,14 @@ class StandFile(BaseModel):
         return ({DAQ: self.daq_table} if self.daq_table else {}) | self.named_samplers.by_name
 
     @property
-    def instruments(self) -> Mapping[str, HeadTable | DaqTable]:
+    def environments(self) -> Mapping[str, ChamberTable]:
+        """The table of the temperature chamber, by the condition that it sets."""
+        return {CHAMBER: self.chamber_table} if self.chamber_table else {}
+
+    @property
+    def instruments(self) -> Mapping[str, HeadTable | DaqTable | ChamberTable]:
         """The tables of all instruments, by name."""
-        return {**self.positioners, **self.samplers}
+        return {**self.positioners, **self.samplers, **self.environments}
 
     @property
     def head(self) -> HeadTable:
@@ -162,6 +168,12 @@ class RecordedHead(HeadTable):
 
 class RecordedDaq(DaqTable):
     """The same of a DAQ."""
+
+    model_config = ConfigDict(extra="ignore")
+
+
+class RecordedChamber(ChamberTable):
+    """The same of a temperature chamber."""
 
     model_config = ConfigDict(extra="ignore")
 

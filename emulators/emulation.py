@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, TypeVar
 from uuid import uuid4
 
 from tumble.drivers.driver import SIMULATED
-from tumble.drivers.tables import DAQ, HEAD, DaqTable, HeadTable, Instrument
+from tumble.drivers.tables import CHAMBER, DAQ, HEAD, ChamberTable, DaqTable, HeadTable, Instrument
 from tumble.emulators.backstage import backstage_of
 from tumble.emulators.faults import Faults, JointFaults
 from tumble.emulators.scpi.models import Messages
@@ -37,6 +37,7 @@ class Wanted:
     positioners: Mapping[str, HeadTable] = field(default_factory=dict)
     samplers: Mapping[str, DaqTable] = field(default_factory=dict)
     """The tables of further ones, by name."""
+    chamber: ChamberTable | None = None
     head_port: int = 0
     """TCP port; 0 for any that is free. Where head and DAQ share a CAN bus, that of the head serves both."""
     daq_port: int = 0
@@ -89,11 +90,14 @@ class _Emulation:
         self._bus_address: dict[str, str] = {}
 
     def addresses(self) -> dict[str, str]:
-        self._faults.check([*self._wanted.heads, *self._wanted.daqs])
+        chamber = [CHAMBER] if self._wanted.chamber else []
+        self._faults.check([*self._wanted.heads, *self._wanted.daqs, *chamber])
         found = self._heads()
         for name, table in self._wanted.daqs.items():
             kinds = {SIMULATED: self._meter, "scpi": self._scpi, "scanner": self._scanner, "can": self._candaq}
             found |= _emulator(table, kinds)(name, table)
+        if self._wanted.chamber:
+            found |= _emulator(self._wanted.chamber, {SIMULATED: self._chamber, "modbus": self._chamber})()
         self._stack.enter_context(backstage_of(self._shared, tuple(found.values()), self._faults.of(OPERATOR)))
         return found
 
@@ -165,6 +169,16 @@ class _Emulation:
         daq = EmulatedCanDaq(world, self._channel, self._faults.of(name), self._frames(table))
         self._stack.callback(daq.close)
         return self._bus(name)
+
+    def _chamber(self) -> dict[str, str]:
+        from tumble.emulators.modbus import REGISTERS, EmulatedChamber, is_whole
+
+        assert self._wanted.chamber
+        registers = getattr(self._wanted.chamber, "registers", REGISTERS)
+        faults = self._faults.of(CHAMBER)
+        session = EmulatedChamber(self._shared, registers, faults)
+        server = serve_tcp(lambda: session, self._wanted.port(CHAMBER), faults, whole=is_whole)
+        return {CHAMBER: self._kept(server).url}
 
     def _frames(self, table: DaqTable) -> "DaqFrames | None":
         """What the DBC file of the stand says, where it has one. Raises `ValueError`."""

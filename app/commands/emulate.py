@@ -66,6 +66,7 @@ def command(
     wanted = Wanted(
         positioners=file.positioners,
         samplers=file.samplers,
+        chamber=file.chamber_table,
         ports=ports | {name: port for name, port in asked.items() if port is not None},
         folder=loaded.folder,
         ptys=ptys,

@@ -50,6 +50,24 @@ SIMULATED: Final = (
     "\n".join(f'[positioners.{name}]\ndriver = "simulated"\n{_LIMITS}' for name in ("outer", "inner"))
     + '[samplers.triad]\ndriver = "simulated"\nsamples = 20\nrate_hz = 10.0\n'
 )
+CHAMBER: Final = """[chamber]
+driver = "modbus"
+url = "{chamber}"
+limits_degC = [-40.0, 120.0]
+ramp_K_per_min = 10.0
+safe_degC = 23.0
+
+[chamber.registers]
+actual = { input = 100, kind = "float32", scale = 1.0, word_order = "little" }
+setpoint = { holding = 7 }
+run = { coil = 3 }
+door = { discrete = 12, when = false }
+door_lock = { coil = 4 }
+alarm = { discrete = 13 }
+"""
+SIMULATED_CHAMBER: Final = (
+    '[chamber]\ndriver = "simulated"\nlimits_degC = [-40.0, 120.0]\nramp_K_per_min = 10.0\nsafe_degC = 23.0\n'
+)
 WORLD: Final = '[simulated]\nworld = "two_axes"\nseed = 3\ntemperature = { wander_K = 0.0 }\n'
 
 
@@ -77,7 +95,8 @@ def served(
     simulated = simulation(anywhere, clock)
     shared = SharedWorld(simulated)
     faults = StandFaults(None, clock, lambda: simulated.world.counts.dwells)
-    wanted = Wanted(positioners=anywhere.file.positioners, samplers=anywhere.file.samplers)
+    file = anywhere.file
+    wanted = Wanted(positioners=file.positioners, samplers=file.samplers, chamber=file.chamber_table)
     with ExitStack() as stack:
         stand = stand_of(folder, instruments, emulate(stack, shared, wanted, faults), world)
         yield TwoAxesStand(job=job_at(stand, programme), clock=clock, shared=shared, faults=faults)

@@ -47,6 +47,10 @@ class Links:
             self._opened.callback(self._buses[address.url].close)
         return self._buses[address.url]
 
+    def at_end(self, close: Callable[[], None]) -> None:
+        """Have something else closed with them."""
+        self._opened.callback(close)
+
     def close(self) -> None:
         """Close everything; a second call does nothing."""
         self._opened.close()

@@ -126,6 +126,11 @@ class SimulatedWorld:
         return self.daq
 
     @property
+    def chamber(self) -> None:
+        """There is only the room."""
+        return
+
+    @property
     def mount(self) -> str:
         """Mount in which the unit sits."""
         return self._bench.mount

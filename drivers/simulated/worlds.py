@@ -12,8 +12,10 @@ from typing import Any, Final, Generic, Protocol, TypeVar
 from tumble import plugins
 from tumble.drivers.clock import Clock
 from tumble.drivers.protocols import Block, Sampler
+from tumble.drivers.simulated.chamber import SimulatedChamber
 from tumble.drivers.simulated.head import HeadOptions, SimulatedHead
 from tumble.drivers.simulated.table import SimulatedTable
+from tumble.drivers.tables import ChamberTable
 from tumble.messages import Message
 
 _GROUP: Final = "tumble.worlds"
@@ -49,6 +51,11 @@ class World(Protocol):
 
     def meter(self, channels: Sequence[str]) -> Meter:
         """A voltmeter at these outputs, at all where none is named. Raises `ValueError` for one that it has not."""
+        ...
+
+    @property
+    def chamber(self) -> SimulatedChamber | None:
+        """What gives the unit its temperature; None where nothing does but the room."""
         ...
 
     @property
@@ -104,6 +111,14 @@ def find_world(name: str) -> WorldKind[Any]:
     if not isinstance(kind, WorldKind):
         raise ValueError(Message("{name} is no simulated world; register a WorldKind", name=name))
     return kind
+
+
+def chamber_of(world: World, table: ChamberTable) -> "SimulatedChamber":
+    """The chamber of a world with what the stand file says of it. Raises `ValueError` where it has none."""
+    if world.chamber is None:
+        raise ValueError(Message("this simulated world has no temperature chamber; leave [chamber] out"))
+    world.chamber.options = table
+    return world.chamber
 
 
 def axis_of(positioners: Mapping[str, SimulatedHead], name: str) -> SimulatedHead:

@@ -7,6 +7,7 @@ from typing import Final
 import numpy as np
 
 from tumble.drivers.clock import Clock
+from tumble.drivers.simulated.chamber import SimulatedChamber
 from tumble.drivers.simulated.daq import Converter
 from tumble.drivers.simulated.effects import Effects
 from tumble.drivers.simulated.geometry import FloatArray
@@ -45,7 +46,8 @@ class Terminals:
     def __init__(self, settings: SimulatedTwoAxes, clock: Clock, heads: Mapping[str, HeadOptions]) -> None:
         self._settings, self._effects = settings, settings.effects
         self._unit = Triad(settings)
-        self._room = Room(settings.temperature, settings.seed)
+        room = Room(settings.temperature, settings.seed)
+        self.chamber = SimulatedChamber(clock, room.temperature_degc, unit_tau_s=settings.unit_tau_s)
         self._began_s = clock.monotonic_s()
         self.counts = Counts()
         self.axes = {
@@ -60,6 +62,7 @@ class Terminals:
     def postpone(self, outage_s: float) -> None:
         """Count time as if the world had begun so much later."""
         self._began_s += outage_s
+        self.chamber.postpone(outage_s)
 
     def begin_acquisition(self) -> None:
         """The first samples after a move begin a dwell."""
@@ -115,7 +118,7 @@ class Terminals:
         return output_v + drawn * self._effects.realisation_bias.values
 
     def _temperature_degc(self, times_s: FloatArray) -> FloatArray:
-        return self._room.temperature_degc(times_s - self._began_s)
+        return self.chamber.unit_degc(times_s)
 
     def _random(self, stream: Stream, channel: int) -> np.random.Generator:
         """The numbers of a channel: those of every channel have a key of their own."""
@@ -143,6 +146,11 @@ class TwoAxesWorld:
     def positioners(self) -> Mapping[str, SimulatedHead]:
         """Both axes."""
         return {name: axis.head for name, axis in self.terminals.axes.items()}
+
+    @property
+    def chamber(self) -> SimulatedChamber:
+        """Around both axes; as long as it does not run, the unit has the temperature of the room."""
+        return self.terminals.chamber
 
     @property
     def counts(self) -> Counts:
