@@ -31,8 +31,7 @@ _EXCEPTIONS: Final = {
 
 Answer = TypeVar("Answer")
 
-logging.getLogger("pymodbus").addHandler(logging.NullHandler())  # what it reports is raised here
-logging.getLogger("pymodbus").propagate = False
+logging.getLogger("pymodbus.logging").setLevel(logging.CRITICAL)  # what it reports is raised here
 
 
 class ModbusChamber:
