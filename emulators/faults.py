@@ -52,9 +52,9 @@ DeviceKind = Literal[
 `swapped`: another unit, with another serial number, stands in its place.
 `old_bits`, `flicker`, `without_options`, `mode_shown_late`: a CiA 402 drive has that habit from then on
 (`tumble.emulators.cia402_habits`). `foreign_frames`: frames that are cut, garbled or of another kind come under the
-identifiers of a device on CAN. Of a temperature chamber: `door_opened`, until it is shut after `lasts_s`;
-`sensor_broken`, whose temperature is then the end of its scale; `stuck`, whose air stays as it is; `alarm`;
-`refused`, a set point that is not taken.
+identifiers of a device on CAN. Of a temperature chamber, for `lasts_s`: `door_opened`; `sensor_broken`, whose
+temperature is then the end of its scale; `stuck`, whose air stays as it is; `alarm`; once: `refused`, a set point that
+is not taken.
 """
 
 Kind = Literal[WireKind, "drop", "noise", DeviceKind, "not_seated"]

@@ -11,7 +11,7 @@ from typing import Final
 
 from tumble.drivers.chamber.registers import Bit, Quantity, Registers
 from tumble.drivers.simulated.chamber import SimulatedChamber
-from tumble.emulators.faults import Faults
+from tumble.emulators.faults import Faults, Kind
 from tumble.emulators.world import SharedWorld
 
 REGISTERS: Final = Registers.model_validate(
@@ -60,8 +60,8 @@ class EmulatedChamber:
     def __init__(self, shared: SharedWorld, registers: Registers, faults: Faults) -> None:
         self._shared, self._registers, self._faults = shared, registers, faults
         self._chamber: SimulatedChamber = shared.world.chamber
-        self._shut_s: float | None = None
-        self._broken = self._refuses = False
+        self._until_s: dict[str, float] = {}
+        self._broken = False
         self._functions: Mapping[int, Callable[[int, bytes], bytes]] = {
             1: self._read_bits,
             2: self._read_bits,
@@ -94,15 +94,18 @@ class EmulatedChamber:
     def _suffer(self) -> None:
         """Let happen to it what the faults say."""
         chamber = self._chamber
-        if self._shut_s is not None and time.monotonic() >= self._shut_s:
-            chamber.door_open, self._shut_s = False, None
-        if opened := self._faults.take("door_opened"):
-            chamber.door_open, self._shut_s = True, time.monotonic() + opened.lasts_s
         if self._faults.take("power_loss"):
             chamber.set(chamber.setpoint_degc, running=False)
-        self._broken = self._broken or self._faults.take("sensor_broken") is not None
-        chamber.stuck = chamber.stuck or self._faults.take("stuck") is not None
-        chamber.alarm = chamber.alarm or self._faults.take("alarm") is not None
+        chamber.door_open = self._lasts("door_opened")
+        chamber.stuck = self._lasts("stuck")
+        chamber.alarm = self._lasts("alarm")
+        self._broken = self._lasts("sensor_broken")
+
+    def _lasts(self, kind: Kind) -> bool:
+        """Whether something that went wrong is so still."""
+        if begun := self._faults.take(kind):
+            self._until_s[kind] = time.monotonic() + begun.lasts_s
+        return time.monotonic() < self._until_s.get(kind, -1.0)
 
     def _read_registers(self, function: int, body: bytes) -> bytes:
         address, count = struct.unpack(">HH", body)

@@ -94,7 +94,7 @@ def test_nothing_is_sent_beyond_its_limits(tmp_path):
     ],
 )
 def test_what_it_cannot_be_believed_is_told(kind, said, tmp_path):
-    with chamber(tmp_path, CHAMBER, (kind, {"time_s": 0.0}, 1.0)) as (driver, _):  # noqa: SIM117
+    with chamber(tmp_path, CHAMBER, (kind, {"time_s": 0.0}, 9.0)) as (driver, _):  # noqa: SIM117
         with pytest.raises(DeviceError, match=said):
             driver.begin(50.0)
             driver.status()
