@@ -17,7 +17,7 @@ from tumble.drivers.zaber.codec import (
     encode_message,
     parse_request,
 )
-from tumble.emulators.faults import Faults
+from tumble.emulators.faults import Faults, JointFaults
 from tumble.emulators.world import SharedWorld
 from tumble.emulators.zaber_axis import RejectError, ZaberAxis, most_severe
 from tumble.emulators.zaber_line import ZaberChain
@@ -72,6 +72,7 @@ class EmulatedZaber:
         self._faults = faults or Faults()
         self._shared = shared
         self.axis = ZaberAxis(shared, steps_per_deg, self._faults)
+        self._of_device = JointFaults([self._faults, *(axis.faults for axis in further)])
         self.axes = (self.axis, *further)
         """In the order of their numbers."""
         self.serial = serial
@@ -114,10 +115,10 @@ class EmulatedZaber:
 
     def _live(self) -> None:
         """Let happen what happens without a command: motion, and faults."""
-        swapped = self._faults.take("swapped")
+        swapped = self._of_device.take("swapped")
         if swapped:
             self.serial += 1
-        powerless = swapped or self._faults.take("power_loss")
+        powerless = swapped or self._of_device.take("power_loss")
         for axis in self.axes:
             if powerless:
                 axis.lose_power()

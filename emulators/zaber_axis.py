@@ -29,7 +29,8 @@ class ZaberAxis:
         self._head = shared.head
         self._clock = shared.clock
         self._steps_per_deg = steps_per_deg
-        self._faults = faults
+        self.faults = faults
+        """What goes wrong in it."""
         self._flags = {"WR", "WH"}
         self._angle_deg = self._zero_deg = self._head.status().angle_deg
         self._speed_deg_s = self._head.speed_deg_s
@@ -151,15 +152,15 @@ class ZaberAxis:
     def _set_out(self) -> None:
         self._head.move = replace(self._head.move, speed_deg_s=self._speed_deg_s)
         self.busy = True
-        self._for_ever = self._faults.take("moving_for_ever") is not None
-        if self._faults.take("stall"):
+        self._for_ever = self.faults.take("moving_for_ever") is not None
+        if self.faults.take("stall"):
             move = self._head.move
             self._stalls_at_s = (move.started_s + move.ended_s) / 2.0
         self.look()
 
     def _overshot(self, angle_deg: float) -> float:
         """The angle where it will stop in place of another."""
-        if not self._faults.take("overshoot"):
+        if not self.faults.take("overshoot"):
             return angle_deg
         low_deg, high_deg = self._head.limits_deg
         further_deg = OVERSHOOT_DEG if angle_deg >= self._angle_deg else -OVERSHOOT_DEG

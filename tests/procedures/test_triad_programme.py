@@ -70,3 +70,27 @@ def test_a_soak_comes_before_the_positions_of_its_temperature():
 def test_a_programme_that_cannot_be_is_refused(text, said):
     with pytest.raises(ProgrammeError, match=said):
         programme(text)
+
+
+def test_a_table_of_positions_is_a_programme(tmp_path):
+    path = tmp_path / "mine.csv"
+    path.write_text("# by exchange\nouter_deg,inner_deg\n90,0\n-45,135.5\n", "utf-8")
+    own = load_programme(path)
+    assert (own.name, own.method) == ("mine", "triad")
+    assert [tuple(step.targets_deg.values()) for step in steps_of(own)] == [(90.0, 0.0), (-45.0, 135.5)]
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("outer_deg,inner_deg\n90,north\n", "'north' in inner_deg is no angle; correct it"),
+        ("outer_deg,inner_deg\n90\n", "None in inner_deg is no angle"),
+        ("angle_deg\n90\n", "no method measures at settings of these columns"),
+        ("outer_deg,inner_deg,u_x_V,u_y_V,u_z_V\n0,0,1,2,3\n", "no method measures at settings of these columns"),
+    ],
+)
+def test_a_table_that_is_no_list_of_positions_is_refused(text, said, tmp_path):
+    path = tmp_path / "mine.csv"
+    path.write_text(text, "utf-8")
+    with pytest.raises(ProgrammeError, match=said):
+        load_programme(path)

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 from tumble.calibrations.methods.triad.observations import TriadObservations
 from tumble.procedures.method import ProcedurePart
+from tumble.procedures.methods.triad.positions import programme_of_list
 from tumble.procedures.methods.triad.programme import TriadProgramme
 
 if TYPE_CHECKING:
@@ -32,6 +33,7 @@ PROCEDURE_PART: Final = ProcedurePart(
     shipped=files(__package__) / "programmes",
     rows=TriadObservations,
     table=_table,
+    listed=programme_of_list,
     stand=files(__package__) / "stand.toml",
 )
 

@@ -1,6 +1,8 @@
 """A list of positions of both axes, in one order or another."""
 
-from collections.abc import Sequence
+import csv
+import json
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Annotated, Literal, Self, TypeAlias
 
@@ -13,6 +15,9 @@ from tumble.procedures.composition import Dwells
 from tumble.procedures.methods.triad.layout import CHAMBER, dwell_at
 
 MOST_POSITIONS = 10_000
+OUTER_DEG = "outer_deg"
+INNER_DEG = "inner_deg"
+"""Columns of a table of positions."""
 Position: TypeAlias = tuple[float, float]
 
 
@@ -66,6 +71,28 @@ class Positions(BaseModel):
         """Take every position once, or there and back."""
         for outer_deg, inner_deg in self.ordered(realisation):
             yield dwell_at(outer_deg, inner_deg, realisation)
+
+
+def programme_of_list(text: str, name: str) -> str:
+    """The programme of a table of positions with the columns outer_deg and inner_deg; empty for any other table.
+
+    Raises `ValueError` where an angle is none.
+    """
+    lines = [line for line in text.splitlines() if line.strip() and not line.startswith("#")]
+    rows = list(csv.DictReader(lines))
+    if not rows or not {OUTER_DEG, INNER_DEG} <= set(rows[0]) or any(key.startswith("u_") for key in rows[0]):
+        return ""
+    places = ",\n".join(f"    [{_angle(row, OUTER_DEG)}, {_angle(row, INNER_DEG)}]" for row in rows)
+    return (
+        f'method = "triad"\nname = {json.dumps(name)}\ndwell_s = 20.0\n\n[[procedure]]\npositions = [\n{places},\n]\n'
+    )
+
+
+def _angle(row: Mapping[str, str], column: str) -> float:
+    try:
+        return float(row[column])
+    except (TypeError, ValueError):
+        raise ValueError(Message("{value!r} in {column} is no angle", value=row[column], column=column)) from None
 
 
 @dataclass(frozen=True)
