@@ -1,8 +1,10 @@
 """Emulated stands with two axes in this process, reached by the real drivers through loopback sockets."""
 
+import re
 from collections.abc import Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
+from importlib.resources import files
 from pathlib import Path
 from typing import Final
 
@@ -46,6 +48,12 @@ METERS: Final = "\n".join(
     for axis in "xyz"
 )
 """A multimeter for each output."""
+CAN_DAQS: Final = "\n".join(
+    f'[samplers.{axis}]\ndriver = "can"\nurl = "{{{axis}}}"\ndbc = "daq_{axis}.dbc"\nchannels = ["u_{axis}_v"]\n'
+    "samples = 20\nrate_hz = 10.0\n"
+    for axis in "xyz"
+)
+"""A DAQ for each output, all on the bus of the axes, each with identifiers of its own in its DBC file."""
 SIMULATED: Final = (
     "\n".join(f'[positioners.{name}]\ndriver = "simulated"\n{_LIMITS}' for name in ("outer", "inner"))
     + '[samplers.triad]\ndriver = "simulated"\nsamples = 20\nrate_hz = 10.0\n'
@@ -96,7 +104,7 @@ def served(
     shared = SharedWorld(simulated)
     faults = StandFaults(None, clock, lambda: simulated.world.counts.dwells)
     file = anywhere.file
-    wanted = Wanted(positioners=file.positioners, samplers=file.samplers, chamber=file.chamber_table)
+    wanted = Wanted(positioners=file.positioners, samplers=file.samplers, chamber=file.chamber_table, folder=folder)
     with ExitStack() as stack:
         stand = stand_of(folder, instruments, emulate(stack, shared, wanted, faults), world)
         yield TwoAxesStand(job=job_at(stand, programme), clock=clock, shared=shared, faults=faults)
@@ -106,11 +114,22 @@ def stand_of(folder: Path, instruments: str, where: Mapping[str, str], world: st
     """The stand whose instruments have these addresses, by their names; anywhere where nothing is said."""
     text = instruments
     for name in ("outer", "inner", "scanner", "x", "y", "z", "triad", "chamber"):
-        nowhere = "virtual:anywhere" if "cia402" in instruments and name in ("outer", "inner") else _NOWHERE
+        on_can = "cia402" in instruments and name in ("outer", "inner")
+        on_can = on_can or ('"can"' in instruments and name in ("x", "y", "z"))
+        nowhere = "virtual:anywhere" if on_can else _NOWHERE
         text = text.replace(f"{{{name}}}", where.get(name, nowhere))
+    _write_dbc_files(folder)
     file = folder / "stand.toml"
     file.write_text(f'name = "two axes"\n{text}\n{world}', "utf-8")
     return load_stand(file)
+
+
+def _write_dbc_files(folder: Path) -> None:
+    """The DBC file that comes along, with other identifiers for each DAQ."""
+    text = (files("tumble.drivers.candaq") / "tumble_daq.dbc").read_text("utf-8")
+    for place, axis in enumerate("xyz"):
+        other = re.sub(r"\b7(68|8\d)\b", lambda found, by=32 * place: f"{int(found[0]) + by}", text)
+        (folder / f"daq_{axis}.dbc").write_text(other, "utf-8")
 
 
 def job_at(stand: LoadedStand, programme: str) -> Job:

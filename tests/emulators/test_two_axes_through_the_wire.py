@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from benchmarks.endurance.two_axes import (
+    CAN_DAQS,
     CIA402,
     MANUAL,
     METERS,
@@ -33,8 +34,8 @@ settle_tolerance_v = 1.0
 [[procedure]]
 list = "8o"
 """
-PAIRS = [(ZABER, SCANNER), (ZABER_CHAIN, METERS), (CIA402, SCANNER), (MANUAL, SCANNER)]
-NAMES = ["zaber-scanner", "zaber chain-meters", "cia402-scanner", "manual-scanner"]
+PAIRS = [(ZABER, SCANNER), (ZABER_CHAIN, METERS), (CIA402, SCANNER), (CIA402, CAN_DAQS), (MANUAL, SCANNER)]
+NAMES = ["zaber-scanner", "zaber chain-meters", "cia402-scanner", "cia402-can daqs", "manual-scanner"]
 
 
 def measured(job, connected, path):
