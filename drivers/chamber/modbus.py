@@ -9,8 +9,8 @@ from pymodbus import ModbusException
 from pymodbus.client import ModbusTcpClient
 from pymodbus.pdu import ModbusPDU
 
-from tumble.drivers.chamber.declaration import ModbusChamberTable
 from tumble.drivers.chamber.registers import Bit, Quantity
+from tumble.drivers.chamber.table import ModbusChamberTable
 from tumble.drivers.errors import DeviceError, LimitError, LinkLostError
 from tumble.drivers.protocols import EnvironmentStatus, Identity
 from tumble.messages import Message
