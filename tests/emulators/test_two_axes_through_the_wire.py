@@ -76,7 +76,7 @@ def test_the_scanner_gives_every_channel_its_temperature(tmp_path):
 
 
 def test_both_axes_are_under_way_at_once_and_both_are_braked(tmp_path):
-    with served(tmp_path, "\n".join((ZABER, SCANNER)), SHORT) as stand:
+    with served(tmp_path, "\n".join((ZABER, SCANNER)), SHORT, speed=5.0) as stand:
         connected = stand.connect()
         outer, inner = (connected.stand.positioners[name] for name in ("outer", "inner"))
         for axis in (outer, inner):
