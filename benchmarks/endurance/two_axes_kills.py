@@ -39,7 +39,7 @@ positions = [[90, 0], [0, 90], [-45, 45]]
 """
 POINTS: Final = 6
 SOAKS: Final = 2
-_SPEED: Final = 20.0
+_SPEED: Final = 40.0
 _KILLING: Final = """\
 import os, signal, sys
 from tumble.app.cli import main
@@ -162,9 +162,10 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as name, served(Path(name)) as stand:
         folder = Path(name)
         whole = whole_run(stand, folder / "whole.mcap")
-        results = [killed(stand, folder / f"{what}{number}.mcap", what, number, whole) for what, number in moments]
-    for result in results:
-        print(result)
+        results = []
+        for what, number in moments:
+            results.append(killed(stand, folder / f"{what}{number}.mcap", what, number, whole))
+            print(results[-1], flush=True)
     lost, doubled = sum(each.lost for each in results), sum(each.doubled for each in results)
     print(f"{len(results)} kills: lost {lost}, doubled {doubled}, changed {sum(each.changed for each in results)}")
 
