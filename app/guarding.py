@@ -27,6 +27,10 @@ HEAD_NEEDS: Final = frozenset({"home", "identify", "limits_deg", "speed_deg_s", 
 """Members of `Positioner`."""
 DAQ_NEEDS: Final = frozenset({"acquire", "identify"})
 """Members of `Sampler`."""
+CHAMBER_NEEDS: Final = frozenset(
+    {"begin", "identify", "limits_degc", "lock_door", "make_safe", "ramp_k_per_min", "status"}
+)
+"""Members of `Environment`."""
 _ABSENT: Final = object()
 
 

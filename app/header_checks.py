@@ -41,7 +41,7 @@ def check_header(path: Path, header: Header, stand: Mapping[str, Any] | None = N
         )
     if stand is not None or header.protected:
         return
-    built_in = load_stand()
+    built_in = load_stand(method=header.method)
     if header.stand_sha256 == built_in.sha256 and header.stand != built_in.recorded:
         raise InputError(
             Message(

@@ -1,7 +1,7 @@
 """The tables of a stand file that are instruments: `[head]` and `[daq]`, and any number of others by name.
 
 `[head]` is the positioner called head and `[daq]` the sampler called daq. Further ones are `[positioners.NAME]` and
-`[samplers.NAME]`; where there are such, the stand need have neither of the two.
+`[samplers.NAME]`; where there are such, the stand need have neither of the two. `[chamber]` is a temperature chamber.
 """
 
 from collections.abc import Iterator, Mapping
@@ -10,7 +10,7 @@ from typing import Any, Final, TypeAlias
 
 from pydantic import BaseModel, ConfigDict, Field, create_model
 
-from tumble.drivers.tables import DAQ, HEAD, DaqTable, HeadTable
+from tumble.drivers.tables import CHAMBER, DAQ, HEAD, ChamberTable, DaqTable, HeadTable
 
 POSITIONERS: Final = "positioners"
 SAMPLERS: Final = "samplers"
@@ -46,7 +46,7 @@ class Place:
     """Of the instrument at the stand."""
     location: tuple[str, ...]
     """Keys that lead to it."""
-    kind: type[HeadTable] | type[DaqTable]
+    kind: type[HeadTable] | type[DaqTable] | type[ChamberTable]
 
     @property
     def where(self) -> str:
@@ -69,3 +69,5 @@ def places(data: Data) -> Iterator[Place]:
         named = data.get(several)
         for name in named if isinstance(named, Mapping) else ():
             yield Place(name=name, location=(several, name), kind=kind)
+    if CHAMBER in data:
+        yield Place(name=CHAMBER, location=(CHAMBER,), kind=ChamberTable)

@@ -6,7 +6,7 @@
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
 
 from tumble.calibrations.core.provenance import Provenance
 from tumble.calibrations.core.rows import Rows
@@ -106,4 +106,13 @@ class JobPart(Protocol):
 
     def available(self, stand: "LoadedStand", rows: Any, attended: bool) -> "Available":  # noqa: ANN401
         """Ask a stand which experiments it can run after these rows; `attended` where a person is there."""
+        ...
+
+
+@runtime_checkable
+class SomeTables(Protocol):
+    """The job of a method that also reads tables which no run at a stand leaves; without it, it takes all of them."""
+
+    def reads(self, header: Sequence[str]) -> bool:
+        """Whether a table with these columns is one as a run leaves it."""
         ...

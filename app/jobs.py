@@ -3,10 +3,12 @@
 A recording says its method, and a table is known by its columns.
 """
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from tumble import plugins
+from tumble.app.files import is_recording
 from tumble.app.methods import method_called
 from tumble.calibrations.core.files import read_header
 from tumble.calibrations.core.known_tables import reader
@@ -23,6 +25,18 @@ GROUP: Final = "tumble.jobs"
 def has_job(method: str) -> bool:
     """Whether a method is measured at a stand of this program: its files may be recordings, and its loop acts."""
     return method in plugins.names(GROUP)
+
+
+def measured_at_stand(method: str, paths: Sequence[Path]) -> bool:
+    """Whether files of a method are runs at a stand, or tables as such runs leave them. Raises `InputError`."""
+    if not has_job(method):
+        return False
+    from tumble.app.job_part import SomeTables
+
+    part = find_job(method)
+    if not isinstance(part, SomeTables):
+        return True
+    return all(is_recording(path) or part.reads(read_header(path)) for path in paths)
 
 
 def find_job(method: str) -> "JobPart":

@@ -16,7 +16,7 @@ from tumble.app.analysed import Analysed
 from tumble.app.analysing import fit as analyse
 from tumble.app.analysing import trace
 from tumble.app.calibrating import calibrate as carry_out
-from tumble.app.jobs import has_job
+from tumble.app.jobs import measured_at_stand
 from tumble.app.joining import read_together
 from tumble.app.measurements import read_measurement
 from tumble.app.methods import close_loop as close_tables
@@ -120,7 +120,7 @@ def close_loop(path: Place, *further: Place, stand: Place | None = None, serial_
     """
     files = [Path(place) for place in (path, *further)]
     method = method_of(files)
-    if not has_job(method.name):
+    if not measured_at_stand(method.name, files):
         if further:
             raise InputError(Message("{path}: give one table of this kind at a time", path=files[1]))
         return _of_method(method, files)
@@ -133,7 +133,8 @@ def plan(programme: Place, *, stand: Place | None = None) -> Plan:
 
     `programme` is the name of one that comes along, or a file; without `stand` it is planned for the built-in one.
     """
-    return Outline(stand=read_stand(_path(stand)), programme=_programme(programme)).plan()
+    planned = _programme(programme)
+    return Outline(stand=read_stand(_path(stand), planned.method), programme=planned).plan()
 
 
 def run(
@@ -191,8 +192,9 @@ def records(store: Place) -> "Store":
 
 
 def _job(programme: Place, serial_number: str, stand: Place | None, operator: str) -> Job:
-    loaded = load_stand(_path(stand))
-    return Job(stand=loaded, programme=_programme(programme), serial_number=serial_number, operator=operator)
+    wanted = _programme(programme)
+    loaded = load_stand(_path(stand), wanted.method)
+    return Job(stand=loaded, programme=wanted, serial_number=serial_number, operator=operator)
 
 
 def _programme(programme: Place) -> Programme:

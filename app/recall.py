@@ -10,7 +10,7 @@ from tumble.app.analysing import fit, trace
 from tumble.app.calibrating import report_path, write_report
 from tumble.app.files import is_recording
 from tumble.app.identity import program_identity
-from tumble.app.jobs import has_job
+from tumble.app.jobs import measured_at_stand
 from tumble.app.joining import read_together
 from tumble.app.measurement import Measurement
 from tumble.app.methods import methods
@@ -47,7 +47,7 @@ def recall(folder: Path, record_id: str) -> tuple[Record, Measurement]:
     """A record, by the beginning of its id, with its raw file. Raises `InputError`, `RecordError`, `StoreError`."""
     store = open_store(folder)
     record = store.get(record_id)
-    if not has_job(record.method):
+    if not measured_at_stand(record.method, store.raw_files(record)):
         raise RecordError(
             Message(
                 "record {record_id} is of method {method}, which only records show and export know",
@@ -87,7 +87,7 @@ def verify_record(store: "Store", record: Record) -> Verification:
 
 def _refit(method: Method, record: Record, folder: Path, paths: Sequence[Path], stand: Mapping[str, Any]) -> Entry:
     """How the numbers of a record come back from its raw files."""
-    if not has_job(method.name):
+    if not measured_at_stand(method.name, paths):
         return method.close_loop(paths).entry()
     measurement = _as_corrected(read_together(paths, stand), record, folder)
     return trace(fit(measurement, trials=0)).entry

@@ -31,7 +31,7 @@ from tumble.procedures.engine import Engine
 from tumble.procedures.events import State, WarningRaised
 from tumble.procedures.outcome import Outcome
 from tumble.procedures.plan import REQUEST_S, Plan, plan
-from tumble.procedures.plan_checks import check_cable, check_condition, check_limits
+from tumble.procedures.plan_checks import check_cable, check_condition, check_limits, check_temperatures
 from tumble.procedures.programme import Programme
 from tumble.procedures.recording.errors import RecordingError
 from tumble.procedures.recording.header import Header, written_version
@@ -73,6 +73,8 @@ class Outline:
                 check_condition(planned, condition, allowed)
             check_limits(planned, name, table.limits_deg)
             check_cable(planned, name, table.turns)
+        for name, chamber in self.stand.file.environments.items():
+            check_temperatures(planned, name, chamber.limits_degc)
         return planned
 
 
@@ -165,10 +167,10 @@ def carry_out(
 
 
 def _second_look(job: Job, connected: Connected) -> SecondLook | None:
-    """Whoever reads a positioner by eye, asked again where the method of the programme doubts a reading."""
-    if connected.eyepiece is None:
+    """Whoever reads positioners by eye, asked again where the method of the programme doubts a reading."""
+    if not connected.eyepieces:
         return None
-    return ReadAgain(connected.eyepiece, find_method(job.programme.method).procedure_part.contradicted)
+    return ReadAgain(connected.eyepieces, find_method(job.programme.method).procedure_part.contradicted)
 
 
 def _warn_of_what_is_due(job: Job, clock: Clock, announcer: Announcer) -> None:

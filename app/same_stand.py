@@ -31,13 +31,13 @@ def load_same_stand(
         It is another by now, or so is a Python file that it names; or it cannot be told.
     """
     place = path or _recorded_place(recording)
-    written = read_stand(place)
+    written = read_stand(place, recording.header.method)
     _check_same(written, recording)
     if place and path is None:
         _check_code(written, recording)
         _check_paths(written)
         show(Message("stand file {place}, as {path} says", place=place, path=recording.path))
-    loaded = load_stand(place)
+    loaded = load_stand(place, recording.header.method)
     _check_same(loaded, recording)
     return loaded
 

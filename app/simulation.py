@@ -1,6 +1,7 @@
 """The stand that exists in this process only: its operator, its past, and a head of it that a person turns."""
 
 from collections.abc import Callable, Sequence
+from copy import deepcopy
 from dataclasses import dataclass, replace
 from functools import reduce
 from typing import Protocol
@@ -9,8 +10,10 @@ from tumble.app.stand import WrittenStand
 from tumble.drivers.clock import Clock
 from tumble.drivers.manual import Eyepiece
 from tumble.drivers.protocols import Stand
-from tumble.drivers.simulated import HeadOptions, Simulated, SimulatedWorld, build
-from tumble.drivers.simulated.bench import Counts
+from tumble.drivers.simulated.head import HeadOptions, SimulatedHead
+from tumble.drivers.simulated.table import FIRST_WORLD
+from tumble.drivers.simulated.worlds import Counted, Surroundings, World, axis_of, chamber_of, find_world
+from tumble.drivers.tables import TITLES
 from tumble.messages import Message
 from tumble.procedures.acquisition import Acquisition
 from tumble.procedures.announcer import Listener
@@ -39,22 +42,14 @@ class Simulation:
     """A simulated stand, its world, and what must hear of a run there."""
 
     stand: Stand
-    world: SimulatedWorld
+    world: World
     listeners: tuple[Listener, ...]
     lived_s: float = 0.0
     """Since the last run began that it has lived through."""
 
-    def turn(self, angle_deg: float) -> None:
-        """Begin to turn the head by hand."""
-        self.world.head.start_move(angle_deg)
-
-    def let_go(self) -> None:
-        """Leave the head where it is."""
-        self.world.head.stop()
-
-    def turning(self) -> bool:
-        """Whether the head still turns."""
-        return self.world.head.status().moving
+    def hand(self, positioner: str) -> "SimulatedHand":
+        """What turns a positioner that has no motor."""
+        return SimulatedHand(axis_of(self.world.positioners, positioner))
 
     def after(self, pasts: Sequence[Past]) -> "Simulation":
         """Have the world live through runs again up to their last points, and go on from there.
@@ -79,31 +74,63 @@ class Simulation:
         outcome = engine.run(_beginning(past.programme.procedure(), past.points, stop))
         if not moments_s and outcome.error:  # somebody interrupted the program
             raise outcome.error
-        putting_back = _putting_back(self.world, clock, replace(self.world.counts), moments_s[0])
+        putting_back = _putting_back(self.world, clock, deepcopy(self.world.counts), moments_s[0])
         return replace(self, lived_s=moments_s[0] - began_s, listeners=(*self.listeners, putting_back))
 
 
+@dataclass(frozen=True)
+class SimulatedHand:
+    """Turns an axis of the world by hand. Fits `Hand`."""
+
+    axis: SimulatedHead
+
+    def turn(self, angle_deg: float) -> None:
+        """Begin to turn it."""
+        self.axis.start_move(angle_deg)
+
+    def let_go(self) -> None:
+        """Leave it where it is."""
+        self.axis.stop()
+
+    def turning(self) -> bool:
+        """Whether it still turns."""
+        return self.axis.status().moving
+
+
 def simulation(loaded: WrittenStand, clock: Clock) -> Simulation:
-    """Make the simulated stand of a stand file, at the beginning of its time.
+    """Make the simulated stand of a stand file, at the beginning of its time; every driver in it is taken as simulated.
 
     Raises
     ------
     InputError
-        A file that the stand names cannot be used.
+        A file that the stand names cannot be used, or its world has no such instrument.
     """
-    head = loaded.file.head
-    options = HeadOptions(limits_deg=head.limits_deg, steps_per_deg=head.steps_per_deg, speed_deg_s=head.speed_deg_s)
+    file = loaded.file
     try:
-        built = build(
-            loaded.file.simulated or Simulated(),
-            name=loaded.file.name,
+        world = world_of(loaded, clock)
+        stand = Stand(
+            name=file.name,
+            positioners={name: axis_of(world.positioners, name) for name in file.positioners},
+            samplers={name: world.meter(table.channels) for name, table in file.samplers.items()},
+            environments={name: chamber_of(world, table) for name, table in file.environments.items()},
             clock=clock,
-            head=options,
-            base_path=loaded.folder,
+            titles=TITLES,
         )
     except ValueError as error:
         raise InputError(Message("{path}: {error}", path=loaded.path, error=error)) from error
-    return Simulation(stand=built.stand, world=built.world, listeners=(switching_on(built.world.switch_on),))
+    return Simulation(stand=stand, world=world, listeners=(switching_on(world.switch_on),))
+
+
+def world_of(loaded: WrittenStand, clock: Clock) -> World:
+    """The world behind a stand file. Raises `ValueError`: a file that it names cannot be used."""
+    file = loaded.file
+    kind = find_world(file.simulated.world if file.simulated else FIRST_WORLD)
+    heads = {
+        name: HeadOptions(limits_deg=table.limits_deg, steps_per_deg=table.steps_per_deg, speed_deg_s=table.speed_deg_s)
+        for name, table in file.positioners.items()
+    }
+    surroundings = Surroundings(clock=clock, heads=heads, folder=loaded.folder)
+    return kind.build(file.simulated or kind.table(), surroundings)
 
 
 class _Nowhere:
@@ -114,7 +141,7 @@ class _Nowhere:
 
 
 class Hand(Protocol):
-    """What turns a head without a motor where there is nobody: `Simulation`, or the backstage of an emulated stand."""
+    """What turns a positioner without a motor where there is nobody, at a simulated or an emulated stand."""
 
     def turn(self, angle_deg: float) -> None:
         """Begin to turn the head."""
@@ -163,7 +190,7 @@ def _beginning(procedure: Procedure, points: int, stop: Callable[[], None]) -> P
         yield step
 
 
-def _putting_back(world: SimulatedWorld, clock: Clock, counts: Counts, lived_s: float) -> Listener:
+def _putting_back(world: World, clock: Clock, counts: Counted, lived_s: float) -> Listener:
     def listen(event: Event) -> None:
         if isinstance(event, RunResumed):
             world.put_back(counts, clock.monotonic_s() - lived_s)

@@ -1,7 +1,7 @@
 """Reading stand files, without and with the code that they name."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from datetime import date
 from hashlib import sha256
 from importlib.resources import files
@@ -11,18 +11,44 @@ from typing import Any, Final, Self
 from pydantic import BaseModel
 
 from tumble.app.instrument_tables import POSITIONERS, SAMPLERS, Place, places
-from tumble.app.stand_file import RecordedDaq, RecordedHead, RecordedStand, Site, StandFile, stand_file_with
-from tumble.drivers.driver import SIMULATED, DaqDriver, Driver, HeadDriver, find_daq, find_head
+from tumble.app.stand_file import (
+    RecordedChamber,
+    RecordedDaq,
+    RecordedHead,
+    RecordedStand,
+    Site,
+    StandFile,
+    stand_file_with,
+)
+from tumble.drivers.driver import (
+    SIMULATED,
+    ChamberDriver,
+    DaqDriver,
+    Driver,
+    HeadDriver,
+    find_chamber,
+    find_daq,
+    find_head,
+)
 from tumble.drivers.own_file import hash_of_file, is_own_file
-from tumble.drivers.tables import HEAD, DaqTable, HeadTable
+from tumble.drivers.simulated.table import FIRST_WORLD, SimulatedTable
+from tumble.drivers.simulated.worlds import find_world
+from tumble.drivers.tables import HEAD, ChamberTable, DaqTable, HeadTable
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
+from tumble.procedures.first_method import FIRST
+from tumble.procedures.registry import find_method
 from tumble.procedures.toml_lines import parse_toml, place_of, read_text
 from tumble.procedures.toml_text import read_toml
 
 __all__ = ["LoadedStand", "RecordedStand", "Site", "StandFile", "WrittenStand", "load_stand", "read_stand"]
 
-_RECORDED: Final[Mapping[type[BaseModel], type[BaseModel]]] = {HeadTable: RecordedHead, DaqTable: RecordedDaq}
+_RECORDED: Final[Mapping[type[BaseModel], type[BaseModel]]] = {
+    HeadTable: RecordedHead,
+    DaqTable: RecordedDaq,
+    ChamberTable: RecordedChamber,
+}
+_FINDERS: Final = {HeadTable: find_head, DaqTable: find_daq, ChamberTable: find_chamber}
 _APART: Final = Message("a simulated head and a simulated daq belong together: a real one does not see the other")
 
 
@@ -54,6 +80,8 @@ class LoadedStand(WrittenStand):
     """By name; None for the simulated head."""
     sampler_drivers: Mapping[str, DaqDriver | None]
     """By name; None for the simulated DAQ."""
+    environment_drivers: Mapping[str, ChamberDriver | None] = field(default_factory=dict)
+    """By name; None for the simulated chamber."""
 
     @property
     def head_driver(self) -> HeadDriver | None:
@@ -61,8 +89,10 @@ class LoadedStand(WrittenStand):
         return self.positioner_drivers.get(HEAD)
 
 
-def read_stand(path: Path | None = None) -> WrittenStand:
-    """Read a stand file, or the built-in simulated stand where there is no path, and run no file that it names.
+def read_stand(path: Path | None = None, method: str = FIRST) -> WrittenStand:
+    """Read a stand file, or the simulated stand that is built in for a method where there is no path.
+
+    No file that it names is run.
 
     The keys of a driver in such a file are not checked: only the file says what they are.
 
@@ -71,10 +101,10 @@ def read_stand(path: Path | None = None) -> WrittenStand:
     InputError
         Unreadable or invalid: file, line, what is wrong and what to do.
     """
-    return _Text.at(path).written()
+    return _Text.at(path, method).written()
 
 
-def load_stand(path: Path | None = None) -> LoadedStand:
+def load_stand(path: Path | None = None, method: str = FIRST) -> LoadedStand:
     """Read a stand file likewise, and load the drivers that it names, which runs their files.
 
     Raises
@@ -82,15 +112,20 @@ def load_stand(path: Path | None = None) -> LoadedStand:
     InputError
         Unreadable or invalid, or a driver cannot be loaded: file, line, what is wrong and what to do.
     """
-    text = _Text.at(path)
+    text = _Text.at(path, method)
     written = text.written()
     drivers = {place: text.driver(place) for place in places(text.data)}
     file = text.checked({place: driver.table if driver else place.kind for place, driver in drivers.items()})
-    positioners, samplers = (
+    positioners, samplers, environments = (
         {place.name: driver for place, driver in drivers.items() if place.kind is kind}
-        for kind in (HeadTable, DaqTable)
+        for kind in (HeadTable, DaqTable, ChamberTable)
     )
-    return LoadedStand(**vars(written) | {"file": file}, positioner_drivers=positioners, sampler_drivers=samplers)
+    return LoadedStand(
+        **vars(written) | {"file": file},
+        positioner_drivers=positioners,
+        sampler_drivers=samplers,
+        environment_drivers=environments,
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -102,10 +137,11 @@ class _Text:
     path: Path | None
 
     @classmethod
-    def at(cls, path: Path | None) -> Self:
+    def at(cls, path: Path | None, method: str) -> Self:
         if path is None:
-            built_in = (files("tumble.app") / "stands" / "simulated.toml").read_text("utf-8")
-            return cls(text=built_in, source=Message("the built-in stand"), path=None)
+            own = find_method(method).procedure_part.stand
+            built_in = own or files("tumble.app") / "stands" / "simulated.toml"
+            return cls(text=built_in.read_text("utf-8"), source=Message("the built-in stand"), path=None)
         return cls(text=read_text(path), source=str(path), path=path)
 
     @property
@@ -129,8 +165,7 @@ class _Text:
 
     def checked(self, tables: Mapping[Place, type[BaseModel]]) -> StandFile:
         file = self._read_as(tables)
-        simulated = {name for name, table in file.instruments.items() if table.driver == SIMULATED}
-        if simulated and not (file.simulates and file.head_table and _seen(file.head_table)):
+        if not _of_one_kind(file):
             raise InputError(Message("{source}: {mistake}; correct it", source=self.source, mistake=_APART))
         return file
 
@@ -139,12 +174,24 @@ class _Text:
             tuple((place.name, kind) for place, kind in tables.items() if place.location[:-1] == outer)
             for outer in ((), (POSITIONERS,), (SAMPLERS,))
         )
-        return parse_toml(self.text, stand_file_with(single, positioners, samplers), self.source)
+        return parse_toml(self.text, stand_file_with(self._world(), single, positioners, samplers), self.source)
+
+    def _world(self) -> type[SimulatedTable]:
+        """Keys of the table `simulated`, by the world that it names. Raises `InputError`."""
+        table = self.data.get("simulated")
+        name = table.get("world", FIRST_WORLD) if isinstance(table, Mapping) else FIRST_WORLD
+        try:
+            return find_world(str(name)).table
+        except ValueError as error:
+            where = place_of(self.source, self.text, ("simulated", "world"))
+            raise InputError(
+                Message("{where}: simulated: world: {error}; correct it", where=where, error=error)
+            ) from error
 
     def driver(self, place: Place) -> Driver[Any, Any] | None:
         name = str(place.table(self.data).get("driver", ""))
         try:
-            return find_head(name, self.folder) if place.kind is HeadTable else find_daq(name, self.folder)
+            return _FINDERS[place.kind](name, self.folder)
         except ValueError as error:
             where = place_of(self.source, self.text, (*place.location, "driver"))
             raise InputError(
@@ -161,10 +208,8 @@ class _Text:
 
 def _code_of(file: StandFile) -> set[str]:
     """The Python files that a stand file names, as `FILE.py:NAME`."""
-    simulated = file.simulated
-    physics = (simulated.response, simulated.head_error) if simulated else ()
     drivers = (table.driver for table in file.instruments.values() if is_own_file(table.driver))
-    return {*drivers, *filter(None, physics)}
+    return {*drivers, *(file.simulated.code if file.simulated else ())}
 
 
 def same_instruments(recorded: Mapping[str, Any], loaded: LoadedStand) -> bool:
@@ -181,6 +226,15 @@ def _instruments(data: Mapping[str, Any]) -> dict[str, Any]:
     return {"name": data.get("name")} | {
         ".".join(location): {key: table[key] for key in keys if key in table} for location, table in tables.items()
     }
+
+
+def _of_one_kind(file: StandFile) -> bool:
+    """Whether everything is simulated that belongs together, or nothing is."""
+    simulated = [table.driver == SIMULATED for table in file.samplers.values()]
+    if not any(simulated):
+        return not any(table.driver == SIMULATED for table in file.instruments.values())
+    simulated += [table.driver == SIMULATED for table in file.environments.values()]
+    return all(simulated) and bool(file.positioners) and all(map(_seen, file.positioners.values()))
 
 
 def _seen(head: HeadTable) -> bool:

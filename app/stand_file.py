@@ -11,8 +11,8 @@ from tumble.app.instrument_tables import POSITIONERS, SAMPLERS, Tables, tables_o
 from tumble.calibrations.core.gravity import Gravity, normal_gravity
 from tumble.drivers.driver import SIMULATED
 from tumble.drivers.names import GivenName
-from tumble.drivers.simulated import Simulated
-from tumble.drivers.tables import DAQ, HEAD, DaqTable, HeadTable
+from tumble.drivers.simulated.table import SimulatedTable
+from tumble.drivers.tables import CHAMBER, DAQ, HEAD, ChamberTable, DaqTable, HeadTable
 from tumble.drivers.text import check_name
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
@@ -67,12 +67,14 @@ class StandFile(BaseModel):
     daq_table: DaqTable | None = Field(default=None, alias=DAQ)
     named_positioners: Tables = Field(default=Tables(), alias=POSITIONERS)
     named_samplers: Tables = Field(default=Tables(), alias=SAMPLERS)
-    simulated: Simulated | None = None
+    chamber_table: ChamberTable | None = Field(default=None, alias=CHAMBER)
+    simulated: SimulatedTable | None = None
+    """By the kind of world that it names."""
     stand_record: StandRecordTable = StandRecordTable()
 
     @model_validator(mode="after")
     def _each_name_once(self) -> Self:
-        names = [*self.positioners, *self.samplers]
+        names = [*self.positioners, *self.samplers, *self.environments]
         for name in names:
             check_name(name)
         if twice := next((name for name in names if names.count(name) > 1), None):
@@ -94,9 +96,14 @@ class StandFile(BaseModel):
         return ({DAQ: self.daq_table} if self.daq_table else {}) | self.named_samplers.by_name
 
     @property
-    def instruments(self) -> Mapping[str, HeadTable | DaqTable]:
+    def environments(self) -> Mapping[str, ChamberTable]:
+        """The table of the temperature chamber, by the condition that it sets."""
+        return {CHAMBER: self.chamber_table} if self.chamber_table else {}
+
+    @property
+    def instruments(self) -> Mapping[str, HeadTable | DaqTable | ChamberTable]:
         """The tables of all instruments, by name."""
-        return {**self.positioners, **self.samplers}
+        return {**self.positioners, **self.samplers, **self.environments}
 
     @property
     def head(self) -> HeadTable:
@@ -137,7 +144,7 @@ class StandFile(BaseModel):
     @property
     def simulates(self) -> bool:
         """Whether the unit exists in this process only."""
-        return self.daq_table is not None and self.daq_table.driver == SIMULATED
+        return any(table.driver == SIMULATED for table in self.samplers.values())
 
     def expired(self, on: date) -> list[str]:
         """A sentence for every instrument whose calibration is overdue on a day, see `Instrument.overdue`."""
@@ -165,6 +172,12 @@ class RecordedDaq(DaqTable):
     model_config = ConfigDict(extra="ignore")
 
 
+class RecordedChamber(ChamberTable):
+    """The same of a temperature chamber."""
+
+    model_config = ConfigDict(extra="ignore")
+
+
 class RecordedStand(BaseModel):
     """What an analysis reads of any stand file, with or without its drivers; a method adds the tables that it needs."""
 
@@ -180,9 +193,12 @@ TablesOf: TypeAlias = tuple[tuple[str, type[BaseModel]], ...]
 
 
 @lru_cache(maxsize=32)
-def stand_file_with(single: TablesOf, positioners: TablesOf, samplers: TablesOf) -> type[StandFile]:
+def stand_file_with(
+    simulated: type[SimulatedTable], single: TablesOf, positioners: TablesOf, samplers: TablesOf
+) -> type[StandFile]:
     """A stand file with the keys of these tables: `single` are `head` and `daq`, as far as they must be there."""
     fields: dict[str, Any] = {f"{name}_table": (kind, Field(alias=name)) for name, kind in single}
+    fields["simulated"] = (simulated | None, None)
     if positioners:
         fields["named_positioners"] = (tables_of(dict(positioners)), Field(alias=POSITIONERS))
     if samplers:

@@ -1,13 +1,13 @@
 """The one place where drivers, operators and procedures are put together."""
 
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache, partial
 from pathlib import Path
 from typing import Final
 
-from tumble.app.guarding import DAQ_NEEDS, HEAD_NEEDS, connected
+from tumble.app.guarding import CHAMBER_NEEDS, DAQ_NEEDS, HEAD_NEEDS, connected
 from tumble.app.simulation import Hand, Past, TurningEyepiece, simulation, switching_on
 from tumble.app.stand import LoadedStand
 from tumble.app.terminal import say
@@ -15,7 +15,7 @@ from tumble.drivers.clock import Clock, ReleasedClock, SystemClock
 from tumble.drivers.driver import Bench, DaqDriver, HeadDriver
 from tumble.drivers.links.opened import Links
 from tumble.drivers.manual import Eyepiece
-from tumble.drivers.protocols import Positioner, Sampler, Stand
+from tumble.drivers.protocols import Environment, Positioner, Sampler, Stand
 from tumble.drivers.tables import HEAD, TITLES
 from tumble.emulators.backstage import Backstage, find_backstage
 from tumble.messages import Message, translatable
@@ -25,6 +25,7 @@ from tumble.procedures.control import Control
 from tumble.procedures.errors import InputError
 from tumble.procedures.eyepiece import OperatorEyepiece
 from tumble.procedures.operator import Answers, ConsoleOperator, Operator, ScriptedOperator, SeatingOperator
+from tumble.procedures.turns import Turns
 
 _UNASKED: Final = translatable(
     "stand {stand}: is emulated, and its emulated operator confirms every mount; give "
@@ -50,8 +51,8 @@ class Connected:
     stand: Stand
     operator: Operator
     listeners: tuple[Listener, ...] = ()
-    eyepiece: OperatorEyepiece | None = None
-    """The person who reads the head, where it has no motor."""
+    eyepieces: Mapping[str, OperatorEyepiece] = field(default_factory=dict)
+    """The person who reads the positioners that have no motor, by their names."""
     attended: bool = False
     """Whether a person is at the stand, who can do what no instrument can."""
     lived_s: float | None = None
@@ -97,10 +98,11 @@ def connect(
     clock = clock or (backstage.clock if backstage else SystemClock())
     attendant = attendant or _attendant(answers, attended or backstage is None)
     operator = cache(attendant.operator)
-    person = _Person(operator, clock, backstage)
-    bench = Bench(clock=clock, links=links, folder=loaded.folder, eyepiece=person.at_the_head)
+    person = _Person(operator, clock, backstage.hand if backstage else None)
+    bench = Bench(clock=clock, links=links, folder=loaded.folder, eyepiece=person.at(HEAD))
     try:
-        positioners, samplers = _instruments(loaded, bench)
+        positioners, samplers = _instruments(loaded, bench, person)
+        environments = {name: _chamber(loaded, name, bench) for name in loaded.file.environments}
     except BaseException:
         links.close()
         raise
@@ -111,13 +113,14 @@ def connect(
         clock=clock,
         serials={name: table.serial for name, table in loaded.file.instruments.items()},
         channels={name: table.channels for name, table in loaded.file.samplers.items() if table.channels},
+        environments=environments,
         titles=TITLES,
     )
     warnings = (Message.marked(_UNASKED, stand=loaded.file.name),) if backstage and attendant.imagined else ()
     made = Connected(
         stand=stand,
         operator=operator(),
-        eyepiece=person.eyepiece,
+        eyepieces=person.eyepieces,
         attended=backstage is None and answers is None,
         warnings=warnings,
         links=links,
@@ -144,16 +147,15 @@ def _simulated(loaded: LoadedStand, attendant: Attendant, past: Sequence[Past]) 
     if attendant.speed is not None:
         clock.release(attendant.speed)
     operator = SeatingOperator(attendant.operator(), simulated.world.setters)
-    person = _Person(lambda: operator, clock, simulated)
-    stand = simulated.stand
-    if loaded.head_driver is not None:
-        bench = Bench(clock=clock, links=Links(), folder=loaded.folder, eyepiece=person.at_the_head)
-        stand = replace(stand, positioners={HEAD: _positioner(loaded, HEAD, loaded.head_driver, bench)})
+    person = _Person(lambda: operator, clock, simulated.hand)
+    bench = Bench(clock=clock, links=Links(), folder=loaded.folder, eyepiece=person.at(HEAD))
+    by_hand = _positioners(loaded, bench, person)  # all others are simulated
+    stand = replace(simulated.stand, positioners={**simulated.stand.positioners, **by_hand})
     return Connected(
         stand=stand,
         operator=operator,
         listeners=simulated.listeners,
-        eyepiece=person.eyepiece,
+        eyepieces=person.eyepieces,
         lived_s=simulated.lived_s,
     )
 
@@ -175,35 +177,59 @@ def _attendant(answers: Path | None, attended: bool) -> Attendant:
 
 
 class _Person:
-    """Reads a head without a motor, where a driver asks for somebody who does; a terminal is listened to from then.
+    """Reads positioners without a motor, where drivers ask for somebody who does; a terminal is listened to from then.
 
-    The `hand` turns the head where it is not real.
+    A `hand` turns those that are not real.
     """
 
-    def __init__(self, operator: Callable[[], Operator], clock: Clock, hand: Hand | None) -> None:
-        self.eyepiece: OperatorEyepiece | None = None
-        self._operator, self._clock, self._hand = operator, clock, hand
+    def __init__(self, operator: Callable[[], Operator], clock: Clock, hand: Callable[[str], Hand] | None) -> None:
+        self.eyepieces: dict[str, OperatorEyepiece] = {}
+        self._turns = cache(lambda: Turns(operator()))
+        self._clock, self._hand = clock, hand
 
-    def at_the_head(self, tolerance_deg: float) -> Eyepiece:
-        self.eyepiece = OperatorEyepiece(self._operator(), self._clock, tolerance_deg)
-        return TurningEyepiece(self.eyepiece, self._hand) if self._hand else self.eyepiece
+    def at(self, name: str) -> Callable[[float], Eyepiece]:
+        """The person at a positioner, once it is known how far a reading may be from its setting, in degrees."""
+        return partial(self._at, name)
+
+    def _at(self, name: str, tolerance_deg: float) -> Eyepiece:
+        asker = self._turns().asker()
+        called = "" if name == HEAD else name
+        self.eyepieces[name] = OperatorEyepiece(asker, self._clock, tolerance_deg, called, asker.withdraw)
+        return TurningEyepiece(self.eyepieces[name], self._hand(name)) if self._hand else self.eyepieces[name]
 
 
-def _instruments(loaded: LoadedStand, bench: Bench) -> tuple[dict[str, Positioner], dict[str, Sampler]]:
+def _instruments(
+    loaded: LoadedStand, bench: Bench, person: _Person
+) -> tuple[dict[str, Positioner], dict[str, Sampler]]:
     """Positioners and samplers of a stand that is not simulated, by name. Raises `InputError`, `DeviceError`."""
-    positioners, samplers = loaded.positioner_drivers, loaded.sampler_drivers
     try:
         # the samplers first: they never need a person
-        sampling = {name: _sampler(loaded, name, driver, bench) for name, driver in samplers.items() if driver}
-        moving = {name: _positioner(loaded, name, driver, bench) for name, driver in positioners.items() if driver}
+        sampling = {
+            name: _sampler(loaded, name, driver, bench) for name, driver in loaded.sampler_drivers.items() if driver
+        }
+        return _positioners(loaded, bench, person), sampling
     except ValueError as error:
         raise InputError(Message("{path}: {error}", path=loaded.path, error=error)) from error
-    return moving, sampling
+
+
+def _positioners(loaded: LoadedStand, bench: Bench, person: _Person) -> dict[str, Positioner]:
+    """The positioners that have a driver, by name."""
+    drivers = {name: driver for name, driver in loaded.positioner_drivers.items() if driver}
+    return {
+        name: _positioner(loaded, name, driver, replace(bench, eyepiece=person.at(name)))
+        for name, driver in drivers.items()
+    }
 
 
 def _positioner(loaded: LoadedStand, name: str, driver: HeadDriver, bench: Bench) -> Positioner:
     table = loaded.file.positioners[name]
     return connected(lambda: driver.connect(table, bench), table.driver, TITLES.get(name, name), HEAD_NEEDS)
+
+
+def _chamber(loaded: LoadedStand, name: str, bench: Bench) -> Environment:
+    table, driver = loaded.file.environments[name], loaded.environment_drivers[name]
+    assert driver is not None, "one that is simulated has a simulated world"
+    return connected(lambda: driver.connect(table, bench), table.driver, TITLES[name], CHAMBER_NEEDS)
 
 
 def _sampler(loaded: LoadedStand, name: str, driver: DaqDriver, bench: Bench) -> Sampler:

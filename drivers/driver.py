@@ -22,15 +22,15 @@ from tumble.drivers.clock import Clock
 from tumble.drivers.links.opened import Links
 from tumble.drivers.manual.head import Eyepiece
 from tumble.drivers.own_file import is_own_file, load_from_file
-from tumble.drivers.protocols import Positioner, Sampler
-from tumble.drivers.tables import DaqTable, HeadTable, Instrument
+from tumble.drivers.protocols import Environment, Positioner, Sampler
+from tumble.drivers.tables import ChamberTable, DaqTable, HeadTable, Instrument
 from tumble.messages import Message
 
 SIMULATED: Final = "simulated"
 """Names no driver, but the world that exists in this process only, with head and DAQ in one."""
 
 Table = TypeVar("Table", bound=Instrument)
-Made = TypeVar("Made", bound=Positioner | Sampler, covariant=True)
+Made = TypeVar("Made", bound=Positioner | Sampler | Environment, covariant=True)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -62,6 +62,7 @@ class Driver(Generic[Table, Made]):
 
 HeadDriver = Driver[Any, Positioner]
 DaqDriver = Driver[Any, Sampler]
+ChamberDriver = Driver[Any, Environment]
 
 
 def find_head(name: str, folder: Path) -> HeadDriver | None:
@@ -72,6 +73,11 @@ def find_head(name: str, folder: Path) -> HeadDriver | None:
 def find_daq(name: str, folder: Path) -> DaqDriver | None:
     """The driver of a DAQ, likewise. Raises `ValueError`."""
     return _find(name, folder, "tumble.daqs", DaqTable)
+
+
+def find_chamber(name: str, folder: Path) -> ChamberDriver | None:
+    """The driver of a temperature chamber, likewise. Raises `ValueError`."""
+    return _find(name, folder, "tumble.chambers", ChamberTable)
 
 
 def _find(name: str, folder: Path, group: str, kind: type[Instrument]) -> Driver[Any, Any] | None:

@@ -62,6 +62,11 @@ class SampleBlock:
         """The one channel, by its name."""
         return {VOLTAGE: self.voltage_v}
 
+    @property
+    def temperatures_degc(self) -> Mapping[str, float]:
+        """The one thermometer is that of the whole."""
+        return {}
+
 
 @dataclass(frozen=True, kw_only=True)
 class ChannelBlock:
@@ -74,6 +79,8 @@ class ChannelBlock:
     """The sampler's own time of the first sample."""
     temperature_degc: float | None
     """As in `SampleBlock`."""
+    temperatures_degc: Mapping[str, float] = field(default_factory=dict)
+    """Of what each channel measures, by channel, as far as it has a thermometer of its own."""
 
 
 Block: TypeAlias = SampleBlock | ChannelBlock
@@ -123,6 +130,55 @@ class Sampler(Protocol):
 
     def acquire(self, samples: int, rate_hz: float) -> Block:
         """Take `samples` readings at `rate_hz`, beginning now; returns when the last is there. Raises `DeviceError`."""
+        ...
+
+
+@dataclass(frozen=True, kw_only=True)
+class EnvironmentStatus:
+    """What a temperature chamber reports at one moment."""
+
+    temperature_degc: float
+    """Of its air, as it measures it."""
+    setpoint_degc: float
+    """What it was told."""
+    door_open: bool = False
+    alarm: bool = False
+    """Whether it complains of a fault of its own."""
+    running: bool = True
+    """Whether it follows its set point; true where it cannot be asked."""
+
+
+class Environment(Protocol):
+    """What gives the unit a temperature, as a chamber does."""
+
+    @property
+    def limits_degc(self) -> tuple[float, float]:
+        """Set points that may be asked for."""
+        ...
+
+    @property
+    def ramp_k_per_min(self) -> float | None:
+        """The steepest change of the set point that unit and chamber may be given; None for a step at once."""
+        ...
+
+    def identify(self) -> Identity:
+        """Ask the instrument who it is. Raises `DeviceError`."""
+        ...
+
+    def begin(self, setpoint_degc: float) -> None:
+        """Run, towards a set point; returns at once. Raises `LimitError`, `DeviceError`."""
+        ...
+
+    def status(self) -> EnvironmentStatus:
+        """Read temperature, set point and door back. Raises `DeviceError`."""
+        ...
+
+    def lock_door(self, locked: bool) -> None:
+        """Keep the door shut, or let it be opened; nothing where it has no lock. Raises `DeviceError`."""
+        ...
+
+    def make_safe(self) -> None:
+        """Bring it to the state in which it may be left alone; returns at once. Raises `DeviceError`."""
         ...
 
 
@@ -182,6 +238,8 @@ class Stand:
     """Serial numbers that the instruments must have, by name; any where nothing is said."""
     titles: Mapping[str, str] = field(default_factory=dict)
     """What sentences call the instruments, by name; the name itself where nothing is said."""
+    environments: Mapping[str, Environment] = field(default_factory=dict)
+    """What sets a condition of dwells by itself, by the condition, whose name is that of the instrument, too."""
     channels: Mapping[str, Sequence[str]] = field(default_factory=dict)
     """Names of the channels of a sampler, in their order, by its name; those that it gives where nothing is said."""
 

@@ -19,7 +19,9 @@ from tumble.messages import Message
 HEAD: Final = "head"
 DAQ: Final = "daq"
 """Tables of a stand file, and the names of these instruments at the stand."""
-TITLES: Final = {HEAD: Message("dividing head"), DAQ: Message("DAQ")}
+CHAMBER: Final = "chamber"
+"""The same of a temperature chamber; also the condition of dwells that it sets, a temperature in °C as text."""
+TITLES: Final = {HEAD: Message("dividing head"), DAQ: Message("DAQ"), CHAMBER: Message("temperature chamber")}
 """What sentences call them."""
 MOUNT: Final = "mount"
 """The condition of a dwell that the seat on the head limits: how the unit sits there."""
@@ -175,3 +177,23 @@ class DaqTable(Instrument):
     """Standard uncertainty; None where nobody states it."""
     channels: tuple[GivenName, ...] = ()
     """Names of its channels in their order, the unit in each (`u_x_v`); without it those of the driver."""
+
+
+class ChamberTable(Instrument):
+    """The temperature chamber."""
+
+    limits_degc: tuple[float, float] = Field(alias="limits_degC")
+    """Set points that may be asked for."""
+    ramp_k_per_min: float | None = Field(default=None, alias="ramp_K_per_min", gt=0.0, le=1000.0)
+    """The steepest change of the set point that unit and chamber may be given; without it, a step at once."""
+    safe_degc: float | None = Field(default=None, alias="safe_degC")
+    """Set point in which it is left at the end of a run; without it, it is switched off."""
+
+    @model_validator(mode="after")
+    def _in_order(self) -> Self:
+        low, high = self.limits_degc
+        if not low < high:
+            raise ValueError(Message("limits_degC: {low:g} is not below {high:g}", low=low, high=high))
+        if self.safe_degc is not None and not low <= self.safe_degc <= high:
+            raise ValueError(Message("safe_degC: {safe:g} is outside limits_degC", safe=self.safe_degc))
+        return self

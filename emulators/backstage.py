@@ -11,6 +11,7 @@ import os
 import socket
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass
 from hashlib import sha256
 from typing import Final
 
@@ -19,7 +20,9 @@ from tumble.drivers.errors import DeviceError
 from tumble.drivers.links.places import one_name
 from tumble.drivers.private_files import private_folder, read_private, write_private
 from tumble.drivers.processes import started
-from tumble.drivers.tables import MOUNT
+from tumble.drivers.simulated.head import SimulatedHead
+from tumble.drivers.simulated.worlds import axis_of
+from tumble.drivers.tables import HEAD, MOUNT
 from tumble.emulators.faults import Faults
 from tumble.emulators.serving import serve_tcp
 from tumble.emulators.speed import FasterClock
@@ -36,7 +39,7 @@ class BackstageSession:
     """Hears one thing that a person does, a line each, and answers `done`, or what is wrong. Fits `Session`.
 
     `seat MOUNT`; `switch on`; `turn ANGLE`, which begins to turn the head, `turn off`, which leaves it where it is;
-    `look`, which is answered `turning` as long as it turns.
+    `look`, which is answered `turning` as long as it turns. Another positioner is named: `turn outer 45`, `look outer`.
 
     The fault `not_seated` has it answer so without having seated the unit.
     """
@@ -63,18 +66,26 @@ class BackstageSession:
         match verb, what:
             case "seat", mount:
                 if not self._faults.take("not_seated"):
-                    self._shared.world.seat(mount)
+                    self._shared.world.setters[MOUNT](mount)
             case "switch", "on":
                 self._shared.world.switch_on()
-            case "turn", "off":
-                self._shared.head.stop()
-            case "turn", angle_deg:
-                self._shared.head.start_move(float(angle_deg))
-            case "look", "":
-                return _TURNING if self._shared.head.status().moving else _DONE
+            case "turn", _:
+                self._turn(*what.rpartition(" ")[::2])
+            case "look", positioner:
+                return _TURNING if self._axis(positioner).status().moving else _DONE
             case _:
                 raise ValueError(Message("{verb} {what} is nothing that is done backstage", verb=verb, what=what))
         return _DONE
+
+    def _turn(self, positioner: str, angle_deg: str) -> None:
+        axis = self._axis(positioner)
+        if angle_deg == "off":
+            axis.stop()
+        else:
+            axis.start_move(float(angle_deg))
+
+    def _axis(self, positioner: str) -> SimulatedHead:
+        return axis_of(self._shared.world.positioners, positioner or HEAD)
 
 
 class Backstage:
@@ -97,17 +108,21 @@ class Backstage:
         """Switch the unit off and on. Raises `DeviceError`."""
         self._tell("switch on")
 
-    def turn(self, angle_deg: float) -> None:
-        """Begin to turn the head by hand. Raises `DeviceError`."""
-        self._tell(f"turn {angle_deg!r}")
+    def turn(self, angle_deg: float, positioner: str = HEAD) -> None:
+        """Begin to turn a positioner by hand. Raises `DeviceError`."""
+        self._tell(f"turn {positioner} {angle_deg!r}")
 
-    def let_go(self) -> None:
-        """Leave the head where it is. Raises `DeviceError`."""
-        self._tell("turn off")
+    def let_go(self, positioner: str = HEAD) -> None:
+        """Leave it where it is. Raises `DeviceError`."""
+        self._tell(f"turn {positioner} off")
 
-    def turning(self) -> bool:
-        """Whether the head still turns. Raises `DeviceError`."""
-        return self._tell("look") == _TURNING
+    def turning(self, positioner: str = HEAD) -> bool:
+        """Whether it still turns. Raises `DeviceError`."""
+        return self._tell(f"look {positioner}") == _TURNING
+
+    def hand(self, positioner: str) -> "BackstageHand":
+        """What turns a positioner that has no motor."""
+        return BackstageHand(self, positioner)
 
     def alive(self) -> bool:
         """Whether somebody is there."""
@@ -135,6 +150,26 @@ class Backstage:
                 Message("look at what is asked of it"),
             )
         return answer
+
+
+@dataclass(frozen=True)
+class BackstageHand:
+    """Turns one positioner of an emulated stand by hand; all of it raises `DeviceError`."""
+
+    backstage: Backstage
+    positioner: str
+
+    def turn(self, angle_deg: float) -> None:
+        """Begin to turn it."""
+        self.backstage.turn(angle_deg, self.positioner)
+
+    def let_go(self) -> None:
+        """Leave it where it is."""
+        self.backstage.let_go(self.positioner)
+
+    def turning(self) -> bool:
+        """Whether it still turns."""
+        return self.backstage.turning(self.positioner)
 
 
 @contextmanager

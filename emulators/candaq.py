@@ -10,7 +10,7 @@ import can
 from tumble.drivers.candaq import DaqFrames
 from tumble.drivers.candaq.frames import Value
 from tumble.drivers.links.can_link import BUS_OFF
-from tumble.drivers.protocols import SampleBlock
+from tumble.drivers.protocols import Block
 from tumble.emulators.candaq_faults import spoilt
 from tumble.emulators.faults import WIRE, Faults
 from tumble.emulators.foreign_frames import foreign_frames
@@ -117,17 +117,18 @@ class EmulatedCanDaq:
         self._send("Started", {"Epoch": epoch, "Samples": samples, "Rate": rate_hz})
         self._next = next(self._stream, None)
 
-    def _entries(self, block: SampleBlock, epoch: int) -> Iterator[Entry]:
+    def _entries(self, block: Block, epoch: int) -> Iterator[Entry]:
         """The frames of a block in their order."""
         started_s = block.device_time_s
+        (voltage_v,) = block.channels.values()
         if self._frames.has("Time"):
             yield started_s, *self._frames.encode("Time", {"Time": started_s, "Epoch": epoch})
-        for i, voltage_v in enumerate(block.voltage_v.tolist()):
+        for i, sample_v in enumerate(voltage_v.tolist()):
             due_s = started_s + (i + 1) / block.rate_hz
             if i % TEMPERATURE_EVERY == 0 and self._frames.has("Temperature"):
                 told: dict[str, Value] = {"Temperature": block.temperature_degc or 0.0, "Epoch": epoch}
                 yield due_s, *self._frames.encode("Temperature", told | {"Counter": i // TEMPERATURE_EVERY % 256})
-            yield due_s, *self._frames.encode_voltage(voltage_v, i, epoch)
+            yield due_s, *self._frames.encode_voltage(sample_v, i, epoch)
 
     def _send_due(self) -> None:
         """Send what is due; where nothing is, wait a little, so that also a virtual clock goes on."""

@@ -9,13 +9,14 @@
 The wire faults (`WIRE`, `drop`) are applied by `serving`; an emulated instrument asks for its own.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from threading import Lock
 from typing import Final, Literal, Self
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from tumble.drivers.clock import Clock, SystemClock
+from tumble.drivers.names import GivenName
 from tumble.messages import Message
 
 WireKind = Literal["late", "cut", "double", "garble", "reorder", "wrong_checksum"]
@@ -39,6 +40,11 @@ DeviceKind = Literal[
     "without_options",
     "mode_shown_late",
     "foreign_frames",
+    "door_opened",
+    "sensor_broken",
+    "stuck",
+    "alarm",
+    "refused",
 ]
 """What may happen in an instrument.
 
@@ -46,7 +52,9 @@ DeviceKind = Literal[
 `swapped`: another unit, with another serial number, stands in its place.
 `old_bits`, `flicker`, `without_options`, `mode_shown_late`: a CiA 402 drive has that habit from then on
 (`tumble.emulators.cia402_habits`). `foreign_frames`: frames that are cut, garbled or of another kind come under the
-identifiers of a device on CAN.
+identifiers of a device on CAN. Of a temperature chamber, for `lasts_s`: `door_opened`; `sensor_broken`, whose
+temperature is then the end of its scale; `stuck`, whose air stays as it is; `alarm`; once: `refused`, a set point that
+is not taken.
 """
 
 Kind = Literal[WireKind, "drop", "noise", DeviceKind, "not_seated"]
@@ -87,7 +95,8 @@ class Fault(BaseModel):
 
     model_config = _STRICT
 
-    device: Literal["head", "daq", "operator"]
+    device: GivenName
+    """Name of the instrument at the stand, `head` or `daq`, say; or `operator`, or `chamber`."""
     kind: Kind
     at: At
     lasts_s: float = Field(default=1.0, ge=0.0)
@@ -112,7 +121,7 @@ class Faults:
     script
         What shall go wrong; nothing by default.
     device
-        Whose faults these are: "head", "daq" or "operator".
+        Whose faults these are.
     clock
         Clock of the world.
     points
@@ -163,6 +172,23 @@ class Faults:
         if at.point is not None:
             return self._points() >= at.point
         return at.time_s is not None and self._clock.monotonic_s() - self._began_s >= at.time_s
+
+
+class JointFaults(Faults):
+    """The faults of several instruments on one line: what happens to its bytes may be due for any of them."""
+
+    def __init__(self, members: Sequence[Faults]) -> None:
+        super().__init__()
+        self._members = members
+
+    def note_command(self, command: bytes) -> None:
+        """Count a command that all of them have heard."""
+        for member in self._members:
+            member.note_command(command)
+
+    def take(self, *kinds: Kind) -> Fault | None:
+        """The first fault of these kinds that is due now for any of them."""
+        return next((fault for member in self._members if (fault := member.take(*kinds))), None)
 
 
 class _Pending:

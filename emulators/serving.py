@@ -37,11 +37,18 @@ class Server:
     `lasts_s`; what was answered but not yet sent is lost.
     """
 
-    def __init__(self, session_factory: Callable[[], Session], port: Port, faults: Faults, terminators: bytes) -> None:
+    def __init__(
+        self,
+        session_factory: Callable[[], Session],
+        port: Port,
+        faults: Faults,
+        terminators: bytes,
+        whole: Callable[[bytes], bool] | None = None,
+    ) -> None:
         self._session_factory = session_factory
         self._port = port
         self._faults = faults
-        self._terminators = terminators
+        self._terminators, self._whole = terminators, whole
         self._wires: dict[Channel, Wire] = {}
         self._heard_s = -math.inf
         self._closing = Event()
@@ -99,7 +106,7 @@ class Server:
         """What goes to a client now; None where it is gone."""
         wire = self._wires.get(channel)
         if wire is None:
-            wire = self._wires[channel] = Wire(self._session_factory(), self._faults, self._terminators)
+            wire = self._wires[channel] = Wire(self._session_factory(), self._faults, self._terminators, self._whole)
         data = channel.read()
         now_s = time.monotonic()
         if data:
@@ -122,6 +129,7 @@ def serve_tcp(
     port: int = 0,
     faults: Faults | None = None,
     terminators: bytes = LINE_ENDS,
+    whole: Callable[[bytes], bool] | None = None,
 ) -> Server:
     """Serve over TCP on the loopback interface.
 
@@ -135,13 +143,15 @@ def serve_tcp(
         What goes wrong on the wire.
     terminators
         Bytes, any of which ends a command.
+    whole
+        In a protocol without any: whether bytes are a whole command.
 
     Raises
     ------
     OSError
         The port is taken.
     """
-    return Server(session_factory, TcpPort(port), faults or Faults(), terminators)
+    return Server(session_factory, TcpPort(port), faults or Faults(), terminators, whole)
 
 
 def serve_pty(

@@ -1,16 +1,17 @@
 """What goes wrong at a whole emulated stand: from a script, or told while it is being served."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from typing import Final
 
 from tumble.drivers.clock import Clock
 from tumble.emulators.faults import Fault, Faults, FaultScript
+from tumble.messages import Message
 
-DEVICES: Final = ("head", "daq", "operator")
+OPERATOR: Final = "operator"
 
 
 class StandFaults:
-    """The faults of head, DAQ and operator, and of the bus that they may share.
+    """The faults of all instruments of a stand and of its operator, and of the bus that some may share.
 
     Parameters
     ----------
@@ -24,12 +25,27 @@ class StandFaults:
 
     def __init__(self, script: FaultScript | None, clock: Clock, points: Callable[[], int]) -> None:
         self._script, self._clock, self._points = script or FaultScript(), clock, points
-        self._of = {device: Faults(script, device, clock, points) for device in DEVICES}
+        self._of: dict[str, Faults] = {}
         self._buses: list[tuple[Sequence[str], Faults]] = []
 
     def of(self, device: str) -> Faults:
-        """Those of one of `DEVICES`."""
+        """Those of an instrument by its name at the stand, or of the `operator`."""
+        if device not in self._of:
+            self._of[device] = Faults(self._script, device, self._clock, self._points)
         return self._of[device]
+
+    def check(self, instruments: Collection[str]) -> None:
+        """Make sure that everything goes wrong in an instrument that there is. Raises `ValueError`."""
+        known = [*instruments, OPERATOR]
+        for fault in self._script.fault:
+            if fault.device not in known:
+                raise ValueError(
+                    Message(
+                        "a fault is to happen in {device}, and the stand has {known}; correct the fault file",
+                        device=fault.device,
+                        known=", ".join(known),
+                    )
+                )
 
     def of_bus(self, devices: Sequence[str]) -> Faults:
         """Those of a CAN bus that these share.
@@ -44,7 +60,7 @@ class StandFaults:
 
     def add(self, fault: Fault) -> None:
         """Have one more thing go wrong."""
-        self._of[fault.device].add(fault)
+        self.of(fault.device).add(fault)
         for devices, bus in self._buses:
             _add_to_bus(fault, devices, bus)
 

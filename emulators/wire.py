@@ -26,13 +26,17 @@ class Wire:
     """Cuts what a client sends into commands, and spoils answers as the faults say.
 
     A late answer does not hold up those behind it. A reordered one is sent right behind the next, or after its
-    `lasts_s` where there is none. Bit errors are drawn from a fixed seed.
+    `lasts_s` where there is none. Bit errors are drawn from a fixed seed. A command ends with one of the terminators;
+    in a protocol without any, `whole` says of bytes whether they are a whole one.
     """
 
-    def __init__(self, session: Session, faults: Faults, terminators: bytes) -> None:
+    def __init__(
+        self, session: Session, faults: Faults, terminators: bytes, whole: Callable[[bytes], bool] | None = None
+    ) -> None:
         self._session = session
         self._faults = faults
         self._terminators = terminators
+        self._whole = whole
         self._waiting = bytearray()
         self._later: list[tuple[float, bytes]] = []
         self._behind: tuple[float, bytes] | None = None
@@ -43,7 +47,7 @@ class Wire:
         answers = b""
         for octet in data:
             self._waiting.append(octet)
-            if octet in self._terminators:
+            if octet in self._terminators if self._whole is None else self._whole(bytes(self._waiting)):
                 answers += self._answer(bytes(self._waiting), now_s)
                 self._waiting.clear()
         if len(self._waiting) > MOST_WAITING_BYTES:

@@ -1,6 +1,6 @@
 """The axis of an emulated Zaber stage: motion, reference and warnings."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from typing import Final
 
@@ -29,7 +29,8 @@ class ZaberAxis:
         self._head = shared.head
         self._clock = shared.clock
         self._steps_per_deg = steps_per_deg
-        self._faults = faults
+        self.faults = faults
+        """What goes wrong in it."""
         self._flags = {"WR", "WH"}
         self._angle_deg = self._zero_deg = self._head.status().angle_deg
         self._speed_deg_s = self._head.speed_deg_s
@@ -40,11 +41,13 @@ class ZaberAxis:
         """Whether it moved at the last look."""
         self.arrivals = 0
         """How often it has come to rest."""
+        self.arrived_s = 0.0
+        """When it last did, by the clock of the world."""
 
     @property
     def flag(self) -> str:
         """The most severe warning flag, `--` for none."""
-        return next((flag for flag in _BY_SEVERITY if flag in self._flags), "--")
+        return most_severe(self._flags)
 
     def look(self) -> None:
         """See what has come of the motion until now: state and position are of the same moment."""
@@ -149,15 +152,15 @@ class ZaberAxis:
     def _set_out(self) -> None:
         self._head.move = replace(self._head.move, speed_deg_s=self._speed_deg_s)
         self.busy = True
-        self._for_ever = self._faults.take("moving_for_ever") is not None
-        if self._faults.take("stall"):
+        self._for_ever = self.faults.take("moving_for_ever") is not None
+        if self.faults.take("stall"):
             move = self._head.move
             self._stalls_at_s = (move.started_s + move.ended_s) / 2.0
         self.look()
 
     def _overshot(self, angle_deg: float) -> float:
         """The angle where it will stop in place of another."""
-        if not self._faults.take("overshoot"):
+        if not self.faults.take("overshoot"):
             return angle_deg
         low_deg, high_deg = self._head.limits_deg
         further_deg = OVERSHOOT_DEG if angle_deg >= self._angle_deg else -OVERSHOOT_DEG
@@ -165,6 +168,7 @@ class ZaberAxis:
 
     def _arrive(self) -> None:
         self.arrivals += 1
+        self.arrived_s = self._clock.monotonic_s()
         if self._homing:
             self._homing = False
             self._zero_deg = 0.0
@@ -176,6 +180,11 @@ class ZaberAxis:
         self._homing = False
         self._stalls_at_s = None
         self._head.stop()
+
+
+def most_severe(flags: Collection[str]) -> str:
+    """The most severe of some warning flags, `--` for none."""
+    return next((flag for flag in _BY_SEVERITY if flag in flags), "--")
 
 
 def _number(text: str) -> int:

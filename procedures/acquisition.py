@@ -1,8 +1,9 @@
 """How a dwell is taken: how long it lasts and when it may begin."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from tumble.procedures.approach import EITHER_WAY, Approach
+from tumble.procedures.soaking import Soak
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -27,6 +28,8 @@ class Acquisition:
     settle_tolerance: float = 3.0
     settle_tolerance_v: float | None = None
     settle_timeout_s: float = 10.0
+    soak: Soak = field(default_factory=Soak)
+    """When a unit has taken on a temperature, before dwells that need one."""
 
     @property
     def dwell_s(self) -> float:

@@ -16,6 +16,7 @@ from tumble.procedures.announcer import Announcer, Listener, Sink
 from tumble.procedures.axes import Axes, Look, look_away
 from tumble.procedures.composition import advance
 from tumble.procedures.control import Control
+from tumble.procedures.environments import Environments
 from tumble.procedures.errors import ProcedureError, StorageError, UnansweredError
 from tumble.procedures.events import (
     ConditionAnswered,
@@ -28,6 +29,7 @@ from tumble.procedures.events import (
     StepStarted,
     WarningRaised,
 )
+from tumble.procedures.interlock import Interlock
 from tumble.procedures.journeys import POLL_S
 from tumble.procedures.losses import Losses
 from tumble.procedures.measuring import Measuring, Taken
@@ -91,7 +93,9 @@ class Engine:
         self._axes = Axes(stand, acquisition, losses, look)
         self._recovery = Recovery(stand, self._axes, losses, self._announcer.announce, self.control.check)
         sampling = Sampling(stand, losses)
-        self._measuring = Measuring(stand, acquisition, self._axes, sampling, self._recovery, self._checkpoint)
+        self._interlock = Interlock(stand, losses)
+        self._measuring = Measuring(stand, acquisition, self._axes, sampling, self._recovery, self._guarded)
+        self._environments = Environments(stand, acquisition, sampling, self._recovery, losses, self.control.check)
         self._moving = " or ".join(map(stand.title, stand.positioners))
         self._eyepiece = eyepiece
         if eyepiece is not None:
@@ -99,6 +103,7 @@ class Engine:
         self._points: list[Point] = []
         self._conditions: dict[str, str] = {}
         self._began_s = 0.0
+        self._left_unsafe: list[str] = []
         self.state = State.IDLE
         """Where the run stands; only the engine changes it."""
 
@@ -175,6 +180,7 @@ class Engine:
             return
         self._checkpoint()
         prepare()
+        self._recovery.persist(self._interlock.begin)
         self._recovery.reference()
         while step is not None:
             self._checkpoint()
@@ -187,8 +193,7 @@ class Engine:
     def _ask(self, ask: Ask) -> Confirmed:
         self._change(State.AWAITING_OPERATOR)
         self._announcer.announce(ConditionRequested(condition=ask.condition, value=ask.value, prompt=ask.prompt))
-        self._operator.ask(ask)
-        answer = self._await_answer()
+        answer = self._set_by_itself(ask) if ask.condition in self._environments.names else self._asked(ask)
         self._announcer.announce(
             ConditionAnswered(condition=ask.condition, value=ask.value, answer=answer.text, confirmed=answer.confirmed)
         )
@@ -208,7 +213,14 @@ class Engine:
         self._change(State.RUNNING)
         return Confirmed(condition=ask.condition, value=ask.value)
 
-    def _await_answer(self) -> Answer:
+    def _set_by_itself(self, ask: Ask) -> Answer:
+        """Have the environment set a condition, in place of the operator."""
+        self._change(State.RUNNING)
+        self._interlock.used.add(ask.condition)
+        return Answer(text=self._environments.soak(ask.condition, float(ask.value)), confirmed=True)
+
+    def _asked(self, ask: Ask) -> Answer:
+        self._operator.ask(ask)
         while (answer := self._operator.poll()) is None:
             self.control.check()
             self._clock.sleep(POLL_S)
@@ -260,6 +272,11 @@ class Engine:
             self._announcer.announce(seen)
             check_agreement(seen)
 
+    def _guarded(self) -> bool:
+        """The same, while something turns: only behind doors that are shut."""
+        self._interlock.check()
+        return self._checkpoint()
+
     def _checkpoint(self) -> bool:
         """Stop or pause here where that is wanted; true where the run was paused, and everything stood for it."""
         self.control.check()
@@ -282,9 +299,10 @@ class Engine:
         at_standstill = False
         with suppress(KeyboardInterrupt):  # from whoever runs the engine without handling signals
             at_standstill = self._axes.standstill()
+            self._left_unsafe = self._interlock.leave(at_standstill)
         if at_standstill:
             self._change_anyway(State.STANDSTILL, message_of(error))
-        for remark in self._recovery.last_remarks():
+        for remark in (*self._left_unsafe, *self._recovery.last_remarks()):
             self._announcer.announce_anyway(WarningRaised(message=remark))
         outcome = outcome_of(error, self._points, at_standstill, self._moving)
         try:

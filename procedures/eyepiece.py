@@ -31,10 +31,23 @@ class OperatorEyepiece:
         By which an answer is awaited.
     tolerance_deg
         A reading that differs from the setting by more is asked for again.
+    name
+        What the positioner is called, where the stand has others besides the head.
+    forget
+        Called where the question need not be answered any more.
     """
 
-    def __init__(self, operator: Operator, clock: Clock, tolerance_deg: float) -> None:
+    def __init__(
+        self,
+        operator: Operator,
+        clock: Clock,
+        tolerance_deg: float,
+        name: str = "",
+        forget: Callable[[], None] = lambda: None,
+    ) -> None:
         self._operator = operator
+        self._called = name or Message("the head")
+        self._forget = forget
         self._clock = clock
         self._tolerance_deg = tolerance_deg
         self._announce: Callable[[Event], None] = _unheard
@@ -51,7 +64,8 @@ class OperatorEyepiece:
         self._setting_deg, self._doubted_deg = setting_deg, math.nan
         self._ask(
             Message(
-                "Set the head to {setting}; Enter when it reads so, or type the reading.",
+                "Set {positioner} to {setting}; Enter when it reads so, or type the reading.",
+                positioner=self._called,
                 setting=on_the_circle(setting_deg),
             )
         )
@@ -68,7 +82,8 @@ class OperatorEyepiece:
         return None if answer is None else self._understood(answer)
 
     def withdraw(self) -> None:
-        """Nothing is taken back from a person; an answer that comes late is passed over with the next request."""
+        """Have it asked no more; an answer that comes late is passed over with the next request."""
+        self._forget()
 
     def read_again(self, angle_deg: float, prompt: str, check: Callable[[], object]) -> float:
         """What the person reads when told what speaks against `angle_deg`, in degrees.
@@ -96,7 +111,8 @@ class OperatorEyepiece:
         self._ask(
             Message(
                 "You read {reading}, the setting was {setting}: type it again to keep it, or set "
-                "the head right and press Enter.",
+                "{positioner} right and press Enter.",
+                positioner=self._called,
                 reading=on_the_circle(reading_deg),
                 setting=on_the_circle(self._setting_deg),
             )
@@ -132,7 +148,8 @@ class OperatorEyepiece:
     def _unanswered(self, said: str) -> UnansweredError:
         return UnansweredError(
             Message(
-                "the request to set the head to {setting} {said}; set it and resume the run",
+                "the request to set {positioner} to {setting} {said}; set it and resume the run",
+                positioner=self._called,
                 setting=on_the_circle(self._setting_deg),
                 said=said,
             )

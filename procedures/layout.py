@@ -45,6 +45,22 @@ class ChannelColumns:
     mean: Column
     sd: Column
     samples: Column
+    temperature: Column | None = None
+    """By a thermometer of its own, °C; None for a method that knows one temperature of the whole."""
+
+    def described(self) -> dict[str, tuple[str, str]]:
+        """JSON type and meaning of the columns, by their names."""
+        numbers = (self.mean, self.sd, *((self.temperature,) if self.temperature else ()))
+        return {column.name: ("number", column.meaning) for column in numbers} | {
+            self.samples.name: ("integer", self.samples.meaning)
+        }
+
+    def fields(self, reading: Reading) -> Fields:
+        """A reading by columns; a temperature that there is not is left out."""
+        measured: Fields = {self.mean.name: reading.mean, self.sd.name: reading.sd}
+        if self.temperature and reading.temperature_degc is not None:
+            measured[self.temperature.name] = reading.temperature_degc
+        return {**measured, self.samples.name: reading.samples}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -59,6 +75,8 @@ class Condition:
     prompt: str
     hint: str
     """Templates of the messages of `Ask`; in each `{value}` stands for what is wanted."""
+    optional: bool = False
+    """Whether a dwell may leave it as it is."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -87,9 +105,7 @@ class Layout:
         for name, position in self.positions.items():
             fields[position.position_deg.name] = point.positions_deg[name]
         for name, channel in self.channels.items():
-            reading = point.readings[name]
-            fields |= {channel.mean.name: reading.mean, channel.sd.name: reading.sd}
-            fields[channel.samples.name] = reading.samples
+            fields |= channel.fields(point.readings[name])
         fields["time_s"] = point.time_s
         for name, position in self.positions.items():
             fields[position.direction.name] = point.directions[name]
@@ -108,7 +124,7 @@ class Layout:
             temperature_degc=None if temperature is None else float(temperature),
             procedure=fields["procedure"],
             realisation=fields["realisation"],
-            conditions={name: fields[name] for name in self.conditions},
+            conditions=self._conditions(fields),
             settled=fields["settled"],
         )
 
@@ -125,16 +141,19 @@ class Layout:
             channels=tuple(self.channels),
             procedure=fields["procedure"],
             realisation=fields["realisation"],
-            conditions={name: fields[name] for name in self.conditions},
+            conditions=self._conditions(fields),
         )
+
+    def _conditions(self, fields: Mapping[str, Any]) -> dict[str, str]:
+        """What is said of conditions; one that is needed and missing is a `KeyError`."""
+        return {name: fields[name] for name, each in self.conditions.items() if not each.optional or name in fields}
 
     def described(self) -> dict[str, tuple[str, str]]:
         """JSON type and meaning of every column of a point, by its name."""
         columns: dict[str, tuple[str, str]] = {"index": POINT_INDEX}
         columns |= {it.position_deg.name: ("number", it.position_deg.meaning) for it in self.positions.values()}
         for channel in self.channels.values():
-            columns |= {column.name: ("number", column.meaning) for column in (channel.mean, channel.sd)}
-            columns[channel.samples.name] = ("integer", channel.samples.meaning)
+            columns |= channel.described()
         columns["time_s"] = TIME
         columns |= {it.direction.name: ("integer", it.direction.meaning) for it in self.positions.values()}
         columns |= {"temperature_degc": TEMPERATURE_MEAN, "realisation": REALISATION, "procedure": PROCEDURE}
@@ -147,7 +166,9 @@ class Layout:
 
 def _reading(columns: ChannelColumns, fields: Mapping[str, Any]) -> Reading:
     mean, sd = float(fields[columns.mean.name]), float(fields[columns.sd.name])
-    return Reading(mean=mean, sd=sd, samples=fields[columns.samples.name])
+    degc = fields.get(columns.temperature.name) if columns.temperature else None
+    temperature_degc = None if degc is None else float(degc)
+    return Reading(mean=mean, sd=sd, samples=fields[columns.samples.name], temperature_degc=temperature_degc)
 
 
 POINT_INDEX: Final = ("integer", "number of the point in the run, from 0")

@@ -9,7 +9,7 @@ from tumble.procedures.acquisition import Acquisition
 from tumble.procedures.approach import Place
 from tumble.procedures.axes import Axes
 from tumble.procedures.recovery import Recovery
-from tumble.procedures.reduction import count_unusable, reduce_channels
+from tumble.procedures.reduction import count_unusable, reduce_channels, with_temperatures
 from tumble.procedures.sampling import Sampling, channels_of, wanted
 from tumble.procedures.settling import settle
 from tumble.procedures.steps import Direction, Dwell, Point, Reading
@@ -116,7 +116,7 @@ class Measuring:
             directions=self._axes.directions(positions_deg),
             began_s=began_s,
             blocks=blocks,
-            readings=reduce_channels(wanted(channels_of(blocks), channels)),
+            readings=with_temperatures(reduce_channels(wanted(channels_of(blocks), channels)), blocks),
             settled=settled,
         )
 

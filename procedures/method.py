@@ -31,6 +31,11 @@ class ProcedurePart(Generic[Table]):
     """The kind of that table."""
     contradicted: Contradicted = nothing_contradicts
     """What speaks against a position that a person read."""
+    listed: Callable[[str, str], str] | None = None
+    """Makes the text of a programme of its name and of a table of settings (CSV); empty where the table is of another
+    method. Raises `ValueError` where it cannot be read."""
+    stand: Traversable | None = None
+    """The simulated stand that is built in for its programmes; None for that of a head and a DAQ."""
 
     @property
     def layout(self) -> Layout:

@@ -92,6 +92,34 @@ def check_condition(plan: Plan, condition: str, allowed: Collection[str] | None)
             )
 
 
+def check_temperatures(plan: Plan, condition: str, limits_degc: tuple[float, float]) -> None:
+    """Make sure that a chamber may go to every temperature that a plan asks of it.
+
+    Raises
+    ------
+    ProgrammeError
+        Names file, line, temperature and limits.
+    """
+    low_degc, high_degc = limits_degc
+    for planned in plan.steps:
+        step = planned.step
+        if not isinstance(step, Dwell) or condition not in step.conditions:
+            continue
+        value = step.conditions[condition]
+        if not low_degc <= float(value) <= high_degc:
+            raise ProgrammeError(
+                Message(
+                    "{origin}: the {procedure} needs {value} °C, and the chamber goes from {low:g} to {high:g} °C; "
+                    "change the temperatures, or limits_degC of the stand",
+                    origin=_origin(plan.programme, step),
+                    procedure=step.procedure,
+                    value=value,
+                    low=low_degc,
+                    high=high_degc,
+                )
+            )
+
+
 def _ways(plan: Plan, positioner: str) -> Iterator[tuple[Dwell, tuple[float, ...]]]:
     """Every dwell that moves a positioner, and where that stops for it."""
     for planned in plan.steps:

@@ -14,6 +14,7 @@ from tumble.procedures.acquisition import Acquisition
 from tumble.procedures.approach import Approach
 from tumble.procedures.composition import Part, compose
 from tumble.procedures.layout import Layout
+from tumble.procedures.soaking import Soak
 from tumble.procedures.steps import Direction, Dwell, Procedure
 from tumble.procedures.toml_lines import parse_toml, place_of
 
@@ -35,6 +36,25 @@ class Limit(BaseModel):
     def _in_order(self) -> "Limit":
         if not self.min < self.max:
             raise ValueError(Message("min = {min:g} is not below max = {max:g}", min=self.min, max=self.max))
+        return self
+
+
+class SoakTable(BaseModel):
+    """When a unit has taken on the temperature of a chamber; see `tumble.procedures.soaking.Soak`."""
+
+    model_config = _STRICT
+
+    window_s: float = Field(default=600.0, gt=0.0, le=86_400.0)
+    tolerance_k: float = Field(default=0.5, gt=0.0, alias="tolerance_K")
+    rate_k_per_h: float = Field(default=1.0, gt=0.0, alias="rate_K_per_h")
+    slope_v_per_h: float | None = Field(default=None, gt=0.0, alias="slope_V_per_h")
+    look_s: float = Field(default=30.0, gt=0.0, le=3600.0)
+    timeout_s: float = Field(default=14_400.0, gt=0.0, le=604_800.0)
+
+    @model_validator(mode="after")
+    def _enough_looks(self) -> "SoakTable":
+        if self.window_s < 4.0 * self.look_s:
+            raise ValueError(Message("window_s is less than four times look_s: make it longer"))
         return self
 
 
@@ -70,6 +90,8 @@ class Programme(BaseModel, ABC):
     """In which direction the head arrives at every angle; `either` leaves it to where it comes from."""
     overshoot_deg: float = Field(default=2.0, gt=0.0, le=90.0)
     """How far beyond an angle the head goes to come back to it in that direction."""
+    soak: SoakTable = SoakTable()
+    """When a unit has taken on a temperature, where the stand has a chamber."""
     limits: Mapping[str, Limit] = Field(default_factory=dict)
 
     _text: str = PrivateAttr("")
@@ -122,6 +144,7 @@ class Programme(BaseModel, ABC):
             settle_tolerance=self.settle_tolerance,
             settle_tolerance_v=self.settle_tolerance_v,
             settle_timeout_s=self.settle_timeout_s,
+            soak=Soak(**self.soak.model_dump()),
         )
 
     def where(self, procedure: int) -> str:

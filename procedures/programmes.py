@@ -18,7 +18,7 @@ def shipped_programmes() -> list[str]:
 
 
 def load_programme(name_or_path: str | Path) -> Programme:
-    """Read a programme that comes along, by its name, or one from a file.
+    """Read a programme that comes along, by its name, or one from a file: TOML, or a table of settings (CSV).
 
     Raises
     ------
@@ -38,9 +38,24 @@ def load_programme(name_or_path: str | Path) -> Programme:
             )
         )
     try:
-        return programme_from_text(read_text(path), path.name)
+        text = read_text(path)
+        return programme_from_text(_listed(text, path) if path.suffix.lower() == ".csv" else text, path.name)
     except InputError as error:
         raise ProgrammeError(str(error)) from error
+
+
+def _listed(text: str, path: Path) -> str:
+    """The programme of a table of settings. Raises `InputError` where no method knows such a one."""
+    makers = [part.listed for method in usable_methods() if (part := method.procedure_part).listed]
+    try:
+        programmes = [programme for make in makers if (programme := make(text, path.stem))]
+    except ValueError as error:
+        raise InputError(Message("{path}: {error}; correct it", path=path, error=error)) from error
+    if not programmes:
+        raise InputError(
+            Message("{path}: no method measures at settings of these columns; give a TOML file", path=path)
+        )
+    return programmes[0]
 
 
 def programme_from_text(text: str, source: str) -> Programme:

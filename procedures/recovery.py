@@ -9,7 +9,16 @@ from types import MappingProxyType
 from typing import Final, TypeVar
 
 from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError, ReferenceLostError
-from tumble.drivers.protocols import Identity, Positioner, Reconnectable, Remarking, Resettable, Sampler, Stand
+from tumble.drivers.protocols import (
+    Environment,
+    Identity,
+    Positioner,
+    Reconnectable,
+    Remarking,
+    Resettable,
+    Sampler,
+    Stand,
+)
 from tumble.messages import Message
 from tumble.procedures.approach import Place
 from tumble.procedures.axes import Axes
@@ -48,7 +57,11 @@ class Recovery:
         self, stand: Stand, axes: Axes, losses: Losses, announce: Callable[[Event], None], check: Callable[[], object]
     ) -> None:
         self._stand = stand
-        self._instruments: Mapping[str, Positioner | Sampler] = {**stand.positioners, **stand.samplers}
+        self._instruments: Mapping[str, Positioner | Sampler | Environment] = {
+            **stand.positioners,
+            **stand.samplers,
+            **stand.environments,
+        }
         self._clock = stand.clock
         self._axes = axes
         self._losses = losses
@@ -192,7 +205,7 @@ class Recovery:
         self._check()
         return False
 
-    def _reach(self, name: str, instrument: Positioner | Sampler, deadline_s: float) -> None:
+    def _reach(self, name: str, instrument: Positioner | Sampler | Environment, deadline_s: float) -> None:
         while True:
             try:
                 if name in self._losses.names and isinstance(instrument, Reconnectable):

@@ -48,8 +48,11 @@ def renamed(block: Block, names: Sequence[str], title: str) -> Block:
             "gives {given} channels, and the stand file names {named}", given=len(block.channels), named=len(names)
         )
         raise DeviceError(title, happened, Message("correct channels of the stand file"))
+    by_new_name = dict(zip(names, block.channels, strict=True))
+    own_degc = block.temperatures_degc
     return ChannelBlock(
-        channels=dict(zip(names, block.channels.values(), strict=True)),
+        channels={name: block.channels[own] for name, own in by_new_name.items()},
+        temperatures_degc={name: own_degc[own] for name, own in by_new_name.items() if own in own_degc},
         rate_hz=block.rate_hz,
         device_time_s=block.device_time_s,
         temperature_degc=block.temperature_degc,

@@ -1,6 +1,6 @@
 """The person who reads a positioner that has no motor, as the engine sees them."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Protocol, TypeAlias
 
@@ -58,17 +58,20 @@ class Reader(Protocol):
 class ReadAgain:
     """Has a person read again what a method doubts. Fits `SecondLook`."""
 
-    reader: Reader
+    readers: Mapping[str, Reader]
+    """By positioner."""
     contradicted: Contradicted
 
     def attach(self, announce: Callable[[Event], None]) -> None:
         """Pass on whom to tell."""
-        self.reader.attach(announce)
+        for reader in self.readers.values():
+            reader.attach(announce)
 
     def reconsidered(self, point: Point, points: Sequence[Point], check: Callable[[], object]) -> Point:
         """The point, at the position that is read when it was looked at again. Raises `UnansweredError`."""
         found = self.contradicted(point, points)
         if found is None:
             return point
-        angle_deg = self.reader.read_again(point.positions_deg[found.positioner], found.prompt, check)
+        reader = self.readers[found.positioner]
+        angle_deg = reader.read_again(point.positions_deg[found.positioner], found.prompt, check)
         return replace(point, positions_deg={**point.positions_deg, found.positioner: angle_deg})

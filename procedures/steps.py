@@ -69,6 +69,8 @@ class Reading:
     """Standard deviation of the single samples (divisor n - 1)."""
     samples: int
     """Number of samples in the mean."""
+    temperature_degc: float | None = None
+    """By a thermometer of the channel's own, where it has one."""
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -19,7 +19,7 @@ from tumble.app.commands.leaving import leave_by
 from tumble.app.commands.measuring import Wanted, may_measure
 from tumble.app.console import messages, parameter_table, results, run_display, show_verdict, warn
 from tumble.app.files import is_recording, write_text
-from tumble.app.jobs import find_job, has_job
+from tumble.app.jobs import find_job, measured_at_stand
 from tumble.app.joining import read_together
 from tumble.app.learning import contradictions_of, learn
 from tumble.app.loop_console import tell_closing
@@ -38,7 +38,6 @@ from tumble.calibrations.tracing.chain import Chain
 from tumble.messages import Message
 from tumble.procedures.announcer import Listener
 from tumble.procedures.errors import InputError
-from tumble.procedures.programmes import load_programme
 
 
 @click.command("close-loop")
@@ -77,7 +76,7 @@ def command(
     apart, the experiment that tells most for its time is run there, and everything is fitted together again. After
     files, --experiments N does the same: they are the first measurement, and a loop that was cut off goes on from them.
     """
-    if files and not has_job((method := method_of(files)).name):
+    if files and not measured_at_stand((method := method_of(files)).name, files):
         if most:
             raise InputError(
                 Message(
@@ -133,7 +132,7 @@ def _traced(files: tuple[Path, ...], wanted: Wanted, known: options.Known, *, bu
 
 def _closed(wanted: Wanted, files: tuple[Path, ...], most: int, known: options.Known) -> Closing:
     """What files, or else a first measurement, say together with the experiments that it takes."""
-    loaded, programme = wanted.stand(), load_programme(wanted.programme)
+    loaded, programme = wanted.asked()
     find_job(programme.method)
     with wanted.connected(loaded, [path for path in files if is_recording(path)]) as connected:
         at = AtStand(

@@ -13,8 +13,7 @@ from tumble.app.simulation import simulation
 from tumble.app.stand import read_stand
 from tumble.app.terminal import say
 from tumble.drivers.links.places import LOOPBACK, one_host
-from tumble.drivers.simulated import SimulatedStand
-from tumble.drivers.tables import Instrument, OnCan
+from tumble.drivers.tables import DAQ, HEAD, Instrument, OnCan
 from tumble.emulators.emulation import Wanted, emulate
 from tumble.emulators.faults import FaultScript
 from tumble.emulators.speed import FasterClock
@@ -60,18 +59,20 @@ def command(
                 "{path}: has no table [simulated], so that it is no stand to be emulated; add one", path=loaded.path
             )
         )
-    head, daq = loaded.file.head, loaded.file.daq
+    file = loaded.file
     clock = FasterClock(speed)
+    asked = {HEAD: head_port, DAQ: daq_port}
+    ports = {name: _port(table) for name, table in file.instruments.items()}
     wanted = Wanted(
-        head=head,
-        daq=daq,
-        head_port=_port(head) if head_port is None else head_port,
-        daq_port=_port(daq) if daq_port is None else daq_port,
+        positioners=file.positioners,
+        samplers=file.samplers,
+        chamber=file.chamber_table,
+        ports=ports | {name: port for name, port in asked.items() if port is not None},
         folder=loaded.folder,
         ptys=ptys,
     )
     simulated = simulation(loaded, clock)
-    shared = SharedWorld(SimulatedStand(stand=simulated.stand, world=simulated.world))
+    shared = SharedWorld(simulated)
     faults = StandFaults(_read(script), clock, lambda: simulated.world.counts.dwells)
     with ExitStack() as stack:
         try:

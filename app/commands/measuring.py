@@ -19,6 +19,7 @@ from tumble.app.wiring import Connected, connect
 from tumble.drivers.text import LONGEST_NAME
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
+from tumble.procedures.programme import Programme
 from tumble.procedures.programmes import load_programme
 
 
@@ -33,13 +34,19 @@ class Wanted:
     answers: Path | None
     attended: bool
 
-    def stand(self) -> LoadedStand:
-        """The stand file, once the serial number is seen to be one. Raises `InputError`."""
+    def asked(self) -> tuple[LoadedStand, Programme]:
+        """Stand file and programme, once the serial number is seen to be one. Raises `InputError`.
+
+        Without a stand file it is the stand that is built in for the programme's method.
+        """
         if not self.serial_number.strip():
             raise InputError(
                 Message("--serial: give the unit's serial number, 1 to {most} characters", most=LONGEST_NAME)
             )
-        return load_stand(self.stand_path)
+        if self.stand_path is not None:
+            return load_stand(self.stand_path), load_programme(self.programme)
+        programme = load_programme(self.programme)
+        return load_stand(None, programme.method), programme
 
     @contextmanager
     def connected(self, loaded: LoadedStand, after: Sequence[Path] = ()) -> Iterator[Connected]:
@@ -59,10 +66,10 @@ def measures(function: Callable[..., None]) -> Callable[..., None]:
 
     @wraps(function)
     def command(wanted: Wanted, **own: object) -> None:
-        loaded = wanted.stand()
+        loaded, programme = wanted.asked()
         job = Job(
             stand=loaded,
-            programme=load_programme(wanted.programme),
+            programme=programme,
             serial_number=wanted.serial_number,
             operator=wanted.operator,
         )

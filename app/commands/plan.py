@@ -28,7 +28,8 @@ _FEW: Final = 4
 @options.json_out
 def command(programme: str, stand_path: Path | None, every_step: bool, json_path: Path | None) -> None:
     """Print what a programme measures in each mounting and how long it takes, without moving anything."""
-    planned = Outline(stand=read_stand(stand_path), programme=load_programme(programme)).plan()
+    wanted = load_programme(programme)
+    planned = Outline(stand=read_stand(stand_path, wanted.method), programme=wanted).plan()
     if str(json_path) != "-":
         say(_summary(planned), *(_steps(planned) if every_step else _mountings(planned)))
     options.write_json(_document(planned), json_path)

@@ -7,7 +7,9 @@ from pydantic import Field, model_validator
 from tumble.drivers.candaq.daq import CanDaq
 from tumble.drivers.candaq.frames import DaqFrames
 from tumble.drivers.candaq.free import FreeRunningDaq
+from tumble.drivers.candaq.several import SeveralVoltages
 from tumble.drivers.driver import Bench, Driver
+from tumble.drivers.names import GivenName
 from tumble.drivers.tables import DaqTable, OnCan
 from tumble.messages import Message
 
@@ -20,9 +22,22 @@ class CanDaqTable(OnCan, DaqTable):
     signals: dict[str, dict[str, str]] = Field(default_factory=dict)
     """What the DBC file calls the signals, where it has names of its own, see `tumble.drivers.candaq.naming`."""
 
+    voltages: dict[GivenName, str] = Field(default_factory=dict)
+    """`MESSAGE.SIGNAL` by channel, of a DAQ that sends several by itself."""
+    temperatures: dict[GivenName, str] = Field(default_factory=dict)
+    """`MESSAGE.SIGNAL` of the thermometer of a channel, as far as it has one."""
+
+    @model_validator(mode="after")
+    def _one_way(self) -> "CanDaqTable":
+        if self.voltages and self.signals:
+            raise ValueError(Message("name the signals under voltages, or under signals, and not both"))
+        if stray := sorted(self.temperatures.keys() - self.voltages.keys()):
+            raise ValueError(Message("temperatures names {name}, which is none of voltages: correct it", name=stray[0]))
+        return self
+
     @model_validator(mode="after")
     def _of_a_file(self) -> "CanDaqTable":
-        if self.signals and not self.dbc:
+        if (self.signals or self.voltages) and not self.dbc:
             raise ValueError(Message("signals are named, and no DBC file that has them: give dbc, too"))
         return self
 
@@ -38,10 +53,24 @@ def frames_of(table: CanDaqTable, folder: Path) -> DaqFrames:
         ) from error
 
 
-def _connect(table: CanDaqTable, bench: Bench) -> CanDaq | FreeRunningDaq:
+def _connect(table: CanDaqTable, bench: Bench) -> CanDaq | FreeRunningDaq | SeveralVoltages:
+    if table.voltages:
+        return _several(table, bench)
     frames = frames_of(table, bench.folder)
     kind = FreeRunningDaq if frames.free_running else CanDaq
     return kind(bench.links.can(table), frames, bench.clock)
+
+
+def _several(table: CanDaqTable, bench: Bench) -> SeveralVoltages:
+    """A DAQ that sends several voltages by itself: one of one voltage for each of them."""
+    link, channels = bench.links.can(table), {}
+    for name, place in table.voltages.items():
+        signals = {"Voltage": {"Voltage": place}}
+        if name in table.temperatures:
+            signals["Temperature"] = {"Temperature": table.temperatures[name]}
+        frames = frames_of(table.model_copy(update={"signals": signals}), bench.folder)
+        channels[name] = FreeRunningDaq(link, frames, bench.clock)
+    return SeveralVoltages(channels)
 
 
 CAN = Driver(table=CanDaqTable, connect=_connect)

@@ -90,18 +90,22 @@ class FreeRunningDaq:
         """
         complaint = ""
         for _ in range(2):
-            block, complaint = self._block(samples, rate_hz)
+            self.begin()
+            block, complaint = self.collected(samples, rate_hz)
             if not complaint:
                 return block
-        raise DeviceError(
-            DEVICE,
-            Message("{complaint}, twice in a row", complaint=complaint),
-            Message("check the load of the bus, cable and termination"),
-        )
+        raise twice_in_a_row(complaint)
 
-    def _block(self, samples: int, rate_hz: float) -> tuple[SampleBlock, str]:
-        """A block, and what is wrong with it; empty where it is whole."""
+    def begin(self) -> None:
+        """Take what comes from now on."""
         self._inbox.forget()
+
+    def collected(self, samples: int, rate_hz: float, *, dated: bool = True) -> tuple[SampleBlock, str]:
+        """The block that has begun, and what is wrong with it; empty where it is whole.
+
+        Where its frames have waited for those of another channel (not `dated`) they tell nothing of their rate. Raises
+        as `acquire`.
+        """
         deadline_s = time.monotonic() + samples / rate_hz * _RATE_RATIO + FIRST_FRAME_S + LATENESS_S
         voltages_v: list[float] = []
         counters: list[float] = []
@@ -117,7 +121,8 @@ class FreeRunningDaq:
                 moments_s.append(self._clock.monotonic_s())
             elif frame.name in others:
                 others[frame.name].append(frame.number(frame.name))
-        self._check_rate(moments_s, rate_hz)
+        if dated:
+            self._check_rate(moments_s, rate_hz)
         block = SampleBlock(
             voltage_v=np.array(voltages_v),
             rate_hz=rate_hz,
@@ -171,3 +176,12 @@ class FreeRunningDaq:
                 DEVICE, Message("{happened}{dropped}", happened=happened, dropped=self._inbox.words), remedy
             )
         return frame
+
+
+def twice_in_a_row(complaint: str) -> DeviceError:
+    """The error of a block that came to harm both times."""
+    return DeviceError(
+        DEVICE,
+        Message("{complaint}, twice in a row", complaint=complaint),
+        Message("check the load of the bus, cable and termination"),
+    )

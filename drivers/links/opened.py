@@ -1,7 +1,8 @@
 """The links to the instruments of a stand: opened as its file says, closed together."""
 
+from collections.abc import Callable
 from contextlib import ExitStack
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from tumble.drivers.tables import OnCan, OnSerialLine
 
@@ -10,12 +11,16 @@ if TYPE_CHECKING:  # opened when needed: neither library is there for nothing
     from tumble.drivers.links.serial_link import SerialLink
 
 
+Shared = TypeVar("Shared")
+
+
 class Links:
-    """What is open. Instruments on the same CAN bus share it."""
+    """What is open. Instruments on the same CAN bus share it, and so may those on one serial line."""
 
     def __init__(self) -> None:
         self._opened = ExitStack()
         self._buses: dict[str, CanLink] = {}
+        self._common: dict[str, Any] = {}
 
     def serial(self, table: OnSerialLine, device: str) -> "SerialLink":
         """Open a serial line; errors call the instrument `device`. Raises `LinkLostError`."""
@@ -24,6 +29,13 @@ class Links:
         link = SerialLink(table.url, table.baud_rate, device)
         self._opened.callback(link.close)
         return link
+
+    def shared(self, place: str, make: Callable[[], Shared]) -> Shared:
+        """What the instruments behind one address have in common, made for the first of them."""
+        if place not in self._common:
+            self._common[place] = make()
+        common: Shared = self._common[place]
+        return common
 
     def can(self, table: OnCan) -> "CanLink":
         """The bus of an instrument. Raises `LinkLostError`."""
@@ -34,6 +46,10 @@ class Links:
             self._buses[address.url] = CanLink(address)
             self._opened.callback(self._buses[address.url].close)
         return self._buses[address.url]
+
+    def at_end(self, close: Callable[[], None]) -> None:
+        """Have something else closed with them."""
+        self._opened.callback(close)
 
     def close(self) -> None:
         """Close everything; a second call does nothing."""

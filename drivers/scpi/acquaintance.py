@@ -10,7 +10,7 @@ from tumble.drivers.scpi.codec import TERMINATOR, CorruptReplyError, parse_numbe
 from tumble.drivers.scpi.dialects import Dialect
 from tumble.drivers.scpi.exchange import ATTEMPTS, CompoundExchange, Exchange, Link
 from tumble.drivers.scpi.measurement import Setting, setting, voltage, written
-from tumble.drivers.scpi.models import UNKNOWN, Model, known
+from tumble.drivers.scpi.models import SCANNERS, UNKNOWN, Model, known
 from tumble.drivers.scpi.plain import PlainExchange, answered
 from tumble.drivers.scpi.taking import same
 from tumble.messages import Message
@@ -34,6 +34,17 @@ class Acquaintance:
     model: Model
     """Its dialect is left with what it understands."""
     line_hz: float
+
+
+def acquaint_with_scanner(link: Link, timeout_s: float) -> Acquaintance:
+    """Find out which scanner is there; it must take several queries in one message. Raises as `acquaint`."""
+    if not link.checksummed:
+        link.write(b"SYST:REM" + TERMINATOR)
+    exchange = CompoundExchange(link, DEVICE, timeout_s)
+    exchange.ask(commands=("ABOR", "*CLS"))
+    identity = exchange.identify()
+    model = known(identity, SCANNERS)
+    return Acquaintance(exchange=exchange, identity=identity, model=model, line_hz=_line_hz(exchange, model.dialect))
 
 
 def acquaint(link: Link, clock: Clock, timeout_s: float, range_v: float | None, *, common: bool) -> Acquaintance:

@@ -159,6 +159,23 @@ RIGOL: Final = Dialect(
 )
 """Its own language, in which it wakes, gives one reading at a time; NPLC only chooses among its three speeds."""
 
+SCANNER: Final = Dialect(
+    name="scanner",
+    source="34970A User's Guide (34970-90003), 5: CONFigure, ROUTe:SCAN, TRIGger; DAQ970A Programming Guide",
+    compound=True,
+    settings=(
+        "VOLT:DC:RANG {range_v}",
+        "VOLT:DC:NPLC {nplc}",
+        "TRIG:SOUR TIM",
+        "TRIG:TIM {interval_s}",
+        "TRIG:COUN {count}",
+    ),
+    line_hz="SYST:LFR?",
+    temperature=("CONF:TEMP {sensor}", "TRIG:SOUR IMM", "TRIG:COUN 1"),
+)
+"""A sweep over its scan list takes one reading of every channel; `CONFigure` with a channel list makes that the scan
+list. Autozero stays on: the offset of a channel is not that of another."""
+
 COMMON: Final = Dialect(
     name="common",
     source="SCPI-1999, volume 2, 3 (CONFigure, FETCh?, READ?) and 24 (INITiate, ABORt)",

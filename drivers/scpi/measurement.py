@@ -42,17 +42,24 @@ class Measurement:
     """By the stand's clock, in s."""
     extra_s: float = 0.0
     """How much longer than an ordinary answer the readings may take, in real seconds."""
+    channels: str = ""
+    """Channel list of a scanner, `(@101,102)`."""
+    by_channel: frozenset[str] = frozenset()
+    """Headers of the settings that each of these has for itself."""
 
     @property
     def preparation(self) -> tuple[str, ...]:
         """All commands before it begins."""
-        assignments = (f"{header} {written(value)}" for header, value in self.settings)
+        listed = dict.fromkeys(self.by_channel, f",{self.channels}")
+        assignments = (f"{header} {written(value)}{listed.get(header, '')}" for header, value in self.settings)
         return (*self.configure, *assignments, *self.arm)
 
     @property
     def questions(self) -> tuple[str, ...]:
         """What is asked to read everything back: the function, where it can be asked, then the settings."""
-        return (*filter(None, (self.function,)), *(f"{header}?" for header, _ in self.settings))
+        listed = dict.fromkeys(self.by_channel, f" {self.channels}")
+        asked = (f"{header}?{listed.get(header, '')}" for header, _ in self.settings)
+        return (*filter(None, (self.function,)), *asked)
 
 
 def voltage(model: Model, line_hz: float, range_v: float | None, count: int, rate_hz: float) -> Measurement:

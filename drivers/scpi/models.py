@@ -14,6 +14,7 @@ from tumble.drivers.scpi.dialects import (
     DMM6500,
     KEITHLEY_2000,
     RIGOL,
+    SCANNER,
     SIGLENT,
     TRUEVOLT,
     TRUEVOLT_TIMER,
@@ -86,15 +87,33 @@ MODELS: Mapping[str, Model] = {
 }
 """Memory of the Rigol: what the Agilent 34401A keeps, whose commands it is told."""
 
+_34970A: Final = Model(
+    makers=_KEYSIGHT, dialect=SCANNER, nplc=(0.02, 0.2, 1.0, 2.0, 10.0, 20.0, 100.0, 200.0), memory=50_000
+)
+_DAQ970A: Final = replace(_34970A, nplc=(0.02, 0.06, 0.2, 1.0, 2.0, 10.0, 20.0, 100.0, 200.0), memory=100_000)
+SCANNERS: Final[Mapping[str, Model]] = {
+    "34970A": _34970A,
+    "34972A": _34970A,
+    "DAQ970A": _DAQ970A,
+    "DAQ973A": _DAQ970A,
+}
+"""Those that switch one voltmeter from channel to channel."""
+
 UNKNOWN: Final = Model(makers=("",), dialect=COMMON, nplc=_SLOW, memory=1)
 """Any other, where the stand file asks for the common core."""
 
 
-def known(identity: Identity) -> Model:
+def known(identity: Identity, models: Mapping[str, Model] = MODELS) -> Model:
     """The model of a multimeter. Raises `DeviceError` where it is not known by name."""
     maker, _, name = identity.model.rpartition(" ")
-    model = MODELS.get(name.upper())
+    model = models.get(name.upper())
     if model is None or not maker.casefold().startswith(model.makers):
+        if models is SCANNERS:
+            raise DeviceError(
+                Message("scanner"),
+                Message("says that it is {model!r}, which is none that is known by name", model=identity.model),
+                Message("connect {models}", models=", ".join(models)),
+            )
         raise DeviceError(
             Message("multimeter"),
             Message(

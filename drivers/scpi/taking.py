@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from tumble.drivers.clock import Clock
 from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
-from tumble.drivers.scpi.codec import CorruptReplyError, parse_number, parse_readings
+from tumble.drivers.scpi.codec import CorruptReplyError, parse_readings
 from tumble.drivers.scpi.exchange import ATTEMPTS, Exchange
 from tumble.drivers.scpi.measurement import TOLERANCE, Measurement
 from tumble.drivers.scpi.plain import PlainExchange
@@ -76,9 +76,10 @@ def same(value: float | str, answer: str) -> bool:
     if isinstance(value, str):
         return answer.strip('"').casefold() == value.casefold()
     try:
-        return math.isclose(parse_number(answer), value, rel_tol=TOLERANCE, abs_tol=1e-6)
+        read_back = parse_readings(answer).tolist()  # of a scanner one number for each channel
     except CorruptReplyError:
         return False
+    return all(math.isclose(number, value, rel_tol=TOLERANCE, abs_tol=1e-6) for number in read_back)
 
 
 def _taken(exchange: Exchange, clock: Clock, measurement: Measurement, transfer_s: float) -> NDArray[np.float64]:
@@ -114,7 +115,9 @@ def _set_up(exchange: Exchange, measurement: Measurement, commands: Sequence[str
     """Configure, read everything back. Raises `DeviceError` where the meter is not set as it was told."""
     answers = list(exchange.ask(*measurement.questions, commands=commands))
     complaints = [str(entry) for entry in exchange.errors()]
-    if measurement.function and (function := answers.pop(0)).strip('"') not in measurement.functions:
+    if measurement.function and not set((function := answers.pop(0)).replace('"', "").split(",")) <= set(
+        measurement.functions
+    ):
         complaints.append(Message("it measures {function}", function=function))
     for (header, value), answer in zip(measurement.settings, answers, strict=True):
         if not same(value, answer):

@@ -6,7 +6,7 @@ import numpy as np
 
 from tumble.drivers.clock import Clock
 from tumble.drivers.errors import DeviceError
-from tumble.drivers.protocols import Identity, SampleBlock
+from tumble.drivers.protocols import VOLTAGE, Identity, SampleBlock
 from tumble.drivers.simulated.effects import Effects
 from tumble.drivers.simulated.geometry import FloatArray
 from tumble.messages import Message
@@ -123,6 +123,10 @@ class SimulatedDaq:
             device_time_s=started_s,
             temperature_degc=temperature_degc,
         )
+
+    def temperatures_degc(self) -> dict[str, float]:
+        """What the thermometer says now; it is no look at the output."""
+        return {VOLTAGE: self._terminals.sensor_degc(self._clock.monotonic_s())}
 
     def _with_remainder(self, voltage_v: FloatArray, now_s: float) -> FloatArray:
         if self._terminals.dwell != self._dwell:

@@ -1,14 +1,9 @@
 """What a stand file may inject into the simulated world: the names, keys and units of the catalogue of effects."""
 
-from pydantic import BaseModel, ConfigDict, Field, model_validator
+from pydantic import Field, model_validator
 
+from tumble.drivers.simulated.table import Table
 from tumble.messages import Message
-
-
-class Table(BaseModel):
-    """A table of the stand file: no unknown key, no change after reading."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
 
 class Harmonic(Table):

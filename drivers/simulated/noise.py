@@ -22,7 +22,7 @@ class Stream(IntEnum):
     THERMOMETER = 8
 
 
-def generator(seed: int, stream: Stream, number: int = 0, part: int = 0) -> np.random.Generator:
+def generator(seed: int, stream: int, number: int = 0, part: int = 0) -> np.random.Generator:
     """Generator of the numbers that belong to one dwell or mounting, the `number`-th of its stream, or to a part of it.
 
     Philox is a counter-based generator: seed and stream are its key, number and part the highest words of its counter.

@@ -5,8 +5,9 @@ from typing import Literal
 
 from pydantic import Field, field_validator, model_validator
 
-from tumble.drivers.simulated.effects import Effects, Table
+from tumble.drivers.simulated.effects import Effects
 from tumble.drivers.simulated.presets import PRESETS, UnitParameters
+from tumble.drivers.simulated.table import SimulatedTable, Table
 from tumble.messages import Message
 
 ParameterName = Literal["u0", "kx", "ky", "kz", "kxy", "alpha0_deg"]
@@ -26,11 +27,10 @@ class Temperature(Table):
     """Standard deviation of the temperature that is reported with one block."""
 
 
-class Simulated(Table):
+class Simulated(SimulatedTable):
     """Everything that the simulated world is made of. Explicit values take the place of the preset's."""
 
     preset: str = "DXL203EB"
-    seed: int = Field(default=1, ge=0, lt=2**64)
     parameters: dict[ParameterName, float] = Field(default_factory=dict)
     noise_v: float | None = Field(default=None, ge=0.0)
     """Standard deviation of one sample, in V."""
@@ -74,6 +74,11 @@ class Simulated(Table):
                 )
             )
         return self
+
+    @property
+    def code(self) -> tuple[str, ...]:
+        """Python files that the table names."""
+        return tuple(filter(None, (self.response, self.head_error)))
 
     @property
     def unit_parameters(self) -> UnitParameters:

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
+from typing import Final
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -17,7 +18,8 @@ from tumble.drivers.simulated.noise import RandomWalk, Stream, flicker, generato
 from tumble.drivers.simulated.room import Room
 from tumble.drivers.simulated.settings import Simulated
 from tumble.drivers.simulated.unit import Accelerometer, ExternalUnit, Unit
-from tumble.drivers.tables import MOUNT
+from tumble.drivers.simulated.worlds import Surroundings, WorldKind
+from tumble.drivers.tables import HEAD, MOUNT
 
 
 class WiredUnit:
@@ -115,6 +117,20 @@ class SimulatedWorld:
         return self._bench.counts
 
     @property
+    def positioners(self) -> Mapping[str, SimulatedHead]:
+        """The head, by its name."""
+        return {HEAD: self.head}
+
+    def meter(self, channels: Sequence[str]) -> SimulatedDaq:  # noqa: ARG002  # there is one output
+        """The voltmeter at the only output, whatever it is called."""
+        return self.daq
+
+    @property
+    def chamber(self) -> None:
+        """There is only the room."""
+        return
+
+    @property
     def mount(self) -> str:
         """Mount in which the unit sits."""
         return self._bench.mount
@@ -146,6 +162,14 @@ class SimulatedWorld:
         """
         gravity_g = self._bench.static_gravity_g(mounts, np.asarray(angles_deg, dtype=np.float64))
         return self._converter.distorted_v(self._unit.static_v(gravity_g))
+
+
+def _build(settings: Simulated, surroundings: Surroundings) -> SimulatedWorld:
+    head = surroundings.heads.get(HEAD, HeadOptions())
+    return SimulatedWorld(settings, clock=surroundings.clock, head=head, base_path=surroundings.folder)
+
+
+WORLD: Final = WorldKind(table=Simulated, build=_build)
 
 
 def _unit(settings: Simulated, base_path: Path) -> Unit:

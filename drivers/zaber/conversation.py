@@ -1,6 +1,9 @@
 """One request at a time over a link, and the message that answers it and no other."""
 
 import time
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from itertools import cycle
 from typing import Final, Protocol
 
 from tumble.drivers.errors import DeviceError, NoReplyError
@@ -40,6 +43,35 @@ class Link(Protocol):
     def reopen(self) -> None:
         """Open the port anew. Raises `LinkLostError`."""
         ...
+
+
+def request_ids() -> Iterator[int]:
+    """Numbers for requests, each as far as can be from its next use."""
+    return cycle(range(MESSAGE_IDS))
+
+
+@dataclass(frozen=True)
+class Line:
+    """A serial line that all axes of a chain share, with the numbers of the requests on it. Fits `Link`."""
+
+    link: Link
+    ids: Iterator[int] = field(default_factory=request_ids)
+
+    def write(self, data: bytes) -> None:
+        """Send bytes. Raises `LinkLostError`."""
+        self.link.write(data)
+
+    def read_line(self, terminator: bytes, timeout_s: float) -> bytes:
+        """Wait for a line. Raises `LinkLostError`, `NoReplyError`."""
+        return self.link.read_line(terminator, timeout_s)
+
+    def discard_input(self) -> None:
+        """Throw away what has come. Raises as `Link.discard_input`."""
+        self.link.discard_input()
+
+    def reopen(self) -> None:
+        """Open the port anew, for all. Raises `LinkLostError`."""
+        self.link.reopen()
 
 
 class UnclearError(NoReplyError):
@@ -84,7 +116,7 @@ class Conversation:
         self._device = device
         self._axis = axis
         self._timeout_s = timeout_s
-        self._next_id = 0
+        self._ids = link.ids if isinstance(link, Line) else request_ids()
 
     def reopen(self) -> None:
         """Begin anew on a new link. Raises `LinkLostError`."""
@@ -138,9 +170,8 @@ class Conversation:
 
     def _request(self, command: str, *, axis: bool) -> Request:
         """A command with the next id."""
-        message_id, self._next_id = self._next_id, (self._next_id + 1) % MESSAGE_IDS
         number = self._axis if axis else BROADCAST
-        return Request(device=self._device, axis=number, message_id=message_id, command=command)
+        return Request(device=self._device, axis=number, message_id=next(self._ids), command=command)
 
     def _continued(self, reply: DeviceMessage, request: Request, deadline_s: float) -> DeviceMessage:
         try:

@@ -3,7 +3,9 @@
 from pydantic import Field
 
 from tumble.drivers.driver import Bench, Driver
+from tumble.drivers.links.places import one_name
 from tumble.drivers.tables import HeadTable, OnSerialLine
+from tumble.drivers.zaber.conversation import Line
 from tumble.drivers.zaber.head import ZaberHead
 from tumble.messages import Message
 
@@ -17,8 +19,11 @@ class ZaberTable(OnSerialLine, HeadTable):
 
 
 def _connect(table: ZaberTable, bench: Bench) -> ZaberHead:
+    line = bench.links.shared(
+        f"zaber {one_name(table.url)}", lambda: Line(bench.links.serial(table, Message("dividing head")))
+    )
     return ZaberHead(
-        bench.links.serial(table, Message("dividing head")),
+        line,
         device=table.device,
         axis=table.axis,
         limits_deg=table.limits_deg,

@@ -29,7 +29,7 @@ class ZaberHead:
     Parameters
     ----------
     link
-        The way to the device, for example a `tumble.drivers.links.SerialLink`.
+        The way to the device, for example a `tumble.drivers.links.SerialLink`; a `Line` where others share it.
     device
         Number of the device in its chain, from 1.
     axis

@@ -124,6 +124,7 @@ _PLAIN: Final = Model(
 )
 
 MODELS: Mapping[str, Model] = {
+    "DAQ970A": replace(_34465A, firmware="A.02.02-01.00-02.01-00.02-02.00-00-00"),
     "34460A": replace(_34461A, memory=1_000),
     "34461A": _34461A,
     "34465A": _34465A,

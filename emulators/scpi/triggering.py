@@ -94,7 +94,7 @@ class Triggering:
         if measurement.temperature:
             readings = np.full(measurement.count, block.temperature_degc)
         else:
-            voltage_v = block.voltage_v
+            (voltage_v,) = block.channels.values()
             over = np.abs(voltage_v) > OVERRANGE * measurement.limit_v
             readings = np.where(over, np.copysign(OVERLOAD_V, voltage_v), voltage_v)
         self._spoil(readings)

@@ -25,7 +25,8 @@ BAD = {
     ),
     "an unknown driver": (
         ('[daq]\ndriver = "simulated"', '[daq]\ndriver = "abacus"'),
-        "line 11: daq: driver: no driver is called 'abacus'; known are can, scpi, simulated, or write FILE.py:NAME; ",
+        "line 11: daq: driver: no driver is called 'abacus'; known are can, scanner, scpi, simulated, "
+        "or write FILE.py:NAME; ",
     ),
     "an unknown preset": (
         ("DXL203EB", "DXL"),

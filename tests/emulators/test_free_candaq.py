@@ -97,3 +97,66 @@ def test_a_silent_one_is_told_with_what_was_dropped(monkeypatch):
         ):
             daq.identify()
         assert "CAN DAQ: frames of another length than the DBC file says dropped" in daq.remarks()[0]
+
+
+THREE_DBC = """VERSION ""
+
+BU_: Logger
+
+BO_ 512 XY: 8 Logger
+ SG_ X : 0|32@1- (1E-006,0) [0|0] "V" Logger
+ SG_ Y : 32|32@1- (1E-003,0) [0|0] "mV" Logger
+
+BO_ 513 ZT: 5 Logger
+ SG_ Z : 0|32@1- (1E-006,0) [0|0] "V" Logger
+ SG_ T : 32|8@1- (1,0) [0|0] "degC" Logger
+"""
+
+
+def three_on(folder, channel):
+    from tumble.drivers.candaq.declaration import CAN, CanDaqTable
+    from tumble.drivers.driver import Bench
+    from tumble.drivers.links.opened import Links
+
+    (folder / "three.dbc").write_text(THREE_DBC, "utf-8")
+    table = CanDaqTable(
+        driver="can",
+        url=f"virtual:{channel}",
+        dbc="three.dbc",
+        voltages={"u_x_v": "XY.X", "u_y_v": "XY.Y", "u_z_v": "ZT.Z"},
+        temperatures={"u_z_v": "ZT.T"},
+    )
+    links = Links()
+    return CAN.connect(table, Bench(clock=SystemClock(), links=links, folder=folder, eyepiece=lambda _: None)), links
+
+
+def test_several_voltages_are_taken_at_the_same_time(tmp_path):
+    def counting(number):
+        return (number * 1000).to_bytes(4, "little") + (number * 1000).to_bytes(4, "little")
+
+    leaving = threading.Event()
+
+    def send_z():
+        with can.Bus(interface="virtual", channel="three") as bus:
+            while not leaving.wait(1.0 / RATE_HZ):
+                bus.send(can.Message(arbitration_id=513, is_extended_id=False, data=bytes([0, 0, 0, 0, 31])))
+
+    daq, links = three_on(tmp_path, "three")
+    thread = threading.Thread(target=send_z, daemon=True)
+    thread.start()
+    with sending("three", range(2000), counting):
+        daq.identify()
+        block = daq.acquire(50, RATE_HZ)
+    leaving.set()
+    thread.join()
+    links.close()
+    assert list(block.channels) == ["u_x_v", "u_y_v", "u_z_v"]
+    assert abs(block.channels["u_x_v"][0] - block.channels["u_y_v"][0]) <= 2e-3  # of the same frames, or the next
+    assert dict(block.temperatures_degc) == {"u_z_v": 31.0}
+
+
+def test_a_thermometer_of_no_channel_is_refused():
+    from tumble.drivers.candaq.declaration import CanDaqTable
+
+    with pytest.raises(ValueError, match="temperatures names u_w_v, which is none of voltages"):
+        CanDaqTable(driver="can", url="virtual:x", dbc="d", voltages={"u_x_v": "A.B"}, temperatures={"u_w_v": "A.C"})

@@ -77,7 +77,7 @@ def test_analysis_and_job_that_cannot_be_used_are_bad_input(installed, value):
 def test_all_other_methods_are_found(installed, value, caplog):
     installed(f"broken = {value}")
     assert [method.name for method in methods()] == ["dividing_head", "head_reference", "temperature", "triad"]
-    assert [method.name for method in usable_methods()] == ["dividing_head"]
+    assert [method.name for method in usable_methods()] == ["dividing_head", "triad"]
     assert [record.message.split(" in ")[0] for record in caplog.records] == [
         "broken of tumble.methods",
         "broken of tumble.procedures",

@@ -55,7 +55,7 @@ def run(readings, programme=SWEEP, journal=None):
         sink,
         QUICK,
         (),
-        ReadAgain(eyepiece, contradiction),
+        ReadAgain({"head": eyepiece}, contradiction),
     )
     if journal is None:
         return engine.run(programme.procedure()), sink

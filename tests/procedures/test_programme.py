@@ -50,8 +50,12 @@ def complaint(text):
     return str(raised.value)
 
 
+TRIADS = ["12", "12o", "16o", "18", "18-there-and-back", "24", "24-there-and-back", "24f", "6", "8o", "fine"]
+
+
 def test_programmes_that_come_along():
-    assert shipped_programmes() == [*PROBES, "quick", "reversal", "seed"]
+    assert shipped_programmes()[: len(PROBES) + 3] == [*PROBES, "quick", "reversal", "seed"]
+    assert shipped_programmes()[len(PROBES) + 3 :] == TRIADS
 
 
 @pytest.mark.parametrize("name", [*PROBES, "quick", "reversal", "seed"])
@@ -73,7 +77,7 @@ def test_limits_are_intervals_by_parameter():
 
 
 def test_an_unknown_programme_is_answered_with_those_that_exist():
-    with pytest.raises(ProgrammeError, match=r"^sed: there is no such file; .* quick, reversal, seed$"):
+    with pytest.raises(ProgrammeError, match=r"^sed: there is no such file; .* quick, reversal, seed, 12, "):
         load_programme("sed")
 
 

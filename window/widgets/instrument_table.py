@@ -37,7 +37,7 @@ class InstrumentTable(QFrame):
 
     def show_stand(self, loaded: LoadedStand) -> None:
         """Show what the stand file says."""
-        tables = {**loaded.file.positioners, **loaded.file.samplers}
+        tables = loaded.file.instruments
         if tuple(tables) != self._instruments:
             self._make(tuple(tables))
         for key, table in tables.items():

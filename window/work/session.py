@@ -11,9 +11,11 @@ from tumble.app.stand import LoadedStand
 from tumble.app.stand_lock import holding
 from tumble.app.wiring import Attendant, Connected, connect
 from tumble.drivers.errors import DeviceError
-from tumble.drivers.protocols import Identity, Positioner, PositionerStatus, Sampler
+from tumble.drivers.protocols import Environment, Identity, Positioner, PositionerStatus, Sampler
 from tumble.messages import Message
 from tumble.procedures.axes import Look
+from tumble.procedures.interlock import Interlock
+from tumble.procedures.losses import Losses
 from tumble.procedures.motion import Motion, standstill
 
 _TOLERANCE_DEG: Final = 0.01
@@ -71,6 +73,10 @@ class StandSession:
         look = partial(self._look, name)
         return Motion(stand.positioners[name], stand.clock, _TOLERANCE_DEG, look=look, title=stand.title(name))
 
+    def interlock(self) -> Interlock:
+        """What makes sure that nothing turns behind an open door. Raises as `connected`."""
+        return Interlock(self.connected.stand, Losses())
+
     def connect(self, attendant: Attendant, past: Sequence[Past] = ()) -> StandIdentity:
         """Reach the instruments, which were left before. Raises `InputError`, `JobError`, `DeviceError`."""
         with ExitStack() as stack:
@@ -78,7 +84,11 @@ class StandSession:
             connected = connect(self.loaded, attendant=attendant, past=past)
             stack.callback(connected.links.close)
             stand = connected.stand
-            instruments: dict[str, Positioner | Sampler] = {**stand.positioners, **stand.samplers}
+            instruments: dict[str, Positioner | Sampler | Environment] = {
+                **stand.positioners,
+                **stand.samplers,
+                **stand.environments,
+            }
             identity = StandIdentity(
                 loaded=self.loaded,
                 instruments={name: instrument.identify() for name, instrument in instruments.items()},

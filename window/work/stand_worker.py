@@ -13,6 +13,7 @@ from tumble.app.stand import LoadedStand
 from tumble.app.wiring import Attendant, Connected
 from tumble.procedures.control import Control
 from tumble.procedures.errors import InputError, StopRequestedError
+from tumble.procedures.interlock import Interlock
 from tumble.procedures.motion import Motion
 from tumble.window.look.language import tr
 from tumble.window.work.activity import Activity, progress_of
@@ -223,9 +224,10 @@ class StandWorker(QObject):
         self._tell(session, self.concluded, concluded)
 
     def _carry_out_move(self, session: StandSession, name: str, move: Move, control: Control) -> None:
-        motion = session.motion(name)
+        motion, interlock = session.motion(name), session.interlock()
         try:
-            move(motion, lambda: _checked(control))
+            interlock.check()
+            move(motion, lambda: _checked(control, interlock))
         finally:
             self._halt(session)
 
@@ -258,7 +260,8 @@ def _unless_stopped(action: Action, control: Control) -> None:
     action(control)
 
 
-def _checked(control: Control) -> bool:
-    """Stop where that is wanted; a move by hand is never paused."""
+def _checked(control: Control, interlock: Interlock) -> bool:
+    """Stop where that is wanted, or a door is opened; a move by hand is never paused."""
     control.check()
+    interlock.check()
     return False

@@ -2,9 +2,10 @@
 
 from typing import Any
 
+from tumble.calibrations.core.documents import rows_json
 from tumble.calibrations.core.parameter import ModelFit
 from tumble.calibrations.methods.triad.correction import correction
-from tumble.calibrations.methods.triad.loop import TriadLoop
+from tumble.calibrations.methods.triad.loop import TriadDeclared, TriadLoop
 from tumble.calibrations.methods.triad.observations import CHANNELS
 from tumble.calibrations.methods.triad.scalar import ScalarFit
 from tumble.calibrations.tracing.document import SCHEMA, effect_json, unexplained_json
@@ -16,11 +17,7 @@ def document(loop: TriadLoop) -> dict[str, Any]:
     return {
         "schema": SCHEMA,
         "method": "triad",
-        "rows": {
-            "read": rows.rows_read,
-            "used": len(rows),
-            "set_aside": [{"row": entry.row, "reason": entry.reason} for entry in rows.set_aside],
-        },
+        "rows": rows_json(rows),
         "noise": {
             channel: {
                 "pure_error_V": error.standard_deviation if error.degrees_of_freedom else None,
@@ -40,6 +37,18 @@ def document(loop: TriadLoop) -> dict[str, Any]:
         "next_experiment": [
             {"separates": list(each.separates), "why": each.why, "command": each.command} for each in loop.experiments
         ],
+    }
+
+
+def fit_document(declared: TriadDeclared) -> dict[str, Any]:
+    """The declared model alone as `tumble.fit/1`."""
+    return {
+        "schema": "tumble.fit/1",
+        "method": "triad",
+        "rows": rows_json(declared.observations),
+        "warnings": [*declared.doubts, *declared.observations.warnings],
+        **_model(declared.model),
+        "correction": None if declared.doubts else correction(declared.fit).as_json(),
     }
 
 

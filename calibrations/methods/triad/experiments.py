@@ -36,8 +36,12 @@ class Experiment:
     programme: str
     """Name of a list of positions; empty where none would help."""
     why: str
-    command: str = ""
     separation: float = 0.0
+
+    @property
+    def command(self) -> str:
+        """What to type at a stand; empty where no list would help."""
+        return f"tumble run --programme {self.programme} --serial SERIAL" if self.programme else ""
 
 
 def next_experiments(explained: Explained[TriadTable, TriadFit]) -> tuple[Experiment, ...]:

@@ -56,6 +56,16 @@ class TriadLoop:
         return self.explained.best
 
     @property
+    def unit(self) -> str:
+        """Of the outputs."""
+        return "V"
+
+    @property
+    def held_out_rms(self) -> float | None:
+        """Error of positions that are held out, with what was found, in volts."""
+        return self.augmented.held_out_rms
+
+    @property
     def explained_v(self) -> FloatArray:
         """What was found, in each dwell and channel, shape (dwells, 3), in volts."""
         shares = [
@@ -92,9 +102,33 @@ class TriadLoop:
         return Unexplained(depends_on=item.effect.depends_on, description=item.effect.describe(item.form))
 
 
+@dataclass(frozen=True, kw_only=True)
+class TriadDeclared:
+    """The declared model fitted to a table of a triad."""
+
+    observations: TriadObservations
+    """Rows in use."""
+    table: TriadTable
+    fit: TriadFit
+    doubts: tuple[str, ...]
+    """Questions about the table; where there are any, nothing is stated."""
+    model: ModelFit
+
+
 @one_blas_thread
-def close_triad_loop(observations: TriadObservations) -> TriadLoop:
-    """Trace what fourteen parameters leave of a table. Raises `ValueError` where there are too few positions."""
+def declared_fit(observations: TriadObservations, reference_temperature_degc: float = 23.0) -> TriadDeclared:
+    """Fit fourteen parameters to a table. Raises `ValueError` where there are too few positions."""
+    _check_positions(observations)
+    used = observations.without(gross_errors(observations))
+    table = triad_table(used, reference_temperature_degc)
+    nothing = _nothing(table)
+    fit = fit_triad(table, nothing)
+    asked = doubts(table, fit.deviations_v)
+    model = _silent(asked[0]) if asked else _model(fit, fit.parameters(), _held_out_declared(table, nothing))
+    return TriadDeclared(observations=used, table=table, fit=fit, doubts=asked, model=model)
+
+
+def _check_positions(observations: TriadObservations) -> None:
     if (positions := len(np.unique(observations.positions))) < FEWEST_POSITIONS:
         raise ValueError(
             Message(
@@ -105,20 +139,22 @@ def close_triad_loop(observations: TriadObservations) -> TriadLoop:
                 fewest=FEWEST_POSITIONS,
             )
         )
-    used = observations.without(gross_errors(observations))
-    table = triad_table(used)
-    nothing = Trace(found=(), noise=NoiseModel(), deviance=table.deviance((), NoiseModel()))
-    before = fit_triad(table, nothing)
-    asked = doubts(table, before.deviations_v)
-    found = _untraced(table, nothing) if asked else judged(table)
-    explained = Explained(judged=found, best=before if asked else fit_triad(table, found.trace))
+
+
+@one_blas_thread
+def close_triad_loop(observations: TriadObservations, reference_temperature_degc: float = 23.0) -> TriadLoop:
+    """Trace what fourteen parameters leave of a table. Raises `ValueError` where there are too few positions."""
+    before = declared_fit(observations, reference_temperature_degc)
+    used, table, asked = before.observations, before.table, before.doubts
+    found = _untraced(table) if asked else judged(table)
+    explained = Explained(judged=found, best=before.fit if asked else fit_triad(table, found.trace))
     reason = asked[0] if asked else ""
     return TriadLoop(
         observations=used,
         doubts=asked,
-        before=before,
+        before=before.fit,
         explained=explained,
-        declared=_silent(reason) if asked else _model(before, before.parameters(), _held_out_declared(table, nothing)),
+        declared=before.model,
         augmented=_silent(reason) if asked else _augmented(explained),
         scalar=None if asked else _scalar(used, explained.best),
         pure_errors=_pure_errors(used),
@@ -126,9 +162,14 @@ def close_triad_loop(observations: TriadObservations) -> TriadLoop:
     )
 
 
-def _untraced(table: TriadTable, nothing: Trace) -> Judged[TriadTable]:
+def _nothing(table: TriadTable) -> Trace:
+    """The declared model alone."""
+    return Trace(found=(), noise=NoiseModel(), deviance=table.deviance((), NoiseModel()))
+
+
+def _untraced(table: TriadTable) -> Judged[TriadTable]:
     """What a table in doubt is traced to: nothing is looked for where nothing would be stated."""
-    return Judged(tracer=Tracer(table), trace=nothing, near={}, evidence={}, withheld=())
+    return Judged(tracer=Tracer(table), trace=_nothing(table), near={}, evidence={}, withheld=())
 
 
 def _silent(reason: str) -> ModelFit:

@@ -23,7 +23,8 @@ from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.tracing.sentences import set_aside_section
 from tumble.messages import Message
 
-_NEEDED = ("outer_deg", "inner_deg", "u_x_V", "u_y_V", "u_z_V")
+NEEDED = ("outer_deg", "inner_deg", "u_x_V", "u_y_V", "u_z_V")
+"""Columns without which a table is none of a run at a stand."""
 _OUTPUT = re.compile(r"u_[xyz]_|acc\w*_[xyz]")
 
 
@@ -71,18 +72,18 @@ class TriadMethod:
 
     def reads(self, header: Sequence[str], numbers: Sequence[str] | None) -> bool:  # noqa: ARG002  # by names alone
         """Whether a table holds three outputs, and both angles or none."""
-        return set(_NEEDED) <= set(header) or _by_hand(header)
+        return set(NEEDED) <= set(header) or _by_hand(header)
 
     def hint(self, header: Sequence[str], numbers: Sequence[str]) -> str:  # noqa: ARG002  # by names alone
         """What is misspelt or missing in a table that holds an angle of the stand or an output of a triad."""
-        if asked := misspelt(header, [*TriadObservations.spelt()], _NEEDED):
+        if asked := misspelt(header, [*TriadObservations.spelt()], NEEDED):
             return asked
-        if not any(name in _NEEDED or _OUTPUT.match(name) for name in header):
+        if not any(name in NEEDED or _OUTPUT.match(name) for name in header):
             return ""
         return Message(
             "this looks like a table of a triad, and it lacks {missing}; a log by hand has three outputs "
             "(u_x_…, u_y_…, u_z_… in one unit) and no angle",
-            missing=series([name for name in _NEEDED if name not in header]),
+            missing=series([name for name in NEEDED if name not in header]),
         )
 
     def close_loop(self, paths: Sequence[Path]) -> TriadResult | HandResult:

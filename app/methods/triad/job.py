@@ -1,0 +1,71 @@
+"""The job of a triad, as the entry point group `tumble.jobs` names it."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+from tumble.app.available import Available
+from tumble.app.job_part import JobPart
+from tumble.app.measurement import Measurement
+from tumble.app.measurements import check_limits
+from tumble.app.methods.triad.analysed import TriadAnalysed, TriadTraced
+from tumble.app.stand import LoadedStand
+from tumble.calibrations.core.provenance import Provenance
+from tumble.calibrations.methods.triad.loop import close_triad_loop, declared_fit
+from tumble.calibrations.methods.triad.method import NEEDED
+from tumble.calibrations.methods.triad.observations import TriadObservations, read_triad_table
+from tumble.calibrations.tracing.experiments import Experiment
+
+
+@dataclass(frozen=True)
+class TriadJob:
+    """Fits `tumble.app.job_part.JobPart`, and `SomeTables`: a log that was taken by hand is no run at a stand."""
+
+    experiments: frozenset[str] = frozenset()
+    stand: None = None
+
+    def reads(self, header: Sequence[str]) -> bool:
+        """Whether a table says where both axes stood."""
+        return set(NEEDED) <= set(header)
+
+    def read_table(self, path: Path) -> TriadObservations:
+        """Read the table of a triad on two axes. Raises `TableError`."""
+        return read_triad_table(path)
+
+    def answered(self, rows: TriadObservations) -> TriadObservations:
+        """The rows as they are: what is in doubt is asked once they are fitted."""
+        return rows
+
+    def fit(self, measurement: Measurement, origin: Provenance, trials: int | None) -> TriadAnalysed:  # noqa: ARG002
+        """Fit the declared model. Raises `ValueError`, `InputError`."""
+        declared = declared_fit(_rows(measurement), measurement.reference_temperature_degc)
+        return TriadAnalysed(
+            measurement=measurement,
+            provenance=origin,
+            declared=declared,
+            limits=check_limits(declared.model.parameters, measurement.programme),
+        )
+
+    def trace(self, analysed: TriadAnalysed) -> TriadTraced:
+        """Close the loop."""
+        measurement = analysed.measurement
+        loop = close_triad_loop(_rows(measurement), measurement.reference_temperature_degc)
+        limits = check_limits(loop.augmented.parameters, measurement.programme)
+        return TriadTraced(**{**vars(analysed), "limits": limits}, loop=loop)
+
+    def suggested(self, traced: TriadTraced) -> tuple[Experiment, ...]:
+        """What to measure next, of all lists that come along."""
+        return traced.next_experiment
+
+    def available(self, stand: LoadedStand, rows: TriadObservations, attended: bool) -> Available:  # noqa: ARG002
+        """No experiment is run by the loop itself."""
+        return Available()
+
+
+def _rows(measurement: Measurement) -> TriadObservations:
+    assert isinstance(measurement.observations, TriadObservations), "its own table"
+    return measurement.observations
+
+
+JOB: Final[JobPart] = TriadJob()

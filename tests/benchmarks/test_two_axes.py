@@ -1,0 +1,43 @@
+"""Shrunk samples of the endurance runs of stands with two axes."""
+
+import os
+
+import pytest
+
+from benchmarks.endurance.two_axes_faults import Case, carried_out, cases
+from benchmarks.endurance.two_axes_kills import in_process, killed, whole_run
+from tumble.procedures.events import FinishReason
+
+posix = pytest.mark.skipif(os.name == "nt", reason="SIGKILL is POSIX's")
+
+
+@posix
+@pytest.mark.parametrize(("what", "number"), [("point", 3), ("soak", 1)])
+def test_a_kill_loses_and_doubles_nothing(what, number, tmp_path):
+    with in_process(tmp_path) as stand:
+        whole = whole_run(stand, tmp_path / "whole.mcap")
+        result = killed(stand, tmp_path / "killed.mcap", what, number, whole)
+    assert (result.lost, result.doubled, result.changed) == (0, 0, 0)
+
+
+@pytest.mark.parametrize(
+    ("case", "reason"),
+    [
+        (Case(pair="serial", device="inner", kind="power_loss"), FinishReason.COMPLETED),
+        (Case(pair="serial", device="inner", kind="stall"), FinishReason.DEVICE_FAULT),
+        (Case(pair="CAN", device="inner", kind="heartbeat_lost"), FinishReason.COMPLETED),
+        (Case(pair="serial", device="scanner", kind="drop"), FinishReason.COMPLETED),
+        (Case(pair="serial", device="chamber", kind="alarm", soaking=True), FinishReason.DEVICE_FAULT),
+        (Case(pair="serial", device="chamber", kind="power_loss", soaking=True), FinishReason.COMPLETED),
+    ],
+    ids=lambda each: f"{each.device}-{each.kind}" if isinstance(each, Case) else "",
+)
+def test_a_fault_loses_and_doubles_nothing(case, reason, tmp_path):
+    result = carried_out(case, tmp_path)
+    assert result.reason is reason, result.message
+    assert (result.happened, result.lost, result.doubled, result.resting) == (True, 0, 0, True)
+    assert result.resumed == (0 if reason is FinishReason.COMPLETED else 1)
+
+
+def test_there_are_more_than_twenty_kinds():
+    assert len({(case.device, case.kind) for pair in ("serial", "CAN") for case in cases(pair)}) >= 20
