@@ -8,7 +8,7 @@ import numpy as np
 from tumble.drivers.clock import Clock
 from tumble.drivers.simulated.geometry import FloatArray
 from tumble.drivers.simulated.head import HeadOptions, SimulatedHead
-from tumble.drivers.simulated.two_axes.effects import TriadEffects, Wave
+from tumble.drivers.simulated.two_axes.effects import TwoAxesEffects, Wave
 from tumble.drivers.simulated.two_axes.geometry import RAD_PER_ARCSEC
 
 
@@ -27,7 +27,7 @@ class AxisErrors:
     backlash_arcsec: float
 
     @classmethod
-    def of(cls, name: str, effects: TriadEffects) -> "AxisErrors":
+    def of(cls, name: str, effects: TwoAxesEffects) -> "AxisErrors":
         """Those of the axis `outer` or `inner`."""
         return cls(
             eccentricity=getattr(effects, f"{name}_eccentricity"),
@@ -46,7 +46,7 @@ class Axis:
     """An axis that turns by a clock; `before_move` is called before every move."""
 
     def __init__(
-        self, name: str, effects: TriadEffects, clock: Clock, options: HeadOptions, before_move: Callable[[], None]
+        self, name: str, effects: TwoAxesEffects, clock: Clock, options: HeadOptions, before_move: Callable[[], None]
     ) -> None:
         self.name = name
         self.head = SimulatedHead(clock, options, before_move)

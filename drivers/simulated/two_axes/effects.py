@@ -39,7 +39,7 @@ class Channels(Table):
         return (self.x, self.y, self.z)
 
 
-class TriadWarmUp(Channels):
+class UnitWarmUp(Channels):
     """`amplitude exp(-t / tau_s)` of each bias, in V, from the first switch-on."""
 
     tau_s: float = Field(default=600.0, gt=0.0)
@@ -60,7 +60,7 @@ class AxisMisreading(Table):
     error_arcsec: float
 
 
-class TriadEffects(Table):
+class TwoAxesEffects(Table):
     """Everything that may be injected; `x.k_xx` and the like in V/g² or V/g³, `x.scale_asymmetry` in V/g."""
 
     coefficients: Mapping[str, float] = Field(default_factory=dict)
@@ -73,7 +73,7 @@ class TriadEffects(Table):
     """V/h."""
     scale_drift: Channels = Channels()
     """V/g/h."""
-    warm_up: TriadWarmUp = TriadWarmUp()
+    warm_up: UnitWarmUp = UnitWarmUp()
     realisation_bias: Channels = Channels()
     """Standard deviation of each bias from one switch-on to another, in V."""
     outer_eccentricity: Wave = Wave()

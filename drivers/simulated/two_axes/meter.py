@@ -1,4 +1,4 @@
-"""Simulated voltmeters at the outputs of a triad: one at all of them, or one at each."""
+"""Simulated voltmeters at the outputs of three accelerometers: one at all of them, or one at each."""
 
 from collections.abc import Mapping
 from typing import Protocol
@@ -16,7 +16,7 @@ PAUSE_S = 600.0
 """After this nothing remains of the previous reading."""
 
 
-class TriadTerminals(Protocol):
+class OutputTerminals(Protocol):
     """What the world offers to a voltmeter."""
 
     @property
@@ -37,7 +37,7 @@ class TriadTerminals(Protocol):
         ...
 
 
-class TriadMeter:
+class OutputsMeter:
     """A voltmeter at some of the outputs. Fits `tumble.drivers.protocols.Sampler`.
 
     With the effect `settling` a part of what each channel read in the previous dwell remains in all that it reads in
@@ -47,7 +47,7 @@ class TriadMeter:
     def __init__(
         self,
         clock: Clock,
-        terminals: TriadTerminals,
+        terminals: OutputTerminals,
         converter: Converter,
         *,
         channels: Mapping[str, int],

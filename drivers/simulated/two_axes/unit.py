@@ -12,7 +12,7 @@ from tumble.drivers.simulated.unit import REFERENCE_DEGC
 AXES: Final = ("x", "y", "z")
 
 
-class Triad:
+class Accelerometers:
     """`u_c = bias_c + scale_c (a_c + Σ m_cj a_j) + k a_p a_q + …` for each channel c."""
 
     def __init__(self, settings: SimulatedTwoAxes) -> None:

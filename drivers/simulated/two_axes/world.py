@@ -1,4 +1,4 @@
-"""The world of two axes: a triad on an inner axis on an outer one, in a room, wired to voltmeters."""
+"""The world of two axes: three accelerometers on an inner axis on an outer one, in a room, wired to voltmeters."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -16,9 +16,9 @@ from tumble.drivers.simulated.noise import Stream, generator
 from tumble.drivers.simulated.room import Room
 from tumble.drivers.simulated.two_axes.axis import Axis, wave_rad
 from tumble.drivers.simulated.two_axes.geometry import RAD_PER_ARCSEC, gravity_g
-from tumble.drivers.simulated.two_axes.meter import TriadMeter
+from tumble.drivers.simulated.two_axes.meter import OutputsMeter
 from tumble.drivers.simulated.two_axes.settings import SimulatedTwoAxes
-from tumble.drivers.simulated.two_axes.unit import AXES, Triad
+from tumble.drivers.simulated.two_axes.unit import AXES, Accelerometers
 from tumble.drivers.simulated.worlds import Surroundings, WorldKind
 from tumble.messages import Message
 
@@ -41,11 +41,11 @@ class Counts:
 
 
 class Terminals:
-    """The unit on its axes as voltmeters see it. Fits `meter.TriadTerminals`."""
+    """The unit on its axes as voltmeters see it. Fits `meter.OutputTerminals`."""
 
     def __init__(self, settings: SimulatedTwoAxes, clock: Clock, heads: Mapping[str, HeadOptions]) -> None:
         self._settings, self._effects = settings, settings.effects
-        self._unit = Triad(settings)
+        self._unit = Accelerometers(settings)
         room = Room(settings.temperature, settings.seed)
         self.chamber = SimulatedChamber(clock, room.temperature_degc, unit_tau_s=settings.unit_tau_s)
         self._began_s = clock.monotonic_s()
@@ -162,7 +162,7 @@ class TwoAxesWorld:
         """Nothing is set by hand."""
         return {}
 
-    def meter(self, channels: Sequence[str]) -> TriadMeter:
+    def meter(self, channels: Sequence[str]) -> OutputsMeter:
         """A voltmeter at these outputs, at all where none is named. Raises `ValueError` for one that it has not."""
         if unknown := [name for name in channels if name not in CHANNELS]:
             raise ValueError(
@@ -173,7 +173,7 @@ class TwoAxesWorld:
                 )
             )
         wired = {name: CHANNELS.index(name) for name in channels or CHANNELS}
-        return TriadMeter(self._clock, self.terminals, self._converter, channels=wired, settling=self._settling)
+        return OutputsMeter(self._clock, self.terminals, self._converter, channels=wired, settling=self._settling)
 
     def switch_on(self) -> None:
         """Switch the unit off and on for a moment: its biases are drawn anew."""
