@@ -10,7 +10,8 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.tracing.components import COURSES, Axis, Component, penalty
 from tumble.calibrations.tracing.coordinate import IntArray
-from tumble.calibrations.tracing.gains import Beside, Gained, best_column, gains
+from tumble.calibrations.tracing.gains import Beside, Gained, best_column, gains, gains_of_pairs
+from tumble.calibrations.tracing.spectrum import wave_squares, wave_sums
 from tumble.messages import Message
 
 _FEWEST_ROWS: Final = 4
@@ -110,7 +111,7 @@ class Family:
     def _wave(self, seen: Beside, rows: int) -> Iterator[Proposal]:
         """Waves of any phase, up to the Nyquist limit."""
         coordinate = self._axis.coordinate
-        falls, _ = self._pairs(seen, rows, coordinate.swing)
+        falls, _ = self._coarse_waves(seen, rows)
         finer = coordinate.turns[np.argmax(falls)] + np.linspace(-0.5, 0.5, 11) * coordinate.turns[0]
         swing = coordinate.swung(finer)
         falls, variances = self._pairs(seen, rows, swing)
@@ -154,22 +155,20 @@ class Family:
         bend = self._proposed(f"bend {best}", said, partial(_columns, [bends], best), gained, bends.shape[1])
         yield replace(bend, whole=lambda: self._axis.coordinate.polynomials)
 
+    def _coarse_waves(self, seen: Beside, rows: int) -> tuple[FloatArray, FloatArray]:
+        """Gains and variances of all waves."""
+        coordinate, level = self._axis.coordinate, self._axis.channel.gain * seen.root
+        weighted, waves = np.column_stack([seen.taken, seen.left]) * level[:, None], len(coordinate.turns)
+        sums = wave_sums(coordinate.part, waves, weighted)
+        return gains_of_pairs(seen.squares, rows, sums, wave_squares(coordinate.part, waves, level**2))
+
     def _pairs(self, seen: Beside, rows: int, pair: tuple[FloatArray, FloatArray]) -> tuple[FloatArray, FloatArray]:
         """Gains and variances of shapes of two columns each, given as all the first and all the second ones."""
         level = self._axis.channel.gain * seen.root
-        weighted = np.column_stack([seen.taken, seen.left]) * level[:, None]
-        sums = [weighted.T @ part for part in pair]
-        square = level**2
-        lengths = [square @ part**2 for part in pair]
-        gram = np.empty((pair[0].shape[1], 2, 2))
-        for row, length in enumerate(lengths):
-            gram[:, row, row] = length - np.sum(sums[row][:-1] ** 2, axis=0)
-        mixed = square @ (pair[0] * pair[1]) - np.sum(sums[0][:-1] * sums[1][:-1], axis=0)
-        gram[:, 0, 1] = gram[:, 1, 0] = mixed
-        values, vectors = np.linalg.eigh(gram)
-        scale = (np.sum(lengths, axis=0) / rows)[:, None]
-        power = np.einsum("wji,jw->wi", vectors, np.stack([each[-1] for each in sums])) ** 2
-        return gains(values / scale, power / scale, seen.squares, rows)
+        weighted, square = (np.column_stack([seen.taken, seen.left]) * level[:, None]).T, level**2
+        first, second = pair
+        products = (square @ first**2, square @ second**2, square @ (first * second))
+        return gains_of_pairs(seen.squares, rows, (weighted @ first, weighted @ second), products)
 
     def _step(self, seen: Beside, rows: int) -> Iterator[Proposal]:
         """A step at any place, or a pulse between any two."""

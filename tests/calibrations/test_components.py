@@ -12,6 +12,7 @@ from tumble.calibrations.tracing.declared import Linear
 from tumble.calibrations.tracing.gains import seen_beside
 from tumble.calibrations.tracing.noise import WHITE, Memory, slow_modes
 from tumble.calibrations.tracing.scan import Scan
+from tumble.calibrations.tracing.spectrum import wave_squares, wave_sums
 from tumble.calibrations.tracing.table import Table
 from tumble.calibrations.tracing.trace import Tracer
 from tumble.messages import Message
@@ -144,3 +145,23 @@ def test_labels_are_never_put_into_bins_of_several():
 @pytest.mark.parametrize(("chance", "fall"), [(0.5, 0.0), (0.025, 3.841), (0.0005, 10.83)])
 def test_the_penalty_is_the_fall_that_a_variance_without_meaning_reaches_by_chance(chance, fall):
     assert penalty(chance) == pytest.approx(fall, abs=5e-3)
+
+
+def test_the_scan_of_waves_shows_the_power_of_the_fastest_to_two_per_cent():
+    phase = 2.0 * np.pi * 49.5 * HOURS / HOURS[-1]
+    sines, cosines = wave_sums(HOURS / HOURS[-1], 100, np.sin(phase + 0.7)[:, None])
+    power = np.hypot(sines[0], cosines[0])
+
+    assert np.argmax(power) == 98
+    assert power[98] == pytest.approx(
+        np.hypot(*(np.sin(phase + 0.7) @ side(phase) for side in (np.sin, np.cos))), rel=0.02
+    )
+
+
+def test_squares_of_waves_are_their_sums():
+    part, weights = HOURS / HOURS[-1], 1.0 + PLACE
+    phase = np.pi * np.outer(part, np.arange(1, 101))
+    squares = wave_squares(part, 100, weights)
+    exact = weights @ np.sin(phase) ** 2, weights @ np.cos(phase) ** 2, weights @ (np.sin(phase) * np.cos(phase))
+
+    assert np.array(squares) == pytest.approx(np.array(exact), abs=0.02 * weights.sum())
