@@ -171,6 +171,18 @@ class Coordinate:
         """A step at each of the places, shape (rows, places)."""
         return (self.part[:, None] > places).astype(float)
 
+    def between(self, ends: FloatArray) -> FloatArray:
+        """1 after the one end, or between the two, 0 elsewhere, shape (rows,)."""
+        steps = self.stepped(ends)
+        return np.asarray(steps[:, 0] - (steps[:, 1] if len(ends) > 1 else 0.0))
+
+    def on_the_shorter_arc(self, ends: FloatArray, between: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """The ends and the same; of a circle the shorter arc: what is off is the smaller part of it."""
+        arc = (ends[1] if len(ends) > 1 else 1.0) - ends[0]
+        if self.period is None or arc * self.range <= self.period / 2:
+            return ends, between
+        return ends[::-1], 1.0 - between
+
     @property
     def low(self) -> float:
         """Its lowest value."""

@@ -176,17 +176,19 @@ class Family:
         places = coordinate.places
         if len(places) < _FEWEST_PLACES:
             return
+        square = (self._axis.channel.gain * seen.root) ** 2
         coarse = self._steps(seen, rows, places)
         for number, (name, kind) in enumerate((("step", 1), ("pulse", 2))):
             _, ends = coarse[number]
             finer = np.unique(np.concatenate([coordinate.nearby(float(places[end])) for end in ends]))
             gained, ends = self._steps(seen, rows, finer)[number]
-            at = finer[list(ends)]
+            between = coordinate.between(finer[list(ends)])
+            at, column = coordinate.on_the_shorter_arc(finer[list(ends)], between)
             yield self._proposed(
                 " ".join([name, *(f"{place:.4g}" for place in at)]),
                 _stepped(*(coordinate.shown(float(value)) for value in coordinate.low + coordinate.range * at)),
-                partial(_risen, coordinate.stepped(at)),
-                gained,
+                partial(_columns, [column[:, None]], 0),
+                (gained[0], gained[1] * float(square @ column) / float(square @ between)),
                 len(places) ** kind // kind,
             )
 
@@ -236,11 +238,6 @@ def _stepped(start: str, stop: str = "") -> Message:
 def _of_rows(bins: FloatArray, number: IntArray) -> FloatArray:
     """What rows have of the values of bins."""
     return np.asarray(bins[number])
-
-
-def _risen(steps: FloatArray) -> FloatArray:
-    """One step, or what is between two, shape (rows, 1)."""
-    return np.asarray(steps[:, :1] - (steps[:, 1:] if steps.shape[1] > 1 else 0.0))
 
 
 def _columns(sides: Sequence[FloatArray], number: int) -> FloatArray:

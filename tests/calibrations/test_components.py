@@ -26,7 +26,7 @@ OFFSET = Channel(word="offset", gain=np.ones(ROWS), phrase=Message("an offset"))
 SCALE = Channel(word="scale", gain=np.sin(np.deg2rad(ANGLE_DEG)), phrase=Message("a scale"))
 TIME = Coordinate(word="time", depends_on="time", values=HOURS, waves=True, steps=True, phrase=Message("of time"))
 ANGLE = Coordinate(
-    word="angle", depends_on="angle", values=ANGLE_DEG, period=360.0, bumps=True, phrase=Message("of it")
+    word="angle", depends_on="angle", values=ANGLE_DEG, period=360.0, bumps=True, steps=True, phrase=Message("of it")
 )
 ORDER = Coordinate(word="order", depends_on="order", values=PLACE, bumps=True, phrase=Message("of order"))
 AXES = axes((OFFSET, (TIME, ANGLE, ORDER)), (SCALE, (TIME, ORDER)))
@@ -67,6 +67,11 @@ def proposed(table, place, shape):
     return next(each for each in proposals if each.axis.place == place and each.shape.startswith(shape))
 
 
+def _whole_gain(table, best):
+    beside = table.with_seen([best.component])
+    return table.deviance((), WHITE) - beside.deviance((), WHITE.with_level(best.component.name, best.variance))
+
+
 @pytest.mark.parametrize(
     ("place", "shape", "signal"),
     [
@@ -80,10 +85,8 @@ def proposed(table, place, shape):
 def test_the_gain_of_the_scan_is_that_of_the_whole_likelihood(place, shape, signal):
     table = table_of(signal + noise())
     best = proposed(table, place, shape)
-    beside = table.with_seen([best.component])
-    whole = table.deviance((), WHITE) - beside.deviance((), WHITE.with_level(best.component.name, best.variance))
 
-    assert best.gain == pytest.approx(whole, abs=1e-6)
+    assert best.gain == pytest.approx(_whole_gain(table, best), abs=1e-6)
 
 
 @pytest.mark.parametrize(
@@ -165,3 +168,11 @@ def test_squares_of_waves_are_their_sums():
     exact = weights @ np.sin(phase) ** 2, weights @ np.cos(phase) ** 2, weights @ (np.sin(phase) * np.cos(phase))
 
     assert np.array(squares) == pytest.approx(np.array(exact), abs=0.02 * weights.sum())
+
+
+@pytest.mark.parametrize("off", [(ANGLE_DEG > 290.0) | (ANGLE_DEG < 40.0), (ANGLE_DEG > 130.0) & (ANGLE_DEG < 240.0)])
+def test_of_a_circle_the_shorter_arc_is_off(off):
+    best = proposed(table_of(4.0 * off + noise()), ("offset", "angle"), "pulse")
+
+    assert np.array_equal(best.component.columns[:, 0] > 0.0, off)
+    assert best.gain == pytest.approx(_whole_gain(table_of(4.0 * off + noise()), best), abs=1e-6)
