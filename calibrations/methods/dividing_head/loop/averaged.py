@@ -18,7 +18,7 @@ from tumble.calibrations.methods.dividing_head.result import BudgetLine, Calibra
 from tumble.calibrations.tracing.neighbours import Neighbour
 from tumble.messages import Message
 
-_MATERIAL: Final = 0.02
+_MATERIAL: Final = 0.05
 """What widens an interval by less than this part is left out."""
 
 

@@ -151,8 +151,8 @@ def explain(
         )
     whole, others = explained.table.with_components(trace.components), alike(explained.tracer, trace)
     augmented = without_alike(without_rivals(stated, whole, explained.near), whole, trace, others)
-    augmented = averaged(augmented, explained.table, neighbours(explained.tracer, trace, explained.near, others))
     augmented = resting_on_absence(augmented, set(trace.names))
+    augmented = averaged(augmented, explained.table, neighbours(explained.tracer, trace, explained.near, others))
     said = scatter_and_wandering(explained.table, trace, best.joint)
     augmented = replace(augmented, warnings=(*augmented.warnings, *said))
     loop = Loop(
