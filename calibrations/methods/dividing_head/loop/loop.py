@@ -24,6 +24,7 @@ from tumble.calibrations.methods.dividing_head.loop.misreading import MISREADING
 from tumble.calibrations.methods.dividing_head.loop.more_settings import more_settings
 from tumble.calibrations.methods.dividing_head.loop.reach import Reach, reach
 from tumble.calibrations.methods.dividing_head.loop.scatter import scatter_and_wandering
+from tumble.calibrations.methods.dividing_head.loop.settling import settling
 from tumble.calibrations.methods.dividing_head.loop.still import ONE_POSE, Still, in_one_pose, stillness
 from tumble.calibrations.methods.dividing_head.loop.table import (
     DividingHeadTable,
@@ -110,9 +111,9 @@ def asked_next(loop: Loop, explained: Explained | None) -> Loop:
     if explained is None:
         return loop
     separating = next_experiments(explained.table, explained.trace, explained.close, PROBES)
-    return replace(
-        loop, next_experiment=(*separating, *more_settings(loop.withheld, loop.unexplained, _reach(explained)))
-    )
+    wanted = (*separating, *more_settings(loop.withheld, loop.unexplained, _reach(explained)))
+    told = any(experiment.command for experiment in wanted)
+    return replace(loop, next_experiment=wanted if told else (*wanted, *settling(loop.augmented)))
 
 
 @one_blas_thread
