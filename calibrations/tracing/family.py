@@ -8,9 +8,10 @@ from typing import Final
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
-from tumble.calibrations.tracing.components import COURSES, Axis, Component, penalty
+from tumble.calibrations.tracing.components import COURSES, Axis, Component
 from tumble.calibrations.tracing.coordinate import IntArray
 from tumble.calibrations.tracing.gains import Beside, Gained, best_column, gains, gains_of_pairs
+from tumble.calibrations.tracing.penalties import of_variance
 from tumble.calibrations.tracing.spectrum import wave_squares, wave_sums
 from tumble.messages import Message
 
@@ -222,7 +223,7 @@ class Family:
             shape=shape,
             described=described,
             columns=columns,
-            penalty=penalty(self._chance / kinds / tried),
+            penalty=of_variance(self._chance / kinds / tried),
             gain=float(gained[0]),
             variance=float(gained[1]),
         )

@@ -11,15 +11,13 @@ from typing import Any, Final
 
 import numpy as np
 
-from tumble.calibrations.tracing.candidates import FALSE_ALARM
 from tumble.calibrations.tracing.effect import Structure
 from tumble.calibrations.tracing.fitting_noise import best_level
+from tumble.calibrations.tracing.penalties import FALSE_ALARM, NOT_FOUND
 from tumble.calibrations.tracing.rivals import Rival
 from tumble.calibrations.tracing.trace import Trace, Tracer, found, penalised_deviance
 
-_EXPECTED: Final = 0.1
-"""Chance that a table holds an effect that is not found."""
-_ALLOWED: Final = 2.0 * float(np.log(_EXPECTED / FALSE_ALARM))
+_ALLOWED: Final = 2.0 * float(np.log(NOT_FOUND / FALSE_ALARM))
 """By so much less an effect is penalised here than in the search."""
 _LEAST: Final = 2e-3
 """Explanations with smaller odds are left out."""

@@ -6,11 +6,12 @@ import numpy as np
 import pytest
 
 from tumble.calibrations.tracing.beyond import alike, traced
-from tumble.calibrations.tracing.components import Channel, axes, penalty
+from tumble.calibrations.tracing.components import Channel, axes
 from tumble.calibrations.tracing.coordinate import Coordinate
 from tumble.calibrations.tracing.declared import Linear
 from tumble.calibrations.tracing.gains import seen_beside
 from tumble.calibrations.tracing.noise import WHITE, Memory, slow_modes
+from tumble.calibrations.tracing.penalties import of_variance
 from tumble.calibrations.tracing.scan import Scan
 from tumble.calibrations.tracing.spectrum import wave_squares, wave_sums
 from tumble.calibrations.tracing.table import Table
@@ -147,7 +148,7 @@ def test_labels_are_never_put_into_bins_of_several():
 
 @pytest.mark.parametrize(("chance", "fall"), [(0.5, 0.0), (0.025, 3.841), (0.0005, 10.83)])
 def test_the_penalty_is_the_fall_that_a_variance_without_meaning_reaches_by_chance(chance, fall):
-    assert penalty(chance) == pytest.approx(fall, abs=5e-3)
+    assert of_variance(chance) == pytest.approx(fall, abs=5e-3)
 
 
 def test_the_scan_of_waves_shows_the_power_of_the_fastest_to_two_per_cent():

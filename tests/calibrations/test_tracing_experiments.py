@@ -12,7 +12,8 @@ from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.probes import PROBES, Probe
 from tumble.calibrations.tracing import experiments
 from tumble.calibrations.tracing.experiments import APART, next_experiments
-from tumble.calibrations.tracing.rivals import CLOSE, rivals, with_best_names
+from tumble.calibrations.tracing.penalties import CLOSE
+from tumble.calibrations.tracing.rivals import rivals, with_best_names
 from tumble.calibrations.tracing.separation import PlannedRows, Question
 from tumble.calibrations.tracing.trace import Tracer
 from tumble.procedures.programme import shipped_programmes
