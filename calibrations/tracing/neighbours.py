@@ -1,8 +1,8 @@
 """Explanations near the one that is stated, each with its odds: what is said of a parameter holds over all of them.
 
 The search asks so much of an effect that a clean table is given one in a thousand times; that is no measure of how
-likely an effect is to be there. Here effects count as if one in ten tables held one (Bayesian model averaging; Hoeting,
-Madigan, Raftery and Volinsky 1999), so that what was nearly found, and what was barely found, is not taken for certain.
+likely an effect is to be there. Here effects count as if one in fifty tables held one (Bayesian model averaging;
+Hoeting, Madigan, Raftery and Volinsky 1999), so that what was nearly found, or barely, is not taken for certain.
 """
 
 from collections.abc import Iterator, Mapping, Sequence

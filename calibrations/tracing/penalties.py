@@ -15,7 +15,7 @@ FALSE_ALARM: Final = 0.001
 it evenly, the forms of an effect its share."""
 ANOTHER_SHAPE: Final = 0.02
 """Chance that an effect with one of the shapes of the catalogue is given a second one."""
-NOT_FOUND: Final = 0.1
+NOT_FOUND: Final = 0.02
 """Chance that a table holds an effect that is not found: parameters are averaged over what is so likely."""
 
 UNNAMED: Final = 3.84

@@ -76,18 +76,11 @@ def _widened(parameter: Parameter, index: int, fits: Sequence[_Fitted]) -> Param
     low, high = interval_95(parts, parameter.degrees_of_freedom or 1.0)
     own_low, own_high = parameter.interval_95
     low, high = min(low, own_low), max(high, own_high)
-    if high - low < (1.0 + _MATERIAL) * (own_high - own_low):
+    wider = (high - low) / (own_high - own_low)
+    if wider < 1.0 + _MATERIAL:
         return parameter
-    return replace(parameter, standard_uncertainty=_deviation(parameter, parts), interval_95=(low, high))
-
-
-def _deviation(parameter: Parameter, parts: Sequence[Part]) -> float:
-    """Of all parts from the value, in the mean square; no less than its own."""
-    odds, values = (np.array([getattr(part, key) for part in parts]) for key in ("odds", "value"))
-    widths = np.array([part.high - part.low for part in parts])
-    own = parameter.standard_uncertainty or 0.0
-    squares = (own * widths / widths[0]) ** 2 + (values - values[0]) ** 2
-    return float(max(np.sqrt(odds @ squares / odds.sum()), own))
+    uncertainty = wider * (parameter.standard_uncertainty or 0.0)
+    return replace(parameter, standard_uncertainty=uncertainty, interval_95=(low, high))
 
 
 def _part(parameter: Parameter, odds: float, value: float, deviation: float) -> Part:
