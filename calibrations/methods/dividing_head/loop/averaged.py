@@ -9,15 +9,18 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.mixtures import Part, interval_95
 from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.methods.dividing_head.best_alpha0 import ALPHA0_REACH_DEG
 from tumble.calibrations.methods.dividing_head.fit import covariance
 from tumble.calibrations.methods.dividing_head.joint import Joint
 from tumble.calibrations.methods.dividing_head.loop.augmented import augment
 from tumble.calibrations.methods.dividing_head.loop.table import DividingHeadTable
-from tumble.calibrations.methods.dividing_head.model import PARAMETERS
+from tumble.calibrations.methods.dividing_head.model import ALPHA0, PARAMETERS
 from tumble.calibrations.methods.dividing_head.result import BudgetLine, Calibration
 from tumble.calibrations.tracing.neighbours import Neighbour
 from tumble.messages import Message
 
+_REACH_DEG: Final = 0.99 * ALPHA0_REACH_DEG
+"""An explanation that leaves alpha0 identifiable keeps it within its reach, however skew its likelihood is."""
 _MATERIAL: Final = 0.05
 """What widens an interval by less than this part is left out."""
 
@@ -89,9 +92,7 @@ def _part(parameter: Parameter, odds: float, value: float, deviation: float) -> 
     low, high = parameter.interval_95
     type_a, u = parameter.type_a or 0.0, parameter.standard_uncertainty or 0.0
     ratio = np.sqrt(max(u**2 - type_a**2 + deviation**2, 0.0)) / u
-    return Part(
-        odds=odds,
-        value=value,
-        low=value - ratio * (parameter.value - low),
-        high=value + ratio * (high - parameter.value),
-    )
+    low, high = value - ratio * (parameter.value - low), value + ratio * (high - parameter.value)
+    if parameter.name == PARAMETERS[ALPHA0]:
+        low, high = max(low, -_REACH_DEG), min(high, _REACH_DEG)
+    return Part(odds=odds, value=value, low=low, high=high)
