@@ -22,9 +22,8 @@ from tumble.calibrations.adopted.shared import Shared, shared
 from tumble.calibrations.core.blas_threads import one_blas_thread
 from tumble.calibrations.core.sentences import series
 from tumble.calibrations.records.times import utc_now
-from tumble.calibrations.tracing.beyond import NEAR
-from tumble.calibrations.tracing.candidates import FALSE_ALARM, UNNAMED
-from tumble.calibrations.tracing.components import Axis, penalty
+from tumble.calibrations.tracing.components import Axis
+from tumble.calibrations.tracing.penalties import FALSE_ALARM, NEAR, UNNAMED, of_variance
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
 
@@ -184,7 +183,7 @@ def _as_good(traced: Sequence[Traced], key: Key, name: str, gain: float) -> tupl
 
 def _refuse_chance(effect: AdoptedEffect, traced: Sequence[Traced], key: Key) -> None:
     """Raise `InputError` for what no run shows by itself, and all together not beyond chance."""
-    needed = penalty(FALSE_ALARM / len(_common(traced))) + UNNAMED
+    needed = of_variance(FALSE_ALARM / len(_common(traced))) + UNNAMED
     if effect.gain < needed and not any(key in _found(each) for each in traced):
         raise InputError(
             Message(

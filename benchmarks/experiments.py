@@ -28,7 +28,8 @@ from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.probes import PROBES
 from tumble.calibrations.tracing.experiments import next_experiments
 from tumble.calibrations.tracing.noise import NoiseModel
-from tumble.calibrations.tracing.rivals import CLOSE, with_best_names
+from tumble.calibrations.tracing.penalties import CLOSE
+from tumble.calibrations.tracing.rivals import with_best_names
 from tumble.calibrations.tracing.separation import PlannedRows, Question
 from tumble.calibrations.tracing.trace import Tracer, found, refined_one
 

@@ -41,7 +41,8 @@ from tumble.calibrations.methods.dividing_head.loop.table import dividing_head_t
 from tumble.calibrations.methods.dividing_head.model import PARAMETERS
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.report.drawing import COLOURS, INK, sheet, styled
-from tumble.calibrations.tracing.candidates import FALSE_ALARM, candidates
+from tumble.calibrations.tracing.candidates import candidates
+from tumble.calibrations.tracing.penalties import FALSE_ALARM
 
 _SEEDS: Final = {"development": DEVELOPMENT, "reported": REPORTED}
 _PARTS: Final = (1.01, 0.99)

@@ -5,8 +5,7 @@ import numpy as np
 from tumble.calibrations.adopted.curve import Curve
 from tumble.calibrations.adopted.seen import Seen
 from tumble.calibrations.core.arrays import FloatArray
-from tumble.calibrations.tracing.candidates import FALSE_ALARM
-from tumble.calibrations.tracing.components import penalty
+from tumble.calibrations.tracing.penalties import FALSE_ALARM, of_variance
 
 _RATIOS = np.logspace(-3.0, 4.0, 57)
 """Variances that are tried, in those that a run sees as clearly as its noise."""
@@ -15,7 +14,7 @@ _RATIOS = np.logspace(-3.0, 4.0, 57)
 def left(run: Seen, curve: Curve, size: float) -> bool:
     """Whether a run shows a course beside so many times the curve; what is not known of the curve is no such course.
 
-    A course of any kernel counts whose likelihood is higher by the penalty of all of them, `tracing.components`.
+    A course of any kernel counts whose likelihood is higher by the penalty of all of them, `tracing.penalties`.
     """
     shown = run.design @ curve.values
     outside = np.eye(len(shown)) - np.outer(shown, shown) / max(float(shown @ shown), 1e-300)
@@ -24,7 +23,7 @@ def left(run: Seen, curve: Curve, size: float) -> bool:
     misfit = whiten @ (run.output - size * shown)
     courses = curve.knots.courses
     gain = max(_gain(whiten @ (run.design @ root), misfit) for _, root in courses)
-    return gain > penalty(FALSE_ALARM / len(courses))
+    return gain > of_variance(FALSE_ALARM / len(courses))
 
 
 def _whitening(unknown: FloatArray) -> FloatArray:

@@ -25,9 +25,12 @@ class Parameter:
     reason: str = ""
     """Why there is no value; empty where there is one."""
     given: Mapping[str, float] = field(default_factory=dict)
-    """The value of a parameter that is not identifiable, by its name, for which this value stands; empty for none."""
+    """The value of a parameter that is not identifiable, by its name, for which this value stands; empty for none.
+
+    Or, with 0, an effect that the rows could hide.
+    """
     rests_on: str = ""
-    """A parameter without which this one would not be identifiable."""
+    """A parameter without which this one would not be identifiable, or an effect on whose absence it rests."""
     remark: str = ""
     settled_by: tuple[str, ...] = ()
     """Mounts that would settle it, each alone."""
@@ -38,8 +41,15 @@ class Parameter:
         return self.interval_95 is not None and not self.interval_95[0] <= 0.0 <= self.interval_95[1]
 
     @property
+    def rests_on_absence(self) -> bool:
+        """Whether it stands only if there is no effect of a kind that the rows could hide."""
+        return bool(self.rests_on) and self.rests_on in self.given
+
+    @property
     def condition(self) -> str:
         """On what the value stands though that was not measured; empty where it stands by itself."""
+        if self.rests_on_absence:
+            return Message("if there is no {effect}", effect=self.rests_on)
         if self.given:
             ((name, value),) = self.given.items()
             return Message("given {name} = {value_deg:g}°", name=name, value_deg=value)

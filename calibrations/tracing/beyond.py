@@ -8,10 +8,10 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any, Final, TypeVar
 
-from tumble.calibrations.tracing.candidates import FALSE_ALARM, UNNAMED
 from tumble.calibrations.tracing.family import Proposal
 from tumble.calibrations.tracing.fitting_noise import golden_section
 from tumble.calibrations.tracing.gains import seen_beside
+from tumble.calibrations.tracing.penalties import FALSE_ALARM, FOLLOWS_ANYTHING, NEAR, UNNAMED
 from tumble.calibrations.tracing.scan import Scan
 from tumble.calibrations.tracing.table import Table
 from tumble.calibrations.tracing.trace import Trace, Tracer, penalised_deviance, refined
@@ -20,8 +20,6 @@ MOST: Final = 2
 """So many components are looked for at most."""
 _TRIED: Final = 3
 """So many of the most promising ones are searched beside."""
-NEAR: Final = 9.0
-"""What explains less by no more than this, in -2 ln L, is not parted from the best."""
 _MOST_ALIKE: Final = 6
 """So many others that explain as much are looked at."""
 _WORTH_A_LOOK: Final = 10.0
@@ -46,13 +44,10 @@ def traced(tracer: Tracer[_T]) -> tuple[Tracer[_T], Trace]:
 def _cost(trace: Trace) -> float:
     """Penalised deviance, more of it for what follows any slow course in time."""
     courses = [each for each in trace.components if each.place == _WANDERING and each.is_course]
-    return penalised_deviance(trace) + _FOLLOWS_ANYTHING * (bool(trace.noise.walk) + len(courses))
+    return penalised_deviance(trace) + FOLLOWS_ANYTHING * (bool(trace.noise.walk) + len(courses))
 
 
 _WANDERING: Final = ("offset", "time")
-_FOLLOWS_ANYTHING: Final = 5.0
-"""Penalty of a course of the bias in time beside what follows another variable: in a run that is slow, it follows most
-of what that does."""
 
 
 def _with_one_more(tracer: Tracer[Any], scan: Scan, trace: Trace) -> Iterator[Trace]:

@@ -5,22 +5,12 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from scipy.special import fdtri
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.solutions import SINGULAR
 from tumble.calibrations.tracing.effect import Effect, Form, Structure
+from tumble.calibrations.tracing.penalties import ANOTHER_SHAPE, FALSE_ALARM, SHAPE_UNNAMED, of_columns
 from tumble.calibrations.tracing.table import Table
-
-FALSE_ALARM = 0.001
-"""Chance that a clean table is given any effect at all, shared evenly among the effects that it could show."""
-
-ANOTHER_SHAPE = 0.02
-"""Chance that an effect with one of the shapes of the catalogue is given a second one."""
-UNNAMED = 3.84
-"""By so much a component must explain more than the best set of names: a known cause is the better guess."""
-SHAPE_UNNAMED = 6.0
-"""Penalty of a given shape without a name beyond that of a named one, for the same reason."""
 
 _NARROW = 2
 _REST = 0.02
@@ -71,8 +61,8 @@ def _numbered(tried: Sequence[tuple[Effect[Any], Sequence[Form]]], rows: int, sp
                 effect=effect,
                 form=form,
                 columns=slice(start, start + width),
-                penalty=_penalty(width, chance, rows, spare) + handicap + form.penalty,
-                repeat_penalty=_penalty(width, second, rows, spare) + handicap + form.penalty,
+                penalty=of_columns(width, chance, rows, spare) + handicap + form.penalty,
+                repeat_penalty=of_columns(width, second, rows, spare) + handicap + form.penalty,
                 chance=_chance(len(tried) * len(forms), form.penalty),
             )
             start += width
@@ -97,12 +87,6 @@ def _chance(tried: int, penalty: float) -> float:
     What is expected rather than sought (penalty below 0) is no false alarm, and shares that chance with nothing.
     """
     return float(FALSE_ALARM / (tried if penalty >= 0.0 else 1) * np.exp(-penalty / 2.0))
-
-
-def _penalty(width: int, chance: float, rows: int, spare: int) -> float:
-    """Fall of the deviance that an F test with so many columns and rows asks for at this chance."""
-    freedom = max(spare - width, 1)
-    return float(rows * np.log1p(width * fdtri(width, freedom, 1.0 - chance) / freedom))
 
 
 def all_columns(offered: Sequence[Candidate], rows: int) -> FloatArray:

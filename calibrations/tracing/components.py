@@ -7,11 +7,9 @@ variance. The method declares its channels and variables; which of them a table 
 """
 
 from dataclasses import dataclass
-from functools import cache
 from typing import Final
 
 import numpy as np
-from scipy.special import chdtri
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.tracing.coordinate import Coordinate
@@ -127,13 +125,3 @@ def axes(
         for coordinate in coordinates
         if coordinate.varies and channel.gain.any()
     )
-
-
-@cache
-def penalty(chance: float) -> float:
-    """Fall of -2 ln L that a variance without meaning reaches with this chance.
-
-    A variance is at its bound where there is nothing: half the chance of chi-square with one degree of freedom (Self
-    and Liang 1987).
-    """
-    return float(chdtri(1, min(2.0 * chance, 1.0)))

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.tracing.effect import Variable
+from tumble.calibrations.tracing.spectrum import TURNS_APART
 from tumble.messages import Message
 
 MOST_VALUES: Final = 90
@@ -104,19 +105,14 @@ class Coordinate:
     @cached_property
     def turns(self) -> FloatArray:
         """Numbers of turns over the range, up to half of one for each typical distance between neighbours."""
-        apart = np.diff(np.unique(np.round(self._part, 9)))
-        limit = _NYQUIST * min(0.5 / float(np.median(apart)), len(self._part) / 2) if len(apart) else 0.0
-        return np.arange(_TURNS_APART, limit, _TURNS_APART)
+        apart = np.diff(np.unique(np.round(self.part, 9)))
+        limit = _NYQUIST * min(0.5 / float(np.median(apart)), len(self.part) / 2) if len(apart) else 0.0
+        return TURNS_APART * np.arange(1, limit / TURNS_APART)
 
     def swung(self, turns: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Sines and cosines of waves with so many turns over the range, shape (rows, waves)."""
-        phase = 2.0 * np.pi * np.outer(self._part, turns)
+        phase = 2.0 * np.pi * np.outer(self.part, turns)
         return np.sin(phase), np.cos(phase)
-
-    @cached_property
-    def swing(self) -> tuple[FloatArray, FloatArray]:
-        """The same for all turns."""
-        return self.swung(self.turns)
 
     @cached_property
     def bumps_tried(self) -> FloatArray:
@@ -160,18 +156,18 @@ class Coordinate:
     @cached_property
     def polynomials(self) -> FloatArray:
         """The same with those that do not."""
-        return np.asarray(np.polynomial.chebyshev.chebvander(2.0 * self._part - 1.0, _MOST_BENT))
+        return np.asarray(np.polynomial.chebyshev.chebvander(2.0 * self.part - 1.0, _MOST_BENT))
 
     @cached_property
     def places(self) -> FloatArray:
         """Where steps are tried, as parts of the range: between any two rows, or between so many of them."""
-        between = np.unique(self._part)
+        between = np.unique(self.part)
         between = (between[1:] + between[:-1]) / 2.0
         return np.asarray(between[np.unique(np.linspace(0, len(between) - 1, _STEPS).round().astype(int))])
 
     def nearby(self, place: float) -> FloatArray:
         """Every place between two rows that is nearer to one of the places than the next of them."""
-        between = np.unique(self._part)
+        between = np.unique(self.part)
         between = (between[1:] + between[:-1]) / 2.0
         number = int(np.searchsorted(self.places, place))
         low, high = self.places[max(number - 1, 0)], self.places[min(number + 1, len(self.places) - 1)]
@@ -179,7 +175,19 @@ class Coordinate:
 
     def stepped(self, places: FloatArray) -> FloatArray:
         """A step at each of the places, shape (rows, places)."""
-        return (self._part[:, None] > places).astype(float)
+        return (self.part[:, None] > places).astype(float)
+
+    def between(self, ends: FloatArray) -> FloatArray:
+        """1 after the one end, or between the two, 0 elsewhere, shape (rows,)."""
+        steps = self.stepped(ends)
+        return np.asarray(steps[:, 0] - (steps[:, 1] if len(ends) > 1 else 0.0))
+
+    def on_the_shorter_arc(self, ends: FloatArray, between: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """The ends and the same; of a circle the shorter arc: what is off is the smaller part of it."""
+        arc = (ends[1] if len(ends) > 1 else 1.0) - ends[0]
+        if self.period is None or arc * self.range <= self.period / 2:
+            return ends, between
+        return ends[::-1], 1.0 - between
 
     @property
     def low(self) -> float:
@@ -192,7 +200,7 @@ class Coordinate:
         return float(np.ptp(self.values))
 
     @cached_property
-    def _part(self) -> FloatArray:
+    def part(self) -> FloatArray:
         """Where each row is in the range of the variable, from 0 to 1."""
         return np.asarray((self.values - self.values.min()) / np.ptp(self.values))
 
@@ -210,8 +218,6 @@ _STEPS: Final = 120
 """Places at which a step is tried."""
 _NYQUIST: Final = 0.98
 """At the limit itself one phase of a wave is nothing."""
-_TURNS_APART: Final = 0.5
-"""Waves are tried so many turns over the range apart: half of what parts two of them."""
 _CELL: Final = 0.15
 """Places closer than this are one."""
 

@@ -8,7 +8,8 @@ from typing import Generic, TypeVar
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.tracing.beyond import alike
 from tumble.calibrations.tracing.judged import Judged
-from tumble.calibrations.tracing.rivals import CLOSE, Rival
+from tumble.calibrations.tracing.penalties import CLOSE
+from tumble.calibrations.tracing.rivals import Rival
 from tumble.calibrations.tracing.table import Table
 from tumble.calibrations.tracing.trace import Trace, Tracer
 from tumble.messages import Message

@@ -8,9 +8,11 @@ from typing import Final
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
-from tumble.calibrations.tracing.components import COURSES, Axis, Component, penalty
+from tumble.calibrations.tracing.components import COURSES, Axis, Component
 from tumble.calibrations.tracing.coordinate import IntArray
-from tumble.calibrations.tracing.gains import Beside, Gained, best_column, gains
+from tumble.calibrations.tracing.gains import Beside, Gained, best_column, gains, gains_of_pairs
+from tumble.calibrations.tracing.penalties import of_variance
+from tumble.calibrations.tracing.spectrum import wave_squares, wave_sums
 from tumble.messages import Message
 
 _FEWEST_ROWS: Final = 4
@@ -110,7 +112,7 @@ class Family:
     def _wave(self, seen: Beside, rows: int) -> Iterator[Proposal]:
         """Waves of any phase, up to the Nyquist limit."""
         coordinate = self._axis.coordinate
-        falls, _ = self._pairs(seen, rows, coordinate.swing)
+        falls, _ = self._coarse_waves(seen, rows)
         finer = coordinate.turns[np.argmax(falls)] + np.linspace(-0.5, 0.5, 11) * coordinate.turns[0]
         swing = coordinate.swung(finer)
         falls, variances = self._pairs(seen, rows, swing)
@@ -154,22 +156,20 @@ class Family:
         bend = self._proposed(f"bend {best}", said, partial(_columns, [bends], best), gained, bends.shape[1])
         yield replace(bend, whole=lambda: self._axis.coordinate.polynomials)
 
+    def _coarse_waves(self, seen: Beside, rows: int) -> tuple[FloatArray, FloatArray]:
+        """Gains and variances of all waves."""
+        coordinate, level = self._axis.coordinate, self._axis.channel.gain * seen.root
+        weighted, waves = np.column_stack([seen.taken, seen.left]) * level[:, None], len(coordinate.turns)
+        sums = wave_sums(coordinate.part, waves, weighted)
+        return gains_of_pairs(seen.squares, rows, sums, wave_squares(coordinate.part, waves, level**2))
+
     def _pairs(self, seen: Beside, rows: int, pair: tuple[FloatArray, FloatArray]) -> tuple[FloatArray, FloatArray]:
         """Gains and variances of shapes of two columns each, given as all the first and all the second ones."""
         level = self._axis.channel.gain * seen.root
-        weighted = np.column_stack([seen.taken, seen.left]) * level[:, None]
-        sums = [weighted.T @ part for part in pair]
-        square = level**2
-        lengths = [square @ part**2 for part in pair]
-        gram = np.empty((pair[0].shape[1], 2, 2))
-        for row, length in enumerate(lengths):
-            gram[:, row, row] = length - np.sum(sums[row][:-1] ** 2, axis=0)
-        mixed = square @ (pair[0] * pair[1]) - np.sum(sums[0][:-1] * sums[1][:-1], axis=0)
-        gram[:, 0, 1] = gram[:, 1, 0] = mixed
-        values, vectors = np.linalg.eigh(gram)
-        scale = (np.sum(lengths, axis=0) / rows)[:, None]
-        power = np.einsum("wji,jw->wi", vectors, np.stack([each[-1] for each in sums])) ** 2
-        return gains(values / scale, power / scale, seen.squares, rows)
+        weighted, square = (np.column_stack([seen.taken, seen.left]) * level[:, None]).T, level**2
+        first, second = pair
+        products = (square @ first**2, square @ second**2, square @ (first * second))
+        return gains_of_pairs(seen.squares, rows, (weighted @ first, weighted @ second), products)
 
     def _step(self, seen: Beside, rows: int) -> Iterator[Proposal]:
         """A step at any place, or a pulse between any two."""
@@ -177,17 +177,19 @@ class Family:
         places = coordinate.places
         if len(places) < _FEWEST_PLACES:
             return
+        square = (self._axis.channel.gain * seen.root) ** 2
         coarse = self._steps(seen, rows, places)
         for number, (name, kind) in enumerate((("step", 1), ("pulse", 2))):
             _, ends = coarse[number]
             finer = np.unique(np.concatenate([coordinate.nearby(float(places[end])) for end in ends]))
             gained, ends = self._steps(seen, rows, finer)[number]
-            at = finer[list(ends)]
+            between = coordinate.between(finer[list(ends)])
+            at, column = coordinate.on_the_shorter_arc(finer[list(ends)], between)
             yield self._proposed(
                 " ".join([name, *(f"{place:.4g}" for place in at)]),
                 _stepped(*(coordinate.shown(float(value)) for value in coordinate.low + coordinate.range * at)),
-                partial(_risen, coordinate.stepped(at)),
-                gained,
+                partial(_columns, [column[:, None]], 0),
+                (gained[0], gained[1] * float(square @ column) / float(square @ between)),
                 len(places) ** kind // kind,
             )
 
@@ -221,7 +223,7 @@ class Family:
             shape=shape,
             described=described,
             columns=columns,
-            penalty=penalty(self._chance / kinds / tried),
+            penalty=of_variance(self._chance / kinds / tried),
             gain=float(gained[0]),
             variance=float(gained[1]),
         )
@@ -237,11 +239,6 @@ def _stepped(start: str, stop: str = "") -> Message:
 def _of_rows(bins: FloatArray, number: IntArray) -> FloatArray:
     """What rows have of the values of bins."""
     return np.asarray(bins[number])
-
-
-def _risen(steps: FloatArray) -> FloatArray:
-    """One step, or what is between two, shape (rows, 1)."""
-    return np.asarray(steps[:, :1] - (steps[:, 1:] if steps.shape[1] > 1 else 0.0))
 
 
 def _columns(sides: Sequence[FloatArray], number: int) -> FloatArray:

@@ -8,30 +8,21 @@ import numpy as np
 from tumble.calibrations.tracing.components import MARK
 from tumble.calibrations.tracing.effect import Form
 from tumble.calibrations.tracing.noise import SETTINGS, NoiseModel
+from tumble.calibrations.tracing.penalties import CORNER, FLICKER, LEVEL, WALK
 from tumble.calibrations.tracing.table import Table
 
 FLICKER_FLOOR = 0.25
 """Floor of the Allan deviation up to which flicker is taken as the ordinary noise of a unit, in dwell deviations."""
 MOST_FLICKER = FLICKER_FLOOR**2 / (2 * np.log(2))
 """The same as variance of the first mode (IEEE Std 952, annex C: floor² = 2 ln 2 h)."""
-FLICKER_PRICE = 4.0
-"""Penalty of flicker: one variance, and the ordinary noise of a unit. With the next three, judged by
-`python -m benchmarks.loop clean` and `exactness`, which must be run again when one is changed."""
-WALK_PRICE = 11.0
-"""Penalty of a random walk. It parts one from flicker with a floor of a fifth of a dwell's deviation: in one of a
-hundred tables flicker still earns it, and of walks of 12 noise units some three in ten do not."""
-CORNER_PRICE = 4.0
-"""Penalty of a corner of the walk: one number more."""
-LEVEL_PRICE = 13.0
-"""Penalty of random effects: one variance, among some thirty effects."""
 
 
 def noise_penalty(noise: NoiseModel) -> float:
     """What everything in a noise beyond white is penalised by in -2 ln L; components have penalties of their own."""
-    flicker = FLICKER_PRICE if noise.flicker else 0.0
-    walk = (WALK_PRICE + CORNER_PRICE * bool(noise.corner)) if noise.walk else 0.0
+    flicker = FLICKER if noise.flicker else 0.0
+    walk = (WALK + CORNER * bool(noise.corner)) if noise.walk else 0.0
     drawn = [name for name, _ in noise.levels if name == SETTINGS or not name.startswith(MARK)]
-    return flicker + walk + LEVEL_PRICE * len(drawn)
+    return flicker + walk + LEVEL * len(drawn)
 
 
 def fitting(table: Table, forms: Sequence[Form], noise: NoiseModel) -> tuple[tuple[NoiseModel, float], ...]:

@@ -85,6 +85,25 @@ def gains(values: FloatArray, power: FloatArray, squares: float, rows: int) -> t
     return np.take_along_axis(gains, best[:, None], axis=1)[:, 0], _RATIOS[best]
 
 
+def gains_of_pairs(
+    squares: float, rows: int, sums: tuple[FloatArray, FloatArray], products: tuple[FloatArray, FloatArray, FloatArray]
+) -> tuple[FloatArray, FloatArray]:
+    """Gains and variances of shapes of two columns, of which there are as many as columns of each array.
+
+    `sums` are the products of the columns with what is taken, then with what is left of the output; `products` those of
+    the first with themselves, of the second with themselves, and of the first with the second.
+    """
+    (first, second), (ones, twos, mixed) = sums, products
+    gram = np.empty((len(ones), 2, 2))
+    gram[:, 0, 0] = ones - np.sum(first[:-1] ** 2, axis=0)
+    gram[:, 1, 1] = twos - np.sum(second[:-1] ** 2, axis=0)
+    gram[:, 0, 1] = gram[:, 1, 0] = mixed - np.sum(first[:-1] * second[:-1], axis=0)
+    values, vectors = np.linalg.eigh(gram)
+    scale = ((ones + twos) / rows)[:, None]
+    power = np.einsum("wji,jw->wi", vectors, np.stack([first[-1], second[-1]])) ** 2
+    return gains(values / scale, power / scale, squares, rows)
+
+
 def best_column(
     left: FloatArray, whole: FloatArray, power: FloatArray, squares: float, rows: int
 ) -> tuple[int, Gained]:

@@ -16,9 +16,9 @@ from typing import Final
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
-from tumble.calibrations.tracing.beyond import NEAR
 from tumble.calibrations.tracing.continued import continued_noise
 from tumble.calibrations.tracing.noise import WHITE
+from tumble.calibrations.tracing.penalties import NEAR
 from tumble.calibrations.tracing.quantified import form_in
 from tumble.calibrations.tracing.separation import COVERAGE, Expected, PlannedRows
 from tumble.calibrations.tracing.table import Extensible, View

@@ -6,18 +6,10 @@ from typing import Any
 
 from tumble.calibrations.tracing.effect import Structure
 from tumble.calibrations.tracing.fitting_noise import best_level, best_walk
+from tumble.calibrations.tracing.penalties import NEAR, SIMPLER, WALK_NAMED
 from tumble.calibrations.tracing.problem import Problem
 from tumble.calibrations.tracing.trace import WALK, Found, Trace, Tracer, found, penalised_deviance, refined_one
 
-CLOSE = 3.84
-"""Two explanations whose deviances differ by less are not distinguishable (chi-square, one degree of freedom, 95%)."""
-NEAR = 9.0
-"""Nor must what is said of a parameter hang on which of two explanations that differ by less is true: by mere chance
-the wrong one of two that explain a table much alike is ahead by more than `CLOSE` in one of forty."""
-_SIMPLER = 6.0
-"""Penalty of each coefficient in the choice of the name: of two effects the simpler may be a special case."""
-_WALK_NAMED = 9.0
-"""Penalty of a random walk in the choice of the name, beyond its own: the better fit decides."""
 _EQUAL = 1e-3
 """Deviances closer than this are equal: the effects are the same in this table."""
 _WORTH_A_LOOK = 60.0
@@ -76,8 +68,8 @@ def _naming_penalty(trace: Trace) -> float:
 
     It only ever falls, or stays while names move up in the catalogue, so that exchanging names comes to an end.
     """
-    penalised = penalised_deviance(trace) + _SIMPLER * sum(item.coefficients for item in trace.found)
-    return penalised + (_SIMPLER + _WALK_NAMED) * bool(trace.noise.walk)
+    penalised = penalised_deviance(trace) + SIMPLER * sum(item.coefficients for item in trace.found)
+    return penalised + (SIMPLER + WALK_NAMED) * bool(trace.noise.walk)
 
 
 def rivals(tracer: Tracer[Any], trace: Trace, name: str, asked: Collection[str] = ()) -> list[Rival]:

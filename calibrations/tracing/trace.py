@@ -5,7 +5,7 @@ from copy import copy
 from dataclasses import dataclass, replace
 from typing import Any, Generic, Self, TypeVar
 
-from tumble.calibrations.tracing.candidates import UNNAMED, Candidate, all_columns, candidates
+from tumble.calibrations.tracing.candidates import Candidate, all_columns, candidates
 from tumble.calibrations.tracing.components import MARK, Component
 from tumble.calibrations.tracing.effect import Effect, Form, Structure
 from tumble.calibrations.tracing.fitting_noise import (
@@ -17,6 +17,7 @@ from tumble.calibrations.tracing.fitting_noise import (
     noise_penalty,
 )
 from tumble.calibrations.tracing.noise import WHITE, NoiseModel
+from tumble.calibrations.tracing.penalties import UNNAMED
 from tumble.calibrations.tracing.problem import Explanation, Problem
 from tumble.calibrations.tracing.search import penalties, search, settled
 from tumble.calibrations.tracing.table import Table

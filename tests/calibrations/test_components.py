@@ -6,12 +6,14 @@ import numpy as np
 import pytest
 
 from tumble.calibrations.tracing.beyond import alike, traced
-from tumble.calibrations.tracing.components import Channel, axes, penalty
+from tumble.calibrations.tracing.components import Channel, axes
 from tumble.calibrations.tracing.coordinate import Coordinate
 from tumble.calibrations.tracing.declared import Linear
 from tumble.calibrations.tracing.gains import seen_beside
 from tumble.calibrations.tracing.noise import WHITE, Memory, slow_modes
+from tumble.calibrations.tracing.penalties import of_variance
 from tumble.calibrations.tracing.scan import Scan
+from tumble.calibrations.tracing.spectrum import wave_squares, wave_sums
 from tumble.calibrations.tracing.table import Table
 from tumble.calibrations.tracing.trace import Tracer
 from tumble.messages import Message
@@ -25,7 +27,7 @@ OFFSET = Channel(word="offset", gain=np.ones(ROWS), phrase=Message("an offset"))
 SCALE = Channel(word="scale", gain=np.sin(np.deg2rad(ANGLE_DEG)), phrase=Message("a scale"))
 TIME = Coordinate(word="time", depends_on="time", values=HOURS, waves=True, steps=True, phrase=Message("of time"))
 ANGLE = Coordinate(
-    word="angle", depends_on="angle", values=ANGLE_DEG, period=360.0, bumps=True, phrase=Message("of it")
+    word="angle", depends_on="angle", values=ANGLE_DEG, period=360.0, bumps=True, steps=True, phrase=Message("of it")
 )
 ORDER = Coordinate(word="order", depends_on="order", values=PLACE, bumps=True, phrase=Message("of order"))
 AXES = axes((OFFSET, (TIME, ANGLE, ORDER)), (SCALE, (TIME, ORDER)))
@@ -66,6 +68,11 @@ def proposed(table, place, shape):
     return next(each for each in proposals if each.axis.place == place and each.shape.startswith(shape))
 
 
+def _whole_gain(table, best):
+    beside = table.with_seen([best.component])
+    return table.deviance((), WHITE) - beside.deviance((), WHITE.with_level(best.component.name, best.variance))
+
+
 @pytest.mark.parametrize(
     ("place", "shape", "signal"),
     [
@@ -79,10 +86,8 @@ def proposed(table, place, shape):
 def test_the_gain_of_the_scan_is_that_of_the_whole_likelihood(place, shape, signal):
     table = table_of(signal + noise())
     best = proposed(table, place, shape)
-    beside = table.with_seen([best.component])
-    whole = table.deviance((), WHITE) - beside.deviance((), WHITE.with_level(best.component.name, best.variance))
 
-    assert best.gain == pytest.approx(whole, abs=1e-6)
+    assert best.gain == pytest.approx(_whole_gain(table, best), abs=1e-6)
 
 
 @pytest.mark.parametrize(
@@ -143,4 +148,32 @@ def test_labels_are_never_put_into_bins_of_several():
 
 @pytest.mark.parametrize(("chance", "fall"), [(0.5, 0.0), (0.025, 3.841), (0.0005, 10.83)])
 def test_the_penalty_is_the_fall_that_a_variance_without_meaning_reaches_by_chance(chance, fall):
-    assert penalty(chance) == pytest.approx(fall, abs=5e-3)
+    assert of_variance(chance) == pytest.approx(fall, abs=5e-3)
+
+
+def test_the_scan_of_waves_shows_the_power_of_the_fastest_to_two_per_cent():
+    phase = 2.0 * np.pi * 49.5 * HOURS / HOURS[-1]
+    sines, cosines = wave_sums(HOURS / HOURS[-1], 100, np.sin(phase + 0.7)[:, None])
+    power = np.hypot(sines[0], cosines[0])
+
+    assert np.argmax(power) == 98
+    assert power[98] == pytest.approx(
+        np.hypot(*(np.sin(phase + 0.7) @ side(phase) for side in (np.sin, np.cos))), rel=0.02
+    )
+
+
+def test_squares_of_waves_are_their_sums():
+    part, weights = HOURS / HOURS[-1], 1.0 + PLACE
+    phase = np.pi * np.outer(part, np.arange(1, 101))
+    squares = wave_squares(part, 100, weights)
+    exact = weights @ np.sin(phase) ** 2, weights @ np.cos(phase) ** 2, weights @ (np.sin(phase) * np.cos(phase))
+
+    assert np.array(squares) == pytest.approx(np.array(exact), abs=0.02 * weights.sum())
+
+
+@pytest.mark.parametrize("off", [(ANGLE_DEG > 290.0) | (ANGLE_DEG < 40.0), (ANGLE_DEG > 130.0) & (ANGLE_DEG < 240.0)])
+def test_of_a_circle_the_shorter_arc_is_off(off):
+    best = proposed(table_of(4.0 * off + noise()), ("offset", "angle"), "pulse")
+
+    assert np.array_equal(best.component.columns[:, 0] > 0.0, off)
+    assert best.gain == pytest.approx(_whole_gain(table_of(4.0 * off + noise()), best), abs=1e-6)

@@ -13,7 +13,8 @@ from tumble.calibrations.methods.dividing_head.probes import PROBES, Probe
 from tumble.calibrations.tracing import experiments
 from tumble.calibrations.tracing.experiments import next_experiments
 from tumble.calibrations.tracing.least import nearest_to_nothing
-from tumble.calibrations.tracing.rivals import CLOSE, rivals, with_best_names
+from tumble.calibrations.tracing.penalties import CLOSE
+from tumble.calibrations.tracing.rivals import rivals, with_best_names
 from tumble.calibrations.tracing.separation import APART, Expected, PlannedRows, Question
 from tumble.calibrations.tracing.trace import Tracer
 from tumble.procedures.programmes import shipped_programmes

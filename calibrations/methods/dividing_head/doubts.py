@@ -47,7 +47,9 @@ def _no_value(reason: str) -> Message:
 
 
 def condition(parameter: Parameter) -> Doubt | None:
-    """A value that rests on something that was not measured."""
+    """A value that rests on another parameter; what a hidden effect could do to a verdict is asked for each limit."""
+    if parameter.rests_on_absence:
+        return None
     if parameter.rests_on:
         reason = Message("it rests on {name} alone", name=parameter.rests_on)
     elif parameter.given:

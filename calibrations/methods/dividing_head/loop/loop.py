@@ -18,10 +18,13 @@ from tumble.calibrations.methods.dividing_head.gross import unlike_repeats
 from tumble.calibrations.methods.dividing_head.held_out import held_out_parts
 from tumble.calibrations.methods.dividing_head.joint import Joint, fit_jointly, fit_without
 from tumble.calibrations.methods.dividing_head.loop.augmented import Augmented, augment
+from tumble.calibrations.methods.dividing_head.loop.averaged import averaged
+from tumble.calibrations.methods.dividing_head.loop.hidden import resting_on_absence
 from tumble.calibrations.methods.dividing_head.loop.misreading import MISREADING, Misreading, misreadings
 from tumble.calibrations.methods.dividing_head.loop.more_settings import more_settings
 from tumble.calibrations.methods.dividing_head.loop.reach import Reach, reach
 from tumble.calibrations.methods.dividing_head.loop.scatter import scatter_and_wandering
+from tumble.calibrations.methods.dividing_head.loop.settling import settling
 from tumble.calibrations.methods.dividing_head.loop.still import ONE_POSE, Still, in_one_pose, stillness
 from tumble.calibrations.methods.dividing_head.loop.table import (
     DividingHeadTable,
@@ -45,6 +48,7 @@ from tumble.calibrations.tracing.findings import EffectFound, Unexplained, Withh
 from tumble.calibrations.tracing.fitting_noise import with_likely_flicker
 from tumble.calibrations.tracing.held_out import held_out_rms
 from tumble.calibrations.tracing.judged import judged
+from tumble.calibrations.tracing.neighbours import neighbours
 from tumble.calibrations.tracing.rivals import Rival
 from tumble.calibrations.tracing.trace import penalised_deviance
 from tumble.messages import Message
@@ -109,9 +113,9 @@ def asked_next(loop: Loop, explained: Explained | None) -> Loop:
         *next_experiments(explained.table, explained.trace, explained.close, PROBES),
         *locating_experiments(explained.table, explained.trace, explained.alike, PROBES),
     )
-    return replace(
-        loop, next_experiment=(*separating, *more_settings(loop.withheld, loop.unexplained, _reach(explained)))
-    )
+    wanted = (*separating, *more_settings(loop.withheld, loop.unexplained, _reach(explained)))
+    told = any(experiment.command for experiment in wanted)
+    return replace(loop, next_experiment=wanted if told else (*wanted, *settling(loop.augmented)))
 
 
 @one_blas_thread
@@ -150,10 +154,12 @@ def explain(
         )
     whole, others = explained.table.with_components(trace.components), explained.alike
     augmented = without_alike(without_rivals(stated, whole, explained.near), whole, trace, others)
+    augmented = resting_on_absence(augmented, set(trace.names))
+    augmented = averaged(augmented, explained.table, neighbours(explained.tracer, trace, explained.near, others))
     said = scatter_and_wandering(explained.table, trace, best.joint)
     augmented = replace(augmented, warnings=(*augmented.warnings, *said))
     loop = Loop(
-        declared=assess(declared, uncertainty, trials=0),
+        declared=resting_on_absence(assess(declared, uncertainty, trials=0), set(trace.names)),
         augmented=augmented,
         effects=_effects(explained, close, misread),
         unexplained=unexplained(explained.judged, _reach(explained), others),

@@ -9,8 +9,8 @@ from scipy.special import chdtri, fdtrc
 
 from tumble.calibrations.core.quantities import format_number
 from tumble.calibrations.methods.dividing_head.joint import Joint
-from tumble.calibrations.tracing.fitting_noise import FLICKER_PRICE, best_walk
-from tumble.calibrations.tracing.rivals import NEAR
+from tumble.calibrations.tracing.fitting_noise import best_walk
+from tumble.calibrations.tracing.penalties import FLICKER, NEAR
 from tumble.calibrations.tracing.table import Table
 from tumble.calibrations.tracing.trace import Trace
 from tumble.messages import Message
@@ -53,7 +53,7 @@ def _wandering(table: Table, trace: Trace, joint: Joint) -> Message | None:
     if not noise.flicker:
         return None
     without = table.deviance(trace.forms, replace(noise, flicker=0.0))
-    if without - trace.deviance < max(chdtri(1, 2.0 * _CHANCE), FLICKER_PRICE):
+    if without - trace.deviance < max(chdtri(1, 2.0 * _CHANCE), FLICKER):
         return None
     _, walking = best_walk(table, trace.forms, noise)
     kind = Message("walk or flicker") if walking - trace.deviance < NEAR else Message("flicker")

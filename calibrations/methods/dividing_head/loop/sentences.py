@@ -1,6 +1,6 @@
 """What closing the loop found, in words: the same for report and terminal."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from tumble.calibrations.core.parameter import Parameter
@@ -157,7 +157,7 @@ def _parameter(parameter: Parameter) -> str:
 
 def _moved(before: Parameter, after: Parameter) -> str:
     """By how much a value moved, also in standard uncertainties of the declared model: did its budget cover that."""
-    alike = before.given == after.given
+    alike = before.given == after.given or after.rests_on_absence
     if before.value is None or after.value is None or not before.standard_uncertainty or not alike:
         return ""
     moved = after.value - before.value
@@ -173,8 +173,26 @@ def not_identifiable(loop: Loop) -> list[tuple[str, str]]:
 
 
 def dependence(loop: Loop) -> str:
-    """Which parameters rest on another one alone, and what would end that; empty where none do."""
-    found = {name: parameter for name, parameter in loop.augmented.parameters.items() if parameter.rests_on}
+    """Which parameters rest on another one alone, or on the absence of an effect; empty where none do."""
+    resting = {name: parameter for name, parameter in loop.augmented.parameters.items() if parameter.rests_on}
+    on_absence = {name: parameter for name, parameter in resting.items() if parameter.rests_on_absence}
+    on_another = {name: parameter for name, parameter in resting.items() if name not in on_absence}
+    return Message.joined("; ", [said for said in (_on_another(on_another), _on_absence(on_absence)) if said])
+
+
+def _on_absence(found: Mapping[str, Parameter]) -> str:
+    if not found:
+        return ""
+    return Message.counted(
+        "{names} holds if there is no {effects}, of which these rows could hide enough to move it far",
+        "{names} hold if there is no {effects}, of which these rows could hide enough to move them far",
+        count=len(found),
+        names=series(list(found)),
+        effects=series(list(dict.fromkeys(each.rests_on for each in found.values())), "or"),
+    )
+
+
+def _on_another(found: Mapping[str, Parameter]) -> str:
     if not found:
         return ""
     first = next(iter(found.values()))

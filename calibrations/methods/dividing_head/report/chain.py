@@ -11,7 +11,7 @@ from tumble.calibrations.core.sentences import series
 from tumble.calibrations.methods.dividing_head.loop.loop import Loop
 from tumble.calibrations.report.drawing import BAND, COLOURS, HALF_IN, MARKERS, sheet, styled, to_svg
 from tumble.calibrations.tracing.chain import Chain, Link, Stage
-from tumble.calibrations.tracing.rivals import CLOSE
+from tumble.calibrations.tracing.penalties import CLOSE
 from tumble.messages import Message
 
 _LEAST = 0.7

@@ -1,0 +1,95 @@
+"""Explanations near the one that is stated, each with its odds: what is said of a parameter holds over all of them.
+
+The search asks so much of an effect that a clean table is given one in a thousand times; that is no measure of how
+likely an effect is to be there. Here effects count as if one in fifty tables held one (Bayesian model averaging;
+Hoeting, Madigan, Raftery and Volinsky 1999), so that what was nearly found, or barely, is not taken for certain.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Final
+
+import numpy as np
+
+from tumble.calibrations.tracing.effect import Structure
+from tumble.calibrations.tracing.fitting_noise import best_level
+from tumble.calibrations.tracing.penalties import FALSE_ALARM, NOT_FOUND
+from tumble.calibrations.tracing.rivals import Rival
+from tumble.calibrations.tracing.trace import Trace, Tracer, found, penalised_deviance
+
+_ALLOWED: Final = 2.0 * float(np.log(NOT_FOUND / FALSE_ALARM))
+"""By so much less an effect is penalised here than in the search."""
+_LEAST: Final = 2e-3
+"""Explanations with smaller odds are left out."""
+_DRAWN: Final = 1.0
+"""Levels that gain less are next to nothing: their variance is at its bound."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Neighbour:
+    """Another explanation."""
+
+    trace: Trace
+    odds: float
+    """Against the one that is stated."""
+    differs: str
+    """The effect by which it differs."""
+
+
+def neighbours(
+    tracer: Tracer[Any], trace: Trace, near: Mapping[str, Sequence[Rival]], others: Sequence[Trace]
+) -> list[Neighbour]:
+    """Explanations with another effect in the place of one, with one more, with one less, or of another structure."""
+    everything = tracer.without(frozenset())
+    listed = [
+        *((rival.name, rival.trace) for rivals in near.values() for rival in rivals),
+        *_with_one_more(everything, trace),
+        *_with_one_less(everything, trace),
+        *_elsewhere(everything, others),
+    ]
+    least = _plausibility(trace)
+    weighed = [
+        Neighbour(trace=each, odds=float(np.exp(0.5 * min(least - _plausibility(each), 0.0))), differs=name)
+        for name, each in listed
+    ]
+    return [each for each in weighed if each.odds > _LEAST]
+
+
+def _plausibility(trace: Trace) -> float:
+    """Penalised deviance with penalties as of something that is expected now and then."""
+    count = len(trace.names) + len(trace.components)
+    return penalised_deviance(trace) - _ALLOWED * count
+
+
+def _with_one_more(tracer: Tracer[Any], trace: Trace) -> Iterator[tuple[str, Trace]]:
+    """The trace with each other effect of the catalogue that would gain nearly its penalty."""
+    problem, table = tracer.problem(trace.noise), tracer.table
+    worth = problem.gains(problem.explain(tuple(item.number for item in trace.found)))
+    worth = worth - np.array([candidate.penalty for candidate in problem.offered]) + _ALLOWED
+    for number in problem.best_forms(worth):
+        effect = problem.offered[number].effect
+        if effect.name in trace.names or isinstance(effect, Structure):
+            continue
+        if effect.random:
+            noise = best_level(table, trace.forms, trace.noise, effect.name)
+            drawn = replace(trace, noise=noise, deviance=table.deviance(trace.forms, noise))
+            if drawn.deviance < trace.deviance - _DRAWN:
+                yield effect.name, drawn
+        elif worth[number] > 2.0 * np.log(_LEAST):
+            further = (*trace.found, found(problem, number))
+            deviance = table.deviance([item.form for item in further], trace.noise)
+            yield effect.name, replace(trace, found=further, deviance=deviance)
+
+
+def _with_one_less(tracer: Tracer[Any], trace: Trace) -> Iterator[tuple[str, Trace]]:
+    """The trace without each thing that was found."""
+    for name in (*trace.names, *(each.name for each in trace.components)):
+        rest = trace.without(name)
+        yield name, replace(rest, deviance=tracer.table.deviance(rest.forms, rest.noise))
+
+
+def _elsewhere(tracer: Tracer[Any], others: Sequence[Trace]) -> Iterator[tuple[str, Trace]]:
+    """Traces with structure along other variables, each with its deviance."""
+    for other in others:
+        table = tracer.beside(other.components).table
+        yield other.components[0].name, replace(other, deviance=table.deviance(other.forms, other.noise))
