@@ -1,8 +1,7 @@
 """Gross errors: how far from all others a value must lie to be one, and how far where its neighbours are."""
 
-from itertools import pairwise
-
 import numpy as np
+from numpy.typing import NDArray
 
 from tumble.calibrations.core.arrays import BoolArray, FloatArray
 
@@ -28,6 +27,8 @@ def gross_sigmas(spare_rows: int) -> float:
 
 NEIGHBOURS = 2
 """Rows after a gross error, and before it, in which a burst of disturbance may go on."""
+_FEWEST = 3
+"""Rows of a burst; of fewer only the gross errors are set aside, for one good row in 300 is doubtful by chance."""
 
 
 def burst(gross: BoolArray, doubtful: BoolArray, time_s: FloatArray | None) -> BoolArray:
@@ -37,21 +38,30 @@ def burst(gross: BoolArray, doubtful: BoolArray, time_s: FloatArray | None) -> B
     others all the same. `doubtful` are rows half as far off as a gross error, alone no reason to set them aside.
     """
     order = np.arange(len(gross)) if time_s is None else np.argsort(time_s, kind="stable")
-    in_order, doubt = gross[order], (gross | doubtful)[order]
-    while True:
-        near = _reached(in_order)
-        grown = in_order | (near & doubt)
-        if np.array_equal(grown, in_order):
-            break
-        in_order = grown
-    members = np.flatnonzero(in_order)
-    for first, last in pairwise(members):
-        in_order[first:last] |= last - first <= NEIGHBOURS + 1
-    rows = np.zeros(len(gross), dtype=bool)
-    rows[order] = in_order
+    rows = gross.copy()
+    for members in _chains(_grown(gross[order], (gross | doubtful)[order])):
+        if len(members) >= _FEWEST:
+            rows[order[members[0] : members[-1] + 1]] = True
     return rows
+
+
+def _grown(members: BoolArray, doubtful: BoolArray) -> BoolArray:
+    """Gross errors with all that is doubtful near them, near those, and so on."""
+    while not np.array_equal(grown := members | (_reached(members) & doubtful), members):
+        members = grown
+    return members
 
 
 def _reached(members: BoolArray) -> BoolArray:
     """Rows at most `NEIGHBOURS` away from a member."""
-    return np.convolve(members, np.ones(2 * NEIGHBOURS + 1), mode="same") > 0.5
+    near = members.copy()
+    for away in range(1, NEIGHBOURS + 1):
+        near[away:] |= members[:-away]
+        near[:-away] |= members[away:]
+    return near
+
+
+def _chains(members: BoolArray) -> list[NDArray[np.int64]]:
+    """Places of members, parted where more rows lie between two than a burst goes on over."""
+    places = np.flatnonzero(members)
+    return np.split(places, np.flatnonzero(np.diff(places) > NEIGHBOURS) + 1)

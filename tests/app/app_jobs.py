@@ -109,10 +109,12 @@ def blank_figures():
 _traced = {}
 
 
-def _explain_once(observations, *stand):
-    rows = pickle.dumps((replace(observations, source=""), stand))
+def _explain_once(observations, stand, reference_temperature_degc, *effects):
+    if effects:
+        return explain(observations, stand, reference_temperature_degc, *effects)  # they hold functions, by which no two are known to be equal
+    rows = pickle.dumps((replace(observations, source=""), stand, reference_temperature_degc))
     if rows not in _traced:
-        _traced[rows] = explain(observations, *stand)
+        _traced[rows] = explain(observations, stand, reference_temperature_degc)
     return _traced[rows]
 
 

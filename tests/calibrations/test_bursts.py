@@ -36,13 +36,14 @@ def rows(*numbers):
     ("gross", "doubtful", "set_aside"),
     [
         ((5,), (), (5,)),
-        ((5,), (7,), (5, 6, 7)),
+        ((5,), (7,), (5,)),
+        ((5,), (7, 8), (5, 6, 7, 8)),
         ((5,), (3, 7, 8), (3, 4, 5, 6, 7, 8)),
-        ((5,), (8,), (5,)),
+        ((5,), (8, 9), (5,)),
         ((), (5, 6), ()),
         ((2, 9), (), (2, 9)),
     ],
-    ids=["alone", "one near", "a chain", "too far", "none is gross", "two apart"],
+    ids=["alone", "one near", "two near", "a chain", "too far", "none is gross", "two apart"],
 )
 def test_a_burst_is_what_lies_near_a_gross_error_and_is_doubtful(gross, doubtful, set_aside):
     found = burst(rows(*gross), rows(*doubtful), None)
@@ -51,9 +52,16 @@ def test_a_burst_is_what_lies_near_a_gross_error_and_is_doubtful(gross, doubtful
 
 
 def test_a_burst_follows_the_clock_and_not_the_order_of_rows():
-    found = burst(rows(0), rows(11), time_s=np.array([10, *range(50, 60), 11.0]))
+    found = burst(rows(0), rows(10, 11), time_s=np.array([10, *range(50, 59), 12.0, 11.0]))
 
-    assert np.flatnonzero(found).tolist() == [0, 11]
+    assert np.flatnonzero(found).tolist() == [0, 10, 11]
+
+
+@pytest.mark.parametrize("count", [1, 2, 3])
+def test_a_table_shorter_than_a_burst_is_looked_at_too(count):
+    nothing = np.zeros(count, dtype=bool)
+
+    assert burst(~nothing, nothing, None).tolist() == [True] * count
 
 
 def test_disturbed_dwells_that_scatter_more_weigh_less():
