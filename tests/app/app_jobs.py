@@ -110,8 +110,8 @@ _traced = {}
 
 
 def _explain_once(observations, stand, reference_temperature_degc, *effects):
-    if effects:
-        return explain(observations, stand, reference_temperature_degc, *effects)  # they hold functions, by which no two are known to be equal
+    if effects:  # they hold functions, of which none knows whether they are equal
+        return explain(observations, stand, reference_temperature_degc, *effects)
     rows = pickle.dumps((replace(observations, source=""), stand, reference_temperature_degc))
     if rows not in _traced:
         _traced[rows] = explain(observations, stand, reference_temperature_degc)

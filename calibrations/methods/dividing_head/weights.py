@@ -23,7 +23,10 @@ def dwell_weights(observations: Observations, residual_v: FloatArray, groups: ND
     A kind is a procedure with a number of samples. All rows weigh the same unless Bartlett's test (Snedecor and
     Cochran, Statistical Methods, 10.21) says that the kinds scatter differently.
     """
-    weights = _by_kind(observations, residual_v, groups) * _by_disturbance(observations, residual_v, groups)
+    by_kind, by_disturbance = (of(observations, residual_v, groups) for of in (_by_kind, _by_disturbance))
+    if np.all(by_disturbance == 1.0):
+        return by_kind
+    weights = by_kind * by_disturbance
     return np.asarray(weights / weights.mean())
 
 
@@ -36,7 +39,8 @@ def _by_kind(observations: Observations, residual_v: FloatArray, groups: NDArray
         return ones
     pooled = pure_error(residual_v, groups, ones).variance
     variances = np.array([e.variance if e.degrees_of_freedom > 1 else pooled for e in errors])
-    return np.asarray(pooled / variances[kinds])
+    weights: FloatArray = 1.0 / variances[kinds]
+    return np.asarray(weights / weights.mean())
 
 
 def _by_disturbance(observations: Observations, residual_v: FloatArray, groups: NDArray[np.int64]) -> FloatArray:
