@@ -28,7 +28,7 @@ def sections(kept: Kept) -> tuple[Section, ...]:
             caption=Message("The course in units of mean size, with its expanded uncertainty (k = 2)."),
             headings=(
                 _headed(Message("variable"), effect.variable_unit),
-                _headed(Message("course"), effect.channel_unit),
+                Message("course"),
             ),
             rows=tuple(_course(effect)),
             brief=True,
@@ -102,7 +102,10 @@ def _course(effect: AdoptedEffect) -> Iterator[tuple[str, str]]:
     chosen = np.unique(np.linspace(0, len(knots.places) - 1, _LINES).round().astype(int))
     for number in chosen.tolist():
         place = ", ".join(f"{value:.3g}" for value in knots.places[number])
-        yield place, format_concise(float(curve.values[number]), float(curve.standard_uncertainty[number]), "")
+        yield (
+            place,
+            format_concise(float(curve.values[number]), float(curve.standard_uncertainty[number]), effect.channel_unit),
+        )
 
 
 def _units(effect: AdoptedEffect) -> Iterator[tuple[str, ...]]:
