@@ -24,6 +24,18 @@ _DIRECTIONS: Final[Mapping[str, Direction]] = {"up": 1, "down": -1, "either": 0}
 _STRICT = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
 
+def check_ends(dwells: int) -> None:
+    """Refuse a programme that would not end within weeks. Raises `ValueError`."""
+    if dwells > MOST_DWELLS:
+        raise ValueError(
+            Message(
+                "{dwells:,} dwells or more, where {most:,} are the most: ask for fewer",
+                dwells=dwells,
+                most=MOST_DWELLS,
+            )
+        )
+
+
 class Limit(BaseModel):
     """The interval in which a parameter must lie, in the parameter's unit."""
 

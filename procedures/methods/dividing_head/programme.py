@@ -9,12 +9,11 @@ from pydantic import Field, model_validator
 
 from tumble.calibrations.methods.dividing_head.geometry import projections
 from tumble.drivers.protocols import VOLTAGE
-from tumble.messages import Message
 from tumble.procedures.layout import Layout
 from tumble.procedures.methods.dividing_head.flip import Flip
 from tumble.procedures.methods.dividing_head.layout import HEAD, LAYOUT, MOUNT
 from tumble.procedures.methods.dividing_head.sweep import Sweep
-from tumble.procedures.programme import MOST_DWELLS, Limit, Programme
+from tumble.procedures.programme import Limit, Programme, check_ends
 from tumble.procedures.steps import Dwell
 
 Parameter: TypeAlias = Literal["u0", "kx", "ky", "kz", "kxy", "alpha0"]
@@ -33,15 +32,7 @@ class DividingHeadProgramme(Programme):
 
     @model_validator(mode="after")
     def _ends_one_day(self) -> "DividingHeadProgramme":
-        dwells = self.realisations * sum(part.poses for part in self.procedures)
-        if dwells > MOST_DWELLS:
-            raise ValueError(
-                Message(
-                    "{dwells:,} dwells or more, where {most:,} are the most: ask for fewer",
-                    dwells=dwells,
-                    most=MOST_DWELLS,
-                )
-            )
+        check_ends(self.realisations * sum(part.poses for part in self.procedures))
         return self
 
     @property

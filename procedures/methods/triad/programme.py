@@ -7,11 +7,10 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from tumble.calibrations.methods.triad.geometry import directions
-from tumble.messages import Message
 from tumble.procedures.layout import Layout
 from tumble.procedures.methods.triad.layout import CHANNELS, INNER, LAYOUT, OUTER
 from tumble.procedures.methods.triad.positions import AtTemperature, Positions
-from tumble.procedures.programme import MOST_DWELLS, Limit, Programme
+from tumble.procedures.programme import Limit, Programme, check_ends
 from tumble.procedures.steps import Dwell
 
 TriadParameter: TypeAlias = Literal[
@@ -37,15 +36,7 @@ class TriadProgramme(Programme):
     @model_validator(mode="after")
     def _ends_one_day(self) -> Self:
         passes = self.realisations * max(1, len(self.temperatures_degc))
-        dwells = passes * sum(each.poses for each in self.procedures)
-        if dwells > MOST_DWELLS:
-            raise ValueError(
-                Message(
-                    "{dwells:,} dwells or more, where {most:,} are the most: ask for fewer",
-                    dwells=dwells,
-                    most=MOST_DWELLS,
-                )
-            )
+        check_ends(passes * sum(each.poses for each in self.procedures))
         return self
 
     @property
