@@ -9,6 +9,8 @@ SINGULAR = 1e-8
 """Directions weaker than this, relative to the strongest, are taken as not observed: rounding, not physics."""
 
 
+_SURELY_INDEPENDENT = 1e8
+"""Columns whose normal equations have a smaller condition have none that is near the others."""
 _CERTAIN = 1e-5
 """Columns whose reciprocal condition is estimated larger than this have no direction that is singular."""
 
@@ -21,7 +23,10 @@ def pseudo_inverse(matrix: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
     norm = np.linalg.norm(matrix, axis=-2)
     seen = norm > SINGULAR * norm.max(axis=-1, keepdims=True)
     scale = np.where(seen, norm, np.inf)
-    u, s, vt = np.linalg.svd(matrix / scale[..., None, :], full_matrices=False)
+    scaled = matrix / scale[..., None, :]
+    if (certain := _certain_inverse(scaled)) is not None:
+        return certain / scale[..., :, None], seen
+    u, s, vt = np.linalg.svd(scaled, full_matrices=False)
     kept = s > SINGULAR * s[..., :1]
     inverse_s = np.where(kept, 1.0 / np.where(kept, s, 1.0), 0.0)
     inverse = np.swapaxes(vt, -1, -2) @ (inverse_s[..., None] * np.swapaxes(u, -1, -2))
@@ -29,11 +34,44 @@ def pseudo_inverse(matrix: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
     return inverse / scale[..., :, None], seen & (resolved > 1 - 1e-6)
 
 
+def _certain_inverse(matrix: FloatArray) -> FloatArray | None:
+    """Inverse by the normal equations, several times faster, for columns that are certainly independent; None otherwise.
+
+    One step of Newton's iteration (Ben-Israel 1965) takes away what the normal equations lose.
+    """
+    turned = np.swapaxes(matrix, -1, -2)
+    normal = turned @ matrix
+    try:
+        inverse = np.linalg.inv(normal)
+    except np.linalg.LinAlgError:
+        return None
+    condition = np.linalg.norm(normal, axis=(-2, -1)) * np.linalg.norm(inverse, axis=(-2, -1))
+    if not np.all(condition < _SURELY_INDEPENDENT):
+        return None
+    first = inverse @ turned
+    return np.asarray(2.0 * first - (first @ matrix) @ first)
+
+
+def least_solution(matrix: FloatArray, right: FloatArray) -> FloatArray:
+    """Least-squares solution of one system, shape (p,); of those that fit equally well the smallest.
+
+    By QR, an eighth of the work, unless columns are near being dependent.
+    """
+    from scipy.linalg.lapack import dgels, dtrcon
+
+    rows, unknowns = matrix.shape
+    if rows >= unknowns:
+        factored, solved, _ = dgels(matrix, right)
+        if dtrcon(factored[:unknowns])[0] > _CERTAIN:
+            return np.asarray(solved[:unknowns])
+    return np.asarray(np.linalg.lstsq(matrix, right, rcond=SINGULAR)[0])
+
+
 def smallest_solution(matrix: FloatArray, right: FloatArray) -> FloatArray:
     """Least-squares solution of one system, shape (p,); of those that fit equally well the smallest, columns scaled."""
     norm = np.linalg.norm(matrix, axis=0)
     scale = np.where(norm > SINGULAR * norm.max(), norm, np.inf)
-    return np.asarray(np.linalg.lstsq(matrix / scale, right, rcond=SINGULAR)[0] / scale)
+    return least_solution(matrix / scale, right) / scale
 
 
 def triangular_solution(matrix: FloatArray, right: FloatArray) -> FloatArray:

@@ -11,7 +11,7 @@ import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.compression import Compressed
-from tumble.calibrations.core.solutions import SINGULAR, smallest_solution
+from tumble.calibrations.core.solutions import SINGULAR, least_solution, smallest_solution
 from tumble.calibrations.methods.dividing_head.model import (
     BASIS_SIZE,
     PARAMETERS,
@@ -65,7 +65,7 @@ class _Rows:
     def at(self, alpha0_deg: float) -> "_Least":
         """The best linear parameters at an alpha0; of those that fit equally well the smallest."""
         shapes = design(alpha0_deg)
-        linear = np.linalg.lstsq(self.r @ shapes / self.length, self.z, rcond=SINGULAR)[0] / self.length
+        linear = least_solution(self.r @ shapes / self.length, self.z) / self.length
         left = self.z - self.r @ (shapes @ linear)
         turning = self.r @ (design_slope(alpha0_deg) @ linear)
         return _Least(
