@@ -68,7 +68,7 @@ def _chosen(tracer: Tracer[Any], trace: Trace, out: BoolArray) -> FloatArray:
     table = tracer.table
     barred = [candidate.effect.random or candidate.effect.name in tracer.barred for candidate in tracer.offered]
     offered = [] if table.not_traced else list(compress(tracer.offered, np.logical_not(barred)))
-    sample = table.sample_of(~out)
+    sample = table.sample_in(trace.noise, ~out)
     problem = Problem(
         sample.whitened_fit(trace.noise), sample.turned(tracer.columns[~out]), offered, table.most_effects
     )
@@ -98,7 +98,7 @@ class _Shown:
 
     def errors(self, train: BoolArray, test: BoolArray) -> FloatArray:
         """Output minus what the rows of `train` predict, of the rows of `test`."""
-        table, sample = self._table, self._table.sample_of(train)
+        table, sample = self._table, self._table.sample_in(self._noise, train)
         whitened_fit = sample.whitened_fit(self._noise)
         fit = whitened_fit.fit(whitened_fit.split(sample.turned(self._columns[train])))
         together = np.column_stack([table.declared, self._columns])

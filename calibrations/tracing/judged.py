@@ -127,8 +127,7 @@ def _with_levels(table: _T) -> _T:
     """The table with a noise that repeats of a setting share."""
     block = table.blocks("angle")
     columns = (block[:, None] == np.arange(block.max() + 1)).astype(float)
-    levels = {**table.memory.levels, SETTINGS: scaled_levels(columns, table.weights)}
-    return replace(table, memory=replace(table.memory, levels=levels))
+    return replace(table, memory=table.memory.with_levels({SETTINGS: scaled_levels(columns, table.weights)}))
 
 
 def _smooth(table: Table, trace: Trace) -> Trace:

@@ -18,6 +18,8 @@ from tumble.calibrations.core.arrays import FloatArray
 MODES = 100
 _NOTHING = 1e-12
 """Part of a direction's variance below which noise leaves it as it is."""
+_DEPENDENT = 1e-7
+"""A level, of length one in a row, of which less is left beside the others lies along them."""
 SETTINGS = "?setting"
 """Levels by which settings differ from the model in no shape at all: lack of fit, as a noise that repeats share."""
 
@@ -114,6 +116,8 @@ class Memory:
     """A constant and cosines over the run, weighted, shape (rows, 1 + modes); no columns where there is no time."""
     levels: Mapping[str, FloatArray] = field(default_factory=dict)
     """Columns of each effect that draws levels, weighted and scaled to a mean square of one row, by name."""
+    before: "Memory | None" = None
+    """The same without its last levels, whose directions are kept; None where it was made at once."""
 
     @cached_property
     def _whitenings(self) -> dict[NoiseModel, Whitening]:
@@ -122,8 +126,31 @@ class Memory:
     @cached_property
     def _factors(self) -> tuple[FloatArray, FloatArray]:
         """Orthonormal directions of modes and levels, and both along them."""
-        factored = np.linalg.qr(np.column_stack([self.modes, *self.levels.values()]))
-        return factored.Q, factored.R
+        if self.before is None:
+            factored = np.linalg.qr(np.column_stack([self.modes, *self.levels.values()]))
+            return factored.Q, factored.R
+        known, along = self.before._factors
+        added = np.column_stack([level for name, level in self.levels.items() if name not in self.before.levels])
+        shown, left = _parted(known, added)
+        further, beside = _independent(left)
+        nothing = np.zeros((len(beside), along.shape[1]))
+        return np.column_stack([known, further]), np.block([[along, shown], [nothing, beside]])
+
+    def with_levels(self, levels: Mapping[str, FloatArray]) -> "Memory":
+        """The same with the levels of further effects."""
+        if not levels:
+            return self
+        if self.levels.keys() & levels.keys():
+            return Memory(modes=self.modes, levels={**self.levels, **levels})
+        return Memory(modes=self.modes, levels={**self.levels, **levels}, before=self)
+
+    def within(self, noise: NoiseModel) -> "Memory":
+        """What of it a noise draws: all that is needed where no other is asked about."""
+        drawn = dict(noise.levels)
+        return Memory(
+            modes=self.modes if noise.flicker or noise.walk else self.modes[:, :0],
+            levels={name: level for name, level in self.levels.items() if name in drawn},
+        )
 
     def rows(self, kept: NDArray[np.bool_]) -> "Memory":
         """The same for some of the rows."""
@@ -175,6 +202,26 @@ class Memory:
         levels = [np.full(level.shape[1], drawn.get(name, 0.0)) for name, level in self.levels.items()]
         constant = [noise.flicker * np.log(2.0)] * min(self.modes.shape[1], 1)
         return np.concatenate([constant, waves, *levels])
+
+
+def _parted(directions: FloatArray, columns: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Columns along orthonormal directions, and what is left of them, orthogonal to rounding."""
+    along = directions.T @ columns
+    left = columns - directions @ along
+    again = directions.T @ left
+    return along + again, left - directions @ again
+
+
+def _independent(columns: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Orthonormal directions of columns, shape (rows, rank), and the columns along them."""
+    from scipy.linalg import qr
+
+    directions, triangular, order = qr(columns, mode="economic", pivoting=True)
+    size = np.abs(np.diag(triangular))
+    rank = int(np.count_nonzero(size > _DEPENDENT))
+    along = np.empty_like(triangular[:rank])
+    along[:, order] = triangular[:rank]
+    return directions[:, :rank], along
 
 
 def slow_modes(hours: FloatArray | None, weights: FloatArray) -> FloatArray:

@@ -99,8 +99,14 @@ class Table:
 
     def sample_of(self, kept: NDArray[np.bool_]) -> Sample:
         """Some of the rows, ready for comparison."""
+        return self._sample(kept, self.memory if kept.all() else self.memory.rows(kept))
+
+    def sample_in(self, noise: NoiseModel, kept: NDArray[np.bool_]) -> Sample:
+        """The same where it is only asked about in one noise."""
+        return self._sample(kept, self.memory.within(noise).rows(kept))
+
+    def _sample(self, kept: NDArray[np.bool_], memory: Memory) -> Sample:
         model = self.model.with_functions(self.declared[kept])
-        memory = self.memory if kept.all() else self.memory.rows(kept)
         return sample(model, self.output[kept], self.weights[kept], memory)
 
     def deviance(self, forms: Sequence[Form], noise: NoiseModel) -> float:
@@ -140,7 +146,7 @@ class Table:
         return self._with_levels({name: level - span @ (span.T @ level) for name, level in whole.items()})
 
     def _with_levels(self, levels: Mapping[str, FloatArray]) -> Self:
-        return replace(self, memory=replace(self.memory, levels={**self.memory.levels, **levels}))
+        return replace(self, memory=self.memory.with_levels(levels))
 
     @cached_property
     def _seen_directions(self) -> FloatArray:

@@ -64,9 +64,10 @@ def augment(table: DividingHeadTable, trace: Trace) -> Augmented:
         tangent(table.scene, item, first.fit.theta[start + where.start : start + where.stop])
         for item, where in zip(chosen, places, strict=True)
     ]
-    columns = [*(item.form.columns for item in chosen), *(t for t in tangents if t is not None)]
-    known = expectations(chosen, places, first.noise.used_v)
-    joint = _fit(table, trace, columns, [(BASIS_SIZE + place, value, weight_v) for place, value, weight_v in known])
+    scanned = [change for change in tangents if change is not None]
+    columns = [*(item.form.columns for item in chosen), *scanned]
+    known = [(BASIS_SIZE + place, *what) for place, *what in expectations(chosen, places, first.noise.used_v)]
+    joint = _fit(table, trace, columns, known) if scanned or known else first
     everything = covariance(joint.compressed, joint.fit, joint.profile, joint.noise.used_v**2)
     numbers = iter(range(places[-1].stop if places else 0, len(joint.fit.theta)))
     return Augmented(
