@@ -6,6 +6,7 @@ that is missing from the model may move alpha0 by tens of degrees.
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -15,11 +16,13 @@ from tumble.calibrations.core.solutions import SINGULAR, least_solution, smalles
 from tumble.calibrations.methods.dividing_head.model import (
     BASIS_SIZE,
     PARAMETERS,
+    TERMS,
     coefficients,
     design,
-    design_slope,
     further_terms,
     parameter_vector,
+    turn_slopes,
+    turns,
 )
 
 ALPHA0_REACH_DEG = 45.0
@@ -64,16 +67,21 @@ class _Rows:
 
     def at(self, alpha0_deg: float) -> "_Least":
         """The best linear parameters at an alpha0; of those that fit equally well the smallest."""
-        shapes = design(alpha0_deg)
-        linear = least_solution(self.r @ shapes / self.length, self.z) / self.length
-        left = self.z - self.r @ (shapes @ linear)
-        turning = self.r @ (design_slope(alpha0_deg) @ linear)
+        matrix = np.dot(turns(alpha0_deg), self._terms).reshape(len(self.z), -1)
+        linear = least_solution(matrix / self.length, self.z) / self.length
+        left = self.z - matrix @ linear
+        turning = np.dot(turn_slopes(alpha0_deg), self._terms).reshape(len(self.z), -1) @ linear
         return _Least(
             alpha0_deg=alpha0_deg,
             linear=linear,
             slope=-float(left @ turning),
             squares_v2=float(left @ left) + self.rest_v2,
         )
+
+    @cached_property
+    def _terms(self) -> FloatArray:
+        """What the rows see of each of the terms of the design, shape (6, n x 5)."""
+        return np.asarray((self.r @ TERMS).reshape(len(TERMS), -1))
 
     def scanned(self) -> FloatArray:
         """What of the sum of squares the model takes at every alpha0 of the grid, shape (37,)."""

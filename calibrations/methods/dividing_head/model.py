@@ -47,35 +47,52 @@ def basis(observations: Observations) -> FloatArray:
     )
 
 
+def _terms() -> FloatArray:
+    """What a linear parameter adds to each coefficient with each of `turns`, shape (6, 10, 5)."""
+    terms = np.zeros((6, BASIS_SIZE, ALPHA0))
+    terms[0, 0, 0] = 1.0
+    for axis in range(3):
+        terms[1, 1 + 2 * axis, 1 + axis] = terms[2, 2 + 2 * axis, 1 + axis] = 1.0
+    terms[3, 7, 4] = terms[4, 8, 4] = terms[5, 9, 4] = 1.0
+    return terms
+
+
+TERMS: Final = _terms()
+"""Of which `design` is the sum, each times one of `turns`."""
+
+
+def turns(alpha0_deg: FloatArray | float) -> FloatArray:
+    """1, cos, sin, cos², cos sin, sin² of one alpha0, shape (6,), or of several, shape (n, 6)."""
+    alpha0_rad = np.deg2rad(alpha0_deg)
+    cos, sin = np.cos(alpha0_rad), np.sin(alpha0_rad)
+    return np.array([cos**0, cos, sin, cos**2, cos * sin, sin**2]).T
+
+
+def turn_slopes(alpha0_deg: float) -> FloatArray:
+    """Derivative of `turns`, per degree, shape (6,)."""
+    alpha0_rad = np.deg2rad(alpha0_deg)
+    cos, sin = np.cos(alpha0_rad), np.sin(alpha0_rad)
+    return np.deg2rad([0.0, -sin, cos, -2 * cos * sin, cos**2 - sin**2, 2 * cos * sin])
+
+
 def design(alpha0_deg: FloatArray | float, terms: int = 0) -> FloatArray:
     """How the coefficients of all columns follow from the linear parameters at given alpha0.
 
     Shape (..., 10 + terms, 5 + terms). The first ten columns are those of `basis`; each of `terms` further columns,
     linear additions to the declared model, has a coefficient of its own.
     """
-    alpha0_rad = np.deg2rad(np.asarray(alpha0_deg, dtype=float))
-    cos, sin = np.cos(alpha0_rad), np.sin(alpha0_rad)
-    matrix = np.zeros((*alpha0_rad.shape, BASIS_SIZE + terms, ALPHA0 + terms))
-    matrix[..., 0, 0] = 1.0
-    for axis in range(3):
-        matrix[..., 1 + 2 * axis, 1 + axis] = cos
-        matrix[..., 2 + 2 * axis, 1 + axis] = sin
-    matrix[..., 7, 4], matrix[..., 8, 4], matrix[..., 9, 4] = cos**2, cos * sin, sin**2
-    if terms:
-        matrix[..., BASIS_SIZE:, ALPHA0:] = np.eye(terms)
+    turned = np.tensordot(turns(alpha0_deg), TERMS, 1)
+    if not terms:
+        return np.asarray(turned)
+    matrix = np.zeros((*turned.shape[:-2], BASIS_SIZE + terms, ALPHA0 + terms))
+    matrix[..., :BASIS_SIZE, :ALPHA0] = turned
+    matrix[..., BASIS_SIZE:, ALPHA0:] = np.eye(terms)
     return matrix
 
 
 def design_slope(alpha0_deg: float) -> FloatArray:
     """Derivative of the first ten rows and five columns of `design` with respect to alpha0, per degree."""
-    alpha0_rad = np.deg2rad(alpha0_deg)
-    cos, sin = np.cos(alpha0_rad), np.sin(alpha0_rad)
-    matrix = np.zeros((BASIS_SIZE, ALPHA0))
-    for axis in range(3):
-        matrix[1 + 2 * axis, 1 + axis] = -sin
-        matrix[2 + 2 * axis, 1 + axis] = cos
-    matrix[7:, 4] = -2 * cos * sin, cos**2 - sin**2, 2 * cos * sin
-    return np.deg2rad(matrix)
+    return np.asarray(np.tensordot(turn_slopes(alpha0_deg), TERMS, 1))
 
 
 def parameter_vector(linear: FloatArray, alpha0_deg: FloatArray | float) -> FloatArray:

@@ -6,15 +6,16 @@ accelerometer and a stand of this kind have at most.
 """
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
-from tumble.calibrations.core.compression import compress
+from tumble.calibrations.core.compression import Compressed, compress
+from tumble.calibrations.methods.dividing_head.best_alpha0 import best_parameters
 from tumble.calibrations.methods.dividing_head.effects import CATALOGUE
-from tumble.calibrations.methods.dividing_head.fit import fit_given_alpha0, joint_fit
+from tumble.calibrations.methods.dividing_head.fit import fit_given_alpha0, squares_v2
 from tumble.calibrations.methods.dividing_head.loop.table import scene_of
 from tumble.calibrations.methods.dividing_head.model import ALPHA0, PARAMETERS, basis, coefficients
 from tumble.calibrations.methods.dividing_head.result import Calibration
@@ -55,34 +56,37 @@ def _of(calibration: Calibration, name: str) -> Iterator[Unseen]:
         linearised_at[ALPHA0] = 0.0  # nearer the truth than what a hidden effect may have made of it
     largest = _LARGEST.get(name, _SHARE * float(np.linalg.norm(theta[1:4])))
     effect = next(each for each in CATALOGUE if each.name == name)
+    functions = basis(calibration.observations)
     for form in effect.forms(scene_of(calibration.observations, linearised_at)):
         for column in form.columns.T:
+            added = compress(functions, column, calibration.weights)
             for size in (largest, -largest):
-                for moved in _moves(calibration, theta, column * size):
+                for moved in _moves(calibration, theta, added, size):
                     yield Unseen(effect=name, parameters=dict(zip(PARAMETERS, (theta + moved).tolist(), strict=True)))
 
 
-def _moves(calibration: Calibration, theta: FloatArray, added_v: FloatArray) -> Iterator[FloatArray]:
+def _moves(calibration: Calibration, theta: FloatArray, added: Compressed, size: float) -> Iterator[FloatArray]:
     """How far an effect moves the parameters, at its largest and, where that is not in proportion, at parts of it."""
-    largest = _moved(calibration, theta, added_v)
+    largest = _moved(calibration, theta, added, size)
     yield largest
     if abs(largest[ALPHA0]) > _CURVED_DEG:
-        yield from (_moved(calibration, theta, part * added_v) for part in _PARTS)
+        yield from (_moved(calibration, theta, added, part * size) for part in _PARTS)
 
 
-def _moved(calibration: Calibration, theta: FloatArray, added_v: FloatArray) -> FloatArray:
-    """How far an effect moves the parameters, reduced until the rows would not show it."""
-    functions = basis(calibration.observations)
+def _moved(calibration: Calibration, theta: FloatArray, added: Compressed, size: float) -> FloatArray:
+    """How far an effect of that size, `added` at size 1, moves the parameters, reduced until rows would not show it."""
     identifiable = calibration.parameters["alpha0"].value is not None
-    noise_v = calibration.noise.used_v
+    predicted_v, noise_v = added.r @ coefficients(theta), calibration.noise.used_v
     for _ in range(_HALVINGS):
-        compressed = compress(functions, functions @ coefficients(theta) + added_v, calibration.weights)
-        fit = joint_fit(compressed) if identifiable else fit_given_alpha0(compressed, float(theta[ALPHA0]))
-        seen = np.sqrt(max(fit.squares_v2, 0.0)) / noise_v
-        if seen <= VISIBLE:
-            return np.asarray(fit.theta - theta)
-        outside = np.sqrt(max(compressed.rest_v2, 0.0)) / noise_v  # what no parameters at all would follow
-        added_v = added_v * min(0.5, VISIBLE / outside if outside > VISIBLE else 0.5)
+        outside = abs(size) * np.sqrt(max(added.rest_v2, 0.0)) / noise_v  # what no parameters at all would follow
+        if outside > VISIBLE:
+            size *= min(0.5, VISIBLE / outside)
+            continue
+        compressed = replace(added, z=predicted_v + size * added.z, rest_v2=size**2 * added.rest_v2)
+        moved = best_parameters(compressed) if identifiable else fit_given_alpha0(compressed, float(theta[ALPHA0])).theta
+        if np.sqrt(max(squares_v2(compressed, moved), 0.0)) / noise_v <= VISIBLE:
+            return np.asarray(moved - theta)
+        size *= 0.5
     return np.zeros_like(theta)
 
 
