@@ -10,7 +10,7 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.tracing.components import COURSES, Axis, Component
 from tumble.calibrations.tracing.coordinate import IntArray
-from tumble.calibrations.tracing.gains import Beside, Gained, best_column, gains, gains_of_pairs
+from tumble.calibrations.tracing.gains import Beside, Gained, best_column, gain_of_process, gains_of_pairs
 from tumble.calibrations.tracing.penalties import of_variance
 from tumble.calibrations.tracing.spectrum import wave_squares, wave_sums
 from tumble.messages import Message
@@ -97,15 +97,14 @@ class Family:
         power = np.bincount(coordinate.bins, level**2)
         gram, with_output = np.diag(power) - sums[:, :-1] @ sums[:, :-1].T, sums[:, -1]
         for shape, root in coordinate.courses:
-            values, vectors = np.linalg.eigh(root.T @ gram @ root)
             scale = float(power @ np.sum(root**2, axis=1)) / rows
-            power_along = (vectors.T @ (root.T @ with_output)) ** 2
-            (gain,), (variance,) = gains(values[None] / scale, power_along[None] / scale, seen.squares, rows)
+            along = (with_output @ root) / np.sqrt(scale)
+            gained = gain_of_process(root.T @ gram @ root / scale, along, seen.squares, rows)
             yield self._proposed(
                 shape,
                 COURSES[shape.split()[0]],
                 partial(_of_rows, root, coordinate.bins),
-                (gain, variance),
+                gained,
                 len(coordinate.courses),
             )
 
