@@ -20,6 +20,7 @@ _SPREADSHEET_ERROR = re.compile(
     r"#[^\W\d_'/]+(['/][^\W_']+)*[!?]|#(N/A|N/D|Н/Д|Н/П|NV|GETTING_DATA)|(Err|Fehler):\d{3}"
 )
 """Excel's and LibreOffice's errors in the languages that end them in ! or ?, and those that do not."""
+_ERRORS_BEGIN: Final = ("#", "E", "F")
 _DELIMITERS: Final = {";": Message("semicolons"), "\t": Message("tabs")}
 _MINUS = str.maketrans(dict.fromkeys("\u2212\u2013\ufe63\uff0d", "-"))
 """What a word processor makes of a minus."""
@@ -69,16 +70,20 @@ def header_cells(text: str, path: Path) -> list[str]:
 
 def is_missing(cell: str) -> bool:
     """Whether a cell holds no value: empty, a word for nothing, or a spreadsheet's error."""
-    return cell.lower() in MISSING or bool(_SPREADSHEET_ERROR.fullmatch(cell))
+    return cell.lower() in MISSING or (cell[:1] in _ERRORS_BEGIN and bool(_SPREADSHEET_ERROR.fullmatch(cell)))
 
 
 def number(cell: str) -> float:
     """Return a decimal number, NaN where the value is missing; Python's own 1_000 is none. Raises `ValueError`."""
-    if is_missing(cell):
-        return float("nan")
+    try:
+        read = float(cell)
+    except ValueError:
+        if is_missing(cell):
+            return float("nan")
+        raise
     if "_" in cell:
         raise ValueError(cell)
-    return float(cell)
+    return read
 
 
 def shown(cell: str) -> str:
@@ -201,6 +206,8 @@ def _check_decimal_signs(rows: Iterable[Line], path: Path) -> None:
 
 def _ascii_number(cell: str, delimiter: str) -> str:
     """The cell, as Python reads it where it is a number."""
+    if cell.isascii() and "," not in cell:
+        return cell
     plain = cell.translate(_MINUS)
     if not _NUMBER.fullmatch(plain) or (delimiter == "," and "," in plain):
         return cell

@@ -57,6 +57,9 @@ class Mountings:
         self.numbers = mountings(observations)
         self.declared = tuple(str(observations.mounts[self.numbers == number][0]) for number in self.each)
         self._rows = np.bincount(self.numbers)
+        self._functions = {
+            mount: basis(replace(observations, mount=np.full(len(observations), mount))) for mount in MOUNTS
+        }
         self._compressed: dict[tuple[int, str], Compressed] = {}
 
     @property
@@ -66,9 +69,9 @@ class Mountings:
 
     def _in_mount(self, number: int, mount: str) -> Compressed:
         if (number, mount) not in self._compressed:
-            rows = self.observations.select(self.numbers == number)
-            seated = replace(rows, mount=np.full(len(rows), mount))
-            self._compressed[number, mount] = compress(basis(seated), rows.output_v, np.ones(len(rows)))
+            rows, output_v = self.numbers == number, self.observations.output_v
+            functions = self._functions[mount][rows]
+            self._compressed[number, mount] = compress(functions, output_v[rows], np.ones(len(functions)))
         return self._compressed[number, mount]
 
     def seated(self, mounts: tuple[str, ...]) -> Seats:
