@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.compression import triangular_factor
 
 SINGULAR = 1e-8
 """Directions weaker than this, relative to the strongest, are taken as not observed: rounding, not physics."""
@@ -85,3 +86,15 @@ def triangular_solution(matrix: FloatArray, right: FloatArray) -> FloatArray:
         if dtrcon(scaled)[0] > _CERTAIN:
             return np.asarray(dtrtrs(scaled, right)[0] / scale)
     return smallest_solution(matrix, right)
+
+
+def left_beside(matrix: FloatArray, columns: FloatArray) -> FloatArray:
+    """Columns as only what is orthogonal to those of a matrix sees them, both of as many rows, turned."""
+    from scipy.linalg.lapack import dtrcon
+
+    taken = matrix.shape[1]
+    triangular = triangular_factor(np.hstack([matrix, columns]))
+    if dtrcon(triangular[:taken, :taken])[0] > _CERTAIN:
+        return triangular[taken:, taken:]
+    left, values, _ = np.linalg.svd(matrix)
+    return np.asarray(left[:, np.count_nonzero(values > SINGULAR * values[0]) :].T @ columns)

@@ -12,17 +12,16 @@ import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.compression import Compressed
-from tumble.calibrations.core.solutions import SINGULAR, least_solution, smallest_solution
+from tumble.calibrations.core.solutions import SINGULAR, least_solution, left_beside, smallest_solution
 from tumble.calibrations.methods.dividing_head.model import (
     BASIS_SIZE,
     PARAMETERS,
     TERMS,
     coefficients,
-    design,
     further_terms,
     parameter_vector,
-    turn_slopes,
     turns,
+    turns_and_slopes,
 )
 
 ALPHA0_REACH_DEG = 45.0
@@ -32,7 +31,8 @@ _RIDGE = 1e-13
 """Part of the trace that keeps the normal equations of the scan solvable where rows do not tell a parameter."""
 _FUNCTIONS_OF_EACH = (0, 1, 3, 5, 7)
 """Where those of the ten functions begin that belong to each linear parameter."""
-_SHAPES = design(GRID_DEG)
+_GRID_TURNS = turns(GRID_DEG)
+_RAD_PER_DEG = np.pi / 180.0
 _STEPS = 60
 _CONVERGED = 1e-12
 """A step that changes the sum of squares by less than this part is the last."""
@@ -67,14 +67,13 @@ class _Rows:
 
     def at(self, alpha0_deg: float) -> "_Least":
         """The best linear parameters at an alpha0; of those that fit equally well the smallest."""
-        matrix = np.dot(turns(alpha0_deg), self._terms).reshape(len(self.z), -1)
+        matrix, slopes = (turns_and_slopes(alpha0_deg) @ self._terms).reshape(2, len(self.z), -1)
         linear = least_solution(matrix / self.length, self.z) / self.length
         left = self.z - matrix @ linear
-        turning = np.dot(turn_slopes(alpha0_deg), self._terms).reshape(len(self.z), -1) @ linear
         return _Least(
             alpha0_deg=alpha0_deg,
             linear=linear,
-            slope=-float(left @ turning),
+            slope=-_RAD_PER_DEG * float(left @ (slopes @ linear)),
             squares_v2=float(left @ left) + self.rest_v2,
         )
 
@@ -85,11 +84,11 @@ class _Rows:
 
     def scanned(self) -> FloatArray:
         """What of the sum of squares the model takes at every alpha0 of the grid, shape (37,)."""
-        turned = np.swapaxes(_SHAPES, -1, -2)
-        normal = turned @ (self.r.T @ self.r) @ _SHAPES
+        matrices = (_GRID_TURNS @ self._terms).reshape(len(GRID_DEG), len(self.z), -1)
+        normal = np.swapaxes(matrices, -1, -2) @ matrices
         trace = np.trace(normal, axis1=-2, axis2=-1)[:, None, None]
         ridge = _RIDGE * np.where(trace > 0.0, trace, 1.0) * np.eye(normal.shape[-1])  # further columns may take all
-        right = turned @ (self.r.T @ self.z)
+        right = self.z @ matrices
         return np.asarray(np.sum(right * np.linalg.solve(normal + ridge, right[..., None])[..., 0], axis=-1))
 
 
@@ -111,9 +110,8 @@ def _declared_alone(compressed: Compressed, further: FloatArray) -> _Rows:
     squares = np.add.reduceat(np.sum(r**2, axis=0), _FUNCTIONS_OF_EACH)
     length = np.sqrt(np.where(squares > SINGULAR**2 * squares.max(), squares, np.inf))
     if further.size:
-        left, values, _ = np.linalg.svd(further / np.linalg.norm(further, axis=0))
-        orthogonal = left[:, np.count_nonzero(values > SINGULAR * values[0]) :].T
-        r, z = orthogonal @ r, orthogonal @ z
+        beside = left_beside(further / np.linalg.norm(further, axis=0), np.column_stack([r, z]))
+        r, z = beside[:, :-1], beside[:, -1]
     return _Rows(r=r, z=z, rest_v2=compressed.rest_v2, length=length)
 
 

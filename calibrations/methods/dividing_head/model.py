@@ -6,6 +6,7 @@ quarter turn further on, the model is a fixed set of ten functions of the pose t
 parameters: all that is nonlinear sits in alpha0.
 """
 
+import math
 from typing import Final
 
 import numpy as np
@@ -68,11 +69,16 @@ def turns(alpha0_deg: FloatArray | float) -> FloatArray:
     return np.array([cos**0, cos, sin, cos**2, cos * sin, sin**2]).T
 
 
-def turn_slopes(alpha0_deg: float) -> FloatArray:
-    """Derivative of `turns`, per degree, shape (6,)."""
-    alpha0_rad = np.deg2rad(alpha0_deg)
-    cos, sin = np.cos(alpha0_rad), np.sin(alpha0_rad)
-    return np.deg2rad([0.0, -sin, cos, -2 * cos * sin, cos**2 - sin**2, 2 * cos * sin])
+def turns_and_slopes(alpha0_deg: float) -> FloatArray:
+    """`turns` of one alpha0, and their derivatives per radian, shape (2, 6)."""
+    alpha0_rad = math.radians(alpha0_deg)
+    cos, sin = math.cos(alpha0_rad), math.sin(alpha0_rad)
+    return np.array(
+        [
+            [1.0, cos, sin, cos**2, cos * sin, sin**2],
+            [0.0, -sin, cos, -2 * cos * sin, cos**2 - sin**2, 2 * cos * sin],
+        ]
+    )
 
 
 def design(alpha0_deg: FloatArray | float, terms: int = 0) -> FloatArray:
@@ -92,7 +98,7 @@ def design(alpha0_deg: FloatArray | float, terms: int = 0) -> FloatArray:
 
 def design_slope(alpha0_deg: float) -> FloatArray:
     """Derivative of the first ten rows and five columns of `design` with respect to alpha0, per degree."""
-    return np.asarray(np.tensordot(turn_slopes(alpha0_deg), TERMS, 1))
+    return np.deg2rad(np.tensordot(turns_and_slopes(alpha0_deg)[1], TERMS, 1))
 
 
 def parameter_vector(linear: FloatArray, alpha0_deg: FloatArray | float) -> FloatArray:
