@@ -173,6 +173,20 @@ class Coordinate:
         low, high = self.places[max(number - 1, 0)], self.places[min(number + 1, len(self.places) - 1)]
         return np.asarray(between[(between >= low) & (between <= high)])
 
+    @cached_property
+    def _rising(self) -> IntArray:
+        """Numbers of the rows in the order of their values."""
+        return np.argsort(self.part, kind="stable")
+
+    def rows_before(self, places: FloatArray) -> IntArray:
+        """How many rows are before each of the places."""
+        return np.searchsorted(self.part[self._rising], places, side="right")
+
+    def sums_after(self, places: FloatArray, columns: FloatArray) -> FloatArray:
+        """Products of columns, shape (rows, n), with a step at each of the places: sums of the rows after it."""
+        sums = np.cumsum(columns[self._rising[::-1]], axis=0)[::-1]
+        return np.asarray(sums[self.rows_before(places)])
+
     def stepped(self, places: FloatArray) -> FloatArray:
         """A step at each of the places, shape (rows, places)."""
         return (self.part[:, None] > places).astype(float)

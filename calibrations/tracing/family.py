@@ -194,14 +194,16 @@ class Family:
 
     def _steps(self, seen: Beside, rows: int, places: FloatArray) -> tuple[_Placed, _Placed]:
         """The best step, and the best pulse: gain and variance, and the numbers of the places."""
-        level = self._axis.channel.gain * seen.root
-        stepped = self._axis.coordinate.stepped(places)
-        columns = stepped * level[:, None]
-        taken, along = seen.taken.T @ columns, seen.left @ columns
-        whole, first, last = columns.T @ columns, *np.triu_indices(len(places), 1)
-        gram = whole - taken.T @ taken
-        steps = best_column(np.diag(gram), np.diag(whole), along**2, seen.squares, rows)
-        long = np.diff(np.sum(stepped, axis=0)[np.array([last, first])], axis=0)[0] >= _FEWEST_ROWS
+        coordinate, level = self._axis.coordinate, self._axis.channel.gain * seen.root
+        weighted = np.column_stack([seen.taken * level[:, None], seen.left * level, level**2])
+        sums = coordinate.sums_after(places, weighted)
+        taken, along, length = sums[:, :-2], sums[:, -2], sums[:, -1]
+        number, (first, last) = np.arange(len(places)), np.triu_indices(len(places), 1)
+        whole = length[np.maximum.outer(number, number)]
+        gram = whole - taken @ taken.T
+        steps = best_column(np.diag(gram), length, along**2, seen.squares, rows)
+        before = coordinate.rows_before(places)
+        long = before[last] - before[first] >= _FEWEST_ROWS
         between = (_between(gram, first, last) * long, _between(whole, first, last))
         pulses = best_column(*between, (along[first] - along[last]) ** 2, seen.squares, rows)
         return (steps[1], (steps[0],)), (pulses[1], (int(first[pulses[0]]), int(last[pulses[0]])))

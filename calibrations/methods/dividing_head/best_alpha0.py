@@ -9,10 +9,11 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.compression import Compressed
-from tumble.calibrations.core.solutions import SINGULAR, least_solution, left_beside, smallest_solution
+from tumble.calibrations.core.solutions import SINGULAR, least_solution, left_beside, pseudo_inverse, smallest_solution
 from tumble.calibrations.methods.dividing_head.model import (
     BASIS_SIZE,
     PARAMETERS,
@@ -40,21 +41,19 @@ _CONVERGED = 1e-12
 
 def best_parameters(compressed: Compressed) -> FloatArray:
     """Parameters of the declared model that leave least, then the coefficients of further columns."""
-    norm = np.linalg.norm(compressed.r, axis=0)
-    seen = BASIS_SIZE + np.flatnonzero(norm[BASIS_SIZE:] > SINGULAR * norm.max())
-    further = compressed.r[:, seen]
-    rows = _declared_alone(compressed, further)
+    seen = _seen(compressed)
+    rows = declared_alone(compressed)
     best = _zero_of_slope(rows, *_bracket(rows))
     theta = np.zeros(len(PARAMETERS) + further_terms(compressed))
     theta[: len(PARAMETERS)] = parameter_vector(best.linear, best.alpha0_deg)
-    if further.size:
+    if len(seen):
         left = compressed.z - compressed.r @ coefficients(theta)
-        theta[seen + len(PARAMETERS) - BASIS_SIZE] = smallest_solution(further, left)
+        theta[seen + len(PARAMETERS) - BASIS_SIZE] = smallest_solution(compressed.r[:, seen], left)
     return theta
 
 
 @dataclass(frozen=True, kw_only=True)
-class _Rows:
+class DeclaredAlone:
     """Rotated rows that see the declared model only."""
 
     r: FloatArray
@@ -82,6 +81,13 @@ class _Rows:
         """What the rows see of each of the terms of the design, shape (6, n x 5)."""
         return np.asarray((self.r @ TERMS).reshape(len(TERMS), -1))
 
+    def least_v2(self, alpha0_deg: FloatArray) -> FloatArray:
+        """The least sum of squares at each alpha0, shape (n,), in square volts."""
+        matrices = (turns(alpha0_deg) @ self._terms).reshape(len(alpha0_deg), len(self.z), -1) / self.length
+        linear = pseudo_inverse(matrices)[0] @ self.z
+        left = self.z - (matrices @ linear[..., None])[..., 0]
+        return np.asarray(np.sum(left**2, axis=-1) + self.rest_v2)
+
     def scanned(self) -> FloatArray:
         """What of the sum of squares the model takes at every alpha0 of the grid, shape (37,)."""
         matrices = (_GRID_TURNS @ self._terms).reshape(len(GRID_DEG), len(self.z), -1)
@@ -104,24 +110,30 @@ class _Least:
     squares_v2: float
 
 
-def _declared_alone(compressed: Compressed, further: FloatArray) -> _Rows:
-    """Take out whatever further columns, shape (10 + terms, n), can follow."""
-    r, z = compressed.r[:, :BASIS_SIZE], compressed.z
+def declared_alone(compressed: Compressed) -> DeclaredAlone:
+    """Take out whatever further columns can follow."""
+    r, z, further = compressed.r[:, :BASIS_SIZE], compressed.z, compressed.r[:, _seen(compressed)]
     squares = np.add.reduceat(np.sum(r**2, axis=0), _FUNCTIONS_OF_EACH)
     length = np.sqrt(np.where(squares > SINGULAR**2 * squares.max(), squares, np.inf))
     if further.size:
         beside = left_beside(further / np.linalg.norm(further, axis=0), np.column_stack([r, z]))
         r, z = beside[:, :-1], beside[:, -1]
-    return _Rows(r=r, z=z, rest_v2=compressed.rest_v2, length=length)
+    return DeclaredAlone(r=r, z=z, rest_v2=compressed.rest_v2, length=length)
 
 
-def _bracket(rows: _Rows) -> tuple[float, float]:
+def _seen(compressed: Compressed) -> NDArray[np.int64]:
+    """Places of the further columns that the rows see."""
+    norm = np.linalg.norm(compressed.r, axis=0)
+    return BASIS_SIZE + np.flatnonzero(norm[BASIS_SIZE:] > SINGULAR * norm.max())
+
+
+def _bracket(rows: DeclaredAlone) -> tuple[float, float]:
     """The neighbours of the best alpha0 of the grid."""
     best = int(np.argmax(rows.scanned()))
     return float(GRID_DEG[max(best - 1, 0)]), float(GRID_DEG[min(best + 1, len(GRID_DEG) - 1)])
 
 
-def _zero_of_slope(rows: _Rows, low: float, high: float) -> _Least:
+def _zero_of_slope(rows: DeclaredAlone, low: float, high: float) -> _Least:
     """Where the slope changes from falling to rising: by secants that keep to the bracket (Illinois), else by halving.
 
     The end of the reach where it only falls, or only rises.

@@ -8,7 +8,13 @@ from numpy.typing import NDArray
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.compression import Compressed
 from tumble.calibrations.core.solutions import pseudo_inverse
-from tumble.calibrations.methods.dividing_head.best_alpha0 import ALPHA0_REACH_DEG, GRID_DEG, best_parameters
+from tumble.calibrations.methods.dividing_head.best_alpha0 import (
+    ALPHA0_REACH_DEG,
+    GRID_DEG,
+    DeclaredAlone,
+    best_parameters,
+    declared_alone,
+)
 from tumble.calibrations.methods.dividing_head.conditional import conditional
 from tumble.calibrations.methods.dividing_head.model import (
     ALPHA0,
@@ -112,19 +118,19 @@ def alpha0_profile(compressed: Compressed, fit: JointFit, variance_v2: float, fa
             interval_deg=(-ALPHA0_REACH_DEG, ALPHA0_REACH_DEG), identifiable=False, within_deg=GRID_DEG
         )
     limit = fit.squares_v2 + variance_v2 * factor**2
-    scan = conditional(compressed, GRID_DEG)
+    rows = declared_alone(compressed)
     centre = float(fit.theta[ALPHA0])
-    accepted = scan.squares_v2 <= limit
+    accepted = rows.least_v2(GRID_DEG) <= limit
     identifiable = not (accepted[0] or accepted[-1]) and abs(centre) < ALPHA0_REACH_DEG and bool(fit.estimable[ALPHA0])
     reach = 3 * factor * float(np.sqrt(variance_v2 * (fit.inverse @ fit.inverse.T)[ALPHA0, ALPHA0]))
-    low, high = (_crossing(compressed, centre, side * reach, limit) for side in (-1.0, 1.0))
+    low, high = (_crossing(rows, centre, side * reach, limit) for side in (-1.0, 1.0))
     within = np.concatenate([np.linspace(low, high, 21), GRID_DEG[accepted]])
     if low < 0.0 < high:
         within = np.append(within, 0.0)
     return Alpha0Profile(interval_deg=(low, high), identifiable=identifiable, within_deg=within)
 
 
-def _crossing(compressed: Compressed, centre_deg: float, reach_deg: float, limit_v2: float) -> float:
+def _crossing(rows: DeclaredAlone, centre_deg: float, reach_deg: float, limit_v2: float) -> float:
     """Where the sum of squares first reaches the limit, looking from the centre in the direction of `reach_deg`.
 
     That is where a normal likelihood has long passed it; where this one has not, the whole range is searched. Its end
@@ -132,11 +138,11 @@ def _crossing(compressed: Compressed, centre_deg: float, reach_deg: float, limit
     """
     end_deg = float(np.copysign(ALPHA0_REACH_DEG, reach_deg))
     near_deg = float(np.clip(centre_deg + reach_deg, -ALPHA0_REACH_DEG, ALPHA0_REACH_DEG))
-    passed = conditional(compressed, np.array([near_deg])).squares_v2[0] > limit_v2
+    passed = rows.least_v2(np.array([near_deg]))[0] > limit_v2
     inside_deg, outside_deg = centre_deg, near_deg if passed else end_deg
     for _ in range(5):
         ladder = np.linspace(inside_deg, outside_deg, 17)
-        beyond = conditional(compressed, ladder).squares_v2 > limit_v2
+        beyond = rows.least_v2(ladder) > limit_v2
         if not beyond.any():
             return end_deg
         first = max(int(np.argmax(beyond)), 1)
