@@ -89,7 +89,7 @@ def _best_ratios(
     part = np.clip(fall / squares, 0.0, 1.0 - 1e-12)
     gains = -rows * np.log1p(-part) - log_determinant
     best = np.argmax(gains, axis=1)
-    return np.take_along_axis(gains, best[:, None], axis=1)[:, 0], _RATIOS[best]
+    return gains[np.arange(len(gains)), best], _RATIOS[best]
 
 
 def gain_of_process(gram: FloatArray, with_output: FloatArray, squares: float, rows: int) -> Gained:

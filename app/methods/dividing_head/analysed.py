@@ -21,6 +21,7 @@ from tumble.calibrations.methods.dividing_head.loop.loop import Explained, Loop
 from tumble.calibrations.methods.dividing_head.loop.sections import sections
 from tumble.calibrations.methods.dividing_head.loop.sentences import comparisons
 from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.calibrations.methods.dividing_head.questions import Questioned
 from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.calibrations.methods.dividing_head.significance import Kind
 from tumble.calibrations.methods.dividing_head.usable import Usable, usable
@@ -34,6 +35,8 @@ class DividingHeadAnalysed:
     """A raw file and what the analysis says of it. Fits `tumble.app.analysed.Analysed`."""
 
     measurement: Measurement
+    asked: Questioned
+    """Its rows, with what there was to ask about them."""
     calibration: Calibration
     provenance: Provenance
     limits: tuple[LimitCheck, ...]

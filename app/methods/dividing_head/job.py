@@ -17,7 +17,7 @@ from tumble.calibrations.core.provenance import Provenance
 from tumble.calibrations.methods.dividing_head.analysis import analyse
 from tumble.calibrations.methods.dividing_head.effects.adopting import ADOPTING
 from tumble.calibrations.methods.dividing_head.effects.scene import Scene
-from tumble.calibrations.methods.dividing_head.loop.loop import asked_next, explain
+from tumble.calibrations.methods.dividing_head.loop.loop import asked_next, explain_questioned
 from tumble.calibrations.methods.dividing_head.montecarlo import TRIALS
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.probes import PROBES
@@ -51,6 +51,7 @@ class DividingHeadJob:
         calibration = analyse(asked.observations, uncertainty_of(measurement), TRIALS if trials is None else trials)
         return DividingHeadAnalysed(
             measurement=replace(measurement, observations=asked.observations),
+            asked=asked,
             calibration=calibration,
             provenance=origin,
             limits=check_limits(calibration.parameters, measurement.programme),
@@ -62,7 +63,7 @@ class DividingHeadJob:
         reference_degc = measurement.reference_temperature_degc
         adopted = [offered(each, self.adopting) for each in measurement.adopted]
         effects = [(*self.adopting.catalogue, *adopted)] if adopted else []
-        loop, explained = explain(_rows(measurement), uncertainty_of(measurement), reference_degc, *effects)
+        loop, explained = explain_questioned(analysed.asked, uncertainty_of(measurement), reference_degc, *effects)
         return traced_with(analysed, loop, explained)
 
     def suggested(self, traced: DividingHeadTraced) -> tuple[Experiment, ...]:

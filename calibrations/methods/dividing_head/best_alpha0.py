@@ -42,7 +42,7 @@ _CONVERGED = 1e-12
 def best_parameters(compressed: Compressed) -> FloatArray:
     """Parameters of the declared model that leave least, then the coefficients of further columns."""
     seen = _seen(compressed)
-    rows = declared_alone(compressed)
+    rows = _beside(compressed, seen)
     best = _zero_of_slope(rows, *_bracket(rows))
     theta = np.zeros(len(PARAMETERS) + further_terms(compressed))
     theta[: len(PARAMETERS)] = parameter_vector(best.linear, best.alpha0_deg)
@@ -112,7 +112,12 @@ class _Least:
 
 def declared_alone(compressed: Compressed) -> DeclaredAlone:
     """Take out whatever further columns can follow."""
-    r, z, further = compressed.r[:, :BASIS_SIZE], compressed.z, compressed.r[:, _seen(compressed)]
+    return _beside(compressed, _seen(compressed))
+
+
+def _beside(compressed: Compressed, seen: NDArray[np.int64]) -> DeclaredAlone:
+    """The same where it is known which further columns the rows see."""
+    r, z, further = compressed.r[:, :BASIS_SIZE], compressed.z, compressed.r[:, seen]
     squares = np.add.reduceat(np.sum(r**2, axis=0), _FUNCTIONS_OF_EACH)
     length = np.sqrt(np.where(squares > SINGULAR**2 * squares.max(), squares, np.inf))
     if further.size:

@@ -118,7 +118,6 @@ def asked_next(loop: Loop, explained: Explained | None) -> Loop:
     return replace(loop, next_experiment=wanted if told else (*wanted, *settling(loop.augmented)))
 
 
-@one_blas_thread
 def explain(
     observations: Observations,
     stand: StandUncertainty | None = None,
@@ -132,9 +131,19 @@ def explain(
     ValueError
         No voltage, or no usable row.
     """
-    uncertainty = stand or StandUncertainty()
     asked = questioned(observations, reference_temperature_degc)
-    observations = asked.observations
+    return explain_questioned(asked, stand, reference_temperature_degc, effects)
+
+
+@one_blas_thread
+def explain_questioned(
+    asked: Questioned,
+    stand: StandUncertainty | None = None,
+    reference_temperature_degc: float = 23.0,
+    effects: Sequence[Effect[Scene]] = CATALOGUE,
+) -> tuple[Loop, Explained | None]:
+    """`explain` for a table about which it is known what there is to ask. Raises as that does."""
+    uncertainty, observations = stand or StandUncertainty(), asked.observations
     declared = fit_jointly(observations)
     if why := _obstacle(asked):
         return _untraced(asked, assess(declared, uncertainty, trials=0), why), None
