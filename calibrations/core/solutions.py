@@ -36,7 +36,7 @@ def pseudo_inverse(matrix: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
 
 
 def _certain_inverse(matrix: FloatArray) -> FloatArray | None:
-    """Inverse by the normal equations, several times faster, for columns that are certainly independent; None otherwise.
+    """Inverse by the normal equations, several times faster, of columns certainly independent; None for others.
 
     One step of Newton's iteration (Ben-Israel 1965) takes away what the normal equations lose.
     """

@@ -93,13 +93,13 @@ class Whitening:
     @cached_property
     def _factor(self) -> FloatArray:
         """Lower triangular, by Cholesky: a tenth of the work of the spectrum."""
-        return np.linalg.cholesky(self.covariance)
+        return np.asarray(np.linalg.cholesky(self.covariance))
 
     @cached_property
     def _spectrum(self) -> tuple[FloatArray, FloatArray]:
         """Variances beyond that of a dwell along the axes of the covariance, and these."""
         values, vectors = np.linalg.eigh(self.covariance - np.eye(len(self.covariance)))
-        return np.clip(values, 0.0, None), vectors
+        return np.clip(values, 0.0, None), np.asarray(vectors)
 
     @cached_property
     def _shrink(self) -> FloatArray:

@@ -33,6 +33,7 @@ _RIDGE = 1e-13
 _FUNCTIONS_OF_EACH = (0, 1, 3, 5, 7)
 """Where those of the ten functions begin that belong to each linear parameter."""
 _GRID_TURNS = turns(GRID_DEG)
+_GRID_PRODUCTS = (_GRID_TURNS[:, :, None] * _GRID_TURNS[:, None, :]).reshape(len(GRID_DEG), -1)
 _RAD_PER_DEG = np.pi / 180.0
 _STEPS = 60
 _CONVERGED = 1e-12
@@ -90,11 +91,13 @@ class DeclaredAlone:
 
     def scanned(self) -> FloatArray:
         """What of the sum of squares the model takes at every alpha0 of the grid, shape (37,)."""
-        matrices = (_GRID_TURNS @ self._terms).reshape(len(GRID_DEG), len(self.z), -1)
-        normal = np.swapaxes(matrices, -1, -2) @ matrices
-        trace = np.trace(normal, axis1=-2, axis2=-1)[:, None, None]
-        ridge = _RIDGE * np.where(trace > 0.0, trace, 1.0) * np.eye(normal.shape[-1])  # further columns may take all
-        right = self.z @ matrices
+        shown = np.swapaxes(self._terms.reshape(len(TERMS), len(self.z), -1), 0, 1)
+        count, size = shown.shape[1:]
+        flat = shown.reshape(-1, count * size)
+        products = np.swapaxes((flat.T @ flat).reshape(count, size, count, size), 1, 2).reshape(count**2, size**2)
+        normal = (_GRID_PRODUCTS @ products).reshape(-1, size, size)
+        ridge = _RIDGE * (float(np.sum(self.r**2)) or 1.0) * np.eye(size)  # further columns may take all
+        right = _GRID_TURNS @ (self.z @ flat).reshape(count, size)
         return np.asarray(np.sum(right * np.linalg.solve(normal + ridge, right[..., None])[..., 0], axis=-1))
 
 

@@ -83,7 +83,8 @@ def _moved(calibration: Calibration, theta: FloatArray, added: Compressed, size:
             size *= min(0.5, VISIBLE / outside)
             continue
         compressed = replace(added, z=predicted_v + size * added.z, rest_v2=size**2 * added.rest_v2)
-        moved = best_parameters(compressed) if identifiable else fit_given_alpha0(compressed, float(theta[ALPHA0])).theta
+        held = None if identifiable else fit_given_alpha0(compressed, float(theta[ALPHA0])).theta
+        moved = best_parameters(compressed) if held is None else held
         if np.sqrt(max(squares_v2(compressed, moved), 0.0)) / noise_v <= VISIBLE:
             return np.asarray(moved - theta)
         size *= 0.5

@@ -66,7 +66,8 @@ def augment(table: DividingHeadTable, trace: Trace) -> Augmented:
     ]
     scanned = [change for change in tangents if change is not None]
     columns = [*(item.form.columns for item in chosen), *scanned]
-    known = [(BASIS_SIZE + place, *what) for place, *what in expectations(chosen, places, first.noise.used_v)]
+    expected = expectations(chosen, places, first.noise.used_v)
+    known = [(BASIS_SIZE + place, value, weight_v) for place, value, weight_v in expected]
     joint = _fit(table, trace, columns, known) if scanned or known else first
     everything = covariance(joint.compressed, joint.fit, joint.profile, joint.noise.used_v**2)
     numbers = iter(range(places[-1].stop if places else 0, len(joint.fit.theta)))
