@@ -221,7 +221,7 @@ def _independent(columns: FloatArray) -> tuple[FloatArray, FloatArray]:
     rank = int(np.count_nonzero(size > _DEPENDENT))
     along = np.empty_like(triangular[:rank])
     along[:, order] = triangular[:rank]
-    return directions[:, :rank], along
+    return np.asarray(directions[:, :rank]), np.asarray(along)
 
 
 def slow_modes(hours: FloatArray | None, weights: FloatArray) -> FloatArray:

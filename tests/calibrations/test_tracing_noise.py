@@ -11,7 +11,7 @@ from tumble.calibrations.methods.dividing_head.joint import fit_jointly
 from tumble.calibrations.methods.dividing_head.loop.loop import close_loop
 from tumble.calibrations.methods.dividing_head.loop.table import dividing_head_table
 from tumble.calibrations.tracing.fitting_noise import golden_section
-from tumble.calibrations.tracing.noise import NoiseModel
+from tumble.calibrations.tracing.noise import Memory, NoiseModel, slow_modes
 
 MOUNTS = (*FLIPS, sweep("face-up"), sweep("face-down"))
 
@@ -85,3 +85,30 @@ def test_a_minimum_is_found_with_one_value_a_step():
 
     assert golden_section(valley, -1.0, 2.0, steps=30) == pytest.approx(0.3, abs=1e-6)
     assert len(asked) == 31
+
+
+def test_a_memory_that_grew_whitens_as_one_made_at_once() -> None:
+    hours, weights = np.linspace(0.0, 8.0, 60), np.ones(60)
+    modes = slow_modes(hours, weights)
+    even = (np.arange(60)[:, None] % 4 == np.arange(4)).astype(float)  # they add up to the constant of the modes
+    at_once = Memory(modes=modes, levels={"even": even, "half": even[:, :2] + modes[:, :2]})
+    grew = Memory(modes=modes).with_levels({"even": even}).with_levels({"half": even[:, :2] + modes[:, :2]})
+    noise = NoiseModel(flicker=0.1, levels=(("even", 2.0), ("half", 0.5)))
+    output = np.sin(hours**2)
+    assert grew.whitening(noise)(output) == pytest.approx(at_once.whitening(noise)(output))
+    assert grew.whitening(noise).log_determinant == pytest.approx(at_once.whitening(noise).log_determinant)
+
+
+def test_turned_columns_keep_their_lengths_and_angles_when_they_are_made_white() -> None:
+    hours = np.linspace(0.0, 8.0, 60)
+    memory, noise = Memory(modes=slow_modes(hours, np.ones(60))), NoiseModel(walk=0.3, corner=4.0)
+    columns, white = np.column_stack([np.sin(hours), hours**2]), memory.whitening(noise)
+    turned = white.turned(memory.turned(columns))
+    assert turned.T @ turned == pytest.approx(white(columns).T @ white(columns))
+
+
+def test_what_a_noise_does_not_draw_is_not_needed_for_it() -> None:
+    hours, levels = np.linspace(0.0, 8.0, 60), {"half": np.eye(60)[:, :2], "other": np.eye(60)[:, 3:5]}
+    memory, noise = Memory(modes=slow_modes(hours, np.ones(60)), levels=levels), NoiseModel(levels=(("half", 2.0),))
+    assert memory.within(noise).size == 2
+    assert memory.within(noise).whitening(noise)(hours) == pytest.approx(memory.whitening(noise)(hours))
