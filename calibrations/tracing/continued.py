@@ -80,6 +80,8 @@ def _shape(component: Component, further: Coordinate) -> FloatArray:
             return onset((further.values - own.low) / own.range, sizes)
         case "changes":
             return levels((further.values - own.low) / own.range, sizes)
+        case "spot":
+            return further.spots(sizes[None])
         case "bump":
             return np.column_stack(further.bells(sizes[None]))
         case "step" | "pulse":

@@ -25,6 +25,8 @@ _SMOOTH: Final = (0.017, 0.05, 0.15, 0.5, 1.5)
 """Lengths of the squared exponential kernel: smooth courses."""
 _WIDTHS: Final = (0.02, 0.04, 0.08, 0.16)
 """Widths of bumps, in ranges of the variable."""
+_SPOTS: Final = (0.1, 0.2, 0.4)
+"""Widths of spots in space, in parts of the longest side of the room."""
 IntArray = NDArray[np.int64]
 
 
@@ -152,6 +154,18 @@ class Coordinate:
     def bells_tried(self) -> tuple[FloatArray, FloatArray]:
         """The same for every bump that is tried."""
         return self.bells(self.bumps_tried)
+
+    @cached_property
+    def spots_tried(self) -> FloatArray:
+        """Centre and width of every spot in space that is tried, shape (spots, n + 1)."""
+        away = float(np.ptp(self.centres, axis=0).max())
+        tried = np.concatenate([np.column_stack([self.centres, np.full(len(self.centres), away * width)]) for width in _SPOTS])
+        return np.asarray(tried[np.count_nonzero(self.spots(tried) > _MIDDLE, axis=0) >= _FEWEST])
+
+    def spots(self, spots: FloatArray) -> FloatArray:
+        """A bell about each of some places in space, shape (rows, spots)."""
+        away = np.linalg.norm(self.values[:, None, :] - spots[:, :-1], axis=-1) / spots[:, -1]
+        return np.asarray(np.exp(-0.5 * away**2))
 
     def _several_rows(self, bumps: FloatArray) -> FloatArray:
         """Those in whose middle are several rows."""

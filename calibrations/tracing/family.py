@@ -89,6 +89,8 @@ class Family:
             yield from self._wave(seen, rows)
         if self._axis.coordinate.bends_tried:
             yield from self._bend(seen, rows)
+        if self._axis.coordinate.values.ndim > 1:
+            yield from self._spot(seen, rows)
         if self._axis.coordinate.bumps:
             yield from self._bump(seen, rows)
         if self._axis.coordinate.steps:
@@ -217,6 +219,26 @@ class Family:
             len(tried),
         )
 
+    def _spot(self, seen: Beside, rows: int) -> Iterator[Proposal]:
+        """Spots in space."""
+        coordinate = self._axis.coordinate
+        tried = coordinate.spots_tried
+        if not len(tried):
+            return
+        columns = coordinate.spots(tried) * (self._axis.channel.gain * seen.root)[:, None]
+        whole = np.sum(columns**2, axis=0)
+        left = whole - np.sum((seen.taken.T @ columns) ** 2, axis=0)
+        best, gained = best_column(left, whole, (seen.left @ columns) ** 2, seen.squares, rows)
+        place = ", ".join(coordinate.shown(value) for value in tried[best, :-1].tolist())
+        width = coordinate.shown(float(tried[best, -1]))
+        yield self._proposed(
+            " ".join(["spot", *(f"{number:.4g}" for number in tried[best])]),
+            Message("near {place}, within some {width}", place=place, width=width),
+            partial(coordinate.spots, tried[[best]]),
+            gained,
+            len(tried),
+        )
+
     def _bend(self, seen: Beside, rows: int) -> Iterator[Proposal]:
         """Polynomials of low order."""
         bends = self._axis.coordinate.bends
@@ -290,7 +312,7 @@ class Family:
         """A shape with its gain and variance, one of so many of its kind; kinds share the chance of the axis."""
         coordinate = self._axis.coordinate
         several = coordinate.waves + 2 * coordinate.steps + 2 * coordinate.kinks + 3 * coordinate.onsets
-        kinds = 1 + coordinate.bends_tried + coordinate.bumps + coordinate.overtones + several
+        kinds = 1 + coordinate.bends_tried + coordinate.bumps + (coordinate.values.ndim > 1) + coordinate.overtones + several
         return Proposal(
             axis=self._axis,
             shape=shape,

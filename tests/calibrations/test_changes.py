@@ -19,9 +19,12 @@ TIME = Coordinate(
     phrase=Message("of time"),
 )  # fmt: skip
 CIRCLE = replace(ANGLE, overtones=True)
+POSES_G = np.random.default_rng(11).normal(size=(60, 3))
+POSES_G = (POSES_G / np.linalg.norm(POSES_G, axis=1)[:, None])[COUNT % 60]
+POSE = Coordinate(word="pose", depends_on="acceleration", values=POSES_G, phrase=Message("of pose"))
 SHUFFLED = replace(ORDER, kinks=True, steps=True)
-AXES = axes((OFFSET, (TIME, CIRCLE, SHUFFLED)), (SCALE, (TIME,)), expected=(("offset", "time"),))
-ALONG = {"ramp": "order"}
+AXES = axes((OFFSET, (TIME, CIRCLE, SHUFFLED, POSE)), (SCALE, (TIME,)), expected=(("offset", "time"),))
+ALONG = {"ramp": "order", "spot": "pose"}
 PART = COUNT / (ROWS - 1)
 SINCE = np.maximum(PART - 0.4, 0.0)
 REVERTING = np.random.default_rng(7).normal(size=ROWS)
@@ -32,6 +35,7 @@ SIGNALS = {
     "onset": 5.0 * (PART > 0.4) * np.exp(-SINCE / 0.08),
     "changes": 2.0 * (np.searchsorted([0.15, 0.4, 0.55, 0.8], PART) % 2),
     "period": 3.0 * np.mod(6.3 * PART, 1.0),
+    "spot": 4.0 * np.exp(-8.0 * np.sum((POSES_G - POSES_G[7]) ** 2, axis=1)),
     "wandering": 2.0 * REVERTING,
 }
 
@@ -70,7 +74,7 @@ def test_teeth_of_a_circle_are_waves_with_overtones():
     assert (found.place, found.shape.split()[:2]) == (("offset", "angle"), ["period", "4"])
 
 
-@pytest.mark.parametrize("shape", ["ramp", "onset", "changes", "period"])
+@pytest.mark.parametrize("shape", ["ramp", "onset", "changes", "period", "spot"])
 def test_in_rows_of_the_same_run_it_is_the_same(shape):
     found = component_of(shape)
 

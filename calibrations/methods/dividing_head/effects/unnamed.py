@@ -141,6 +141,7 @@ def _of_the_order(scene: Scene) -> Iterator[Coordinate]:
         word="order",
         depends_on="order",
         values=_since(scene.realisation, count),
+        waves=True,
         phrase=Message("that follows the number of dwells in the realisation"),
         detail="in the realisation",
     )
