@@ -20,6 +20,7 @@ COURSES: Final = {
     "smooth": Message("in a smooth course"),
     "broken": Message("in a broken course"),
     "levels": Message("a level for each"),
+    "wandering": Message("in a wandering that is pulled back to its mean"),
 }
 """What the first word of the shape of a process stands for."""
 MARK: Final = "?"

@@ -7,15 +7,21 @@ from typing import Final
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.tracing.changes import levels, onset, ramp
 from tumble.calibrations.tracing.components import Axis, Component
 from tumble.calibrations.tracing.coordinate import Coordinate
 from tumble.calibrations.tracing.noise import Memory, NoiseModel, scaled_levels, slow_modes
+from tumble.calibrations.tracing.overtones import overtones
 from tumble.calibrations.tracing.table import Extensible, View
 
 _BENT: Final = 0.5
 """A bend goes on as a smooth course of this length, in ranges of the table: its polynomial would go anywhere."""
 _HAPPENED: Final = np.array([0.3])
 """What happened once, beyond the values of the table goes on as a broken course of this length."""
+_HAPPENS: Final = frozenset({"step", "pulse", "ramp", "onset", "changes"})
+"""Shapes of what happened once."""
+_COURSE: Final = {"wandering": "broken"}
+"""Shapes of processes that go on as another one: a wandering that is pulled back is a broken course."""
 _BEYOND: Final = 1.1
 """Further rows go beyond the values of the table where their range is so many times as long."""
 
@@ -29,7 +35,7 @@ def continued_noise(
     """
     if noise.walk and scene.hours is not None and base.scene.hours is not None:
         longer = float(np.ptp(scene.hours) / np.ptp(base.scene.hours))
-        noise = replace(noise, walk=noise.walk * longer, corner=noise.corner * longer)
+        noise = replace(noise, walk=noise.walk * longer)
     names = [name for name, _ in noise.levels]
     levels = {
         effect.name: scaled_levels(effect.forms(scene)[0].columns, weights)
@@ -58,7 +64,7 @@ def _shape(component: Component, further: Coordinate) -> FloatArray:
     own = component.axis.coordinate
     word, *numbers = component.shape.split()
     sizes = np.array(numbers, dtype=float)
-    if word in {"step", "pulse"} and further.range > _BEYOND * own.range:
+    if word in _HAPPENS and further.range > _BEYOND * own.range:
         word, sizes = "broken", _HAPPENED
     match word:
         case "levels":
@@ -66,13 +72,23 @@ def _shape(component: Component, further: Coordinate) -> FloatArray:
         case "wave":
             phase = 2.0 * np.pi * sizes[0] * (further.values - own.low) / own.range
             return np.column_stack([np.sin(phase), np.cos(phase)])
+        case "period":
+            return overtones((further.values - own.low) / own.cycle, sizes[0] * np.arange(1.0, sizes[1] + 1.0))
+        case "ramp":
+            return ramp((further.values - own.low) / own.range, sizes)
+        case "onset":
+            return onset((further.values - own.low) / own.range, sizes)
+        case "changes":
+            return levels((further.values - own.low) / own.range, sizes)
+        case "spot":
+            return further.spots(sizes[None])
         case "bump":
             return np.column_stack(further.bells(sizes[None]))
         case "step" | "pulse":
             risen = (further.values[:, None] > own.low + own.range * sizes).astype(float)
             return np.asarray(risen[:, :1] - (risen[:, 1:] if word == "pulse" else 0.0))
         case _:
-            kind, length = ("smooth", _BENT) if word == "bend" else (word, float(sizes[0]))
+            kind, length = ("smooth", _BENT) if word == "bend" else (_COURSE.get(word, word), float(sizes[0]))
             return _course(kind, length, own, further)
 
 

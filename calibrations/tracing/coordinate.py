@@ -25,6 +25,8 @@ _SMOOTH: Final = (0.017, 0.05, 0.15, 0.5, 1.5)
 """Lengths of the squared exponential kernel: smooth courses."""
 _WIDTHS: Final = (0.02, 0.04, 0.08, 0.16)
 """Widths of bumps, in ranges of the variable."""
+_SPOTS: Final = (0.1, 0.2, 0.4)
+"""Widths of spots in space, in parts of the longest side of the room."""
 IntArray = NDArray[np.int64]
 
 
@@ -49,6 +51,12 @@ class Coordinate:
     """Whether something may swing along it, up to the Nyquist limit of its values."""
     steps: bool = False
     """Whether something may step along it."""
+    overtones: bool = False
+    """Whether something may come again along it in a shape that is no sine."""
+    kinks: bool = False
+    """Whether its slope may change from one value to the next."""
+    onsets: bool = False
+    """Whether something may begin along it and settle, or change to and fro."""
     bumps: bool = False
     """Whether something may be at one place of it only."""
     detail: str = ""
@@ -105,9 +113,13 @@ class Coordinate:
     @cached_property
     def turns(self) -> FloatArray:
         """Numbers of turns over the range, up to half of one for each typical distance between neighbours."""
+        return TURNS_APART * np.arange(1, self.nyquist_turns / TURNS_APART)
+
+    @cached_property
+    def nyquist_turns(self) -> float:
+        """Turns over the range that are half of one for each typical distance between neighbours."""
         apart = np.diff(np.unique(np.round(self.part, 9)))
-        limit = _NYQUIST * min(0.5 / float(np.median(apart)), len(self.part) / 2) if len(apart) else 0.0
-        return TURNS_APART * np.arange(1, limit / TURNS_APART)
+        return _NYQUIST * min(0.5 / float(np.median(apart)), len(self.part) / 2) if len(apart) else 0.0
 
     def swung(self, turns: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Sines and cosines of waves with so many turns over the range, shape (rows, waves)."""
@@ -142,6 +154,18 @@ class Coordinate:
     def bells_tried(self) -> tuple[FloatArray, FloatArray]:
         """The same for every bump that is tried."""
         return self.bells(self.bumps_tried)
+
+    @cached_property
+    def spots_tried(self) -> FloatArray:
+        """Centre and width of every spot in space that is tried, shape (spots, n + 1)."""
+        away = float(np.ptp(self.centres, axis=0).max())
+        tried = np.concatenate([np.column_stack([self.centres, np.full(len(self.centres), away * width)]) for width in _SPOTS])
+        return np.asarray(tried[np.count_nonzero(self.spots(tried) > _MIDDLE, axis=0) >= _FEWEST])
+
+    def spots(self, spots: FloatArray) -> FloatArray:
+        """A bell about each of some places in space, shape (rows, spots)."""
+        away = np.linalg.norm(self.values[:, None, :] - spots[:, :-1], axis=-1) / spots[:, -1]
+        return np.asarray(np.exp(-0.5 * away**2))
 
     def _several_rows(self, bumps: FloatArray) -> FloatArray:
         """Those in whose middle are several rows."""
@@ -217,6 +241,16 @@ class Coordinate:
     def part(self) -> FloatArray:
         """Where each row is in the range of the variable, from 0 to 1."""
         return np.asarray((self.values - self.values.min()) / np.ptp(self.values))
+
+    @property
+    def cycle(self) -> float:
+        """After so much of the variable a wave of one turn comes again."""
+        return self.period or self.range
+
+    @cached_property
+    def part_of_cycle(self) -> FloatArray:
+        """Where each row is in it."""
+        return np.asarray((self.values - self.low) / self.cycle)
 
 
 _PARTS: Final = (-0.6, -0.3, 0.0, 0.3, 0.6)

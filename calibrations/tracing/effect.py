@@ -78,6 +78,8 @@ class Effect(Generic[Seen]):
     """The form for any value of what is scanned, where that is a continuous quantity."""
     random: bool = False
     """Whether it is a random effect: a level for every seat or turn-on."""
+    given: bool = False
+    """Whether its shape is given, so that no second form of it may stand in for what the first one lacks."""
     additive: bool = False
     """Whether coefficients of two forms add up to one reported coefficient; otherwise the larger is reported."""
     depends_on: Variable = "acceleration"

@@ -8,15 +8,20 @@ from typing import Final
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.tracing.changes import Change, Changes
 from tumble.calibrations.tracing.components import COURSES, Axis, Component
 from tumble.calibrations.tracing.coordinate import IntArray
 from tumble.calibrations.tracing.gains import Beside, Gained, best_column, gain_of_process, gains_of_pairs
-from tumble.calibrations.tracing.penalties import of_variance
+from tumble.calibrations.tracing.overtones import candidates, gained, overtones, periods
+from tumble.calibrations.tracing.penalties import WALKS, of_variance
 from tumble.calibrations.tracing.spectrum import wave_squares, wave_sums
+from tumble.calibrations.tracing.wandering import PULLED_BACK, wandering
 from tumble.messages import Message
 
 _FEWEST_ROWS: Final = 4
 """A pulse of fewer rows could be gross errors."""
+_EACH_TURN: Final = 8
+"""Parts of a turn by which waves with overtones are told apart."""
 _FEWEST_PLACES: Final = 10
 """With fewer values, a step between them is any difference between them."""
 
@@ -84,10 +89,66 @@ class Family:
             yield from self._wave(seen, rows)
         if self._axis.coordinate.bends_tried:
             yield from self._bend(seen, rows)
+        if self._axis.coordinate.values.ndim > 1:
+            yield from self._spot(seen, rows)
         if self._axis.coordinate.bumps:
             yield from self._bump(seen, rows)
         if self._axis.coordinate.steps:
             yield from self._step(seen, rows)
+        yield from self._changes(seen)
+        if self._axis.coordinate.overtones:
+            yield from self._period(seen, rows)
+
+    def _period(self, seen: Beside, rows: int) -> Iterator[Proposal]:
+        """Waves with overtones: of a circle, whole numbers of them on it."""
+        coordinate, level = self._axis.coordinate, self._axis.channel.gain * seen.root
+        limit = coordinate.nyquist_turns
+        if coordinate.period is not None:
+            tried = [float(turns) for turns in range(1, int(limit / 2.0) + 1)]
+        elif len(coordinate.turns):
+            tried = list(candidates(self._coarse_waves(seen, rows)[0], coordinate.turns, limit))
+        else:
+            tried = []
+        told = [
+            (gained(overtones(coordinate.part_of_cycle, turns), level, seen), turns) for turns in periods(tried, limit)
+        ]
+        if not told:
+            return
+        best, turns = max(told, key=lambda each: each[0])
+        shown = coordinate.shown(float(coordinate.cycle / turns[0]))
+        yield self._proposed(
+            f"period {turns[0]:.4g} {len(turns)}",
+            Message("in waves of {period} with overtones", period=shown),
+            partial(overtones, coordinate.part_of_cycle, turns),
+            best,
+            int(limit) * (_EACH_TURN if coordinate.period is None else 1),
+        )
+
+    def _changes(self, seen: Beside) -> Iterator[Proposal]:
+        """Ramps, onsets, and levels that change several times."""
+        coordinate = self._axis.coordinate
+        if not coordinate.kinks or len(coordinate.places) < _FEWEST_PLACES:
+            return
+        changes = Changes(coordinate, self._axis.channel.gain, seen)
+        for ramp in changes.ramps():
+            ends = [coordinate.shown(float(value)) for value in coordinate.low + coordinate.range * ramp.places]
+            yield self._changed("ramp", _ramped(*ends), ramp)
+        if coordinate.onsets:
+            yield from self._wandering(seen)
+            onset = changes.onset()
+            start, time = (
+                coordinate.shown(float(each))
+                for each in (coordinate.low + coordinate.range * onset.places[0], coordinate.range * onset.places[1])
+            )
+            yield self._changed(
+                "onset", Message("from {start} on, settling within {time}", start=start, time=time), onset
+            )
+            levels = changes.levels()
+            yield self._changed("changes", Message("in {count} steps", count=len(levels.places)), levels)
+
+    def _changed(self, word: str, said: Message, change: Change) -> Proposal:
+        shape = " ".join([word, *(f"{place:.4g}" for place in change.places)])
+        return self._proposed(shape, said, change.columns, change.gained, change.tried)
 
     def _courses(self, seen: Beside, rows: int) -> Iterator[Proposal]:
         """Gaussian processes of every length."""
@@ -107,6 +168,19 @@ class Family:
                 gained,
                 len(coordinate.courses),
             )
+
+    def _wandering(self, seen: Beside) -> Iterator[Proposal]:
+        """Processes that are pulled back to their mean, with more places than a course has.
+
+        Where one is expected, it has the chance of a random walk.
+        """
+        coordinate, level = self._axis.coordinate, self._axis.channel.gain * seen.root
+        for length in PULLED_BACK:
+            columns = partial(wandering, coordinate.part, length)
+            found = gained(columns(), level, seen)
+            proposed = self._proposed(f"wandering {length:g}", COURSES["wandering"], columns, found, len(PULLED_BACK))
+            expected = of_variance(WALKS / len(PULLED_BACK))
+            yield replace(proposed, penalty=expected) if self._axis.expected else proposed
 
     def _wave(self, seen: Beside, rows: int) -> Iterator[Proposal]:
         """Waves of any phase, up to the Nyquist limit."""
@@ -141,6 +215,26 @@ class Family:
             Message("near {place}, within some {width}", place=coordinate.shown(centre), width=coordinate.shown(width)),
             partial(_columns, bells, best),
             (falls[best], variances[best]),
+            len(tried),
+        )
+
+    def _spot(self, seen: Beside, rows: int) -> Iterator[Proposal]:
+        """Spots in space."""
+        coordinate = self._axis.coordinate
+        tried = coordinate.spots_tried
+        if not len(tried):
+            return
+        columns = coordinate.spots(tried) * (self._axis.channel.gain * seen.root)[:, None]
+        whole = np.sum(columns**2, axis=0)
+        left = whole - np.sum((seen.taken.T @ columns) ** 2, axis=0)
+        best, gained = best_column(left, whole, (seen.left @ columns) ** 2, seen.squares, rows)
+        place = ", ".join(coordinate.shown(value) for value in tried[best, :-1].tolist())
+        width = coordinate.shown(float(tried[best, -1]))
+        yield self._proposed(
+            " ".join(["spot", *(f"{number:.4g}" for number in tried[best])]),
+            Message("near {place}, within some {width}", place=place, width=width),
+            partial(coordinate.spots, tried[[best]]),
+            gained,
             len(tried),
         )
 
@@ -214,11 +308,12 @@ class Family:
         described: Message,
         columns: Callable[[], FloatArray],
         gained: Gained,
-        tried: int,
+        tried: float,
     ) -> Proposal:
         """A shape with its gain and variance, one of so many of its kind; kinds share the chance of the axis."""
         coordinate = self._axis.coordinate
-        kinds = 1 + coordinate.bends_tried + coordinate.waves + coordinate.bumps + 2 * coordinate.steps
+        several = coordinate.waves + 2 * coordinate.steps + 2 * coordinate.kinks + 3 * coordinate.onsets
+        kinds = 1 + coordinate.bends_tried + coordinate.bumps + (coordinate.values.ndim > 1) + coordinate.overtones + several
         return Proposal(
             axis=self._axis,
             shape=shape,
@@ -235,6 +330,13 @@ def _stepped(start: str, stop: str = "") -> Message:
     if stop:
         return Message("from {start} to {stop}", start=start, stop=stop)
     return Message("in a step at {start}", start=start)
+
+
+def _ramped(start: str, stop: str = "") -> Message:
+    """A slope from a place on, or between two."""
+    if stop:
+        return Message("in a slope from {start} to {stop}", start=start, stop=stop)
+    return Message("in a slope from {start} on", start=start)
 
 
 def _of_rows(bins: FloatArray, number: IntArray) -> FloatArray:

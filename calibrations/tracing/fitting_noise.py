@@ -8,7 +8,7 @@ import numpy as np
 from tumble.calibrations.tracing.components import MARK
 from tumble.calibrations.tracing.effect import Form
 from tumble.calibrations.tracing.noise import SETTINGS, NoiseModel
-from tumble.calibrations.tracing.penalties import CORNER, FLICKER, LEVEL, WALK
+from tumble.calibrations.tracing.penalties import FLICKER, LEVEL, WALK
 from tumble.calibrations.tracing.table import Table
 
 FLICKER_FLOOR = 0.25
@@ -20,7 +20,7 @@ MOST_FLICKER = FLICKER_FLOOR**2 / (2 * np.log(2))
 def noise_penalty(noise: NoiseModel) -> float:
     """What everything in a noise beyond white is penalised by in -2 ln L; components have penalties of their own."""
     flicker = FLICKER if noise.flicker else 0.0
-    walk = (WALK + CORNER * bool(noise.corner)) if noise.walk else 0.0
+    walk = WALK if noise.walk else 0.0
     drawn = [name for name, _ in noise.levels if name == SETTINGS or not name.startswith(MARK)]
     return flicker + walk + LEVEL * len(drawn)
 
@@ -57,7 +57,6 @@ def is_slow(table: Table, form: Form) -> bool:
 _MOSTLY_SLOW = 0.2
 _FLICKERS = tuple(NoiseModel(flicker=float(part * MOST_FLICKER)) for part in (0.05, 0.15, 0.35, 0.65, 1.0))
 _WALKS = (0.003, 0.03, 0.3, 3.0, 30.0)
-_CORNERS = (4.0, 12.0)
 
 
 def _best(deviance: Callable[[NoiseModel], float], tried: Sequence[NoiseModel]) -> tuple[NoiseModel, float]:
@@ -67,17 +66,12 @@ def _best(deviance: Callable[[NoiseModel], float], tried: Sequence[NoiseModel]) 
 
 
 def best_walk(table: Table, forms: Sequence[Form], noise: NoiseModel) -> tuple[NoiseModel, float]:
-    """The noise with the random walk that fits best in place of flicker, and its deviance.
-
-    Its rate is found first, then whether it has a corner.
-    """
+    """The noise with the random walk that fits best in place of flicker, and its deviance."""
     deviance = table.deviance_by_noise(forms)
-    walks = [replace(noise, flicker=0.0, walk=walk, corner=0.0) for walk in _WALKS]
+    walks = [replace(noise, flicker=0.0, walk=walk) for walk in _WALKS]
     coarse, _ = _best(deviance, walks)
     finer = [replace(coarse, walk=coarse.walk * ratio) for ratio in (1 / 3, 1.0, 3.0)]
-    best, _ = _best(deviance, finer)
-    bent = [replace(best, corner=corner, walk=best.walk * ratio) for corner in _CORNERS for ratio in (1.0, 3.0)]
-    return _best(deviance, (best, *bent))
+    return _best(deviance, finer)
 
 
 def best_level(table: Table, forms: Sequence[Form], noise: NoiseModel, name: str) -> NoiseModel:

@@ -126,7 +126,8 @@ def gains_of_pairs(
     gram[:, 1, 1] = twos - np.sum(second[:-1] ** 2, axis=0)
     gram[:, 0, 1] = gram[:, 1, 0] = mixed - np.sum(first[:-1] * second[:-1], axis=0)
     values, vectors = np.linalg.eigh(gram)
-    scale = ((ones + twos) / rows)[:, None]
+    whole = ones + twos
+    scale = (np.where(whole > 0.0, whole, 1.0) / rows)[:, None]
     power = np.einsum("wji,jw->wi", vectors, np.stack([first[-1], second[-1]])) ** 2
     return gains(values / scale, power / scale, squares, rows)
 

@@ -1,9 +1,8 @@
 """Autocorrelated noise, beside white noise: flicker, random walk, and random effects of every seat or turn-on.
 
 A mean-free random walk is a sum of cosines with variances falling as 1/k² (Karhunen-Loève expansion of the centred
-Wiener process), flicker one with variances falling as 1/k (power spectral density h/f). A walk with a corner is pulled
-back to its mean (Ornstein and Uhlenbeck). What the modes do not reach is white to the eye of a dwell. Levels (seating,
-turn-on bias) are columns with independent coefficients of one variance.
+Wiener process), flicker one with variances falling as 1/k (power spectral density h/f). What the modes do not reach is
+white to the eye of a dwell. Levels (seating, turn-on bias) are columns with independent coefficients of one variance.
 """
 
 from collections.abc import Mapping
@@ -31,9 +30,7 @@ class NoiseModel:
     flicker: float = 0.0
     """Of the first mode."""
     walk: float = 0.0
-    """Of a walk without corner, the first mode."""
-    corner: float = 0.0
-    """Mode below which the walk is pulled back to its mean (Ornstein and Uhlenbeck); 0: it never is."""
+    """Of the first mode."""
     levels: tuple[tuple[str, float], ...] = ()
     """Mean variance of a row by the levels of each effect, by name."""
 
@@ -197,7 +194,7 @@ class Memory:
     def _variances(self, noise: NoiseModel) -> FloatArray:
         """Of every mode and every level."""
         order = np.arange(1, self.modes.shape[1])
-        waves = noise.flicker / order + noise.walk / (order**2 + noise.corner**2)
+        waves = noise.flicker / order + noise.walk / order**2
         drawn = dict(noise.levels)
         levels = [np.full(level.shape[1], drawn.get(name, 0.0)) for name, level in self.levels.items()]
         constant = [noise.flicker * np.log(2.0)] * min(self.modes.shape[1], 1)

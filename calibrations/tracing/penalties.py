@@ -29,12 +29,12 @@ follows most of what that does."""
 
 FLICKER: Final = 4.0
 """One variance at a chance of 0.023: the ordinary noise of a unit, which is expected."""
+WALKS: Final = 0.0005
+"""Chance that a clean table is given a random walk: half of `FALSE_ALARM`."""
 WALK: Final = 11.0
-"""One variance at a chance of 0.0005: half of `FALSE_ALARM`. It parts a walk from flicker with a floor of a fifth of a
+"""One variance at that chance. It parts a walk from flicker with a floor of a fifth of a
 dwell's deviation: in one of a hundred tables flicker still earns it, and of walks of 12 noise units three in ten do
 not. `python -m benchmarks.loop clean` and `exactness` must be run again when it is changed."""
-CORNER: Final = 4.0
-"""Of a corner of the walk: one number more at a chance of 0.046."""
 LEVEL: Final = 13.0
 """Of random effects: one variance at a chance of 0.00016, a sixth of `FALSE_ALARM`."""
 

@@ -82,13 +82,14 @@ def _continued(problem: Problem, followed: Iterable[Explanation], beam: int) -> 
 def _promising(problem: Problem, explanation: Explanation, count: int) -> list[tuple[float, int]]:
     """The best form of each of the effects that promise most: what it would gain, and its number.
 
-    An effect of several forms may be taken twice: its real shape need not be one of those in the catalogue.
+    An effect of several forms may be taken twice where its real shape need not be one of those in the catalogue.
     """
     worth = problem.gains(explanation) - problem.penalties
     present = Counter(problem.offered[number].effect.name for number in explanation.chosen)
     for name, times in present.items():
         forms = problem.forms[name]
-        worth[forms] += problem.penalties[forms] - problem.repeat_penalties[forms] if times < 2 else -np.inf
+        again = times < 2 and not problem.offered[forms.start].effect.given
+        worth[forms] += problem.penalties[forms] - problem.repeat_penalties[forms] if again else -np.inf
     worth[list(explanation.chosen)] = -np.inf
     ranked = sorted(((float(worth[number]), number) for number in problem.best_forms(worth)), reverse=True)
     return [(value, number) for value, number in ranked[:count] if value > -15.0]

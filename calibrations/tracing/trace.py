@@ -76,7 +76,7 @@ class Trace:
 
     def without(self, name: str) -> "Trace":
         """The trace without one effect; its deviance is that of the whole still."""
-        noise = replace(self.noise, walk=0.0, corner=0.0) if name == WALK else self.noise.without(name)
+        noise = replace(self.noise, walk=0.0) if name == WALK else self.noise.without(name)
         return replace(
             self,
             found=tuple(item for item in self.found if item.effect.name != name),

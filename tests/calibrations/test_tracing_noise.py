@@ -46,9 +46,9 @@ def test_what_is_known_of_the_wandering_is_taken_off_the_residual(quiet):
 
 def test_whitening_makes_the_noise_it_is_made_for_white(quiet):
     memory = dividing_head_table(fit_jointly(quiet), CATALOGUE).memory
-    noise = NoiseModel(walk=2.0, corner=4.0)
+    noise = NoiseModel(walk=2.0)
     order = np.arange(1, memory.modes.shape[1])
-    variances = np.concatenate([[0.0], 2.0 / (order**2 + 16.0)])
+    variances = np.concatenate([[0.0], 2.0 / order**2])
     covariance = np.eye(len(quiet)) + (memory.modes * variances) @ memory.modes.T
     white = memory.whitening(noise)
 

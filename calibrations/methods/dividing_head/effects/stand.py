@@ -90,6 +90,7 @@ STAND_EFFECTS: tuple[Effect[Scene], ...] = (
         depends_on="angle",
         symbol="A sin(nφ + p)",
         source="n per turn: graduation, worm",
+        given=True,
         forms=_graduation,
         report=with_scanned(harmonic, order=""),
     ),

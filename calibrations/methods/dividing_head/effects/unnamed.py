@@ -47,6 +47,7 @@ def _of_the_head(scene: Scene) -> Iterator[Coordinate]:
         shown=_degrees,
         bumps=True,
         steps=True,
+        overtones=True,
         phrase=Message("that follows the angle of the head"),
         unit="deg",
     )
@@ -57,6 +58,7 @@ def _of_the_head(scene: Scene) -> Iterator[Coordinate]:
             values=scene.angle_deg,
             shown=_degrees,
             waves=True,
+            overtones=True,
             phrase=Message("that follows the angle of the head over all turns"),
             unit="deg",
         )
@@ -69,6 +71,7 @@ def _of_the_input(scene: Scene) -> Iterator[Coordinate]:
             depends_on="acceleration",
             values=scene.gravity_g[:, axis],
             shown="{:.2f} g".format,
+            kinks=True,
             bumps=True,
             phrase=Message("that follows a{axis}", axis=name),
             detail=f"a{name}",
@@ -91,7 +94,10 @@ def _of_the_time(scene: Scene) -> Iterator[Coordinate]:
             values=scene.hours,
             shown=_seconds,
             waves=True,
+            overtones=True,
             steps=True,
+            kinks=True,
+            onsets=True,
             phrase=Message("that follows the time"),
             unit="h",
         )
@@ -135,6 +141,7 @@ def _of_the_order(scene: Scene) -> Iterator[Coordinate]:
         word="order",
         depends_on="order",
         values=_since(scene.realisation, count),
+        waves=True,
         phrase=Message("that follows the number of dwells in the realisation"),
         detail="in the realisation",
     )

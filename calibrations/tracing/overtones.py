@@ -1,0 +1,44 @@
+"""Waves that are no sines: a period with its overtones, each smaller than the one before."""
+
+from collections.abc import Iterator, Sequence
+from typing import Final
+
+import numpy as np
+
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.tracing.gains import Beside, Gained, gains
+
+_OVERTONES: Final = 8
+"""The period itself and so many less one of its overtones, as far as the values show them."""
+_FINER: Final = 5
+
+
+def periods(turns: Sequence[float], limit: float) -> list[FloatArray]:
+    """Turns of the wave and of its overtones up to a limit, for each number of turns of the wave."""
+    return [turn * np.arange(1.0, min(_OVERTONES, int(limit / turn)) + 1.0) for turn in turns if 2.0 * turn <= limit]
+
+
+def overtones(part: FloatArray, turns: FloatArray) -> FloatArray:
+    """Sines and cosines of a wave and its overtones over the part of a range, shape (rows, 2n), smaller and smaller."""
+    phase = 2.0 * np.pi * np.outer(part, turns)
+    return np.asarray(np.concatenate([np.sin(phase), np.cos(phase)], axis=1) * (turns[0] / np.tile(turns, 2)))
+
+
+def candidates(falls: FloatArray, turns: FloatArray, limit: float) -> Iterator[float]:
+    """Turns that the wave may have whose strongest part, or overtone, explains most by itself."""
+    strongest, apart = float(turns[np.argmax(falls)]), float(turns[0])
+    for order in (1, 2, 3):
+        about = strongest / order
+        for turn in about + np.linspace(-0.5, 0.5, 2 * _FINER + 1) * apart / order:
+            if turn >= 1.0 and 2.0 * turn <= limit:
+                yield float(turn)
+
+
+def gained(columns: FloatArray, level: FloatArray, seen: Beside) -> Gained:
+    """What columns for a channel gain together, with coefficients of one variance."""
+    weighted = columns * level[:, None]
+    taken = seen.taken.T @ weighted
+    values, vectors = np.linalg.eigh(weighted.T @ weighted - taken.T @ taken)
+    power, scale = (vectors.T @ (seen.left @ weighted)) ** 2, float(np.sum(weighted**2)) / len(level)
+    (fall,), (variance,) = gains(values[None] / scale, power[None] / scale, seen.squares, len(level))
+    return float(fall), float(variance)

@@ -1,0 +1,89 @@
+"""Structure that changes at places of a variable, comes again, or wanders and is pulled back to its mean."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from test_components import ANGLE, COUNT, HOURS, OFFSET, ORDER, PLACE, ROWS, SCALE, noise, proposed, table_of
+
+from tumble.calibrations.tracing.beyond import traced
+from tumble.calibrations.tracing.components import axes
+from tumble.calibrations.tracing.continued import continued
+from tumble.calibrations.tracing.coordinate import Coordinate
+from tumble.calibrations.tracing.noise import WHITE
+from tumble.calibrations.tracing.trace import Tracer
+from tumble.messages import Message
+
+TIME = Coordinate(
+    word="time", depends_on="time", values=HOURS, waves=True, overtones=True, steps=True, kinks=True, onsets=True,
+    phrase=Message("of time"),
+)  # fmt: skip
+CIRCLE = replace(ANGLE, overtones=True)
+POSES_G = np.random.default_rng(11).normal(size=(60, 3))
+POSES_G = (POSES_G / np.linalg.norm(POSES_G, axis=1)[:, None])[COUNT % 60]
+POSE = Coordinate(word="pose", depends_on="acceleration", values=POSES_G, phrase=Message("of pose"))
+SHUFFLED = replace(ORDER, kinks=True, steps=True)
+AXES = axes((OFFSET, (TIME, CIRCLE, SHUFFLED, POSE)), (SCALE, (TIME,)), expected=(("offset", "time"),))
+ALONG = {"ramp": "order", "spot": "pose"}
+PART = COUNT / (ROWS - 1)
+SINCE = np.maximum(PART - 0.4, 0.0)
+REVERTING = np.random.default_rng(7).normal(size=ROWS)
+for row in range(1, ROWS):
+    REVERTING[row] += 0.85 * REVERTING[row - 1]
+SIGNALS = {
+    "ramp": 12.0 * np.clip(PLACE - 0.45, 0.0, 0.25),
+    "onset": 5.0 * (PART > 0.4) * np.exp(-SINCE / 0.08),
+    "changes": 2.0 * (np.searchsorted([0.15, 0.4, 0.55, 0.8], PART) % 2),
+    "period": 3.0 * np.mod(6.3 * PART, 1.0),
+    "spot": 4.0 * np.exp(-8.0 * np.sum((POSES_G - POSES_G[7]) ** 2, axis=1)),
+    "wandering": 2.0 * REVERTING,
+}
+
+
+def table(shape):
+    return replace(table_of(SIGNALS[shape] + noise(), wanders=True), axes=AXES)
+
+
+def component_of(shape):
+    _, trace = traced(Tracer(table(shape)))
+    (found,) = trace.components
+    return found
+
+
+@pytest.mark.parametrize("shape", SIGNALS)
+def test_each_is_found_as_what_it_is_and_not_as_a_random_walk(shape):
+    found = component_of(shape)
+
+    assert (found.place, found.shape.split()[0]) == (("offset", ALONG.get(shape, "time")), shape)
+
+
+@pytest.mark.parametrize("shape", SIGNALS)
+def test_its_gain_in_the_scan_is_that_of_the_whole_likelihood(shape):
+    rows = table(shape)
+    best = proposed(rows, ("offset", ALONG.get(shape, "time")), shape)
+    beside = rows.with_seen([best.component])
+    whole = rows.deviance((), WHITE) - beside.deviance((), WHITE.with_level(best.component.name, best.variance))
+
+    assert best.gain == pytest.approx(whole, abs=1e-6)
+
+
+def test_teeth_of_a_circle_are_waves_with_overtones():
+    rows = replace(table_of(2.0 * np.sign(np.sin(np.deg2rad(4.0 * CIRCLE.values + 10.0))) + noise()), axes=AXES)
+    (found,) = traced(Tracer(rows))[1].components
+
+    assert (found.place, found.shape.split()[:2]) == (("offset", "angle"), ["period", "4"])
+
+
+@pytest.mark.parametrize("shape", ["ramp", "onset", "changes", "period", "spot"])
+def test_in_rows_of_the_same_run_it_is_the_same(shape):
+    found = component_of(shape)
+
+    assert np.allclose(continued(found, found.axis, ROWS), found.columns, atol=2e-3 * np.ptp(found.columns))
+
+
+def test_a_place_of_no_row_costs_no_warning():
+    """Of a scale that is zero after the last place, nothing is seen there."""
+    gain = SCALE.gain * (COUNT < ROWS // 2)
+    rows = replace(table_of(noise()), axes=axes((replace(SCALE, gain=gain), (TIME,))))
+
+    assert traced(Tracer(rows))[1].components == ()
