@@ -12,6 +12,8 @@ BEAM = 6
 """How many sets are followed."""
 BRANCHES = 5
 """How many ways each is continued."""
+_ALIKE = 6
+"""Decimals of a deviance: what differs beyond them is rounding, and of two alike that offered first is taken."""
 _HOPELESS = 8.0
 """Where one effect more costs so much beyond what it explains, no further ones are looked for."""
 
@@ -56,7 +58,7 @@ def settled(problem: Problem, explanation: Explanation) -> Explanation:
             *_dropped(problem, explanation),
             *_exchanged(problem, explanation),
         ]
-        better = min(trials, key=lambda trial: penalised(problem, trial), default=explanation)
+        better = min(trials, key=lambda trial: _rank(problem, trial), default=explanation)
         if penalised(problem, better) >= penalised(problem, explanation) - 1e-6:
             return explanation
         explanation = better
@@ -74,9 +76,14 @@ def _continued(problem: Problem, followed: Iterable[Explanation], beam: int) -> 
             key = frozenset((*explanation.chosen, number))
             if key not in expected or before - worth < expected[key][0]:
                 expected[key] = (before - worth, explanation, number)
-    likely = sorted(expected.values(), key=lambda trial: trial[0])[: 2 * beam]
+    likely = sorted(expected.values(), key=lambda trial: (round(trial[0], _ALIKE), trial[2]))[: 2 * beam]
     found = [problem.explain((*from_.chosen, number)) for _, from_, number in likely]
-    return sorted(found, key=lambda explanation: penalised(problem, explanation))[:beam]
+    return sorted(found, key=lambda explanation: _rank(problem, explanation))[:beam]
+
+
+def _rank(problem: Problem, explanation: Explanation) -> tuple[float, list[int]]:
+    """Sorts explanations, the best one first."""
+    return round(penalised(problem, explanation), _ALIKE), sorted(explanation.chosen)
 
 
 def _promising(problem: Problem, explanation: Explanation, count: int) -> list[tuple[float, int]]:
@@ -91,7 +98,8 @@ def _promising(problem: Problem, explanation: Explanation, count: int) -> list[t
         again = times < 2 and not problem.offered[forms.start].effect.given
         worth[forms] += problem.penalties[forms] - problem.repeat_penalties[forms] if again else -np.inf
     worth[list(explanation.chosen)] = -np.inf
-    ranked = sorted(((float(worth[number]), number) for number in problem.best_forms(worth)), reverse=True)
+    told = [(float(worth[number]), number) for number in problem.best_forms(worth)]
+    ranked = sorted(told, key=lambda each: (-round(each[0], _ALIKE), each[1]))
     return [(value, number) for value, number in ranked[:count] if value > -15.0]
 
 

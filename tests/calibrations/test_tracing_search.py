@@ -12,6 +12,7 @@ from tumble.calibrations.methods.dividing_head.fit import joint_fit
 from tumble.calibrations.methods.dividing_head.joint import fit_jointly
 from tumble.calibrations.methods.dividing_head.loop.table import dividing_head_table
 from tumble.calibrations.tracing.noise import NoiseModel
+from tumble.calibrations.tracing.problem import Problem
 from tumble.calibrations.tracing.search import penalised, penalties, search
 from tumble.calibrations.tracing.trace import Tracer
 
@@ -66,6 +67,20 @@ def test_the_search_ends_with_the_cheapest_set(tracer):
 
     assert [problem.offered[number].effect.name for number in found.chosen] == ["k_xx"]
     assert penalised(problem, found) == found.deviance + penalties([problem.offered[number] for number in found.chosen])
+
+
+@pytest.mark.parametrize("rounding_v", [1e-12, -1e-12])
+def test_of_two_that_fit_alike_the_first_is_taken_however_rounding_falls(tracer, rounding_v):
+    curve = tracer.columns[:, numbers(tracer, "k_xx")[0]]
+    offered = [
+        replace(tracer.offered[numbers(tracer, name)[0]], columns=slice(place, place + 1))
+        for place, name in enumerate(["k_xx", "k_yy"])
+    ]
+    alike = np.column_stack([curve, curve + rounding_v * np.sign(tracer.table.joint.residual_v)])
+    whole = tracer.table.whole
+    found = search(Problem(whole.whitened_fit(WHITE), whole.turned(alike), offered, 2), beam=1)
+
+    assert found.chosen == (0,)
 
 
 def test_what_only_two_rows_could_show_is_not_on_offer():
