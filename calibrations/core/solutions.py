@@ -24,15 +24,21 @@ def pseudo_inverse(matrix: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
     norm = np.linalg.norm(matrix, axis=-2)
     seen = norm > SINGULAR * norm.max(axis=-1, keepdims=True)
     scale = np.where(seen, norm, np.inf)
-    scaled = matrix / scale[..., None, :]
-    if (certain := _certain_inverse(scaled)) is not None:
-        return certain / scale[..., :, None], seen
-    u, s, vt = np.linalg.svd(scaled, full_matrices=False)
+    u, s, vt = np.linalg.svd(matrix / scale[..., None, :], full_matrices=False)
     kept = s > SINGULAR * s[..., :1]
     inverse_s = np.where(kept, 1.0 / np.where(kept, s, 1.0), 0.0)
     inverse = np.swapaxes(vt, -1, -2) @ (inverse_s[..., None] * np.swapaxes(u, -1, -2))
     resolved = np.sum(np.where(kept[..., None], vt, 0.0) ** 2, axis=-2)
     return inverse / scale[..., :, None], seen & (resolved > 1 - 1e-6)
+
+
+def quick_pseudo_inverse(matrix: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
+    """The same but for rounding, several times faster where columns are certainly independent."""
+    norm = np.linalg.norm(matrix, axis=-2)
+    scale = np.where(norm > SINGULAR * norm.max(axis=-1, keepdims=True), norm, np.inf)
+    if (inverse := _certain_inverse(matrix / scale[..., None, :])) is None:
+        return pseudo_inverse(matrix)
+    return inverse / scale[..., :, None], np.isfinite(scale)
 
 
 def _certain_inverse(matrix: FloatArray) -> FloatArray | None:

@@ -3,30 +3,42 @@
 import numpy as np
 import pytest
 
-from tumble.calibrations.core.solutions import least_solution, left_beside, pseudo_inverse
+from tumble.calibrations.core.solutions import (
+    least_solution,
+    left_beside,
+    pseudo_inverse,
+    quick_pseudo_inverse,
+)
 
 INDEPENDENT = np.array([[1.0, 2.0, 0.0], [0.0, 1.0, 3.0], [2.0, 0.0, 1.0], [1.0, 1.0, 1.0]])
 DEPENDENT = np.column_stack([INDEPENDENT[:, 0], 2.0 * INDEPENDENT[:, 0], INDEPENDENT[:, 2]])
 RIGHT = np.array([1.0, -2.0, 0.5, 3.0])
 
 
+BOTH = pytest.mark.parametrize("inverted", [pseudo_inverse, quick_pseudo_inverse])
+"""The way whose figures are stated, and the quick one."""
+
+
+@BOTH
 @pytest.mark.parametrize("scale", [1.0, 1e-6])
-def test_independent_columns_of_any_unit_are_inverted(scale: float) -> None:
+def test_independent_columns_of_any_unit_are_inverted(inverted, scale: float) -> None:
     matrices = np.stack([INDEPENDENT, INDEPENDENT[::-1]]) * [1.0, scale, 1.0]
-    inverse, determined = pseudo_inverse(matrices)
+    inverse, determined = inverted(matrices)
     assert inverse @ matrices == pytest.approx(np.stack([np.eye(3)] * 2), abs=1e-9)
     assert determined.all()
 
 
-def test_columns_that_are_nearly_alike_are_told_apart_as_long_as_rounding_allows() -> None:
+@BOTH
+def test_columns_that_are_nearly_alike_are_told_apart_as_long_as_rounding_allows(inverted) -> None:
     near = INDEPENDENT[:, [0, 0, 2]] + 1e-6 * INDEPENDENT[:, [1, 2, 1]]
-    inverse, determined = pseudo_inverse(near)
+    inverse, determined = inverted(near)
     assert inverse @ near == pytest.approx(np.eye(3), abs=1e-8)
     assert determined.all()
 
 
-def test_of_dependent_columns_neither_is_determined() -> None:
-    inverse, determined = pseudo_inverse(DEPENDENT)
+@BOTH
+def test_of_dependent_columns_neither_is_determined(inverted) -> None:
+    inverse, determined = inverted(DEPENDENT)
     assert determined.tolist() == [False, False, True]
     assert DEPENDENT @ inverse @ DEPENDENT == pytest.approx(DEPENDENT)
 

@@ -101,7 +101,7 @@ def test_a_memory_that_grew_whitens_as_one_made_at_once() -> None:
 
 def test_turned_columns_keep_their_lengths_and_angles_when_they_are_made_white() -> None:
     hours = np.linspace(0.0, 8.0, 60)
-    memory, noise = Memory(modes=slow_modes(hours, np.ones(60))), NoiseModel(walk=0.3, corner=4.0)
+    memory, noise = Memory(modes=slow_modes(hours, np.ones(60))), NoiseModel(walk=0.3)
     columns, white = np.column_stack([np.sin(hours), hours**2]), memory.whitening(noise)
     turned = white.turned(memory.turned(columns))
     assert turned.T @ turned == pytest.approx(white(columns).T @ white(columns))

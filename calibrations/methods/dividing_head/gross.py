@@ -7,7 +7,7 @@ from tumble.calibrations.core.arrays import BoolArray, FloatArray
 from tumble.calibrations.core.compression import compress
 from tumble.calibrations.core.gross import burst, gross_sigmas
 from tumble.calibrations.core.rows import SetAside
-from tumble.calibrations.methods.dividing_head.best_alpha0 import best_parameters
+from tumble.calibrations.methods.dividing_head.best_alpha0 import quick_parameters
 from tumble.calibrations.methods.dividing_head.model import coefficients
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.poses import mountings
@@ -89,7 +89,7 @@ def robust_residual(basis: FloatArray, voltage_v: FloatArray) -> FloatArray:
     weights = np.ones(len(voltage_v))
     residual = voltage_v
     for _ in range(30):
-        theta = best_parameters(compress(basis, voltage_v, weights))
+        theta = quick_parameters(compress(basis, voltage_v, weights))
         residual = voltage_v - basis @ coefficients(theta)
         limit = _HUBER * _scale(residual, 0)
         previous, weights = weights, np.minimum(1.0, limit / np.maximum(np.abs(residual), limit))

@@ -6,7 +6,7 @@ import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.compression import Compressed
-from tumble.calibrations.core.solutions import SINGULAR, pseudo_inverse
+from tumble.calibrations.core.solutions import pseudo_inverse
 from tumble.calibrations.methods.dividing_head.fit import JointFit
 from tumble.calibrations.methods.dividing_head.joint import Noise
 from tumble.calibrations.methods.dividing_head.model import coefficients, design, further_terms, parameter_vector
@@ -75,19 +75,14 @@ def _refit(compressed: Compressed, fit: JointFit, nodes_deg: FloatArray, z: Floa
 
 
 def _best_alpha0(compressed: Compressed, nodes_deg: FloatArray, z: FloatArray) -> FloatArray:
-    """Where on the nodes the model leaves least of each row of `z`, refined by a parabola."""
+    """Where on the nodes the model captures most of each row of `z`, refined by a parabola."""
     matrices = compressed.r @ design(nodes_deg, further_terms(compressed))
-    left = np.stack([np.sum((z @ _beside(matrix)) ** 2, axis=1) for matrix in matrices])
-    top = np.clip(np.argmin(left, axis=0), 1, len(nodes_deg) - 2)
+    captured = np.stack(
+        [np.sum((z @ m @ i) * z, axis=1) for m, i in zip(matrices, pseudo_inverse(matrices)[0], strict=True)]
+    )
+    top = np.clip(np.argmax(captured, axis=0), 1, len(nodes_deg) - 2)
     trial = np.arange(len(z))
-    before, at, after = (left[top + shift, trial] for shift in (-1, 0, 1))
-    back, on = nodes_deg[top] - nodes_deg[top - 1], nodes_deg[top + 1] - nodes_deg[top]
-    turn = back**2 * (at - after) - on**2 * (at - before)
-    return np.asarray(nodes_deg[top] - 0.5 * turn / (back * (at - after) + on * (at - before)))
-
-
-def _beside(matrix: FloatArray) -> FloatArray:
-    """Orthonormal directions that no column of a matrix has a part in, shape (rows, n)."""
-    norm = np.linalg.norm(matrix, axis=0)
-    directions, values, _ = np.linalg.svd(matrix / np.where(norm > SINGULAR * norm.max(), norm, np.inf))
-    return np.asarray(directions[:, np.count_nonzero(values > SINGULAR * values[0]) :])
+    before, at, after = (captured[top + shift, trial] for shift in (-1, 0, 1))
+    left, right = nodes_deg[top] - nodes_deg[top - 1], nodes_deg[top + 1] - nodes_deg[top]
+    turn = left**2 * (at - after) - right**2 * (at - before)
+    return np.asarray(nodes_deg[top] - 0.5 * turn / (left * (at - after) + right * (at - before)))

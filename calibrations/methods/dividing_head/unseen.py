@@ -13,7 +13,7 @@ import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.compression import Compressed, compress
-from tumble.calibrations.methods.dividing_head.best_alpha0 import best_parameters
+from tumble.calibrations.methods.dividing_head.best_alpha0 import quick_parameters
 from tumble.calibrations.methods.dividing_head.effects import CATALOGUE
 from tumble.calibrations.methods.dividing_head.fit import fit_given_alpha0, squares_v2
 from tumble.calibrations.methods.dividing_head.loop.table import scene_of
@@ -84,7 +84,7 @@ def _moved(calibration: Calibration, theta: FloatArray, added: Compressed, size:
             continue
         compressed = replace(added, z=predicted_v + size * added.z, rest_v2=size**2 * added.rest_v2)
         held = None if identifiable else fit_given_alpha0(compressed, float(theta[ALPHA0])).theta
-        moved = best_parameters(compressed) if held is None else held
+        moved = quick_parameters(compressed) if held is None else held
         if np.sqrt(max(squares_v2(compressed, moved), 0.0)) / noise_v <= VISIBLE:
             return np.asarray(moved - theta)
         size *= 0.5

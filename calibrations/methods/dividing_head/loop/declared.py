@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.compression import Compressed
-from tumble.calibrations.methods.dividing_head.best_alpha0 import best_parameters
+from tumble.calibrations.methods.dividing_head.best_alpha0 import quick_parameters
 from tumble.calibrations.methods.dividing_head.fit import fit_given_alpha0
 from tumble.calibrations.methods.dividing_head.model import BASIS_SIZE, PARAMETERS, coefficients, coefficients_jacobian
 
@@ -26,7 +26,7 @@ class Accelerometer:
 
     def fitted(self, compressed: Compressed) -> FloatArray:
         """With the best alpha0, or with none where it is not identifiable."""
-        return best_parameters(compressed) if self.alpha0_fitted else fit_given_alpha0(compressed, 0.0).theta
+        return quick_parameters(compressed) if self.alpha0_fitted else fit_given_alpha0(compressed, 0.0).theta
 
     def near(self, compressed: Compressed) -> FloatArray:
         """With the alpha0 at which effects are linearised."""

@@ -15,7 +15,7 @@ from scipy.special import chdtrc
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.compression import Compressed, compress
-from tumble.calibrations.methods.dividing_head.best_alpha0 import best_parameters
+from tumble.calibrations.methods.dividing_head.best_alpha0 import quick_parameters
 from tumble.calibrations.methods.dividing_head.geometry import MOUNTS
 from tumble.calibrations.methods.dividing_head.model import PARAMETERS, basis, coefficients
 from tumble.calibrations.methods.dividing_head.observations import Observations
@@ -78,7 +78,7 @@ class Mountings:
         """Fit the table with these mounts."""
         parts = [self._in_mount(number, mount) for number, mount in enumerate(mounts)]
         r, z = np.concatenate([part.r for part in parts]), np.concatenate([part.z for part in parts])
-        theta = best_parameters(compress(r, z, np.ones(len(z))))
+        theta = quick_parameters(compress(r, z, np.ones(len(z))))
         misfit = (z - r @ coefficients(theta)).reshape(len(parts), -1)
         left_v2 = np.sum(misfit**2, axis=1) + np.array([part.rest_v2 for part in parts])
         kx, ky, kz = np.abs(theta[1:4])
