@@ -13,8 +13,15 @@ from tumble.calibrations.methods.dividing_head.fit import covariance
 from tumble.calibrations.methods.dividing_head.joint import Joint, fit_rows
 from tumble.calibrations.methods.dividing_head.loop.table import DividingHeadTable
 from tumble.calibrations.methods.dividing_head.loop.tilted import Tilt, tilt_found
-from tumble.calibrations.methods.dividing_head.model import BASIS_SIZE, PARAMETERS, basis, coefficients
+from tumble.calibrations.methods.dividing_head.model import (
+    BASIS_SIZE,
+    PARAMETERS,
+    basis,
+    coefficients,
+    coefficients_jacobian,
+)
 from tumble.calibrations.tracing.components import Component, carried
+from tumble.calibrations.tracing.courses import Course, Rows, courses
 from tumble.calibrations.tracing.quantified import Quantified, expectations, form_in, slices, tangent
 from tumble.calibrations.tracing.trace import Trace
 from tumble.messages import Message
@@ -46,6 +53,12 @@ class Augmented(Quantified):
             for item, columns in zip(self.found, self.columns, strict=True)
             if item.effect.unknown is not None
         )
+
+    def courses(self, whole: DividingHeadTable, trace: Trace) -> tuple[Course, ...]:
+        """What is known of structure without a name; `whole` is the table with the components of the trace."""
+        slopes = self.joint.basis @ coefficients_jacobian(self.joint.fit.theta)
+        rows = Rows(table=whole, noise=trace.noise, columns=slopes, residual=self.residual, dwell=self.dwell)
+        return courses(rows, trace.components)
 
     def residual_v(self, scene: Scene) -> FloatArray:
         """Measured minus fitted for any rows of the same table, shape (rows,), in volts."""

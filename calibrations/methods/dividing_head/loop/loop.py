@@ -162,7 +162,7 @@ def explain(
         declared=resting_on_absence(assess(declared, uncertainty, trials=0), set(trace.names)),
         augmented=augmented,
         effects=_effects(explained, close, misread),
-        unexplained=unexplained(explained.judged, _reach(explained), others),
+        unexplained=unexplained(explained.judged, _reach(explained), others, best.courses(whole, trace)),
         misread=misread,
         not_traced=explained.table.not_traced,
         withheld=withheld(explained.table, explained.judged),
