@@ -12,6 +12,7 @@ import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.tracing.components import Component
+from tumble.calibrations.tracing.coordinate import IntArray
 from tumble.calibrations.tracing.noise import NoiseModel
 from tumble.calibrations.tracing.table import Table
 
@@ -107,10 +108,10 @@ _RANK = 1e-10
 """Directions in which columns differ by less than this part of their length are one."""
 
 
-def _places(component: Component) -> FloatArray:
+def _places(component: Component) -> IntArray:
     """Numbers of the rows in which the component is seen best, one for each place, in the order of the places."""
     coordinate, gain = component.axis.coordinate, np.abs(component.axis.channel.gain)
     order = np.lexsort((-gain, coordinate.bins))
     first = np.unique(coordinate.bins[order], return_index=True)[1]
     rows = order[first][gain[order[first]] > 0.0]
-    return rows if coordinate.values.ndim > 1 else rows[np.argsort(coordinate.values[rows], kind="stable")]
+    return np.asarray(rows if coordinate.values.ndim > 1 else rows[np.argsort(coordinate.values[rows], kind="stable")])

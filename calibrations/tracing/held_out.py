@@ -16,7 +16,7 @@ from tumble.calibrations.tracing.table import Table
 from tumble.calibrations.tracing.trace import Trace, Tracer
 
 _FAR: Final = 4.0
-"""So many times the variance of a prediction of the declared model, or of a dwell, is far off the rows."""
+"""So many times the variance of a prediction of the declared model, of a dwell, or of what was seen, is far off."""
 _RANK: Final = 1e-10
 _INNER_FOLDS: Final = 3
 """Into so many folds of whole settings the other rows are parted, to decide by what they predict."""
@@ -27,7 +27,8 @@ def held_out_rms(tracer: Tracer[Any], trace: Trace, parts: Iterable[BoolArray]) 
 
     Effects are chosen anew from the other rows, from their scans as they stand, in the noise of the whole table. What
     has no name is predicted by its mean given the other rows; what is random (levels, a walk) cannot be, and
-    counts as error. Where folds of the other rows are predicted better by the declared model alone, so is the part.
+    counts as error. Where folds of the other rows are predicted better by the declared model alone, or where the
+    part would be corrected by far more than those rows show, the declared model alone predicts the part.
     Parts without which the others do not tell the declared model are passed over; None where that is every one.
     """
     table = tracer.table
@@ -42,11 +43,22 @@ def _errors(tracer: Tracer[Any], trace: Trace, out: BoolArray) -> FloatArray:
     columns = _chosen(tracer, trace, out)
     shown = _Shown(table, trace.noise, trace.components, columns)
     alone = _Shown(table, WHITE, (), nothing)
+    plain = alone.errors(~out, out)
     if not _told(table, columns, out):
-        return alone.errors(~out, out)
+        return plain
     inner = _inner_folds(table, out)
-    better = sum(shown.squares(train, test) - alone.squares(train, test) for train, test in inner) <= 0.0
-    return (shown if better else alone).errors(~out, out)
+    if sum(shown.squares(train, test) - alone.squares(train, test) for train, test in inner) > 0.0:
+        return plain
+    errors = shown.errors(~out, out)
+    return errors if _within_sight(plain - errors, alone.errors(~out, ~out)) else plain
+
+
+def _within_sight(correction: FloatArray, left: FloatArray) -> bool:
+    """Whether rows held out are corrected by no more than the declared model leaves in the rows that were fitted.
+
+    A correction far beyond what was seen is one that another alpha0 makes, or that runs away between the settings.
+    """
+    return bool(np.mean(correction**2) < _FAR * np.mean(left**2))
 
 
 def _told(table: Table, columns: FloatArray, out: BoolArray) -> bool:
