@@ -50,10 +50,10 @@ def _errors(tracer: Tracer[Any], trace: Trace, out: BoolArray) -> FloatArray:
     if sum(shown.squares(train, test) - alone.squares(train, test) for train, test in inner) > 0.0:
         return plain
     errors = shown.errors(~out, out)
-    return errors if _within_sight(plain - errors, alone.errors(~out, ~out)) else plain
+    return errors if within_sight(plain - errors, alone.errors(~out, ~out)) else plain
 
 
-def _within_sight(correction: FloatArray, left: FloatArray) -> bool:
+def within_sight(correction: FloatArray, left: FloatArray) -> bool:
     """Whether rows held out are corrected by no more than the declared model leaves in the rows that were fitted.
 
     A correction far beyond what was seen is one that another alpha0 makes, or that runs away between the settings.
