@@ -25,17 +25,16 @@ _ALONG: Final[Mapping[str, Callable[[World], FloatArray]]] = {
 }
 """Variables that another realisation goes through again."""
 _ONCE: Final = frozenset({"time", "realisation"})
-"""Variables that never come back: of what followed them, nothing is expected in another realisation."""
+"""Variables that never come back: in another realisation, what followed them is expected at its mean."""
 
 
 def stated_courses(unexplained: Json | None) -> list[Effect] | None:
     """Return what is stated of structure without a name as effects; None where it cannot be carried to other rows."""
     if unexplained is None:
         return []
-    told = [each for each in unexplained.get("courses", ()) if each["variable"] not in _ONCE]
-    if "courses" not in unexplained or any(_variable(each) not in _ALONG for each in told):
-        return None
-    return [_effect(each) for each in told]
+    told = unexplained.get("courses", ())
+    known = all(each["variable"] in _ONCE or _variable(each) in _ALONG for each in told)
+    return [_effect(each) for each in told] if told and known else None
 
 
 def _variable(course: Json) -> str:
@@ -43,16 +42,21 @@ def _variable(course: Json) -> str:
 
 
 def _effect(course: Json) -> Effect:
-    along, at, value = _ALONG[_variable(course)], np.array(course["at"]), np.array(course["value"])
-    period = 360.0 if course["variable"] == "angle" else None
-
     def amount(world: World) -> FloatArray:
-        here = along(world)
-        followed = value[KDTree(at).query(here)[1]] if at.ndim > 1 else np.interp(here, at, value, period=period)
-        return np.asarray(followed * (world.ax if course["channel"] == "scale" else 1.0))
+        return np.asarray(_followed(course, world) * (world.ax if course["channel"] == "scale" else 1.0))
 
     acts = Acts.ANGLE if course["channel"] == "angle" else Acts.OUTPUT
     return Effect(name=_variable(course), acts=acts, amount=amount, coefficients={})
+
+
+def _followed(course: Json, world: World) -> FloatArray:
+    at, value = np.array(course["at"]), np.array(course["value"])
+    if course["variable"] in _ONCE:
+        return np.full(len(world.run.time_s), value.mean())
+    here = _ALONG[_variable(course)](world)
+    if at.ndim > 1:
+        return np.asarray(value[KDTree(at).query(here)[1]])
+    return np.asarray(np.interp(here, at, value, period=360.0 if course["variable"] == "angle" else None))
 
 
 def together(named: Sequence[Effect] | None, courses: Sequence[Effect] | None) -> list[Effect] | None:

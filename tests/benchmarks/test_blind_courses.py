@@ -38,10 +38,10 @@ def test_an_error_of_the_angle_turns_the_head():
     assert added[(run.mount == "face-up") & (run.angle_deg == 180.0)] == pytest.approx(np.deg2rad(0.01), rel=0.02)
 
 
-def test_a_course_in_time_is_not_expected_again():
-    added, _ = added_v(course("offset", "time", [0.0, 1.0], [1e-3, 1e-3]))
+def test_a_course_in_time_is_expected_at_its_mean():
+    added, _ = added_v(course("offset", "time", [0.0, 0.5, 1.0], [0.0, 1e-3, 2e-3]))
 
-    assert not added.any()
+    assert added == pytest.approx(1e-3)
 
 
 def test_without_a_course_nothing_is_predicted():
