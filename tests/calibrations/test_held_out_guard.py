@@ -5,7 +5,7 @@ import pytest
 from tables import UNIT, output, table
 
 from tumble.calibrations.methods.dividing_head.loop.loop import explain
-from tumble.calibrations.tracing.held_out import held_out_rms, within_sight
+from tumble.calibrations.tracing.held_out import held_out_rms
 
 SWEEPS = tuple(("sweep", mount, np.arange(0.0, 360.0, 30.0)) for mount in ("face-up", "face-down"))
 THIRD = np.deg2rad(150.0)
@@ -26,11 +26,3 @@ def test_an_arc_held_out_is_predicted_no_worse_than_by_the_declared_model(first_
     declared_rms = held_out_rms(explained.tracer, explained.trace.without("graduation"), [out])
 
     assert held_out_rms(explained.tracer, explained.trace, [out]) <= 1.02 * declared_rms
-
-
-def test_a_correction_of_the_size_of_what_is_left_is_within_sight():
-    assert within_sight(np.array([1e-4, -1e-4]), np.array([1e-4, -9e-5, 1.1e-4]))
-
-
-def test_a_correction_that_another_alpha0_makes_is_not():
-    assert not within_sight(np.array([1e-4, 0.2]), np.array([1e-4, -9e-5, 1.1e-4]))
