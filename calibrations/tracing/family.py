@@ -83,6 +83,10 @@ class Family:
         """The shape that gains most beyond its penalty; None where none gains anything."""
         return max(self._tried(seen, rows), key=lambda proposal: proposal.worth, default=None)
 
+    def best_course(self, seen: Beside, rows: int) -> Proposal:
+        """The same among courses that have no shape."""
+        return max(self._courses(seen, rows), key=lambda proposal: proposal.worth)
+
     def _tried(self, seen: Beside, rows: int) -> Iterator[Proposal]:
         yield from self._courses(seen, rows)
         if self._axis.coordinate.waves and len(self._axis.coordinate.turns):
