@@ -178,6 +178,20 @@ def test_what_only_the_voltmeter_can_separate_is_said_and_has_no_command():
     assert experiment.outlook is None
 
 
+def test_a_wave_cannot_bend_into_more_than_the_longest_that_is_looked_for():
+    def cube(columns):
+        return 4e-4 * ax_g(columns) ** 3
+
+    base, trace, found = traced(runs(programme(FLIPS, BACK, DOWN, realisations=2), extra_v=cube, noise_v=4e-5))
+    (rival,) = (rival for rival in found["k_xxx"] if rival.name == "daq_nonlinearity")
+    question = Question(base, trace, "k_xxx", [rival])
+
+    (if_found,), (if_rival,) = question.separations(question.table)
+
+    assert if_found == pytest.approx(if_rival, rel=0.2)
+    assert if_rival == pytest.approx(9.4, rel=0.1)
+
+
 class Stub(Question):
     """A question whose separations depend on the mounts that were visited, and on how often."""
 
