@@ -205,7 +205,8 @@ class Stub(Question):
         return "unit"
 
     def expected(self, rows):
-        return Expected(separations=self.separations(rows), promises=self.separations(rows))
+        there = self.separations(rows)
+        return Expected(separations=there, promises=there, likely=there)
 
     def left(self, rows):
         realisations = rows.rows.realisations[:, None]
