@@ -84,12 +84,12 @@ def _answers(question: Asked, probes: Sequence[Probe], otherwise: str) -> Iterat
 
 def _experiment(question: Asked, offer: Offer, confidence: Confidence, probe: Probe, apart: list[int]) -> Experiment:
     likely = confidence is Confidence.LIKELY
-    sure = likely or offer.apart(apart, Confidence.WHICHEVER) == apart
+    sure = offer.apart(apart, Confidence.WHICHEVER) == apart
     choose = np.min if sure else np.max
     rivals = tuple(question.rivals[rival] for rival in apart)
     runs = Counter(each.programme for each in offer.probes)
     others = [name for name in runs if name != probe.programme]
-    needed = () if sure else _needed(question, offer, apart)
+    needed = () if sure or likely else _needed(question, offer, apart)
     separation = float(choose(offer.expected.separations[:, apart], axis=0).min())
     return Experiment(
         separates=(question.name, *rivals),

@@ -10,6 +10,7 @@ from typing import Protocol
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.tracing.penalties import NEAR
 from tumble.calibrations.tracing.probe import Probe
 from tumble.calibrations.tracing.separation import Expected, Outlook, PlannedRows
 
@@ -31,7 +32,7 @@ class Confidence(Enum):
     IF_ONE = auto()
     """If one of the two is true."""
     LIKELY = auto()
-    """Whichever is true, as likely as not: the table leaves open how large the effects are."""
+    """If one is true, and as likely as not: the table leaves open how large the effects are."""
 
 
 class Asked(Protocol):
@@ -96,16 +97,20 @@ class Offer:
             case Confidence.IF_ONE:
                 return np.asarray(self.expected.promises.max(axis=0))
             case Confidence.LIKELY:
-                return np.asarray(self.expected.likely.min(axis=0))
+                return np.asarray(self.expected.likely.max(axis=0))
+
+    def needed(self, confidence: Confidence) -> float:
+        """Difference in -2 ln L from which on rivals are told apart; to be likely, they must be near no more."""
+        return min(self.question.needed, NEAR) if confidence is Confidence.LIKELY else self.question.needed
 
     def apart(self, among: list[int], confidence: Confidence) -> list[int]:
         """Rivals that it tells apart."""
         promises = self.promises(confidence)
-        return [rival for rival in among if promises[rival] >= self.question.needed]
+        return [rival for rival in among if promises[rival] >= self.needed(confidence)]
 
     def worth(self, among: list[int], confidence: Confidence) -> tuple[float, float]:
         """Rivals distinguished per second; of equal ones the clearer, in whole multiples of what is needed."""
-        clearness = float(np.clip(self.promises(confidence)[among] // self.question.needed, 0, 4).sum())
+        clearness = float(np.clip(self.promises(confidence)[among] // self.needed(confidence), 0, 4).sum())
         return len(self.apart(among, confidence)) / max(self.stand_time_s, 1.0), clearness
 
     def nearness(self, among: list[int], confidence: Confidence) -> float:
@@ -153,7 +158,7 @@ def _summed(start: Offer, several: Sequence[Offer], left: list[int], confidence:
     offer, *others = ranked[:_TRIED]
     brings = (offer.nearness(left, confidence) - now) / max(len(offer.probes), 1)
     probes = distinct([probe for each in (offer, *others) for probe in each.probes])
-    if now + MOST_RUNS * brings < offer.question.needed:
+    if now + MOST_RUNS * brings < offer.needed(confidence):
         return offer
     while len(offer.probes) < MOST_RUNS and not offer.apart(left, confidence):
         offer = max((offer.further(probe) for probe in probes), key=lambda each: each.nearness(left, confidence))
