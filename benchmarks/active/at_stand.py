@@ -14,6 +14,8 @@ from tumble.app.stand import load_stand
 from tumble.app.wiring import connect
 from tumble.procedures.programmes import load_programme
 
+_NONE = "noise_v = 0.0"
+
 
 def at_stand(case: Case, folder: Path) -> tuple[AtStand, Path]:
     """The stand of a case with the first measurement made."""
@@ -55,6 +57,3 @@ class Quiet:
         parts = [len(read_together([path]).observations) for path in runs.values()]
         rows = read_together(list(runs.values())).observations
         return Oracle(rows, np.repeat(list(runs), parts), self._effect, DWELL_V)
-
-
-_NONE = "noise_v = 0.0"
