@@ -84,6 +84,8 @@ class Expected:
     """As the table was fitted."""
     promises: FloatArray
     """What they will hardly stay below, counted on from what they are now."""
+    likely: FloatArray
+    """What they will exceed about as often as not, counted on likewise."""
 
 
 class Question:
@@ -137,13 +139,17 @@ class Question:
     def expected(self, rows: PlannedRows) -> "Expected":
         """The same, with what may be promised of it."""
         lefts = self._left(rows)
-        gained = [
-            [_least(after, now) for after, now in zip(*ways, strict=True)]
-            for ways in zip(lefts, self._now, strict=True)
-        ]
+        gained = np.array(
+            [
+                [_gained(after, now) for after, now in zip(*ways, strict=True)]
+                for ways in zip(lefts, self._now, strict=True)
+            ]
+        )
+        there = np.array([self.behind, -self.behind])
         return Expected(
             separations=np.array([[separation(left[:, :1])[0] for left in way] for way in lefts]),
-            promises=np.array([self.behind, -self.behind]) + np.array(gained),
+            promises=there + gained[..., 0],
+            likely=there + gained[..., 1],
         )
 
     def outlook(self, rows: PlannedRows, programme: str, apart: list[int], sure: bool) -> Outlook:
@@ -174,12 +180,18 @@ class Question:
         return by_rivals, self._found.left(scene, weights, [rival.signal(scene) for rival in self._rivals])
 
 
-def _least(after: FloatArray, now: FloatArray) -> float:
-    """By how much a difference grows at least, for signals of which so much, shape (rows, 1 + n), is left."""
-    products, known = after.T @ after, now.T @ now
-    rows, before = len(after), float(known[0, 0])
-    least = nearest_to_nothing(products - known, COVERAGE)
-    return rows * float(np.log1p((before + least) / rows) - np.log1p(before / rows))
+def _gained(after: FloatArray, now: FloatArray) -> tuple[float, float]:
+    """By how much a difference grows at least, and likely, for signals of which so much, shape (rows, 1 + n), is left.
+
+    A fit to noise alone has |l|² = |L|² on average: that much of it is taken for noise.
+    """
+    products, before = after.T @ after, now.T @ now
+    further = products - before
+    likely = max(float(2.0 * further[0, 0] - np.trace(further)), 0.0)
+    rows, known = len(after), float(before[0, 0])
+    least = nearest_to_nothing(further, COVERAGE)
+    grown = [rows * float(np.log1p((known + more) / rows) - np.log1p(known / rows)) for more in (least, likely)]
+    return grown[0], grown[1]
 
 
 def separation(left: FloatArray) -> FloatArray:
