@@ -13,9 +13,9 @@ from tumble.calibrations.tracing.components import COURSES, Axis, Component
 from tumble.calibrations.tracing.coordinate import IntArray
 from tumble.calibrations.tracing.gains import Beside, Gained, best_column, gains, gains_of_pairs
 from tumble.calibrations.tracing.overtones import candidates, gained, overtones, periods
-from tumble.calibrations.tracing.wandering import PULLED_BACK, wandering
 from tumble.calibrations.tracing.penalties import WALKS, of_variance
 from tumble.calibrations.tracing.spectrum import wave_squares, wave_sums
+from tumble.calibrations.tracing.wandering import PULLED_BACK, wandering
 from tumble.messages import Message
 
 _FEWEST_ROWS: Final = 4
@@ -106,7 +106,7 @@ class Family:
     def _period(self, seen: Beside, rows: int) -> Iterator[Proposal]:
         """Waves with overtones: of a circle, whole numbers of them on it."""
         coordinate, level = self._axis.coordinate, self._axis.channel.gain * seen.root
-        limit = coordinate.nyquist_turns
+        limit, places = coordinate.nyquist_turns, len(np.unique(np.round(coordinate.part_of_cycle, 6)))
         if coordinate.period is not None:
             tried = [float(turns) for turns in range(1, int(limit / 2.0) + 1)]
         elif len(coordinate.turns):
@@ -114,7 +114,8 @@ class Family:
         else:
             tried = []
         told = [
-            (gained(overtones(coordinate.part_of_cycle, turns), level, seen), turns) for turns in periods(tried, limit)
+            (gained(overtones(coordinate.part_of_cycle, turns), level, seen), turns)
+            for turns in periods(tried, limit, places)
         ]
         if not told:
             return
@@ -316,7 +317,14 @@ class Family:
         """A shape with its gain and variance, one of so many of its kind; kinds share the chance of the axis."""
         coordinate = self._axis.coordinate
         several = coordinate.waves + 2 * coordinate.steps + 2 * coordinate.kinks + 3 * coordinate.onsets
-        kinds = 1 + coordinate.bends_tried + coordinate.bumps + (coordinate.values.ndim > 1) + coordinate.overtones + several
+        kinds = (
+            1
+            + coordinate.bends_tried
+            + coordinate.bumps
+            + (coordinate.values.ndim > 1)
+            + coordinate.overtones
+            + several
+        )
         return Proposal(
             axis=self._axis,
             shape=shape,
