@@ -125,7 +125,7 @@ def test_the_place_of_a_minimum_is_soft():
     """The same sensor, recorded again and again for 68 minutes."""
     averages = dense(SAMPLES)
     minima_s = [
-        averages[np.argmin(deviation_at(white(seed) + 0.2 * flicker(seed + 900), 1.0, averages)[1])]
+        averages[np.argmin(deviation_at(white(seed) + 0.5 * flicker(seed + 900), 1.0, averages)[1])]
         for seed in range(60)
     ]
 
