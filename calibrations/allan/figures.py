@@ -4,6 +4,7 @@ import numpy as np
 from markupsafe import Markup
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter
 
 from tumble.calibrations.allan.result import AllanResult, OutputNoise
 from tumble.calibrations.report.drawing import COLOURS, MARKERS, WIDE_IN, styled, to_svg
@@ -19,6 +20,8 @@ def allan_figure(result: AllanResult) -> Markup:
         _draw(axes, number % len(COLOURS), name, output)
     axes.set_xscale("log")
     axes.set_yscale("log")
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     axes.set_xlabel(Message("averaging time τ (s)"))
     units = dict.fromkeys(output.unit for output in result.outputs.values())
     axes.set_ylabel(Message("Allan deviation ({unit})", unit=", ".join(units)))

@@ -7,6 +7,7 @@ from typing import Any, Self
 from markupsafe import Markup
 
 from tumble.app.measurement import Measurement
+from tumble.app.section_report import section_report
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.provenance import LimitCheck, Provenance
 from tumble.calibrations.core.quantities import format_number
@@ -18,7 +19,7 @@ from tumble.calibrations.methods.triad.entry import VERSION, entry
 from tumble.calibrations.methods.triad.loop import TriadDeclared, TriadLoop
 from tumble.calibrations.methods.triad.method import METHOD
 from tumble.calibrations.methods.triad.observations import TriadObservations
-from tumble.calibrations.methods.triad.sections import sections
+from tumble.calibrations.methods.triad.sections import sections_beside_values
 from tumble.calibrations.methods.triad.table import TriadTable
 from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.tracing.chain import Chain
@@ -108,7 +109,7 @@ class TriadTraced(TriadAnalysed):
     loop: TriadLoop
     next_experiment: tuple[Experiment, ...] = ()
     loop_warnings: tuple[str, ...] = ()
-    shows_values: bool = True
+    shows_values: bool = False
 
     @property
     def explained(self) -> Explained[TriadTable, Any]:
@@ -137,7 +138,7 @@ class TriadTraced(TriadAnalysed):
 
     def sections(self) -> Sequence[Section]:
         """What was found, before and after, and what to measure next."""
-        return tuple(sections(self.loop))
+        return tuple(sections_beside_values(self.loop))
 
     def as_json(self) -> dict[str, Any]:
         """The result as `tumble.fit/1`, with the closed loop under `loop`."""
@@ -163,8 +164,4 @@ class TriadTraced(TriadAnalysed):
         contradictions: Sequence[str],
     ) -> str:
         """The report, one HTML page."""
-        from tumble.calibrations.report.sections import page  # jinja2 takes time
-
-        record = Message("record {name}", name=record_id) if record_id else ""
-        notices = [*filter(None, [record]), *self.warnings, *self.loop_warnings, *contradictions]
-        return page(METHOD.title, self.provenance.serial_number, self.sections(), notices)
+        return section_report(METHOD.title, self, record_id, contradictions)

@@ -1,6 +1,6 @@
 """The job of a triad, as the entry point group `tumble.jobs` names it."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
@@ -12,15 +12,17 @@ from tumble.app.measurements import check_limits
 from tumble.app.methods.triad.analysed import TriadAnalysed, TriadTraced
 from tumble.app.stand import LoadedStand
 from tumble.calibrations.core.provenance import Provenance
+from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.triad.loop import close_triad_loop, declared_fit
 from tumble.calibrations.methods.triad.method import NEEDED
 from tumble.calibrations.methods.triad.observations import TriadObservations, read_triad_table
+from tumble.calibrations.methods.triad.picture_sections import position_section
 from tumble.calibrations.tracing.experiments import Experiment
 
 
 @dataclass(frozen=True)
 class TriadJob:
-    """Fits `tumble.app.job_part.JobPart`, and `SomeTables`: a log that was taken by hand is no run at a stand."""
+    """Fits `JobPart`, `Pictured`, and `SomeTables`: a log that was taken by hand is no run at a stand."""
 
     experiments: frozenset[str] = frozenset()
     stand: None = None
@@ -61,6 +63,11 @@ class TriadJob:
     def available(self, stand: LoadedStand, rows: TriadObservations, attended: bool) -> Available:  # noqa: ARG002
         """No experiment is run by the loop itself."""
         return Available()
+
+    def pictures(self, targets_deg: Sequence[Mapping[str, float]]) -> Sequence[Section]:
+        """Pictures of positions in their order."""
+        positions = [(each["outer"], each["inner"]) for each in targets_deg]
+        return (position_section(list(dict.fromkeys(positions))),)
 
 
 def _rows(measurement: Measurement) -> TriadObservations:

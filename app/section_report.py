@@ -1,0 +1,40 @@
+"""The report of a result that is shown by its sections."""
+
+from collections.abc import Sequence
+from typing import Protocol
+
+from tumble.calibrations.core.provenance import Provenance
+from tumble.calibrations.core.view import Section
+from tumble.messages import Message
+
+
+class Shown(Protocol):
+    """What a traced result has to say of itself to be reported so."""
+
+    @property
+    def provenance(self) -> Provenance:
+        """Whose result it is."""
+        ...
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What was odd in the rows."""
+        ...
+
+    @property
+    def loop_warnings(self) -> tuple[str, ...]:
+        """What was odd when the loop was closed."""
+        ...
+
+    def sections(self) -> Sequence[Section]:
+        """What is shown, the answer first."""
+        ...
+
+
+def section_report(title: str, traced: Shown, record_id: str, contradictions: Sequence[str]) -> str:
+    """One HTML page; `title` says what was calibrated."""
+    from tumble.calibrations.report.sections import page  # jinja2 takes time
+
+    record = Message("record {name}", name=record_id) if record_id else ""
+    notices = [*filter(None, [record]), *traced.warnings, *traced.loop_warnings, *contradictions]
+    return page(title, traced.provenance.serial_number, list(traced.sections()), notices)
