@@ -155,8 +155,8 @@ class LinearTraced(LinearAnalysed):
         self,
         record_id: str,
         revision: int,  # noqa: ARG002  # the page says which record it is of
-        chain: Chain[Any] | None,  # noqa: ARG002  # a method that shows it does it itself
+        chain: Chain[Any] | None,
         contradictions: Sequence[str],
     ) -> str:
         """The report, one HTML page."""
-        return section_report(self.method.title, self, record_id, contradictions)
+        return section_report(self.method.title, self, record_id, chain, contradictions)

@@ -1,10 +1,12 @@
 """The report of a result that is shown by its sections."""
 
 from collections.abc import Sequence
-from typing import Protocol
+from typing import Any, Protocol
 
 from tumble.calibrations.core.provenance import Provenance
 from tumble.calibrations.core.view import Section
+from tumble.calibrations.tracing.chain import Chain
+from tumble.calibrations.tracing.chain_sections import chain_section
 from tumble.messages import Message
 
 
@@ -31,10 +33,13 @@ class Shown(Protocol):
         ...
 
 
-def section_report(title: str, traced: Shown, record_id: str, contradictions: Sequence[str]) -> str:
-    """One HTML page; `title` says what was calibrated."""
+def section_report(
+    title: str, traced: Shown, record_id: str, chain: Chain[Any] | None, contradictions: Sequence[str]
+) -> str:
+    """One HTML page, with the experiments that closed the loop; `title` says what was calibrated."""
     from tumble.calibrations.report.sections import page  # jinja2 takes time
 
     record = Message("record {name}", name=record_id) if record_id else ""
     notices = [*filter(None, [record]), *traced.warnings, *traced.loop_warnings, *contradictions]
-    return page(title, traced.provenance.serial_number, list(traced.sections()), notices)
+    sections = [*traced.sections(), *([chain_section(chain)] if chain else [])]
+    return page(title, traced.provenance.serial_number, sections, notices)

@@ -73,9 +73,17 @@ def programme_from_text(text: str, source: str) -> Programme:
 
 def with_dwell(text: str, dwell_s: float) -> str:
     """The text of a programme with another duration of its dwells, in place of `dwell_s` or `samples`."""
+    return _with(text, f"dwell_s = {dwell_s:g}")
+
+
+def with_samples(text: str, samples: int) -> str:
+    """The same with so many samples in each of its dwells."""
+    return _with(text, f"samples = {samples}")
+
+
+def _with(text: str, line: str) -> str:
     head, table, rest = _FIRST_TABLE.split(text, maxsplit=1) if _FIRST_TABLE.search(text) else (text, "", "")
-    kept = _DWELL.sub("", head)
-    return f"{kept.rstrip()}\ndwell_s = {dwell_s:g}\n\n{table}{rest}"
+    return f"{_DWELL.sub('', head).rstrip()}\n{line}\n\n{table}{rest}"
 
 
 def _schema(text: str, source: str) -> type[Programme]:

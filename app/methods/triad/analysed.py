@@ -16,6 +16,7 @@ from tumble.calibrations.core.verdict import Judgement, Model, Outcome, Verdict
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.triad.document import document, fit_document
 from tumble.calibrations.methods.triad.entry import VERSION, entry
+from tumble.calibrations.methods.triad.fit import TriadFit
 from tumble.calibrations.methods.triad.loop import TriadDeclared, TriadLoop
 from tumble.calibrations.methods.triad.method import METHOD
 from tumble.calibrations.methods.triad.observations import TriadObservations
@@ -107,14 +108,18 @@ class TriadTraced(TriadAnalysed):
     """The same with the loop closed. Fits `tumble.app.analysed.Traced`."""
 
     loop: TriadLoop
-    next_experiment: tuple[Experiment, ...] = ()
     loop_warnings: tuple[str, ...] = ()
     shows_values: bool = False
 
     @property
-    def explained(self) -> Explained[TriadTable, Any]:
-        """What the loop rests on."""
-        return self.loop.explained
+    def explained(self) -> Explained[TriadTable, TriadFit] | None:
+        """What the loop rests on; None of a table in doubt."""
+        return None if self.loop.doubts else self.loop.explained
+
+    @property
+    def next_experiment(self) -> tuple[Experiment, ...]:
+        """What to measure next."""
+        return self.loop.experiments
 
     @property
     def model(self) -> Model:
@@ -150,7 +155,7 @@ class TriadTraced(TriadAnalysed):
 
     def planned(self, experiments: tuple[Experiment, ...]) -> Self:
         """The same with what to measure next."""
-        return replace(self, next_experiment=experiments)
+        return replace(self, loop=replace(self.loop, experiments=experiments))
 
     def refitted(self, analysed: TriadAnalysed) -> Self:  # noqa: ARG002  # nothing of the fit is drawn at random
         """The same: another fit of the same rows gives the same."""
@@ -160,8 +165,8 @@ class TriadTraced(TriadAnalysed):
         self,
         record_id: str,
         revision: int,  # noqa: ARG002  # the page says which record it is of
-        chain: Chain[Any] | None,  # noqa: ARG002  # the experiments that were run stand in the result
+        chain: Chain[Any] | None,
         contradictions: Sequence[str],
     ) -> str:
         """The report, one HTML page."""
-        return section_report(METHOD.title, self, record_id, contradictions)
+        return section_report(METHOD.title, self, record_id, chain, contradictions)

@@ -13,10 +13,11 @@ from tumble.app.methods.triad.analysed import TriadAnalysed, TriadTraced
 from tumble.app.stand import LoadedStand
 from tumble.calibrations.core.provenance import Provenance
 from tumble.calibrations.core.view import Section
-from tumble.calibrations.methods.triad.loop import close_triad_loop, declared_fit
+from tumble.calibrations.methods.triad.loop import asked_next, close_triad_loop, declared_fit
 from tumble.calibrations.methods.triad.method import NEEDED
 from tumble.calibrations.methods.triad.observations import TriadObservations, read_triad_table
 from tumble.calibrations.methods.triad.picture_sections import position_section
+from tumble.calibrations.methods.triad.probes import PROBES
 from tumble.calibrations.tracing.experiments import Experiment
 
 
@@ -24,7 +25,7 @@ from tumble.calibrations.tracing.experiments import Experiment
 class TriadJob:
     """Fits `JobPart`, `Pictured`, and `SomeTables`: a log that was taken by hand is no run at a stand."""
 
-    experiments: frozenset[str] = frozenset()
+    experiments: frozenset[str] = frozenset(probe.programme for probe in PROBES)
     stand: None = None
 
     def reads(self, header: Sequence[str]) -> bool:
@@ -58,11 +59,13 @@ class TriadJob:
 
     def suggested(self, traced: TriadTraced) -> tuple[Experiment, ...]:
         """What to measure next, of all lists that come along."""
-        return traced.next_experiment
+        return asked_next(traced.loop).experiments
 
     def available(self, stand: LoadedStand, rows: TriadObservations, attended: bool) -> Available:  # noqa: ARG002
-        """No experiment is run by the loop itself."""
-        return Available()
+        """Which lists of positions a stand can run; they need nobody."""
+        from tumble.app.methods.triad.experiments import available  # the engine comes with it
+
+        return available(stand, rows)
 
     def pictures(self, targets_deg: Sequence[Mapping[str, float]]) -> Sequence[Section]:
         """Pictures of positions in their order."""

@@ -18,7 +18,7 @@ def _axis(scene: TriadScene, axis: _AXIS) -> tuple[FloatArray, FloatArray]:
     """Angle of an axis at each row, in radians, and volts per arc second of it, both of shape (rows,)."""
     angle_deg = scene.observations.outer_deg if axis == "outer" else scene.observations.inner_deg
     volts = scene.outer_v if axis == "outer" else scene.inner_v
-    return np.tile(np.deg2rad(angle_deg), 3), volts / ARCSEC_PER_RAD
+    return np.repeat(np.deg2rad(angle_deg), 3), volts / ARCSEC_PER_RAD
 
 
 def _periods(axis: _AXIS, order: int) -> Callable[[TriadScene], Sequence[Form]]:
@@ -39,7 +39,7 @@ def _backlash(axis: _AXIS) -> Callable[[TriadScene], Sequence[Form]]:
         after = (scene.outer_direction if axis == "outer" else scene.inner_direction) < 0
         if not after.any() or after.all():
             return ()
-        return (Form(columns=(_axis(scene, axis)[1] * np.tile(after, 3))[:, None]),)
+        return (Form(columns=(_axis(scene, axis)[1] * np.repeat(after, 3))[:, None]),)
 
     return forms
 
@@ -50,7 +50,7 @@ def _square(scene: TriadScene) -> Sequence[Form]:
 
 
 def _outer_wobble(scene: TriadScene) -> Sequence[Form]:
-    angle_rad = np.tile(np.deg2rad(scene.observations.outer_deg), 3)
+    angle_rad = np.repeat(np.deg2rad(scene.observations.outer_deg), 3)
     volts = scene.turned_v(scene.directions.along) / ARCSEC_PER_RAD
     return (Form(columns=volts[:, None] * np.column_stack([np.sin(2 * angle_rad), np.cos(2 * angle_rad)])),)
 
