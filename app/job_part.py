@@ -126,3 +126,12 @@ class Pictured(Protocol):
     def pictures(self, targets_deg: Sequence[Mapping[str, float]]) -> Sequence[Section]:
         """Pictures of positions in their order, each by the angles of its axes."""
         ...
+
+
+@runtime_checkable
+class OverTemperature(Protocol):
+    """The job of a method whose runs at several temperatures become a table of parameters against temperature."""
+
+    def parameter_runs(self, tables: Sequence[Any]) -> Mapping[str, Sequence[float]]:
+        """Columns of that table. Raises `ValueError`."""
+        ...

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from typing import Any, Protocol
 
+from tumble.app.measurement import Measurement
 from tumble.calibrations.core.provenance import Provenance
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.tracing.chain import Chain
@@ -12,6 +13,11 @@ from tumble.messages import Message
 
 class Shown(Protocol):
     """What a traced result has to say of itself to be reported so."""
+
+    @property
+    def measurement(self) -> Measurement:
+        """What was measured."""
+        ...
 
     @property
     def provenance(self) -> Provenance:
@@ -40,6 +46,8 @@ def section_report(
     from tumble.calibrations.report.sections import page  # jinja2 takes time
 
     record = Message("record {name}", name=record_id) if record_id else ""
-    notices = [*filter(None, [record]), *traced.warnings, *traced.loop_warnings, *contradictions]
+    stand_record = traced.measurement.stand_record
+    applied = stand_record.applied if stand_record else ""
+    notices = [*filter(None, [record, applied]), *traced.warnings, *traced.loop_warnings, *contradictions]
     sections = [*traced.sections(), *([chain_section(chain)] if chain else [])]
     return page(title, traced.provenance.serial_number, sections, notices)

@@ -93,7 +93,13 @@ class TriadAnalysed:
 
     def as_json(self) -> dict[str, Any]:
         """The result as `tumble.fit/1`, with the verdict."""
-        return fit_document(self.declared) | {"verdict": self.verdict.as_json()}
+        return fit_document(self.declared) | self._beside()
+
+    def _beside(self) -> dict[str, Any]:
+        """What every document of it has: the verdict, and the stand record that was applied, where one was."""
+        record = self.measurement.stand_record
+        applied = {"stand_record": record.reference} if record else {}
+        return {"verdict": self.verdict.as_json()} | applied
 
     def _judged(self, limit: LimitCheck) -> Judgement:
         parameter = self.parameters[limit.name]
@@ -139,7 +145,8 @@ class TriadTraced(TriadAnalysed):
     @property
     def entry(self) -> Entry:
         """The result as the store takes it."""
-        return replace(entry(self.loop), limits=self.limits, verdict=self.verdict)
+        found = entry(self.loop)
+        return replace(found, result={**found.result, **self._beside()}, limits=self.limits, verdict=self.verdict)
 
     def sections(self) -> Sequence[Section]:
         """What was found, before and after, and what to measure next."""
@@ -151,7 +158,7 @@ class TriadTraced(TriadAnalysed):
 
     def loop_json(self) -> dict[str, Any]:
         """The result as `tumble.loop/1`, with the verdict."""
-        return document(self.loop) | {"verdict": self.verdict.as_json()}
+        return document(self.loop) | self._beside()
 
     def planned(self, experiments: tuple[Experiment, ...]) -> Self:
         """The same with what to measure next."""

@@ -10,9 +10,11 @@ from tumble.app.job_part import JobPart
 from tumble.app.measurement import Measurement
 from tumble.app.measurements import check_limits
 from tumble.app.methods.triad.analysed import TriadAnalysed, TriadTraced
+from tumble.app.methods.triad.stand_part import STAND, TriadStand
 from tumble.app.stand import LoadedStand
 from tumble.calibrations.core.provenance import Provenance
 from tumble.calibrations.core.view import Section
+from tumble.calibrations.methods.triad.by_temperature import parameter_runs
 from tumble.calibrations.methods.triad.loop import asked_next, close_triad_loop, declared_fit
 from tumble.calibrations.methods.triad.method import NEEDED
 from tumble.calibrations.methods.triad.observations import TriadObservations, read_triad_table
@@ -23,10 +25,10 @@ from tumble.calibrations.tracing.experiments import Experiment
 
 @dataclass(frozen=True)
 class TriadJob:
-    """Fits `JobPart`, `Pictured`, and `SomeTables`: a log that was taken by hand is no run at a stand."""
+    """Fits `JobPart`, `Pictured`, `OverTemperature`, and `SomeTables`: a log taken by hand is no run at a stand."""
 
     experiments: frozenset[str] = frozenset(probe.programme for probe in PROBES)
-    stand: None = None
+    stand: TriadStand = STAND
 
     def reads(self, header: Sequence[str]) -> bool:
         """Whether a table says where both axes stood."""
@@ -66,6 +68,10 @@ class TriadJob:
         from tumble.app.methods.triad.experiments import available  # the engine comes with it
 
         return available(stand, rows)
+
+    def parameter_runs(self, tables: Sequence[TriadObservations]) -> Mapping[str, Sequence[float]]:
+        """Parameters at each temperature. Raises `ValueError`."""
+        return parameter_runs(tables)
 
     def pictures(self, targets_deg: Sequence[Mapping[str, float]]) -> Sequence[Section]:
         """Pictures of positions in their order."""

@@ -8,6 +8,7 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.triad.geometry import ARCSEC_PER_RAD, square_change, wobble_changes
 from tumble.calibrations.methods.triad.scene import TriadScene
+from tumble.calibrations.stand_records.terms import TWO_AXES
 from tumble.calibrations.tracing.effect import Effect, Form, Quantity, Reported, Variable, harmonic_in, plain
 from tumble.messages import Message
 
@@ -90,14 +91,13 @@ def _of_axis(
     )
 
 
-_OUTER, _INNER = Message("outer"), Message("inner")
+_NAMES = {str(name): name for name in TWO_AXES}
 
 
 def _axis_effects(axis: _AXIS) -> tuple[Effect[TriadScene], ...]:
-    said = _OUTER if axis == "outer" else _INNER
-    eccentricity = Message.named(f"{axis}_eccentricity", "eccentricity of the {axis} axis", axis=said)
-    second = Message.named(f"{axis}_second_harmonic", "second harmonic of the {axis} axis", axis=said)
-    backlash = Message.named(f"{axis}_backlash", "backlash of the {axis} axis", axis=said)
+    eccentricity, second, backlash = (
+        _NAMES[f"{axis}_{kind}"] for kind in ("eccentricity", "second_harmonic", "backlash")
+    )
     return (
         _of_axis(eccentricity, "angle", "A sin(φ + p)", _periods(axis, 1), harmonic_in("arcsec")),
         _of_axis(second, "angle", "A sin(2φ + p)", _periods(axis, 2), harmonic_in("arcsec")),
@@ -109,7 +109,7 @@ def _axis_effects(axis: _AXIS) -> tuple[Effect[TriadScene], ...]:
 
 STAND_EFFECTS: tuple[Effect[TriadScene], ...] = (
     Effect(
-        name=Message.named("axes_orthogonality", "axes of the stand not square"),
+        name=_NAMES["axes_orthogonality"],
         belongs_to="stand",
         depends_on="angle",
         symbol="κ: the axes are not square",
@@ -120,7 +120,7 @@ STAND_EFFECTS: tuple[Effect[TriadScene], ...] = (
     *_axis_effects("outer"),
     *_axis_effects("inner"),
     Effect(
-        name=Message.named("outer_wobble", "wobble of the outer axis"),
+        name=_NAMES["outer_wobble"],
         belongs_to="stand",
         depends_on="angle",
         symbol="level_y + w sin(2A + p)",
@@ -129,7 +129,7 @@ STAND_EFFECTS: tuple[Effect[TriadScene], ...] = (
         report=harmonic_in("arcsec"),
     ),
     Effect(
-        name=Message.named("inner_wobble", "wobble of the inner axis"),
+        name=_NAMES["inner_wobble"],
         belongs_to="stand",
         depends_on="angle",
         symbol="inner axis turned by w (cos(2B + p), sin(2B + p), 0)",
