@@ -1,20 +1,20 @@
 """Closing the loop on a triad: what the declared model leaves, traced; parameters before and after."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.blas_threads import one_blas_thread
-from tumble.calibrations.core.parameter import ModelFit, Parameter
+from tumble.calibrations.core.parameter import ModelFit
 from tumble.calibrations.core.repeats import PureError, pure_error
 from tumble.calibrations.core.rows import SetAside
 from tumble.calibrations.methods.triad.doubts import doubts
 from tumble.calibrations.methods.triad.experiments import next_experiments
 from tumble.calibrations.methods.triad.fit import TriadFit, fit_triad
 from tumble.calibrations.methods.triad.gross import gross_errors
-from tumble.calibrations.methods.triad.model import INTERNAL, NAMES, UNITS
+from tumble.calibrations.methods.triad.models import augmented, held_out_declared, modelled, silent
 from tumble.calibrations.methods.triad.observations import TriadObservations
 from tumble.calibrations.methods.triad.readmitted import still_gross
 from tumble.calibrations.methods.triad.scalar import ScalarFit, fit_scalar
@@ -22,16 +22,13 @@ from tumble.calibrations.methods.triad.table import TriadTable, triad_table
 from tumble.calibrations.methods.triad.weights import channel_weights
 from tumble.calibrations.tracing.effect import Structure
 from tumble.calibrations.tracing.experiments import Experiment
-from tumble.calibrations.tracing.explained import Explained, unless_rivals_differ
+from tumble.calibrations.tracing.explained import Explained
 from tumble.calibrations.tracing.findings import EffectFound, Unexplained, Withheld, effects_found, withheld
-from tumble.calibrations.tracing.held_out import held_out_rms
 from tumble.calibrations.tracing.judged import Judged, judged
 from tumble.calibrations.tracing.noise import NoiseModel
 from tumble.calibrations.tracing.trace import Trace, Tracer
 from tumble.messages import Message
 
-_FOLDS = 6
-"""Into so many parts the positions are dealt for the held-out error, every repeat of one in the same part."""
 FEWEST_POSITIONS = 5
 """With fewer positions than this the fourteen parameters are not determined by any choice of them."""
 
@@ -135,7 +132,7 @@ def _declared(
     nothing = _nothing(table)
     fit = fit_triad(table, nothing)
     asked = doubts(table, fit.deviations_v)
-    model = _silent(asked[0]) if asked else _model(fit, fit.parameters(), _held_out_declared(table, nothing))
+    model = silent(asked[0]) if asked else modelled(fit, fit.parameters(), held_out_declared(table, nothing))
     return TriadDeclared(observations=used, table=table, fit=fit, doubts=asked, model=model)
 
 
@@ -184,7 +181,7 @@ def _loop(before: TriadDeclared, explained: Explained[TriadTable, TriadFit]) -> 
         before=before.fit,
         explained=explained,
         declared=before.model,
-        augmented=_silent(asked[0]) if asked else _augmented(explained),
+        augmented=silent(asked[0]) if asked else augmented(explained),
         scalar=None if asked else _scalar(used, explained.best),
         pure_errors=_pure_errors(used),
     )
@@ -203,52 +200,6 @@ def _nothing(table: TriadTable) -> Trace:
 def _untraced(table: TriadTable) -> Judged[TriadTable]:
     """What a table in doubt is traced to: nothing is looked for where nothing would be stated."""
     return Judged(tracer=Tracer(table), trace=_nothing(table), near={}, evidence={}, withheld=())
-
-
-def _silent(reason: str) -> ModelFit:
-    """What is stated of a table in doubt."""
-    unsaid = {name: Parameter(name=name, unit=UNITS[name], value=None, reason=reason) for name in NAMES}
-    return ModelFit(parameters=unsaid, residual_rms=None, held_out_rms=None)
-
-
-def _augmented(explained: Explained[TriadTable, TriadFit]) -> ModelFit:
-    """The model with what was found."""
-    held_out_v = held_out_rms(explained.judged.tracer, explained.judged.trace, _parts(explained.table))
-    return _model(explained.best, _with_rivals(explained), held_out_v)
-
-
-def _model(fit: TriadFit, parameters: Mapping[str, Parameter], held_out_v: float | None) -> ModelFit:
-    """One of the two models."""
-    residual_v = float(np.sqrt(np.mean(fit.residual**2)))
-    return ModelFit(parameters=parameters, residual_rms=residual_v, held_out_rms=held_out_v)
-
-
-def _with_rivals(explained: Explained[TriadTable, TriadFit]) -> dict[str, Parameter]:
-    """Parameters with what was found, but those that depend on which of two near rivals is true."""
-    parameters = explained.best.parameters()
-    for name, rivals in explained.near.items():
-        for rival in rivals:
-            other = fit_triad(explained.table, rival.trace).values
-            for key, value in zip(NAMES, other.tolist(), strict=True):
-                parameters[key] = unless_rivals_differ(parameters[key], value, name, rival.name)
-    return parameters
-
-
-def _parts(table: TriadTable) -> list[np.ndarray[tuple[int, ...], np.dtype[np.bool_]]]:
-    """Parts of the rows, whole positions with all their repeats and channels."""
-    position = np.repeat(table.observations.positions, 3)
-    return [position % _FOLDS == fold for fold in range(_FOLDS)]
-
-
-def _held_out_declared(table: TriadTable, nothing: Trace) -> float | None:
-    """Error of predicting held-out positions by the declared model."""
-    errors: list[FloatArray] = []
-    for out in _parts(table):
-        sample = table.sample_of(~out)
-        fit = sample.whitened_fit(nothing.noise)
-        theta = fit.fit(fit.split(np.empty((len(sample.turned(table.declared[~out][:, :1])), 0)))).theta
-        errors.append(table.output[out] - table.declared[out] @ table.model.coefficients(theta[:INTERNAL]))
-    return float(np.sqrt(np.mean(np.concatenate(errors) ** 2))) if errors else None
 
 
 def _scalar(observations: TriadObservations, best: TriadFit) -> ScalarFit | None:
