@@ -81,6 +81,14 @@ def test_a_later_unit_is_corrected_and_shows_neither_error(bench):
     assert abs(scale["value"] - 1.01) < 4.0 * scale["standard_uncertainty"]
 
 
+def test_what_the_record_does_not_know_is_in_the_uncertainty(bench):
+    """The corrected parameters that the errors of the axes move: m_yz and m_xz by the angle between them."""
+    parameters = bench.document(3)["parameters"]
+    scatter, combined = parameters["m_yz"]["type_a"], parameters["m_yz"]["standard_uncertainty"]
+    assert combined > scatter
+    assert combined == pytest.approx(np.hypot(scatter, 0.1), abs=0.1)
+
+
 def test_a_record_belongs_to_both_axes_and_their_sampler(bench):
     ran = tumble("stand", "show", "simulated-two-axes", "--store", bench.folder / "store", "--json", "-")
     identity = json.loads(ran.out)["identity"]
