@@ -61,7 +61,7 @@ class PlaceQuestion:
     def __init__(self, base: Extensible, trace: Trace, others: Sequence[Trace]) -> None:
         self.name, *rivals = places(trace, others)
         self.rivals = tuple(rivals)
-        self.table = PlannedRows(rows=base.observations, weights=base.weights, programmes=np.full(base.rows, ""))
+        self.table = PlannedRows.of(base)
         nearest = by_place(trace, others)
         seen = [_Place(base=base, trace=nearest[name]) for name in (self.name, *rivals)]
         self._found, self._rivals = seen[0], seen[1:]

@@ -10,7 +10,7 @@ from how far the explanations are apart by now, whatever they should have been.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Final
 
@@ -34,18 +34,32 @@ COVERAGE: Final = 1.645
 
 @dataclass(frozen=True, kw_only=True)
 class PlannedRows:
-    """Rows that are there or would be."""
+    """Rows that are there or would be; each gives one output of a table or several, one after the other."""
 
     rows: Rows
     weights: FloatArray
+    """Of each output of each row, shape (outputs,)."""
     programmes: NDArray[np.str_]
-    """The probe to which each row belongs; empty for the rows of the table."""
+    """The probe to which each output belongs; empty for those of the table."""
+    further_weights: FloatArray = field(default_factory=lambda: np.ones(1))
+    """Of the outputs of a row that is added."""
+
+    @classmethod
+    def of(cls, base: Extensible) -> "PlannedRows":
+        """The rows of a table."""
+        return cls(
+            rows=base.observations,
+            weights=base.weights,
+            programmes=np.full(base.rows, ""),
+            further_weights=base.further_weights,
+        )
 
     def followed_by(self, probe: Probe) -> "PlannedRows":
         """Add those of a probe."""
         joined = probe.after(self.rows)
-        added = np.ones(len(joined) - len(self.weights))
-        return PlannedRows(
+        added = np.tile(self.further_weights, len(joined) - len(self.rows))
+        return replace(
+            self,
             rows=joined,
             weights=np.concatenate([self.weights, added]),
             programmes=np.concatenate([self.programmes, np.full(len(added), probe.programme)]),
@@ -105,7 +119,7 @@ class Question:
 
     def __init__(self, base: Extensible, trace: Trace, name: str, close: Sequence[Rival]) -> None:
         self.name, self.rivals = name, tuple(rival.name for rival in close)
-        self.table = PlannedRows(rows=base.observations, weights=base.weights, programmes=np.full(base.rows, ""))
+        self.table = PlannedRows.of(base)
         self._base = base
         self.behind = np.array([rival.behind for rival in close])
         """How far each rival is behind by now, in -2 ln L, shape (rivals,)."""
