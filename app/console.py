@@ -18,7 +18,6 @@ from tumble.calibrations.core.quantities import (
     format_freedom,
     format_interval,
 )
-from tumble.calibrations.core.sentences import series
 from tumble.calibrations.core.verdict import Model, Outcome, Verdict
 from tumble.drivers.clock import Clock
 from tumble.messages import Message
@@ -168,13 +167,7 @@ def show_result(analysed: Analysed, console: Console | None = None, *, verbose: 
             Message("values with what was found taken into account; the declared model's stand below"), markup=False
         )
     if record := analysed.measurement.stand_record:
-        corrected = Message(
-            "corrected by stand record {version} of {stand}, learned from {units}",
-            version=record.version,
-            stand=record.identity.stand,
-            units=series(record.units),
-        )
-        console.print(corrected, markup=False)
+        console.print(record.applied, markup=False)
     for line in analysed.details() if verbose else analysed.in_short():
         console.print(line, markup=False)
 

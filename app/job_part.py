@@ -4,12 +4,13 @@
 `tumble.jobs` under the name of the method; `tumble.app.jobs` finds it.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
 
 from tumble.calibrations.core.provenance import Provenance
 from tumble.calibrations.core.rows import Rows
+from tumble.calibrations.core.view import Section
 from tumble.calibrations.stand_records.agreement import Run
 from tumble.calibrations.stand_records.record import StandRecord, Validity
 from tumble.calibrations.tracing.experiments import Experiment
@@ -115,4 +116,22 @@ class SomeTables(Protocol):
 
     def reads(self, header: Sequence[str]) -> bool:
         """Whether a table with these columns is one as a run leaves it."""
+        ...
+
+
+@runtime_checkable
+class Pictured(Protocol):
+    """The job of a method that draws the positions of a programme."""
+
+    def pictures(self, targets_deg: Sequence[Mapping[str, float]]) -> Sequence[Section]:
+        """Pictures of positions in their order, each by the angles of its axes."""
+        ...
+
+
+@runtime_checkable
+class OverTemperature(Protocol):
+    """The job of a method whose runs at several temperatures become a table of parameters against temperature."""
+
+    def parameter_runs(self, tables: Sequence[Any]) -> Mapping[str, Sequence[float]]:
+        """Columns of that table. Raises `ValueError`."""
         ...

@@ -12,6 +12,7 @@ from typing import Any, ClassVar, Self
 from markupsafe import Markup
 
 from tumble.app.measurement import Measurement
+from tumble.app.section_report import section_report
 from tumble.calibrations.core.documents import rows_json
 from tumble.calibrations.core.method import Method
 from tumble.calibrations.core.parameter import ModelFit, Parameter
@@ -154,11 +155,8 @@ class LinearTraced(LinearAnalysed):
         self,
         record_id: str,
         revision: int,  # noqa: ARG002  # the page says which record it is of
-        chain: Chain[Any] | None,  # noqa: ARG002  # a method that shows it does it itself
+        chain: Chain[Any] | None,
         contradictions: Sequence[str],
     ) -> str:
         """The report, one HTML page."""
-        from tumble.calibrations.report.sections import page  # jinja2 takes time
-
-        notices = [*filter(None, [record_id]), *self.warnings, *self.loop_warnings, *contradictions]
-        return page(self.method.title, self.provenance.serial_number, list(self.sections()), notices)
+        return section_report(self.method.title, self, record_id, chain, contradictions)

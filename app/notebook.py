@@ -27,6 +27,7 @@ from tumble.app.stand import load_stand, read_stand
 from tumble.app.stand_lock import holding
 from tumble.app.terminal import shown
 from tumble.app.wiring import connect
+from tumble.calibrations.core.cells import TableError
 from tumble.calibrations.core.method import Method
 from tumble.calibrations.core.quantities import format_concise
 from tumble.messages import Message
@@ -38,6 +39,7 @@ from tumble.procedures.programmes import load_programme
 if TYPE_CHECKING:
     import pandas as pd
 
+    from tumble.calibrations.allan.result import AllanResult
     from tumble.calibrations.records.store import Store
 
 _HEADINGS: Final = (Message("parameter"), Message("value (standard uncertainty)"), Message("remark"))
@@ -109,6 +111,28 @@ def fit(path: Place, *, stand: Place | None = None, serial_number: str = "") -> 
     """
     recorded = read_stand(Path(stand)).recorded if stand else None
     return _of(analyse(read_measurement(Path(path), recorded), serial_number))
+
+
+def allan(path: Place, *, rate_hz: float | None = None) -> "AllanResult":
+    """Allan deviation of every output of a long still recording, in CSV.
+
+    What it has: `outputs` by the names of their columns, each with `deviations`, `model.coefficients` (N, B, K) and
+    `best` (averaging time with its interval); `dwell_s`; `document()`.
+
+    Parameters
+    ----------
+    path
+        Table (CSV) of outputs at equal steps of time.
+    rate_hz
+        Samples a second, where there is no column `time_s`.
+    """
+    from tumble.calibrations.allan.recording import read_still
+    from tumble.calibrations.allan.result import allan as noise_of
+
+    try:
+        return noise_of(read_still(Path(path), rate_hz))
+    except TableError as error:
+        raise InputError(str(error)) from error
 
 
 def close_loop(path: Place, *further: Place, stand: Place | None = None, serial_number: str = "") -> Result:

@@ -27,12 +27,25 @@ def identity_of_stand(stand: Mapping[str, Any], serials: Mapping[str, str]) -> S
     if not stand.get("name"):
         return None
 
-    def instrument(name: str) -> str:
-        """Driver and serial number."""
-        table: Mapping[str, Any] = stand.get(name, {})
-        return f"{table.get('driver', '')} {table.get('serial') or serials.get(name, '')}".strip()
+    return StandIdentity(
+        stand=str(stand["name"]),
+        head=_instruments(stand, serials, "head", "positioners"),
+        daq=_instruments(stand, serials, "daq", "samplers"),
+    )
 
-    return StandIdentity(stand=str(stand["name"]), head=instrument("head"), daq=instrument("daq"))
+
+def _instruments(stand: Mapping[str, Any], serials: Mapping[str, str], one: str, several: str) -> str:
+    """Driver and serial number; of a stand with several, those of each with its name."""
+    if several not in stand:
+        return _instrument(stand.get(one, {}), serials.get(one, ""))
+    tables: Mapping[str, Mapping[str, Any]] = stand[several]
+    return ", ".join(
+        f"{name} {_instrument(table, serials.get(name, ''))}".strip() for name, table in sorted(tables.items())
+    )
+
+
+def _instrument(table: Mapping[str, Any], serial: str) -> str:
+    return f"{table.get('driver', '')} {table.get('serial') or serial}".strip()
 
 
 def with_stand_record(measurement: Measurement, folder: Path | None) -> Measurement:

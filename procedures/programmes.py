@@ -1,7 +1,9 @@
 """The programmes that come along, and those in files of one's own: read from TOML, each by the schema of its method."""
 
+import re
 from importlib.resources.abc import Traversable
 from pathlib import Path
+from typing import Final
 
 from tumble.messages import Message
 from tumble.procedures.errors import InputError, ProgrammeError
@@ -10,6 +12,9 @@ from tumble.procedures.programme import Programme
 from tumble.procedures.registry import find_method, usable_methods
 from tumble.procedures.toml_lines import place_of, read_text
 from tumble.procedures.toml_text import read_toml
+
+_FIRST_TABLE: Final = re.compile(r"^([ \t]*\[)", re.MULTILINE)
+_DWELL: Final = re.compile(r"^[ \t]*(?:dwell_s|samples)[ \t]*=.*\n?", re.MULTILINE)
 
 
 def shipped_programmes() -> list[str]:
@@ -64,6 +69,21 @@ def programme_from_text(text: str, source: str) -> Programme:
         return _schema(text, source).from_text(text, source)
     except InputError as error:
         raise ProgrammeError(str(error)) from error
+
+
+def with_dwell(text: str, dwell_s: float) -> str:
+    """The text of a programme with another duration of its dwells, in place of `dwell_s` or `samples`."""
+    return _with(text, f"dwell_s = {dwell_s:g}")
+
+
+def with_samples(text: str, samples: int) -> str:
+    """The same with so many samples in each of its dwells."""
+    return _with(text, f"samples = {samples}")
+
+
+def _with(text: str, line: str) -> str:
+    head, table, rest = _FIRST_TABLE.split(text, maxsplit=1) if _FIRST_TABLE.search(text) else (text, "", "")
+    return f"{_DWELL.sub('', head).rstrip()}\n{line}\n\n{table}{rest}"
 
 
 def _schema(text: str, source: str) -> type[Programme]:

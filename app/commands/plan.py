@@ -8,10 +8,13 @@ from typing import Any, Final
 import click
 
 from tumble.app.commands import options
+from tumble.app.files import write_text
+from tumble.app.jobs import find_job
 from tumble.app.running import Outline
 from tumble.app.stand import read_stand
-from tumble.app.terminal import say
+from tumble.app.terminal import language, say
 from tumble.messages import Message
+from tumble.procedures.errors import InputError
 from tumble.procedures.layout import Layout
 from tumble.procedures.plan import Plan, PlannedStep
 from tumble.procedures.programmes import load_programme
@@ -26,13 +29,34 @@ _FEW: Final = 4
 @options.stand
 @click.option("--steps", "every_step", is_flag=True, help="Print every step, too.")
 @options.json_out
-def command(programme: str, stand_path: Path | None, every_step: bool, json_path: Path | None) -> None:
+@click.option("--pictures", "page", type=options.REPORT, help="Write a page (HTML) with a picture of every position.")
+def command(
+    programme: str, stand_path: Path | None, every_step: bool, json_path: Path | None, page: Path | None
+) -> None:
     """Print what a programme measures in each mounting and how long it takes, without moving anything."""
     wanted = load_programme(programme)
     planned = Outline(stand=read_stand(stand_path, wanted.method), programme=wanted).plan()
     if str(json_path) != "-":
         say(_summary(planned), *(_steps(planned) if every_step else _mountings(planned)))
     options.write_json(_document(planned), json_path)
+    if page is not None:
+        _write_pictures(planned, page)
+
+
+def _write_pictures(planned: Plan, page: Path) -> None:
+    """Write the page with pictures. Raises `InputError` where the method draws none."""
+    from tumble.app.job_part import Pictured
+    from tumble.calibrations.report.sections import page as page_of  # jinja2 takes time
+
+    part = find_job(planned.programme.method)
+    if not isinstance(part, Pictured):
+        raise InputError(
+            Message("the method {method} draws no positions; leave --pictures out", method=planned.programme.method)
+        )
+    dwells = [each.step for each in planned.steps if isinstance(each.step, Dwell)]
+    sections = part.pictures([dwell.targets_deg for dwell in dwells])
+    write_text(page, page_of(Message("Positions of a programme"), planned.programme.name, sections, (), language()))
+    say(Message("pictures {page}", page=page), err=True)
 
 
 def _summary(planned: Plan) -> str:

@@ -10,6 +10,10 @@ FIRST: Final = 970_000
 """Among the seeds of the bank, beyond those of its lists."""
 SWEEP = '\n[[procedure]]\nkind = "sweep"\nmount = "{}"\nstep_deg = 5.0\npoints = POINTS\norder = "{}"\n'
 FLIPS = '\n[[procedure]]\nkind = "flip"\naxes = ["x", "y", "z"]\n'
+NOISE: Final = "noise_v = 1e-3"
+"""Of a sample, in a stand file."""
+DWELL_V: Final = 1e-4
+"""Noise of a dwell of a hundred samples."""
 _PROGRAMMES: Final = {
     "flips and sweep": FLIPS + SWEEP.format("face-up", "up"),
     "sweep": SWEEP.format("face-up", "up"),
@@ -87,7 +91,7 @@ def made(
         physics = ""
         simulated = [f"parameters = {_inline(unit)}", f"effects = {{ {effect} = {_INSIDE[effect](rng)} }}"]
     ramp = rng.uniform(2.0, 4.0) if "temperature" in effect else 0.0
-    simulated += [f"seed = {seed}", "noise_v = 1e-3", f"temperature = {{ ramp_K_per_h = {ramp} }}"]
+    simulated += [f"seed = {seed}", NOISE, f"temperature = {{ ramp_K_per_h = {ramp} }}"]
     points = "37" if "half a turn" in seat else "80"
     procedures = programmes[first].replace("POINTS", points)
     realisation_count = rng.integers(realisations[0], realisations[1] + 1)

@@ -1,4 +1,4 @@
-"""Closes the loop on a case, and runs every experiment on a second copy of its stand."""
+"""Closes the loop on a case, and asks an oracle, or every experiment on copies of its stand."""
 
 import tempfile
 import time
@@ -7,16 +7,13 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks.active import unnamed
+from benchmarks.active.at_stand import Quiet, at_stand, everything
 from benchmarks.active.cases import Case, make
 from benchmarks.active.grading import Record, told
-from tumble.app.acting import AtStand, measure, prepare, run_experiment
-from tumble.app.closing import MOST_EXPERIMENTS, act, begin
+from tumble.app.closing import MOST_EXPERIMENTS, Closing, act, begin
 from tumble.app.joining import read_together
-from tumble.app.stand import load_stand
-from tumble.app.wiring import connect
 from tumble.calibrations.methods.dividing_head.loop.loop import explain
 from tumble.calibrations.tracing.chain import Stage, stage_of
-from tumble.procedures.programmes import load_programme
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -49,33 +46,50 @@ def graded(job: Job) -> Record:
         "outside": case.outside,
         "first": case.first,
         "seat": case.seat,
+        "open": True,
         "ambiguous": False,
         "failure": None,
     }
     began_s = time.perf_counter()
     try:
         with tempfile.TemporaryDirectory() as folder:
-            record |= _carried_out(case, Path(folder))
-            if record["ambiguous"] and not told(record):
-                record |= _everything_told(case, Path(folder))
+            record |= (_unnamed if job.unnamed else _named)(case, Path(folder), record)
     except Exception as error:  # whatever it is, the case counts as failed and the others are still graded
         record |= {"failure": repr(error)}
     return record | {"seconds": time.perf_counter() - began_s}
 
 
+def _named(case: Case, folder: Path, _record: Record) -> Record:
+    quiet = Quiet(case, folder / "quiet")
+    if not quiet.first().open_to_doubt:
+        return {"open": False}
+    carried_out = _carried_out(case, folder)
+    if not carried_out["ambiguous"]:
+        return carried_out
+    best, expected = quiet.everything().best(MOST_EXPERIMENTS)
+    return carried_out | {"best": best, "expected": expected}
+
+
+def _unnamed(case: Case, folder: Path, record: Record) -> Record:
+    if not Quiet(case, folder / "quiet").first().visible:
+        return {"open": False}
+    record = record | _carried_out(case, folder)
+    return record | _everything_told(case, folder) if record["ambiguous"] and not told(record) else record
+
+
 def _carried_out(case: Case, folder: Path) -> Record:
-    at, first = _at_stand(case, folder / "loop")
+    at, first = at_stand(case, folder / "loop")
     closing = begin([first], at)
     before = _names(closing.chain.first)
     if not any(len(names) > 1 for names in before):
-        return {"found": before}
-    every = closing.available.probes
-    closing = act(closing, at, MOST_EXPERIMENTS)
-    time_s = {probe.programme: probe.stand_time_s for probe in every}
+        return {"ambiguous": False, "found": before}
+    return {"ambiguous": True, "before": before} | _outcome(closing, act(closing, at, MOST_EXPERIMENTS))
+
+
+def _outcome(begun: Closing, closing: Closing) -> Record:
+    time_s = {probe.programme: probe.stand_time_s for probe in begun.available.probes}
     run = [link.experiment.programme for link in closing.chain.links]
     return {
-        "ambiguous": True,
-        "before": before,
         "experiments": run,
         "separated": [link.separated for link in closing.chain.links],
         "differences": [(link.experiment.separation, link.realised) for link in closing.chain.links],
@@ -85,18 +99,6 @@ def _carried_out(case: Case, folder: Path) -> Record:
         "ended": closing.chain.ended,
         "why": closing.chain.why,
     }
-
-
-def _at_stand(case: Case, folder: Path) -> tuple[AtStand, Path]:
-    """The stand of a case with the first measurement made."""
-    folder.mkdir()
-    (folder / "stand.toml").write_text(case.stand_text, "utf-8")
-    (folder / "first.toml").write_text(case.programme_text, "utf-8")
-    if case.physics_text:
-        (folder / "physics.py").write_text(case.physics_text, "utf-8")
-    stand = load_stand(folder / "stand.toml")
-    at = AtStand(stand=stand, connected=connect(stand), serial_number=f"U{case.seed}", folder=folder)
-    return at, measure(at, load_programme(folder / "first.toml"))
 
 
 def _everything_told(case: Case, folder: Path) -> Record:
@@ -109,13 +111,8 @@ def _everything_told(case: Case, folder: Path) -> Record:
 
 
 def _after_everything(case: Case, folder: Path) -> list[list[str]]:
-    at, first = _at_stand(case, folder)
-    offers = begin([first], at).available.offers
-    files = [first]
-    for offer in offers:
-        prepare(at, offer)
-        files.append(run_experiment(at, offer))
-    return _names(stage_of(*explain(read_together(files).observations)))
+    runs = everything(*at_stand(case, folder))
+    return _names(stage_of(*explain(read_together(list(runs.values())).observations)))
 
 
 def _names(stage: Stage[Any]) -> list[list[str]]:

@@ -6,6 +6,7 @@ from typing import Any, Final
 
 import numpy as np
 
+from benchmarks.blind.courses import stated_courses, together
 from benchmarks.blind.named import CATALOGUE, stated
 from benchmarks.blind.right import COARSE
 from benchmarks.blind.table import Table
@@ -83,10 +84,10 @@ def judged_parameter(table: Table, part: Json, name: str) -> dict[str, Any]:
 def fresh_rms_v(table: Table, result: Json) -> list[float | None]:
     """Return the error of prediction on fresh realisations before and after; None where none is offered.
 
-    A prediction is the model of the contract with what the result states. Structure without a name is stated without a
-    course, so that nothing can be predicted from it.
+    A prediction is the model of the contract with what the result states: effects, and the courses of structure that
+    has no name.
     """
-    effects = None if result["unexplained"] else _stated(result["effects"])
+    effects = together(_stated(result["effects"]), stated_courses(result["unexplained"]))
     return [_error_v(table, result["declared"], []), _error_v(table, result["augmented"], effects)]
 
 

@@ -70,12 +70,15 @@ class Table:
     def falls_v2(self, scene: Scene, columns: FloatArray, forms: Sequence[FloatArray]) -> list[float]:
         """By how much each form lowers the sum of squares beside the columns, alpha0 linearised at the scene."""
         root = np.sqrt(self.weights)[:, None]
-        declared = self._functions @ _turned(scene.alpha0_deg)
-        span = _span(root * np.column_stack([declared, scene.slope_v_per_deg, columns]))
+        span = _span(root * np.column_stack([self.free(scene), columns]))
         left_v = root[:, 0] * self.observations.output_v
         left_v = left_v - span @ (span.T @ left_v)
         free = [root * form - span @ (span.T @ (root * form)) for form in forms]
         return [float(np.sum((_span(form).T @ left_v) ** 2)) for form in free]
+
+    def free(self, scene: Scene) -> FloatArray:
+        """What the declared model may follow, alpha0 linearised at the scene, shape (rows, 6)."""
+        return np.column_stack([self._functions @ _turned(scene.alpha0_deg), scene.slope_v_per_deg])
 
     def scene(self, columns: FloatArray) -> Scene:
         """What effects see, by the fit with these columns; from alpha0 = 0 where nothing speaks against it."""

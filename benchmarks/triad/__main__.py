@@ -97,11 +97,11 @@ def _made(
 
 def _visible(made: Made) -> float:
     """Length of what effects add beside the declared model, in standard deviations of a dwell."""
-    white = (made.effect_v / made.noise_v).T.ravel()
+    white = (made.effect_v / made.noise_v).ravel()
     shown = functions(directions(made.columns["outer_deg"], made.columns["inner_deg"]))
     theta = np.concatenate([np.zeros(3), np.eye(3).ravel(), np.zeros(2)])
     jacobian = shown @ Triad(functions=shown).slopes(theta)
-    jacobian /= np.repeat(made.noise_v, len(made.effect_v))[:, None]
+    jacobian /= np.tile(made.noise_v, len(made.effect_v))[:, None]
     return float(np.linalg.norm(white - jacobian @ np.linalg.lstsq(jacobian, white, rcond=None)[0]))
 
 

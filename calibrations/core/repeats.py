@@ -56,3 +56,14 @@ def pure_error(values: FloatArray, groups: NDArray[np.int64], weights: FloatArra
     freedom = len(values) - int(np.count_nonzero(total))
     squares = float(np.sum(weights * (values - mean[groups]) ** 2))
     return PureError(variance=squares / freedom if freedom else float("nan"), degrees_of_freedom=freedom)
+
+
+def without_levels(values: FloatArray, groups: NDArray[np.int64], level: NDArray[np.int64]) -> FloatArray:
+    """Values without what all groups differ by from one level to the next: least squares of groups and levels."""
+    each, width = np.ones(len(values)), int(level.max(initial=-1)) + 1
+    visits = np.bincount(groups * width + level, minlength=(int(groups.max(initial=-1)) + 1) * width).reshape(-1, width)
+    part = visits / visits.sum(axis=1, keepdims=True).clip(1)
+    of_level, of_group = np.bincount(level, values, width), np.bincount(groups, values, len(visits))
+    beside = np.diag(np.bincount(level, each, width)) - visits.T @ part
+    shift = np.linalg.lstsq(beside, of_level - part.T @ of_group, rcond=1e-9)[0]
+    return np.asarray(values - shift[level])

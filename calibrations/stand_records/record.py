@@ -6,6 +6,7 @@ from datetime import datetime
 from enum import StrEnum
 from typing import Any
 
+from tumble.calibrations.core.sentences import series
 from tumble.calibrations.records.canonical import canonical_sha256, plain
 from tumble.calibrations.records.times import read_time, utc_text
 from tumble.calibrations.stand_records.corrections import Corrections, corrections_from_json
@@ -133,6 +134,16 @@ class StandRecord:
     def units(self) -> tuple[str, ...]:
         """Serial numbers of the units that it rests on."""
         return tuple(contribution.serial_number for contribution in self.contributions)
+
+    @property
+    def applied(self) -> Message:
+        """That it was applied to a run, in a sentence."""
+        return Message(
+            "corrected by stand record {version} of {stand}, learned from {units}",
+            version=self.version,
+            stand=self.identity.stand,
+            units=series(self.units),
+        )
 
     @property
     def intact(self) -> bool:

@@ -20,9 +20,25 @@ _ORDERS: Final[Mapping[str, int]] = {ECCENTRICITY: 1, SECOND_HARMONIC: 2}
 _VOLTAGE: Final[Mapping[str, str]] = {AXIS_TILT: "deg", DAQ_NONLINEARITY: "V", RANGE_STEP: "V"}
 """Effects that are taken off the voltage, with the unit of their coefficients."""
 
+_OUTER, _INNER = Message("outer"), Message("inner")
+TWO_AXES: Final[tuple[Message, ...]] = (
+    Message.named("axes_orthogonality", "axes of the stand not square"),
+    Message.named("outer_eccentricity", "eccentricity of the {axis} axis", axis=_OUTER),
+    Message.named("outer_second_harmonic", "second harmonic of the {axis} axis", axis=_OUTER),
+    Message.named("outer_backlash", "backlash of the {axis} axis", axis=_OUTER),
+    Message.named("inner_eccentricity", "eccentricity of the {axis} axis", axis=_INNER),
+    Message.named("inner_second_harmonic", "second harmonic of the {axis} axis", axis=_INNER),
+    Message.named("inner_backlash", "backlash of the {axis} axis", axis=_INNER),
+    Message.named("outer_wobble", "wobble of the outer axis"),
+    Message.named("inner_wobble", "wobble of the inner axis"),
+)
+"""Effects of a stand with two axes, each with an axis of its own; they are taken off the outputs, in arc seconds."""
+_SINGLE: Final = ("axes_orthogonality", "outer_backlash", "inner_backlash")
+"""Of these, those of one coefficient; the others have a sine and a cosine."""
+
 LASTING: Final[tuple[str, ...]] = (*_ORDERS, GRADUATION, BACKLASH, *_VOLTAGE)
 """Effects of the catalogue that stay with a stand; a seat, a leaning base or a settling belongs to the run."""
-_NAMES: Final[Mapping[str, str]] = {name: name for name in LASTING}
+_NAMES: Final[Mapping[str, str]] = {name: name for name in (*LASTING, *TWO_AXES)}
 """What a reader is shown for the name of an effect, which a record holds as text."""
 
 
@@ -40,17 +56,20 @@ class Term:
     @property
     def size(self) -> int:
         """Number of coefficients: a sine and a cosine for each order, and for a wave of the voltage."""
-        return 2 * len(self.orders) if self.orders else 2 if self.effect == DAQ_NONLINEARITY else 1
+        if self.orders:
+            return 2 * len(self.orders)
+        wave = self.effect == DAQ_NONLINEARITY or (self.effect in TWO_AXES and self.effect not in _SINGLE)
+        return 2 if wave else 1
 
     @property
     def unit(self) -> str:
         """Of the coefficients."""
-        return _VOLTAGE.get(self.effect, "deg")
+        return "arcsec" if self.effect in TWO_AXES else _VOLTAGE.get(self.effect, "deg")
 
     @property
     def of_angle(self) -> bool:
         """Whether it is an error of the angle, which a head map holds; otherwise it is taken off the voltage."""
-        return self.effect not in _VOLTAGE
+        return self.effect not in (*_VOLTAGE, *TWO_AXES)
 
     @property
     def label(self) -> str:

@@ -43,11 +43,12 @@ def traced(tracer: Tracer[_T]) -> tuple[Tracer[_T], Trace]:
 
 def _cost(trace: Trace) -> float:
     """Penalised deviance, more of it for what follows any slow course in time."""
-    courses = [each for each in trace.components if each.place == _WANDERING and each.is_course]
+    courses = [each for each in trace.components if each.place == WANDERING and each.is_course]
     return penalised_deviance(trace) + FOLLOWS_ANYTHING * (bool(trace.noise.walk) + len(courses))
 
 
-_WANDERING: Final = ("offset", "time")
+WANDERING: Final = ("offset", "time")
+"""Channel and variable of a bias that wanders."""
 
 
 def _with_one_more(tracer: Tracer[Any], scan: Scan, trace: Trace) -> Iterator[Trace]:
@@ -112,10 +113,10 @@ def alike(tracer: Tracer[Any], trace: Trace) -> list[Trace]:
     scan = Scan(table, table.axes, FALSE_ALARM)
     proposals = scan.proposals(seen_beside(table, rest.forms, rest.noise))
     near = [each for each in proposals if each.worth > proposals[0].worth - NEAR and each.axis.name != first.axis.name]
-    return [_in_place(rest, each) for each in near[:_MOST_ALIKE]]
+    return [in_place(rest, each) for each in near[:_MOST_ALIKE]]
 
 
-def _in_place(rest: Trace, proposal: Proposal) -> Trace:
+def in_place(rest: Trace, proposal: Proposal) -> Trace:
     """A trace with a component more, as it was proposed."""
     component = proposal.component
     noise = rest.noise.with_level(component.name, proposal.variance)

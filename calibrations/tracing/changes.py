@@ -26,6 +26,8 @@ _TIMES: Final = (0.7, 1.0, 1.4)
 """The same about the best of them."""
 _MOST: Final = 12
 """Levels change so often at most."""
+_ROWS_EACH: Final = 12
+"""So many rows a level has at least, in the mean."""
 _ROUNDS: Final = 2
 """So often each change is moved to where it fits best beside the others."""
 
@@ -109,7 +111,8 @@ class Changes:
         whole, gram, along = self._products(columns)
         chosen = list[int]()
         told = list[tuple[float, tuple[int, ...], Gained]]()
-        for _ in range(min(_MOST, len(places))):
+        most = max(min(_MOST, len(self._level) // _ROWS_EACH), 1)
+        for _ in range(min(most, len(places))):
             chosen.append(_next(gram, along, chosen))
             for _ in range(_ROUNDS):
                 chosen = _moved(gram, along, chosen)
@@ -117,7 +120,7 @@ class Changes:
             told.append((gained[0] - 2.0 * np.log(comb(len(places), len(chosen))), tuple(sorted(chosen)), gained))
         _, best, _ = max(told)
         ends, gained = self._exact_levels(places[list(best)])
-        tried = comb(len(places), len(ends))
+        tried = most * comb(len(places), len(ends))
         return Change(places=ends, columns=lambda: levels(self._coordinate.part, ends), gained=gained, tried=tried)
 
     def _exact_levels(self, coarse: FloatArray) -> tuple[FloatArray, Gained]:

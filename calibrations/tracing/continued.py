@@ -1,6 +1,6 @@
 """What a table may be noise in, in further rows: walks and levels go on, and so does structure without a name."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Final
 
@@ -66,30 +66,47 @@ def _shape(component: Component, further: Coordinate) -> FloatArray:
     sizes = np.array(numbers, dtype=float)
     if word in _HAPPENS and further.range > _BEYOND * own.range:
         word, sizes = "broken", _HAPPENED
-    match word:
-        case "levels":
-            return np.eye(int(further.bins.max()) + 1)[further.bins]
-        case "wave":
-            phase = 2.0 * np.pi * sizes[0] * (further.values - own.low) / own.range
-            return np.column_stack([np.sin(phase), np.cos(phase)])
-        case "period":
-            return overtones((further.values - own.low) / own.cycle, sizes[0] * np.arange(1.0, sizes[1] + 1.0))
-        case "ramp":
-            return ramp((further.values - own.low) / own.range, sizes)
-        case "onset":
-            return onset((further.values - own.low) / own.range, sizes)
-        case "changes":
-            return levels((further.values - own.low) / own.range, sizes)
-        case "spot":
-            return further.spots(sizes[None])
-        case "bump":
-            return np.column_stack(further.bells(sizes[None]))
-        case "step" | "pulse":
-            risen = (further.values[:, None] > own.low + own.range * sizes).astype(float)
-            return np.asarray(risen[:, :1] - (risen[:, 1:] if word == "pulse" else 0.0))
-        case _:
-            kind, length = ("smooth", _BENT) if word == "bend" else (_COURSE.get(word, word), float(sizes[0]))
-            return _course(kind, length, own, further)
+    if word in _SHAPES:
+        return _SHAPES[word](own, further, sizes)
+    kind, length = ("smooth", _BENT) if word == "bend" else (_COURSE.get(word, word), float(sizes[0]))
+    return _course(kind, length, own, further)
+
+
+def _part(own: Coordinate, further: Coordinate) -> FloatArray:
+    """Where further rows are in the range of the table."""
+    return np.asarray((further.values - own.low) / own.range)
+
+
+def _part_of_cycle(own: Coordinate, further: Coordinate) -> FloatArray:
+    """Where further rows are in the cycle of the table."""
+    return np.asarray((further.values - own.low) / own.cycle)
+
+
+def _wave(own: Coordinate, further: Coordinate, sizes: FloatArray) -> FloatArray:
+    phase = 2.0 * np.pi * sizes[0] * _part(own, further)
+    return np.column_stack([np.sin(phase), np.cos(phase)])
+
+
+def _pulse(own: Coordinate, further: Coordinate, sizes: FloatArray) -> FloatArray:
+    risen = levels(_part(own, further), sizes)
+    return np.asarray(risen[:, :1] - risen[:, 1:])
+
+
+_SHAPES: Final[Mapping[str, Callable[[Coordinate, Coordinate, FloatArray], FloatArray]]] = {
+    "levels": lambda _, further, __: np.eye(int(further.bins.max()) + 1)[further.bins],
+    "wave": _wave,
+    "period": lambda own, further, sizes: overtones(
+        _part_of_cycle(own, further), sizes[0] * np.arange(1.0, sizes[1] + 1.0)
+    ),
+    "bump": lambda _, further, sizes: np.column_stack(further.bells(sizes[None])),
+    "spot": lambda _, further, sizes: further.spots(sizes[None]),
+    "step": lambda own, further, sizes: levels(_part(own, further), sizes),
+    "pulse": _pulse,
+    "ramp": lambda own, further, sizes: ramp(_part(own, further), sizes),
+    "onset": lambda own, further, sizes: onset(_part(own, further), sizes),
+    "changes": lambda own, further, sizes: levels(_part(own, further), sizes),
+}
+"""Columns of shapes in further rows, for a channel of one, from the variable of the table and what fixes the shape."""
 
 
 def _course(word: str, length: float, own: Coordinate, further: Coordinate) -> FloatArray:

@@ -159,7 +159,9 @@ class Coordinate:
     def spots_tried(self) -> FloatArray:
         """Centre and width of every spot in space that is tried, shape (spots, n + 1)."""
         away = float(np.ptp(self.centres, axis=0).max())
-        tried = np.concatenate([np.column_stack([self.centres, np.full(len(self.centres), away * width)]) for width in _SPOTS])
+        tried = np.concatenate(
+            [np.column_stack([self.centres, np.full(len(self.centres), away * width)]) for width in _SPOTS]
+        )
         return np.asarray(tried[np.count_nonzero(self.spots(tried) > _MIDDLE, axis=0) >= _FEWEST])
 
     def spots(self, spots: FloatArray) -> FloatArray:

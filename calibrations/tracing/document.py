@@ -50,4 +50,6 @@ def unexplained_json(unexplained: Unexplained | None) -> dict[str, Any] | None:
         said["also_possible"] = [
             {"channel": channel, "variable": variable} for channel, variable in unexplained.also_possible
         ]
+    if unexplained.courses:
+        said["courses"] = [course.as_json() for course in unexplained.courses]
     return said

@@ -30,14 +30,16 @@ def promised(probe: Probe, name: str, rivals: Sequence[str], separation: float) 
     )
 
 
-def qualified(why: Message, needed: Sequence[str], others: Sequence[str], runs: int) -> Message:
-    """The same with its conditions: which explanation must be true, what must be run with it, and how often."""
+def qualified(why: Message, needed: Sequence[str], others: Sequence[str], runs: int, likely: bool) -> Message:
+    """The same with its conditions: which explanation must be true, what must be run with it, how often, how sure."""
     if needed:
         why = Message("{why}, if {names} is the true one", why=why, names=series(needed))
     if others:
         why = Message("{why}; only together with {programmes}", why=why, programmes=series(others))
     if runs > 1:
         why = Message("{why}; run it {runs} times", why=why, runs=runs)
+    if likely:
+        why = Message("{why}; so much is likely, but not sure", why=why)
     return why
 
 

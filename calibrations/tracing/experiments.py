@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from tumble.calibrations.tracing.experiment_sentences import no_programme, promised, qualified, remedied
-from tumble.calibrations.tracing.offers import Asked, Offer, chosen, distinct, runs_needed
+from tumble.calibrations.tracing.offers import Asked, Confidence, Offer, chosen, distinct, runs_needed
 from tumble.calibrations.tracing.places import PlaceQuestion, places
 from tumble.calibrations.tracing.probe import Probe
 from tumble.calibrations.tracing.rivals import Rival
@@ -73,27 +73,30 @@ def _answers(question: Asked, probes: Sequence[Probe], otherwise: str) -> Iterat
     """Experiments until every rival is distinguished or nothing tells any of the rest."""
     start, left = Offer(question=question, probes=(), rows=question.table), list(range(len(question.rivals)))
     while left:
-        best, sure = chosen(start, left, probes)
-        apart = best.apart(left, sure)
+        best, confidence = chosen(start, left, probes)
+        apart = best.apart(left, confidence)
         if not apart:
             yield _nothing(question, left, start, best, otherwise)
             return
-        yield from (_experiment(question, best, probe, apart) for probe in distinct(best.probes))
+        yield from (_experiment(question, best, confidence, probe, apart) for probe in distinct(best.probes))
         start, left = replace(start, rows=best.rows), [rival for rival in left if rival not in apart]
 
 
-def _experiment(question: Asked, offer: Offer, probe: Probe, apart: list[int]) -> Experiment:
-    sure = offer.apart(apart, sure=True) == apart
+def _experiment(question: Asked, offer: Offer, confidence: Confidence, probe: Probe, apart: list[int]) -> Experiment:
+    likely = confidence is Confidence.LIKELY
+    sure = offer.apart(apart, Confidence.WHICHEVER) == apart
     choose = np.min if sure else np.max
     rivals = tuple(question.rivals[rival] for rival in apart)
     runs = Counter(each.programme for each in offer.probes)
     others = [name for name in runs if name != probe.programme]
-    needed = () if sure else _needed(question, offer, apart)
+    needed = () if sure or likely else _needed(question, offer, apart)
     separation = float(choose(offer.expected.separations[:, apart], axis=0).min())
     return Experiment(
         separates=(question.name, *rivals),
         programme=probe.programme,
-        why=qualified(promised(probe, question.name, rivals, separation), needed, others, runs[probe.programme]),
+        why=qualified(
+            promised(probe, question.name, rivals, separation), needed, others, runs[probe.programme], likely
+        ),
         command=probe.command,
         separation=separation,
         least=float(choose(offer.expected.promises[:, apart], axis=0).min()),

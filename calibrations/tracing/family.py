@@ -83,6 +83,10 @@ class Family:
         """The shape that gains most beyond its penalty; None where none gains anything."""
         return max(self._tried(seen, rows), key=lambda proposal: proposal.worth, default=None)
 
+    def best_course(self, seen: Beside, rows: int) -> Proposal:
+        """The same among courses that have no shape."""
+        return max(self._courses(seen, rows), key=lambda proposal: proposal.worth)
+
     def _tried(self, seen: Beside, rows: int) -> Iterator[Proposal]:
         yield from self._courses(seen, rows)
         if self._axis.coordinate.waves and len(self._axis.coordinate.turns):
@@ -102,7 +106,7 @@ class Family:
     def _period(self, seen: Beside, rows: int) -> Iterator[Proposal]:
         """Waves with overtones: of a circle, whole numbers of them on it."""
         coordinate, level = self._axis.coordinate, self._axis.channel.gain * seen.root
-        limit = coordinate.nyquist_turns
+        limit, places = coordinate.nyquist_turns, len(np.unique(np.round(coordinate.part_of_cycle, 6)))
         if coordinate.period is not None:
             tried = [float(turns) for turns in range(1, int(limit / 2.0) + 1)]
         elif len(coordinate.turns):
@@ -110,7 +114,8 @@ class Family:
         else:
             tried = []
         told = [
-            (gained(overtones(coordinate.part_of_cycle, turns), level, seen), turns) for turns in periods(tried, limit)
+            (gained(overtones(coordinate.part_of_cycle, turns), level, seen), turns)
+            for turns in periods(tried, limit, places)
         ]
         if not told:
             return
@@ -313,7 +318,14 @@ class Family:
         """A shape with its gain and variance, one of so many of its kind; kinds share the chance of the axis."""
         coordinate = self._axis.coordinate
         several = coordinate.waves + 2 * coordinate.steps + 2 * coordinate.kinks + 3 * coordinate.onsets
-        kinds = 1 + coordinate.bends_tried + coordinate.bumps + (coordinate.values.ndim > 1) + coordinate.overtones + several
+        kinds = (
+            1
+            + coordinate.bends_tried
+            + coordinate.bumps
+            + (coordinate.values.ndim > 1)
+            + coordinate.overtones
+            + several
+        )
         return Proposal(
             axis=self._axis,
             shape=shape,

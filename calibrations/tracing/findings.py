@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from scipy.special import chdtrc
 
+from tumble.calibrations.tracing.courses import Course
 from tumble.calibrations.tracing.effect import Quantity, Variable
 from tumble.calibrations.tracing.judged import Judged
 from tumble.calibrations.tracing.quantified import Quantified, level_quantities
@@ -42,6 +43,8 @@ class Unexplained:
     """With what, more closely than `depends_on`."""
     also_possible: tuple[tuple[str, str], ...] = ()
     """Other channels and variables that the rows do not part from these."""
+    courses: tuple[Course, ...] = ()
+    """What is known of it, the first one along its channel and variable; none where it has no shape."""
 
 
 SHAPELESS_P = 1e-5

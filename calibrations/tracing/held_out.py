@@ -11,9 +11,11 @@ from tumble.calibrations.core.arrays import BoolArray, FloatArray
 from tumble.calibrations.tracing.components import Component
 from tumble.calibrations.tracing.noise import WHITE, NoiseModel
 from tumble.calibrations.tracing.problem import Problem
+from tumble.calibrations.tracing.sample import Sample
 from tumble.calibrations.tracing.search import search
 from tumble.calibrations.tracing.table import Table
 from tumble.calibrations.tracing.trace import Trace, Tracer
+from tumble.calibrations.tracing.whitened import Fitted
 
 _FAR: Final = 4.0
 """So many times the variance of a prediction of the declared model, or of a dwell, is far off the rows."""
@@ -27,7 +29,8 @@ def held_out_rms(tracer: Tracer[Any], trace: Trace, parts: Iterable[BoolArray]) 
 
     Effects are chosen anew from the other rows, from their scans as they stand, in the noise of the whole table. What
     has no name is predicted by its mean given the other rows; what is random (levels, a walk) cannot be, and
-    counts as error. Where folds of the other rows are predicted better by the declared model alone, so is the part.
+    counts as error. Where folds of the other rows are predicted better by the declared model alone, or where
+    those rows do not tell what was found well enough to predict the part, the declared model alone predicts it.
     Parts without which the others do not tell the declared model are passed over; None where that is every one.
     """
     table = tracer.table
@@ -42,17 +45,22 @@ def _errors(tracer: Tracer[Any], trace: Trace, out: BoolArray) -> FloatArray:
     columns = _chosen(tracer, trace, out)
     shown = _Shown(table, trace.noise, trace.components, columns)
     alone = _Shown(table, WHITE, (), nothing)
-    if not _told(table, columns, out):
+    if not _told(table, columns, out, shown.theta(~out)):
         return alone.errors(~out, out)
     inner = _inner_folds(table, out)
     better = sum(shown.squares(train, test) - alone.squares(train, test) for train, test in inner) <= 0.0
     return (shown if better else alone).errors(~out, out)
 
 
-def _told(table: Table, columns: FloatArray, out: BoolArray) -> bool:
-    """Whether the other rows tell columns so well that no row held out is extrapolated to."""
-    tangent = table.declared @ table.model.slopes(table.fit((), WHITE).declared)
-    return _leverage(np.column_stack([tangent, columns]), out) < _FAR * max(_leverage(tangent, out), 1.0)
+def _told(table: Table, columns: FloatArray, out: BoolArray, theta: FloatArray) -> bool:
+    """Whether the other rows tell columns so well that no row held out is extrapolated to.
+
+    So it must be from the declared parameters of the whole table, and from those that the other rows give with the
+    columns, `theta`: there another alpha0 may stand for what the columns do.
+    """
+    tangents = [table.declared @ table.model.slopes(each) for each in (table.fit((), WHITE).declared, theta)]
+    allowed = _FAR * max(_leverage(tangents[0], out), 1.0)
+    return all(_leverage(np.column_stack([tangent, columns]), out) < allowed for tangent in tangents)
 
 
 def _leverage(columns: FloatArray, out: BoolArray) -> float:
@@ -96,11 +104,18 @@ class _Shown:
         """Sum of squares of the errors."""
         return float(np.sum(self.errors(train, test) ** 2))
 
+    def theta(self, train: BoolArray) -> FloatArray:
+        """Declared parameters that the rows of `train` give."""
+        return self._fitted(train)[1].declared
+
+    def _fitted(self, train: BoolArray) -> tuple[Sample, Fitted]:
+        sample = self._table.sample_in(self._noise, train)
+        whitened_fit = sample.whitened_fit(self._noise)
+        return sample, whitened_fit.fit(whitened_fit.split(sample.turned(self._columns[train])))
+
     def errors(self, train: BoolArray, test: BoolArray) -> FloatArray:
         """Output minus what the rows of `train` predict, of the rows of `test`."""
-        table, sample = self._table, self._table.sample_in(self._noise, train)
-        whitened_fit = sample.whitened_fit(self._noise)
-        fit = whitened_fit.fit(whitened_fit.split(sample.turned(self._columns[train])))
+        table, (sample, fit) = self._table, self._fitted(train)
         together = np.column_stack([table.declared, self._columns])
         misfit = table.output - together @ table.model.coefficients(fit.theta)
         white = sample.memory.whitening(self._noise)

@@ -3,6 +3,10 @@
 The search asks so much of an effect that a clean table is given one in a thousand times; that is no measure of how
 likely an effect is to be there. Here effects count as if one in fifty tables held one (Bayesian model averaging;
 Hoeting, Madigan, Raftery and Volinsky 1999), so that what was nearly found, or barely, is not taken for certain.
+
+A bias that wanders is called a walk, and its mean over the rows is part of the bias. Any other course, a contact that
+comes and goes, looks much like one and has its rest elsewhere: whether it is the one or the other, their likelihoods
+alone decide.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -11,11 +15,14 @@ from typing import Any, Final
 
 import numpy as np
 
+from tumble.calibrations.tracing.beyond import WANDERING, in_place
 from tumble.calibrations.tracing.effect import Structure
+from tumble.calibrations.tracing.family import Family
 from tumble.calibrations.tracing.fitting_noise import best_level
+from tumble.calibrations.tracing.gains import seen_beside
 from tumble.calibrations.tracing.penalties import FALSE_ALARM, NOT_FOUND
 from tumble.calibrations.tracing.rivals import Rival
-from tumble.calibrations.tracing.trace import Trace, Tracer, found, penalised_deviance
+from tumble.calibrations.tracing.trace import WALK, Trace, Tracer, found, penalised_deviance
 
 _ALLOWED: Final = 2.0 * float(np.log(NOT_FOUND / FALSE_ALARM))
 """By so much less an effect is penalised here than in the search."""
@@ -52,6 +59,7 @@ def neighbours(
         Neighbour(trace=each, odds=float(np.exp(0.5 * min(least - _plausibility(each), 0.0))), differs=name)
         for name, each in listed
     ]
+    weighed.extend(_course_for_walk(everything, trace))
     return [each for each in weighed if each.odds > _LEAST]
 
 
@@ -93,3 +101,24 @@ def _elsewhere(tracer: Tracer[Any], others: Sequence[Trace]) -> Iterator[tuple[s
     for other in others:
         table = tracer.beside(other.components).table
         yield other.components[0].name, replace(other, deviance=table.deviance(other.forms, other.noise))
+
+
+def _course_for_walk(tracer: Tracer[Any], trace: Trace) -> Iterator[Neighbour]:
+    """The trace with a course of the bias in time that has no shape in the place of its random walk, if it has one.
+
+    Where there is structure in time beside the walk, it is neither: then one course stands for both, at even odds.
+    """
+    if WALK not in trace.names:
+        return
+    rest, structured = trace.without(WALK), [each for each in trace.components if each.place == WANDERING]
+    for each in structured:
+        rest = rest.without(each.name)
+    table = tracer.beside(rest.components).table
+    seen = seen_beside(table, rest.forms, rest.noise)
+    for axis in table.axes:
+        if axis.place == WANDERING:
+            other = in_place(rest, Family(axis, FALSE_ALARM).best_course(seen, table.rows))
+            table = tracer.beside(other.components).table
+            behind = table.deviance(other.forms, other.noise) - trace.deviance
+            odds = 1.0 if structured else float(np.exp(-0.5 * max(behind, 0.0)))
+            yield Neighbour(trace=other, odds=odds, differs=WALK)

@@ -10,12 +10,20 @@ from tumble.calibrations.tracing.gains import Beside, Gained, gains
 
 _OVERTONES: Final = 8
 """The period itself and so many less one of its overtones, as far as the values show them."""
+_PLACES_EACH: Final = 8
+"""So many distinct values there are at least for a wave, and for each overtone."""
 _FINER: Final = 5
 
 
-def periods(turns: Sequence[float], limit: float) -> list[FloatArray]:
-    """Turns of the wave and of its overtones up to a limit, for each number of turns of the wave."""
-    return [turn * np.arange(1.0, min(_OVERTONES, int(limit / turn)) + 1.0) for turn in turns if 2.0 * turn <= limit]
+def periods(turns: Sequence[float], limit: float, places: int) -> list[FloatArray]:
+    """Turns of the wave and of its overtones up to a limit, for each number of turns of the wave.
+
+    There are fewer overtones where they would be as many as the distinct values of the variable, `places`.
+    """
+    most = min(_OVERTONES, places // _PLACES_EACH)
+    return [
+        turn * np.arange(1.0, min(most, int(limit / turn)) + 1.0) for turn in turns if 2.0 * turn <= limit and most > 1
+    ]
 
 
 def overtones(part: FloatArray, turns: FloatArray) -> FloatArray:

@@ -61,7 +61,7 @@ class PlaceQuestion:
     def __init__(self, base: Extensible, trace: Trace, others: Sequence[Trace]) -> None:
         self.name, *rivals = places(trace, others)
         self.rivals = tuple(rivals)
-        self.table = PlannedRows(rows=base.observations, weights=base.weights, programmes=np.full(base.rows, ""))
+        self.table = PlannedRows.of(base)
         nearest = by_place(trace, others)
         seen = [_Place(base=base, trace=nearest[name]) for name in (self.name, *rivals)]
         self._found, self._rivals = seen[0], seen[1:]
@@ -77,11 +77,13 @@ class PlaceQuestion:
     def expected(self, rows: PlannedRows) -> Expected:
         """Differences in -2 ln L once further rows are there: expected, and what they will hardly stay below."""
         if len(rows.weights) == len(self.table.weights):
-            return Expected(separations=np.zeros((2, len(self.rivals))), promises=np.array([self.behind, -self.behind]))
+            there = np.array([self.behind, -self.behind])
+            return Expected(separations=np.zeros((2, len(self.rivals))), promises=there, likely=there)
         found, others = self._found.further(rows), [each.further(rows) for each in self._rivals]
         pairs = np.array([[found.against(each) for each in others], [each.against(found) for each in others]])
         now = np.array([self.behind, -self.behind])
-        return Expected(separations=now + pairs[..., 0], promises=now + pairs[..., 0] - COVERAGE * pairs[..., 1])
+        likely = now + pairs[..., 0]
+        return Expected(separations=likely, promises=likely - COVERAGE * pairs[..., 1], likely=likely)
 
 
 @dataclass(frozen=True, kw_only=True)

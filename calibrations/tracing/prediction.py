@@ -1,6 +1,7 @@
 """One explanation of a table, and what it says of rows that are not there yet."""
 
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import pairwise
 
 import numpy as np
 
@@ -19,8 +20,10 @@ _ALLOWED = 16.0
 """A form that misses no more of an effect than this, in -2 ln L, is not refuted by the table."""
 _UNSEEN = 1e-4
 """Of a change of the effect less than this part is seen: the table says nothing of it."""
-_STEP = 1e-3
-"""Relative step for the change of a form with what is scanned."""
+_BETWEEN = 3
+"""So many values are tried between two of what is scanned for."""
+_BEYOND = 1.35
+"""What is scanned for is found up to so many times the greatest of the values, or as small a part of the least."""
 
 
 class Prediction:
@@ -79,7 +82,9 @@ class Prediction:
         It may take any form of the effect that the table allows, or that only more rows bring up.
         """
         new = [value for value in self._scanned(scene) if value > 1.01 * max(self._grid)]
-        forms = [self._followed(scene, self._own), *(self._form(scene, value) for value in (*self._allowed, *new))]
+        own = [_columns(scene, item) for item, _ in self._own]
+        forms = [np.column_stack([np.empty((scene.rows, 0)), *own])]
+        forms += [self._form(scene, value) for value in (*self._allowed, *new)]
         columns, ends = np.column_stack(signals), np.cumsum([each.shape[1] for each in signals])
         rests = [np.split(rest, ends[:-1], axis=1) for rest in self._rests(scene, weights, columns, forms)]
         return [min(each, key=_of_the_fit) for each in zip(*rests, strict=True)]
@@ -121,7 +126,8 @@ class Prediction:
         """Values to try of what is scanned for, where that is a continuous quantity."""
         if len(self._own) != 1 or self._own[0][0].effect.at is None:
             return []
-        return [value for form in self._own[0][0].effect.forms(scene) for value in form.scanned.values()]
+        effect = self._own[0][0].effect
+        return _filled([value for form in effect.forms(scene) for value in form.scanned.values()])
 
     def _not_refuted(self) -> list[float]:
         """Scanned values with which the effect could be what it is in the table."""
@@ -134,11 +140,10 @@ class Prediction:
         return [value for value, rest in zip(self._grid, rests, strict=True) if np.sum(rest**2) < _ALLOWED]
 
     def _form(self, scene: View, value: float) -> FloatArray:
-        """The effect at another scanned value, and its change with that, shape (rows, n)."""
+        """The effect at another scanned value."""
         at = self._own[0][0].effect.at
         assert at is not None
-        above, below = (at(scene, value * (1.0 + side * _STEP)).columns for side in (0.5, -0.5))
-        return np.column_stack([(above + below) / 2, above - below])
+        return at(scene, value).columns
 
     @staticmethod
     def _followed(scene: View, items: Iterable[tuple[Found, FloatArray]]) -> FloatArray:
@@ -169,6 +174,15 @@ class Prediction:
         """What makes the noise of this explanation white."""
         memory, noise = continued_noise(self._base, self._noise, self._components, scene, weights)
         return memory.whitening(noise)
+
+
+def _filled(values: Sequence[float]) -> list[float]:
+    """Values with others between them, and beyond them as far as the search goes."""
+    if not values:
+        return []
+    ends = [min(values) / _BEYOND, *sorted(values), max(values) * _BEYOND]
+    parts = [np.geomspace(*pair, _BETWEEN + 1, endpoint=False) for pair in pairwise(ends)]
+    return [*np.concatenate(parts).tolist(), ends[-1]]
 
 
 def _columns(scene: View, item: Found) -> FloatArray:

@@ -10,7 +10,7 @@ from how far the explanations are apart by now, whatever they should have been.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Final
 
@@ -34,18 +34,32 @@ COVERAGE: Final = 1.645
 
 @dataclass(frozen=True, kw_only=True)
 class PlannedRows:
-    """Rows that are there or would be."""
+    """Rows that are there or would be; each gives one output of a table or several, one after the other."""
 
     rows: Rows
     weights: FloatArray
+    """Of each output of each row, shape (outputs,)."""
     programmes: NDArray[np.str_]
-    """The probe to which each row belongs; empty for the rows of the table."""
+    """The probe to which each output belongs; empty for those of the table."""
+    further_weights: FloatArray = field(default_factory=lambda: np.ones(1))
+    """Of the outputs of a row that is added."""
+
+    @classmethod
+    def of(cls, base: Extensible) -> "PlannedRows":
+        """The rows of a table."""
+        return cls(
+            rows=base.observations,
+            weights=base.weights,
+            programmes=np.full(base.rows, ""),
+            further_weights=base.further_weights,
+        )
 
     def followed_by(self, probe: Probe) -> "PlannedRows":
         """Add those of a probe."""
         joined = probe.after(self.rows)
-        added = np.ones(len(joined) - len(self.weights))
-        return PlannedRows(
+        added = np.tile(self.further_weights, len(joined) - len(self.rows))
+        return replace(
+            self,
             rows=joined,
             weights=np.concatenate([self.weights, added]),
             programmes=np.concatenate([self.programmes, np.full(len(added), probe.programme)]),
@@ -84,6 +98,8 @@ class Expected:
     """As the table was fitted."""
     promises: FloatArray
     """What they will hardly stay below, counted on from what they are now."""
+    likely: FloatArray
+    """What they will exceed about as often as not, counted on likewise."""
 
 
 class Question:
@@ -103,7 +119,7 @@ class Question:
 
     def __init__(self, base: Extensible, trace: Trace, name: str, close: Sequence[Rival]) -> None:
         self.name, self.rivals = name, tuple(rival.name for rival in close)
-        self.table = PlannedRows(rows=base.observations, weights=base.weights, programmes=np.full(base.rows, ""))
+        self.table = PlannedRows.of(base)
         self._base = base
         self.behind = np.array([rival.behind for rival in close])
         """How far each rival is behind by now, in -2 ln L, shape (rivals,)."""
@@ -137,13 +153,17 @@ class Question:
     def expected(self, rows: PlannedRows) -> "Expected":
         """The same, with what may be promised of it."""
         lefts = self._left(rows)
-        gained = [
-            [_least(after, now) for after, now in zip(*ways, strict=True)]
-            for ways in zip(lefts, self._now, strict=True)
-        ]
+        gained = np.array(
+            [
+                [_gained(after, now) for after, now in zip(*ways, strict=True)]
+                for ways in zip(lefts, self._now, strict=True)
+            ]
+        )
+        there = np.array([self.behind, -self.behind])
         return Expected(
             separations=np.array([[separation(left[:, :1])[0] for left in way] for way in lefts]),
-            promises=np.array([self.behind, -self.behind]) + np.array(gained),
+            promises=there + gained[..., 0],
+            likely=there + gained[..., 1],
         )
 
     def outlook(self, rows: PlannedRows, programme: str, apart: list[int], sure: bool) -> Outlook:
@@ -174,12 +194,18 @@ class Question:
         return by_rivals, self._found.left(scene, weights, [rival.signal(scene) for rival in self._rivals])
 
 
-def _least(after: FloatArray, now: FloatArray) -> float:
-    """By how much a difference grows at least, for signals of which so much, shape (rows, 1 + n), is left."""
-    products, known = after.T @ after, now.T @ now
-    rows, before = len(after), float(known[0, 0])
-    least = nearest_to_nothing(products - known, COVERAGE)
-    return rows * float(np.log1p((before + least) / rows) - np.log1p(before / rows))
+def _gained(after: FloatArray, now: FloatArray) -> tuple[float, float]:
+    """By how much a difference grows at least, and likely, for signals of which so much, shape (rows, 1 + n), is left.
+
+    A fit to noise alone has |l|² = |L|² on average: that much of it is taken for noise.
+    """
+    products, before = after.T @ after, now.T @ now
+    further = products - before
+    likely = max(float(2.0 * further[0, 0] - np.trace(further)), 0.0)
+    rows, known = len(after), float(before[0, 0])
+    least = nearest_to_nothing(further, COVERAGE)
+    grown = [rows * float(np.log1p((known + more) / rows) - np.log1p(known / rows)) for more in (least, likely)]
+    return grown[0], grown[1]
 
 
 def separation(left: FloatArray) -> FloatArray:

@@ -176,6 +176,11 @@ class Extensible(Table, ABC):
     def functions(self, view: View) -> FloatArray:
         """Functions of the declared model in a view of this table, shape (rows, functions)."""
 
+    @property
+    def further_weights(self) -> FloatArray:
+        """Relative weights of what further rows of observations add to the table, one for each output of a row."""
+        return np.ones(1)
+
     def axes_in(self, view: View) -> tuple[Axis, ...]:  # noqa: ARG002
         """Along what there may be components without a name in a view of this table; unless it says so, nothing."""
         return ()

@@ -1,4 +1,4 @@
-"""A course that wanders and is pulled back to its mean (Ornstein and Uhlenbeck), as cosines over the range of a variable."""
+"""A course that wanders and is pulled back to its mean (Ornstein and Uhlenbeck), as cosines over a range."""
 
 from typing import Final
 

@@ -119,3 +119,36 @@ def timeless(point):
     """A point without time and temperatures, which an outage moves."""
     readings = {name: replace(reading, temperature_degc=None) for name, reading in point.readings.items()}
     return replace(point, time_s=0.0, temperature_degc=None, readings=readings)
+
+
+def test_values_are_printed_once(folder):
+    ran = tumble("calibrate", "--programme", "short.toml", "--serial", "T1", "--store", "s")
+    assert ran.status == 0
+    assert ran.out.count("│ scale_x") == 1
+
+
+def test_values_of_a_recording_are_printed_once(folder):
+    run()
+    ran = tumble("close-loop", "run.mcap")
+    assert ran.status == 0
+    assert ran.out.count("│ scale_x") == 1
+
+
+def test_the_report_shows_every_position(folder):
+    run()
+    assert tumble("report", "run.mcap", "--out", "r.html").status == 0
+    page = (folder / "r.html").read_text("utf-8")
+    assert "12: 180°, -90°" in page
+    assert "Mismatch over the poses" in page
+
+
+def test_its_positions_are_drawn_before_anything_moves(folder):
+    ran = tumble("plan", "short.toml", "--pictures", "p.html")
+    assert ran.status == 0
+    assert "12: 180°, -90°" in (folder / "p.html").read_text("utf-8")
+
+
+def test_a_method_that_draws_no_positions_says_so():
+    ran = tumble("plan", "quick", "--pictures", "p.html")
+    assert ran.status == 2
+    assert "draws no positions; leave --pictures out" in ran.err

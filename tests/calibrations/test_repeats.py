@@ -1,8 +1,10 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from tables import FLIPS, sweep, table
 
-from tumble.calibrations.core.repeats import labels, pure_error, settings
+from tumble.calibrations.core.repeats import labels, pure_error, settings, without_levels
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.poses import mountings, pose_groups
 from tumble.calibrations.methods.dividing_head.weights import dwell_weights
@@ -51,3 +53,22 @@ def test_a_noisier_procedure_weighs_less():
 
     assert weights[~flip][0] / weights[flip][0] == pytest.approx(9.0, rel=0.4)
     assert weights.mean() == pytest.approx(1.0)
+
+
+def test_a_drift_between_runs_is_no_noise_of_the_procedure_that_was_repeated():
+    rows = table(*FLIPS, sweep("face-up"), noise_v=0.0, realisations=6)
+    drifted = (rows.procedure != "flip") & (rows.realisation > 3)
+    residual = np.random.default_rng(5).normal(0.0, 1e-4, len(rows)) + 2e-3 * drifted
+    rows = replace(rows, realisation=np.where(drifted, rows.realisation, np.minimum(rows.realisation, 3)))
+
+    assert dwell_weights(rows, residual, pose_groups(rows)).tolist() == [1.0] * len(rows)
+
+
+def test_levels_go_from_values_and_what_groups_differ_by_stays():
+    groups, level = np.array([0, 1, 0, 1, 1]), np.array([0, 0, 1, 1, 2])
+
+    left = without_levels(np.array([1.0, 5.0, 3.0, 7.0, 4.0]), groups, level)
+
+    assert left[[0, 1]] == pytest.approx(left[[2, 3]])
+    assert left[4] == pytest.approx(left[1])
+    assert left[1] - left[0] == pytest.approx(4.0)

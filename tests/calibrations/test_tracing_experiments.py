@@ -172,10 +172,42 @@ def test_what_only_the_voltmeter_can_separate_is_said_and_has_no_command():
     base, trace, found = traced(runs(programme(FLIPS, BACK, DOWN, realisations=2), extra_v=cube))
     (name,) = found
     nonlinear = {name: [rival for rival in found[name] if rival.name == "daq_nonlinearity"]}
-    (experiment,) = next_experiments(base, trace, nonlinear, PROBES)
+    (experiment,) = next_experiments(base, trace, nonlinear, [BY_NAME["probe-end"]])
     assert (experiment.programme, experiment.command) == ("", "")
     assert "exchange one of these" in experiment.why
     assert experiment.outlook is None
+
+
+def test_many_runs_that_are_likely_to_tell_are_proposed_though_nothing_is_promised(monkeypatch):
+    def separations(mounts):
+        return [[0.6 * (len(mounts) - 1)]] * 2
+
+    proposed = next_experiments_of(monkeypatch, ("b",), separations)
+
+    assert sum(each.runs for each in proposed) == 5  # of three realisations each, 1.8 in -2 ln L a run: 9 of 16
+    assert all(each.why.endswith("; so much is likely, but not sure") for each in proposed)
+
+
+def test_what_is_likely_is_more_than_what_is_promised():
+    base, trace, found = traced(runs(programme(FLIPS, BACK, DOWN, realisations=2), extra_v=k_xx, seed=2))
+    (rival,) = (rival for rival in found["k_xx"] if rival.name == "head_eccentricity")
+    question = Question(base, trace, "k_xx", [rival])
+    then = question.expected(question.table.followed_by(BY_NAME["probe-end"]))
+    assert (then.promises < then.likely).all()
+
+
+def test_a_wave_cannot_bend_into_more_than_the_longest_that_is_looked_for():
+    def cube(columns):
+        return 4e-4 * ax_g(columns) ** 3
+
+    base, trace, found = traced(runs(programme(FLIPS, BACK, DOWN, realisations=2), extra_v=cube, noise_v=4e-5))
+    (rival,) = (rival for rival in found["k_xxx"] if rival.name == "daq_nonlinearity")
+    question = Question(base, trace, "k_xxx", [rival])
+
+    (if_found,), (if_rival,) = question.separations(question.table)
+
+    assert if_found == pytest.approx(if_rival, rel=0.2)
+    assert if_rival == pytest.approx(9.4, rel=0.1)
 
 
 class Stub(Question):
@@ -191,7 +223,8 @@ class Stub(Question):
         return "unit"
 
     def expected(self, rows):
-        return Expected(separations=self.separations(rows), promises=self.separations(rows))
+        there = self.separations(rows)
+        return Expected(separations=there, promises=there, likely=there)
 
     def left(self, rows):
         realisations = rows.rows.realisations[:, None]

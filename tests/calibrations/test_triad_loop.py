@@ -11,11 +11,10 @@ from tumble.app.cli import cli
 from tumble.calibrations.methods.triad.correction import correction
 from tumble.calibrations.methods.triad.document import document
 from tumble.calibrations.methods.triad.doubts import doubts
-from tumble.calibrations.methods.triad.experiments import OFFERED
 from tumble.calibrations.methods.triad.fit import fit_triad
 from tumble.calibrations.methods.triad.gross import gross_errors
 from tumble.calibrations.methods.triad.loop import close_triad_loop
-from tumble.calibrations.methods.triad.programmes import POSITIONS
+from tumble.calibrations.methods.triad.probes import PROBES
 from tumble.calibrations.methods.triad.table import triad_table
 from tumble.calibrations.tracing.effect import Quantity
 from tumble.calibrations.tracing.findings import EffectFound
@@ -160,5 +159,5 @@ def test_the_unit_of_a_coefficient_is_said_once():
 
 
 def test_lists_of_positions_are_offered_the_shortest_first():
-    lengths = [len(POSITIONS[name]) for name in OFFERED]
+    lengths = [len(probe.positions) for probe in PROBES]
     assert lengths == sorted(lengths)

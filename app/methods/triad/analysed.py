@@ -7,6 +7,7 @@ from typing import Any, Self
 from markupsafe import Markup
 
 from tumble.app.measurement import Measurement
+from tumble.app.section_report import section_report
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.provenance import LimitCheck, Provenance
 from tumble.calibrations.core.quantities import format_number
@@ -15,10 +16,11 @@ from tumble.calibrations.core.verdict import Judgement, Model, Outcome, Verdict
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.triad.document import document, fit_document
 from tumble.calibrations.methods.triad.entry import VERSION, entry
+from tumble.calibrations.methods.triad.fit import TriadFit
 from tumble.calibrations.methods.triad.loop import TriadDeclared, TriadLoop
 from tumble.calibrations.methods.triad.method import METHOD
 from tumble.calibrations.methods.triad.observations import TriadObservations
-from tumble.calibrations.methods.triad.sections import sections
+from tumble.calibrations.methods.triad.sections import sections_beside_values
 from tumble.calibrations.methods.triad.table import TriadTable
 from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.tracing.chain import Chain
@@ -91,7 +93,13 @@ class TriadAnalysed:
 
     def as_json(self) -> dict[str, Any]:
         """The result as `tumble.fit/1`, with the verdict."""
-        return fit_document(self.declared) | {"verdict": self.verdict.as_json()}
+        return fit_document(self.declared) | self._beside()
+
+    def _beside(self) -> dict[str, Any]:
+        """What every document of it has: the verdict, and the stand record that was applied, where one was."""
+        record = self.measurement.stand_record
+        applied = {"stand_record": record.reference} if record else {}
+        return {"verdict": self.verdict.as_json()} | applied
 
     def _judged(self, limit: LimitCheck) -> Judgement:
         parameter = self.parameters[limit.name]
@@ -106,14 +114,18 @@ class TriadTraced(TriadAnalysed):
     """The same with the loop closed. Fits `tumble.app.analysed.Traced`."""
 
     loop: TriadLoop
-    next_experiment: tuple[Experiment, ...] = ()
     loop_warnings: tuple[str, ...] = ()
-    shows_values: bool = True
+    shows_values: bool = False
 
     @property
-    def explained(self) -> Explained[TriadTable, Any]:
-        """What the loop rests on."""
-        return self.loop.explained
+    def explained(self) -> Explained[TriadTable, TriadFit] | None:
+        """What the loop rests on; None of a table in doubt."""
+        return None if self.loop.doubts else self.loop.explained
+
+    @property
+    def next_experiment(self) -> tuple[Experiment, ...]:
+        """What to measure next."""
+        return self.loop.experiments
 
     @property
     def model(self) -> Model:
@@ -133,11 +145,12 @@ class TriadTraced(TriadAnalysed):
     @property
     def entry(self) -> Entry:
         """The result as the store takes it."""
-        return replace(entry(self.loop), limits=self.limits, verdict=self.verdict)
+        found = entry(self.loop)
+        return replace(found, result={**found.result, **self._beside()}, limits=self.limits, verdict=self.verdict)
 
     def sections(self) -> Sequence[Section]:
         """What was found, before and after, and what to measure next."""
-        return tuple(sections(self.loop))
+        return tuple(sections_beside_values(self.loop))
 
     def as_json(self) -> dict[str, Any]:
         """The result as `tumble.fit/1`, with the closed loop under `loop`."""
@@ -145,11 +158,11 @@ class TriadTraced(TriadAnalysed):
 
     def loop_json(self) -> dict[str, Any]:
         """The result as `tumble.loop/1`, with the verdict."""
-        return document(self.loop) | {"verdict": self.verdict.as_json()}
+        return document(self.loop) | self._beside()
 
     def planned(self, experiments: tuple[Experiment, ...]) -> Self:
         """The same with what to measure next."""
-        return replace(self, next_experiment=experiments)
+        return replace(self, loop=replace(self.loop, experiments=experiments))
 
     def refitted(self, analysed: TriadAnalysed) -> Self:  # noqa: ARG002  # nothing of the fit is drawn at random
         """The same: another fit of the same rows gives the same."""
@@ -159,12 +172,8 @@ class TriadTraced(TriadAnalysed):
         self,
         record_id: str,
         revision: int,  # noqa: ARG002  # the page says which record it is of
-        chain: Chain[Any] | None,  # noqa: ARG002  # the experiments that were run stand in the result
+        chain: Chain[Any] | None,
         contradictions: Sequence[str],
     ) -> str:
         """The report, one HTML page."""
-        from tumble.calibrations.report.sections import page  # jinja2 takes time
-
-        record = Message("record {name}", name=record_id) if record_id else ""
-        notices = [*filter(None, [record]), *self.warnings, *self.loop_warnings, *contradictions]
-        return page(METHOD.title, self.provenance.serial_number, self.sections(), notices)
+        return section_report(METHOD.title, self, record_id, chain, contradictions)

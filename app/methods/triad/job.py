@@ -1,7 +1,7 @@
 """The job of a triad, as the entry point group `tumble.jobs` names it."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
 
@@ -10,20 +10,26 @@ from tumble.app.job_part import JobPart
 from tumble.app.measurement import Measurement
 from tumble.app.measurements import check_limits
 from tumble.app.methods.triad.analysed import TriadAnalysed, TriadTraced
+from tumble.app.methods.triad.stand_part import STAND, TriadStand, with_stand_record
 from tumble.app.stand import LoadedStand
 from tumble.calibrations.core.provenance import Provenance
-from tumble.calibrations.methods.triad.loop import close_triad_loop, declared_fit
+from tumble.calibrations.core.view import Section
+from tumble.calibrations.methods.triad.by_temperature import parameter_runs
+from tumble.calibrations.methods.triad.loop import asked_next, close_triad_loop, declared_fit
 from tumble.calibrations.methods.triad.method import NEEDED
 from tumble.calibrations.methods.triad.observations import TriadObservations, read_triad_table
+from tumble.calibrations.methods.triad.picture_sections import position_section
+from tumble.calibrations.methods.triad.probes import PROBES
+from tumble.calibrations.methods.triad.stand.uncertainty import widened
 from tumble.calibrations.tracing.experiments import Experiment
 
 
 @dataclass(frozen=True)
 class TriadJob:
-    """Fits `tumble.app.job_part.JobPart`, and `SomeTables`: a log that was taken by hand is no run at a stand."""
+    """Fits `JobPart`, `Pictured`, `OverTemperature`, and `SomeTables`: a log taken by hand is no run at a stand."""
 
-    experiments: frozenset[str] = frozenset()
-    stand: None = None
+    experiments: frozenset[str] = frozenset(probe.programme for probe in PROBES)
+    stand: TriadStand = STAND
 
     def reads(self, header: Sequence[str]) -> bool:
         """Whether a table says where both axes stood."""
@@ -40,6 +46,9 @@ class TriadJob:
     def fit(self, measurement: Measurement, origin: Provenance, trials: int | None) -> TriadAnalysed:  # noqa: ARG002
         """Fit the declared model. Raises `ValueError`, `InputError`."""
         declared = declared_fit(_rows(measurement), measurement.reference_temperature_degc)
+        if record := measurement.stand_record:
+            model = widened(declared.model, declared.fit, declared.table, record.corrections)
+            declared = replace(declared, model=model)
         return TriadAnalysed(
             measurement=measurement,
             provenance=origin,
@@ -51,16 +60,29 @@ class TriadJob:
         """Close the loop."""
         measurement = analysed.measurement
         loop = close_triad_loop(_rows(measurement), measurement.reference_temperature_degc)
+        if record := measurement.stand_record:
+            loop = with_stand_record(loop, record)
         limits = check_limits(loop.augmented.parameters, measurement.programme)
         return TriadTraced(**{**vars(analysed), "limits": limits}, loop=loop)
 
     def suggested(self, traced: TriadTraced) -> tuple[Experiment, ...]:
         """What to measure next, of all lists that come along."""
-        return traced.next_experiment
+        return asked_next(traced.loop).experiments
 
     def available(self, stand: LoadedStand, rows: TriadObservations, attended: bool) -> Available:  # noqa: ARG002
-        """No experiment is run by the loop itself."""
-        return Available()
+        """Which lists of positions a stand can run; they need nobody."""
+        from tumble.app.methods.triad.experiments import available  # the engine comes with it
+
+        return available(stand, rows)
+
+    def parameter_runs(self, tables: Sequence[TriadObservations]) -> Mapping[str, Sequence[float]]:
+        """Parameters at each temperature. Raises `ValueError`."""
+        return parameter_runs(tables)
+
+    def pictures(self, targets_deg: Sequence[Mapping[str, float]]) -> Sequence[Section]:
+        """Pictures of positions in their order."""
+        positions = [(each["outer"], each["inner"]) for each in targets_deg]
+        return (position_section(list(dict.fromkeys(positions))),)
 
 
 def _rows(measurement: Measurement) -> TriadObservations:

@@ -86,6 +86,7 @@ class Joint:
             output_v=np.asarray(self.basis @ coefficients(self.fit.theta)),
             slope_v_per_deg=self.slope_v_per_deg,
             response_v_per_g=self.fit.theta[1:4],
+            product_v_per_g2=float(self.fit.theta[4]),
         )
 
 

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tumble.calibrations.core.arrays import FloatArray
-from tumble.calibrations.core.repeats import PureError, labels, pure_error
+from tumble.calibrations.core.repeats import PureError, labels, pure_error, without_levels
 from tumble.calibrations.methods.dividing_head.observations import Observations
 
 UNEQUAL_P = 1e-3
@@ -33,14 +33,31 @@ def dwell_weights(observations: Observations, residual_v: FloatArray, groups: ND
 def _by_kind(observations: Observations, residual_v: FloatArray, groups: NDArray[np.int64]) -> FloatArray:
     kinds = _kinds(observations)
     ones = np.ones(len(residual_v))
-    errors = [pure_error(residual_v[kinds == kind], groups[kinds == kind], ones[kinds == kind])
-              for kind in range(kinds.max(initial=0) + 1)]  # fmt: skip
+    errors = _errors(residual_v, groups, kinds)
     if len(errors) < 2 or not _scatter_differs(errors):
+        return ones
+    if not _scatter_differs(_errors(_without_shifts(observations, residual_v, groups), groups, kinds)):
         return ones
     pooled = pure_error(residual_v, groups, ones).variance
     variances = np.array([e.variance if e.degrees_of_freedom > 1 else pooled for e in errors])
     weights: FloatArray = 1.0 / variances[kinds]
     return np.asarray(weights / weights.mean())
+
+
+def _errors(residual_v: FloatArray, groups: NDArray[np.int64], kinds: NDArray[np.int64]) -> list[PureError]:
+    """Scatter of the repeats of each kind."""
+    ones = np.ones(len(residual_v))
+    return [
+        pure_error(residual_v[kinds == kind], groups[kinds == kind], ones[kinds == kind])
+        for kind in range(kinds.max(initial=0) + 1)
+    ]
+
+
+def _without_shifts(observations: Observations, residual_v: FloatArray, groups: NDArray[np.int64]) -> FloatArray:
+    """The residuals but for what drifted from one realisation to the next: no kind of dwell scatters by that."""
+    if observations.realisation is None:
+        return residual_v
+    return without_levels(residual_v, groups, labels(observations.realisation))
 
 
 def _by_disturbance(observations: Observations, residual_v: FloatArray, groups: NDArray[np.int64]) -> FloatArray:

@@ -1,7 +1,7 @@
 """The method `temperature`: parameters of a sensor against temperature."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -11,9 +11,10 @@ from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.temperature.columns import Column, named, says_runs
 from tumble.calibrations.methods.temperature.document import document
 from tumble.calibrations.methods.temperature.entry import VERSION, entry
+from tumble.calibrations.methods.temperature.later import LaterValue, later_json, later_section, later_values
 from tumble.calibrations.methods.temperature.loop import TemperatureLoop, close_temperature_loop
 from tumble.calibrations.methods.temperature.sections import sections
-from tumble.calibrations.methods.temperature.table import read_runs
+from tumble.calibrations.methods.temperature.table import read_later, read_runs
 from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.tracing.sentences import set_aside_section
 from tumble.messages import Message
@@ -25,6 +26,8 @@ class TemperatureResult:
 
     name: str
     loop: TemperatureLoop
+    later: tuple[LaterValue, ...] = ()
+    """Later runs held against it."""
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -38,15 +41,17 @@ class TemperatureResult:
 
     def document(self) -> dict[str, Any]:
         """The result as `tumble.loop/1`."""
-        return document(self.loop)
+        return document(self.loop) | ({"later": later_json(self.later)} if self.later else {})
 
     def entry(self) -> Entry:
         """The result as the store takes it."""
-        return entry(self.loop)
+        found = entry(self.loop)
+        return replace(found, result=self.document()) if self.later else found
 
     def sections(self) -> Sequence[Section]:
         """What is shown."""
-        return [set_aside_section(self.name, self.loop.runs.set_aside), *sections(self.loop)]
+        held = [later_section(self.later)] if self.later else []
+        return [set_aside_section(self.name, self.loop.runs.set_aside), *held, *sections(self.loop)]
 
 
 @dataclass(frozen=True)
@@ -78,12 +83,15 @@ class Temperature:
         return ""
 
     def close_loop(self, paths: Sequence[Path]) -> TemperatureResult:
-        """Trace one table of runs. Raises `TableError`, `ValueError`."""
-        if len(paths) > 1:
+        """Trace a table of runs, and hold the runs of later tables against it. Raises `TableError`, `ValueError`."""
+        first, *others = paths
+        loop = close_temperature_loop(read_runs(first))
+        later = later_values(loop, [read_later(path) for path in others])
+        if others and not later:
             raise ValueError(
-                Message("{path}: give one table of parameters against temperature at a time", path=paths[1])
+                Message("{path}: has no parameter of {first}; name its columns alike", path=others[0], first=first)
             )
-        return TemperatureResult(name=paths[0].name, loop=close_temperature_loop(read_runs(paths[0])))
+        return TemperatureResult(name=first.name, loop=loop, later=later)
 
 
 METHOD = Temperature()

@@ -51,6 +51,27 @@ class Runs:
 
 
 def read_runs(path: Path) -> Runs:
+    """Read a table of parameters from which a model is to be made: `read_later` with four runs or more.
+
+    Raises
+    ------
+    TableError
+        As there; or fewer than four runs, or all at one temperature.
+    """
+    runs = read_later(path)
+    if len(runs) < _FEWEST or np.ptp(runs.temperature_degc) <= 0:
+        raise TableError(
+            Message(
+                "{path}: {runs} runs at {temperatures} temperatures tell nothing",
+                path=path,
+                runs=len(runs),
+                temperatures=len(np.unique(runs.temperature_degc)),
+            )
+        )
+    return runs
+
+
+def read_later(path: Path) -> Runs:
     """Read a table of parameters: `run` and a time (`time_s`, `time_h`) where known, temperatures `…_degC`, parameters.
 
     The temperature is that of the sensor (`sensor_degC`) where there are several, else the first. Times, counts and
@@ -59,7 +80,7 @@ def read_runs(path: Path) -> Runs:
     Raises
     ------
     TableError
-        Missing, unreadable or malformed file, one with fewer than four runs, or one that is a log and no table of runs.
+        Missing, unreadable or malformed file, or one that is a log and no table of runs.
     """
     header, lines = read_lines(path)
     numbers = {name: place for place, name in enumerate(header) if holds_numbers(place, lines)}
@@ -78,19 +99,10 @@ def read_runs(path: Path) -> Runs:
                 path=path,
             )
         )
-    if len(lines) < _FEWEST or np.ptp(columns[at]) <= 0:
-        raise TableError(
-            Message(
-                "{path}: {runs} runs at {temperatures} temperatures tell nothing",
-                path=path,
-                runs=len(lines),
-                temperatures=len(np.unique(columns[at])),
-            )
-        )
     _check_temperatures(at, columns[at], lines, path)
     time_s = clock_s(columns)
     _check_pace(time_s, len(lines), path)
-    for name, values in parameters.items():
+    for name, values in parameters.items() if len(lines) >= _FEWEST else ():
         _check_gross(name, values, lines, path)
     return Runs(
         temperature_degc=columns[at],
@@ -148,7 +160,7 @@ def _check_temperatures(name: str, values_degc: FloatArray, lines: Sequence[Line
 
 def _check_pace(time_s: FloatArray | None, runs: int, path: Path) -> None:
     """Refuse a log: rows that follow each other as no runs of calibration can."""
-    pace_s = float("inf") if time_s is None else float(np.median(np.diff(np.sort(time_s))))
+    pace_s = float("inf") if time_s is None or runs < 2 else float(np.median(np.diff(np.sort(time_s))))
     if pace_s < _LOG_S or runs > _LOG_ROWS:
         rows = (
             Message("{rows} rows", rows=runs) if pace_s >= _LOG_S else Message("rows {pace_s:g} s apart", pace_s=pace_s)

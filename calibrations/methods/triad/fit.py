@@ -44,7 +44,7 @@ class TriadFit(Quantified):
     @property
     def deviations_v(self) -> FloatArray:
         """Residual of each dwell and channel, shape (dwells, 3), in volts."""
-        return self.residual.reshape(3, -1).T
+        return self.residual.reshape(-1, 3)
 
     @property
     def correction(self) -> FloatArray:

@@ -47,8 +47,8 @@ def gross_errors(observations: TriadObservations) -> tuple[SetAside, ...]:
 def _robust_residual(observations: TriadObservations) -> FloatArray:
     """Residuals of Huber's M-estimate, weighed by channel, shape (dwells, 3), in volts."""
     model = Triad(functions=functions(directions(observations.outer_deg, observations.inner_deg)))
-    output_v = observations.outputs_v.T.ravel()
-    by_channel = np.repeat(channel_weights(observations), len(observations))
+    output_v = observations.outputs_v.ravel()
+    by_channel = np.tile(channel_weights(observations), len(observations))
     root = np.sqrt(by_channel)
     robust = np.ones(len(output_v))
     residual = output_v
@@ -59,7 +59,7 @@ def _robust_residual(observations: TriadObservations) -> FloatArray:
         previous, robust = robust, np.minimum(1.0, limit / np.maximum(np.abs(residual), limit))
         if np.abs(robust - previous).max(initial=0.0) < 1e-3:
             break
-    return np.asarray(residual.reshape(3, -1).T)
+    return np.asarray(residual.reshape(-1, 3))
 
 
 def _differs_from_repeats(observations: TriadObservations, weighted: FloatArray, dwell: int, limit: float) -> bool:

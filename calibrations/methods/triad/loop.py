@@ -1,34 +1,34 @@
 """Closing the loop on a triad: what the declared model leaves, traced; parameters before and after."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.blas_threads import one_blas_thread
-from tumble.calibrations.core.parameter import ModelFit, Parameter
+from tumble.calibrations.core.parameter import ModelFit
 from tumble.calibrations.core.repeats import PureError, pure_error
+from tumble.calibrations.core.rows import SetAside
 from tumble.calibrations.methods.triad.doubts import doubts
-from tumble.calibrations.methods.triad.experiments import Experiment, next_experiments
+from tumble.calibrations.methods.triad.experiments import next_experiments
 from tumble.calibrations.methods.triad.fit import TriadFit, fit_triad
 from tumble.calibrations.methods.triad.gross import gross_errors
-from tumble.calibrations.methods.triad.model import INTERNAL, NAMES, UNITS
+from tumble.calibrations.methods.triad.models import augmented, held_out_declared, modelled, silent
 from tumble.calibrations.methods.triad.observations import TriadObservations
+from tumble.calibrations.methods.triad.readmitted import still_gross
 from tumble.calibrations.methods.triad.scalar import ScalarFit, fit_scalar
 from tumble.calibrations.methods.triad.table import TriadTable, triad_table
 from tumble.calibrations.methods.triad.weights import channel_weights
 from tumble.calibrations.tracing.effect import Structure
-from tumble.calibrations.tracing.explained import Explained, unless_rivals_differ
+from tumble.calibrations.tracing.experiments import Experiment
+from tumble.calibrations.tracing.explained import Explained
 from tumble.calibrations.tracing.findings import EffectFound, Unexplained, Withheld, effects_found, withheld
-from tumble.calibrations.tracing.held_out import held_out_rms
 from tumble.calibrations.tracing.judged import Judged, judged
 from tumble.calibrations.tracing.noise import NoiseModel
 from tumble.calibrations.tracing.trace import Trace, Tracer
 from tumble.messages import Message
 
-_FOLDS = 6
-"""Into so many parts the positions are dealt for the held-out error, every repeat of one in the same part."""
 FEWEST_POSITIONS = 5
 """With fewer positions than this the fourteen parameters are not determined by any choice of them."""
 
@@ -48,7 +48,8 @@ class TriadLoop:
     scalar: ScalarFit | None
     pure_errors: tuple[PureError, ...]
     """Scatter of a dwell mean of each channel between repeats."""
-    experiments: tuple[Experiment, ...]
+    experiments: tuple[Experiment, ...] = ()
+    """What to measure next, where that was asked; see `asked_next`."""
 
     @property
     def best(self) -> TriadFit:
@@ -72,7 +73,7 @@ class TriadLoop:
             item.form.columns @ self.best.coefficients[columns]
             for item, columns in zip(self.best.found, self.best.columns, strict=True)
         ]
-        return np.asarray(sum(shares, np.zeros(3 * len(self.observations))).reshape(3, -1).T)
+        return np.asarray(sum(shares, np.zeros(3 * len(self.observations))).reshape(-1, 3))
 
     @property
     def effects(self) -> tuple[EffectFound, ...]:
@@ -119,12 +120,19 @@ class TriadDeclared:
 def declared_fit(observations: TriadObservations, reference_temperature_degc: float = 23.0) -> TriadDeclared:
     """Fit fourteen parameters to a table. Raises `ValueError` where there are too few positions."""
     _check_positions(observations)
-    used = observations.without(gross_errors(observations))
+    return _declared(observations, gross_errors(observations), reference_temperature_degc)
+
+
+def _declared(
+    observations: TriadObservations, gross: Sequence[SetAside], reference_temperature_degc: float
+) -> TriadDeclared:
+    """The same without gross errors that are known."""
+    used = observations.without(tuple(gross))
     table = triad_table(used, reference_temperature_degc)
     nothing = _nothing(table)
     fit = fit_triad(table, nothing)
     asked = doubts(table, fit.deviations_v)
-    model = _silent(asked[0]) if asked else _model(fit, fit.parameters(), _held_out_declared(table, nothing))
+    model = silent(asked[0]) if asked else modelled(fit, fit.parameters(), held_out_declared(table, nothing))
     return TriadDeclared(observations=used, table=table, fit=fit, doubts=asked, model=model)
 
 
@@ -143,23 +151,45 @@ def _check_positions(observations: TriadObservations) -> None:
 
 @one_blas_thread
 def close_triad_loop(observations: TriadObservations, reference_temperature_degc: float = 23.0) -> TriadLoop:
-    """Trace what fourteen parameters leave of a table. Raises `ValueError` where there are too few positions."""
+    """Trace what fourteen parameters leave of a table. Raises `ValueError` where there are too few positions.
+
+    What was found may explain dwells that were set aside as gross errors: then all is traced again with these.
+    """
     before = declared_fit(observations, reference_temperature_degc)
-    used, table, asked = before.observations, before.table, before.doubts
-    found = _untraced(table) if asked else judged(table)
-    explained = Explained(judged=found, best=before.fit if asked else fit_triad(table, found.trace))
-    reason = asked[0] if asked else ""
+    explained = _explained(before)
+    gross = [each for each in before.observations.set_aside if each not in observations.set_aside]
+    left = still_gross(observations, gross, explained) if gross and not before.doubts else gross
+    if len(left) < len(gross):
+        before = _declared(observations, left, reference_temperature_degc)
+        explained = _explained(before)
+    return _loop(before, explained)
+
+
+def _explained(before: TriadDeclared) -> Explained[TriadTable, TriadFit]:
+    """What a table was traced to; nothing where it is in doubt."""
+    if before.doubts:
+        return Explained(judged=_untraced(before.table), best=before.fit)
+    found = judged(before.table)
+    return Explained(judged=found, best=fit_triad(before.table, found.trace))
+
+
+def _loop(before: TriadDeclared, explained: Explained[TriadTable, TriadFit]) -> TriadLoop:
+    used, asked = before.observations, before.doubts
     return TriadLoop(
         observations=used,
         doubts=asked,
         before=before.fit,
         explained=explained,
         declared=before.model,
-        augmented=_silent(reason) if asked else _augmented(explained),
+        augmented=silent(asked[0]) if asked else augmented(explained),
         scalar=None if asked else _scalar(used, explained.best),
         pure_errors=_pure_errors(used),
-        experiments=() if asked else next_experiments(explained),
     )
+
+
+def asked_next(loop: TriadLoop) -> TriadLoop:
+    """The same with what to measure next, of all lists that come along."""
+    return loop if loop.doubts else replace(loop, experiments=next_experiments(loop.explained))
 
 
 def _nothing(table: TriadTable) -> Trace:
@@ -172,52 +202,6 @@ def _untraced(table: TriadTable) -> Judged[TriadTable]:
     return Judged(tracer=Tracer(table), trace=_nothing(table), near={}, evidence={}, withheld=())
 
 
-def _silent(reason: str) -> ModelFit:
-    """What is stated of a table in doubt."""
-    unsaid = {name: Parameter(name=name, unit=UNITS[name], value=None, reason=reason) for name in NAMES}
-    return ModelFit(parameters=unsaid, residual_rms=None, held_out_rms=None)
-
-
-def _augmented(explained: Explained[TriadTable, TriadFit]) -> ModelFit:
-    """The model with what was found."""
-    held_out_v = held_out_rms(explained.judged.tracer, explained.judged.trace, _parts(explained.table))
-    return _model(explained.best, _with_rivals(explained), held_out_v)
-
-
-def _model(fit: TriadFit, parameters: Mapping[str, Parameter], held_out_v: float | None) -> ModelFit:
-    """One of the two models."""
-    residual_v = float(np.sqrt(np.mean(fit.residual**2)))
-    return ModelFit(parameters=parameters, residual_rms=residual_v, held_out_rms=held_out_v)
-
-
-def _with_rivals(explained: Explained[TriadTable, TriadFit]) -> dict[str, Parameter]:
-    """Parameters with what was found, but those that depend on which of two near rivals is true."""
-    parameters = explained.best.parameters()
-    for name, rivals in explained.near.items():
-        for rival in rivals:
-            other = fit_triad(explained.table, rival.trace).values
-            for key, value in zip(NAMES, other.tolist(), strict=True):
-                parameters[key] = unless_rivals_differ(parameters[key], value, name, rival.name)
-    return parameters
-
-
-def _parts(table: TriadTable) -> list[np.ndarray[tuple[int, ...], np.dtype[np.bool_]]]:
-    """Parts of the rows, whole positions with all their repeats and channels."""
-    position = np.tile(table.observations.positions, 3)
-    return [position % _FOLDS == fold for fold in range(_FOLDS)]
-
-
-def _held_out_declared(table: TriadTable, nothing: Trace) -> float | None:
-    """Error of predicting held-out positions by the declared model."""
-    errors: list[FloatArray] = []
-    for out in _parts(table):
-        sample = table.sample_of(~out)
-        fit = sample.whitened_fit(nothing.noise)
-        theta = fit.fit(fit.split(np.empty((len(sample.turned(table.declared[~out][:, :1])), 0)))).theta
-        errors.append(table.output[out] - table.declared[out] @ table.model.coefficients(theta[:INTERNAL]))
-    return float(np.sqrt(np.mean(np.concatenate(errors) ** 2))) if errors else None
-
-
 def _scalar(observations: TriadObservations, best: TriadFit) -> ScalarFit | None:
     """The scalar fit of the outputs less what was found in the unit and in the voltmeter."""
     shares = [
@@ -225,7 +209,7 @@ def _scalar(observations: TriadObservations, best: TriadFit) -> ScalarFit | None
         for item, columns in zip(best.found, best.columns, strict=True)
         if item.effect.belongs_to != "stand"
     ]
-    corrected = observations.outputs_v - sum(shares, np.zeros(3 * len(observations))).reshape(3, -1).T
+    corrected = observations.outputs_v - sum(shares, np.zeros(3 * len(observations))).reshape(-1, 3)
     return fit_scalar(corrected, 1.0 / channel_weights(observations))
 
 

@@ -16,7 +16,7 @@ from tumble.calibrations.methods.triad.document import document
 from tumble.calibrations.methods.triad.entry import VERSION, entry
 from tumble.calibrations.methods.triad.hand.log import output_names, read_log
 from tumble.calibrations.methods.triad.hand.result import HandResult, calibrated_by_hand
-from tumble.calibrations.methods.triad.loop import TriadLoop, close_triad_loop
+from tumble.calibrations.methods.triad.loop import TriadLoop, asked_next, close_triad_loop
 from tumble.calibrations.methods.triad.observations import TriadObservations, read_triad_table
 from tumble.calibrations.methods.triad.sections import sections
 from tumble.calibrations.records.entry import Entry
@@ -93,7 +93,7 @@ class TriadMethod:
                 raise ValueError(Message("{path}: give one log of a triad at a time", path=paths[1]))
             return calibrated_by_hand(read_log(paths[0]))
         return TriadResult(
-            loop=close_triad_loop(joined([read_triad_table(path) for path in paths], [None] * len(paths)))
+            loop=asked_next(close_triad_loop(joined([read_triad_table(path) for path in paths], [None] * len(paths))))
         )
 
 

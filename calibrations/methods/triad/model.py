@@ -42,7 +42,10 @@ def functions(directions: Directions) -> FloatArray:
     """Functions of the positions for all channels, shape (3 rows, 30)."""
     rows = len(directions.level)
     one = np.column_stack([np.ones(rows), directions.level, directions.outer, directions.along])
-    return np.asarray(np.kron(np.eye(3), one), dtype=float)
+    found = np.zeros((rows, 3, 3, one.shape[1]))
+    for channel in range(3):
+        found[:, channel, channel] = one
+    return found.reshape(3 * rows, -1)
 
 
 def response(theta: FloatArray) -> FloatArray:

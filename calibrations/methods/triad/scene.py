@@ -1,6 +1,7 @@
 """What an effect may depend on: everything that is known of each dwell once the declared model is fitted.
 
-Rows of a scene are those of the table of all channels: x first, then y, then z.
+Rows of a scene are those of the table of all channels: x, y, z of the first dwell, then those of the next. So what is
+measured later follows at the end.
 """
 
 from dataclasses import dataclass
@@ -63,7 +64,7 @@ class TriadScene:
     def hours(self) -> FloatArray | None:
         """Time since the first dwell, in hours, shape (rows,)."""
         hours = self.dwell_hours
-        return None if hours is None else np.tile(hours, 3)
+        return None if hours is None else np.repeat(hours, 3)
 
     @cached_property
     def dwell_hours(self) -> FloatArray | None:
@@ -113,7 +114,7 @@ class TriadScene:
 
     def turned_v(self, change: FloatArray) -> FloatArray:
         """Volts of all rows for changes of gravity in the case, shape (dwells, 3), per radian: shape (rows,)."""
-        return np.asarray((change @ response(self.theta).T).T.ravel())
+        return np.asarray((change @ response(self.theta).T).ravel())
 
     @cached_property
     def outer_v(self) -> FloatArray:
@@ -129,8 +130,8 @@ class TriadScene:
 
     def in_channel(self, channel: int, values: FloatArray) -> FloatArray:
         """Values of the dwells, shape (dwells,) or (dwells, n), in one channel, nothing in the others."""
-        spread = np.zeros((3, *values.shape))
-        spread[channel] = values
+        spread = np.zeros((len(values), 3, *values.shape[1:]))
+        spread[:, channel] = values
         return spread.reshape(self.rows, *values.shape[1:])
 
 

@@ -1,25 +1,47 @@
 """What is shown of a triad, the answer first."""
 
 from collections.abc import Iterator, Sequence
-
-from markupsafe import Markup
+from dataclasses import replace
 
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.quantities import format_concise, format_number
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.triad.correction import correction
 from tumble.calibrations.methods.triad.loop import TriadLoop
+from tumble.calibrations.methods.triad.picture_sections import picture_sections
 from tumble.calibrations.tracing.sentences import findings, unexplained_sentence
 from tumble.messages import Message
 
 
 def sections(loop: TriadLoop) -> Iterator[Section]:
     """What is shown of a table of a triad."""
+    return _composed(loop, _parameters(loop))
+
+
+def sections_beside_values(loop: TriadLoop) -> Iterator[Section]:
+    """The same where the values to use are shown anyway: before and after, one by one, are details then."""
+    return _composed(loop, replace(_parameters(loop), brief=False))
+
+
+def _composed(loop: TriadLoop, parameters: Section) -> Iterator[Section]:
     if loop.doubts:
         yield Section(title=Message("Please check the table"), lines=loop.doubts, brief=True)
         return
     yield _traced(loop)
+    yield parameters
+    yield _errors(loop)
+    yield _scalar(loop)
+    yield Section(title=Message("What to measure next"), lines=[each.why for each in loop.experiments], brief=True)
+    yield from picture_sections(loop)
+    constants = correction(loop.best)
     yield Section(
+        title=Message("Correction a = C (u - b)"),
+        lines=[*constants.as_c().splitlines(), *constants.as_python().splitlines()],
+    )
+
+
+def _parameters(loop: TriadLoop) -> Section:
+    return Section(
         title=Message("Parameters"),
         headings=(Message("Parameter"), Message("Declared model"), Message("With what was found")),
         rows=[
@@ -27,22 +49,6 @@ def sections(loop: TriadLoop) -> Iterator[Section]:
             for name, parameter in loop.augmented.parameters.items()
         ],
         brief=True,
-    )
-    yield _errors(loop)
-    yield _scalar(loop)
-    yield Section(title=Message("What to measure next"), lines=[each.why for each in loop.experiments], brief=True)
-    yield Section(
-        title=Message("Mismatch by position"),
-        figure=lambda: mismatch_figure(loop),
-        caption=Message(
-            "|a| - 1 of each dwell by the vector fit, before (circles) and with what was found (triangles); a turn of "
-            "the unit against the stand does not show in it."
-        ),
-    )
-    constants = correction(loop.best)
-    yield Section(
-        title=Message("Correction a = C (u - b)"),
-        lines=[*constants.as_c().splitlines(), *constants.as_python().splitlines()],
     )
 
 
@@ -116,10 +122,3 @@ def _scalar(loop: TriadLoop) -> Section:
         headings=(Message("Parameter"), Message("Value")),
         rows=[(name, _value(parameter)) for name, parameter in loop.scalar.parameters.items()],
     )
-
-
-def mismatch_figure(loop: TriadLoop) -> Markup:
-    """Mismatch of each dwell before and after."""
-    from tumble.calibrations.methods.triad import figures  # matplotlib takes half a second
-
-    return figures.mismatch_figure(loop)

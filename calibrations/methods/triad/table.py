@@ -21,7 +21,7 @@ from tumble.calibrations.tracing.table import Extensible, View
 
 @dataclass(frozen=True, kw_only=True)
 class TriadTable(Extensible):
-    """The table of a triad; rows are those of channel x, then y, then z, the output in volts."""
+    """The table of a triad; rows are those of channels x, y, z of each dwell in turn, the output in volts."""
 
     scene: TriadScene
 
@@ -43,22 +43,27 @@ class TriadTable(Extensible):
         assert isinstance(view, TriadScene), "it is a view of this table"
         return functions(view.directions)
 
+    @property
+    def further_weights(self) -> FloatArray:
+        """Those of a further dwell, one for each channel."""
+        return self.weights[:3]
+
     def blocks(self, variable: Variable) -> NDArray[np.int64]:
         """Positions of each channel; dwells for time; realisations; visits of a temperature."""
         if variable in ("time", "order"):
-            return np.tile(np.arange(self.scene.dwells), 3)
+            return np.repeat(np.arange(self.scene.dwells), 3)
         if variable == "realisation":
-            return np.tile(self.scene.realisation, 3)
+            return np.repeat(self.scene.realisation, 3)
         if variable == "temperature" and self.scene.temperature_k is not None:
-            return np.tile(visits(self.scene.temperature_k.mean(axis=1), self.scene.realisation), 3)
-        return labels(np.tile(self.observations.positions, 3), np.repeat(np.arange(3), self.scene.dwells))
+            return np.repeat(visits(self.scene.temperature_k.mean(axis=1), self.scene.realisation), 3)
+        return labels(np.repeat(self.observations.positions, 3), np.tile(np.arange(3), self.scene.dwells))
 
 
 def triad_table(observations: TriadObservations, reference_temperature_degc: float = 23.0) -> TriadTable:
     """Prepare a table: fitted with the declared model, from whose parameters effects are seen."""
-    weights = np.repeat(channel_weights(observations), len(observations))
+    weights = np.tile(channel_weights(observations), len(observations))
     model = Triad(functions=functions(directions(observations.outer_deg, observations.inner_deg)))
-    output_v = observations.outputs_v.T.ravel()
+    output_v = observations.outputs_v.ravel()
     theta = model.fitted(compress(model.functions, output_v, weights))
     scene = TriadScene(observations=observations, theta=theta, reference_temperature_degc=reference_temperature_degc)
     drawn = {each.name: forms[0].columns for each in TRIAD_EFFECTS if each.random and (forms := each.forms(scene))}

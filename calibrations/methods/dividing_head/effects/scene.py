@@ -31,6 +31,8 @@ class Scene:
     response_v_per_g: FloatArray
     """Change of the output with ax, ay and az, by the fit, shape (3,)."""
     reference_temperature_degc: float = 23.0
+    product_v_per_g2: float = 0.0
+    """Change of the output with ax ay, by the fit."""
 
     @property
     def rows(self) -> int:

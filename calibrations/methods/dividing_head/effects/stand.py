@@ -54,8 +54,9 @@ def _backlash(scene: Scene) -> Sequence[Form]:
 
 def _axis_tilt(scene: Scene) -> Sequence[Form]:
     """Gravity gains a component along the head's axis: what the axis of each mount that lies along it feels."""
-    along_axis = np.array([MOUNTS[str(mount)][:, 2] for mount in scene.observations.mounts])
-    return single(np.deg2rad(along_axis @ scene.response_v_per_g))
+    along = np.array([MOUNTS[str(mount)][:, 2] for mount in scene.observations.mounts])
+    product = along[:, 0] * scene.gravity_g[:, 1] + along[:, 1] * scene.gravity_g[:, 0]
+    return single(np.deg2rad(along @ scene.response_v_per_g + scene.product_v_per_g2 * product))
 
 
 def _seating(scene: Scene) -> Sequence[Form]:

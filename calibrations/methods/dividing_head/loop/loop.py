@@ -15,13 +15,13 @@ from tumble.calibrations.methods.dividing_head.budget import StandUncertainty
 from tumble.calibrations.methods.dividing_head.effects import CATALOGUE
 from tumble.calibrations.methods.dividing_head.effects.scene import Scene
 from tumble.calibrations.methods.dividing_head.gross import unlike_repeats
-from tumble.calibrations.methods.dividing_head.held_out import held_out_parts
 from tumble.calibrations.methods.dividing_head.joint import Joint, fit_jointly, fit_without
 from tumble.calibrations.methods.dividing_head.loop.augmented import Augmented, augment
 from tumble.calibrations.methods.dividing_head.loop.averaged import averaged
 from tumble.calibrations.methods.dividing_head.loop.hidden import resting_on_absence
 from tumble.calibrations.methods.dividing_head.loop.misreading import MISREADING, Misreading, misreadings
 from tumble.calibrations.methods.dividing_head.loop.more_settings import more_settings
+from tumble.calibrations.methods.dividing_head.loop.predicting import with_held_out
 from tumble.calibrations.methods.dividing_head.loop.reach import Reach, reach
 from tumble.calibrations.methods.dividing_head.loop.scatter import scatter_and_wandering
 from tumble.calibrations.methods.dividing_head.loop.settling import settling
@@ -46,7 +46,6 @@ from tumble.calibrations.tracing.effect import Effect
 from tumble.calibrations.tracing.experiments import Experiment, locating_experiments, next_experiments
 from tumble.calibrations.tracing.findings import EffectFound, Unexplained, Withheld, effects_found, withheld
 from tumble.calibrations.tracing.fitting_noise import with_likely_flicker
-from tumble.calibrations.tracing.held_out import held_out_rms
 from tumble.calibrations.tracing.judged import judged
 from tumble.calibrations.tracing.neighbours import neighbours
 from tumble.calibrations.tracing.rivals import Rival
@@ -155,12 +154,9 @@ def explain_questioned(
         explained = _explained(fit_without(observations, rejected), effects, reference_temperature_degc)
     trace, close, best = explained.trace, explained.close, explained.best
     misread = misreadings(observations, best.joint)
+    before = assess(declared, uncertainty, trials=0)
     stated = assess(best.joint, uncertainty, trials=0, further=best.shapes)
-    if trace.found or trace.names or trace.components:
-        stated = replace(
-            stated,
-            held_out_rms_v=held_out_rms(explained.tracer, trace, held_out_parts(explained.table.joint.observations)),
-        )
+    stated = with_held_out(stated, before, explained.tracer, trace, explained.table)
     whole, others = explained.table.with_components(trace.components), explained.alike
     augmented = without_alike(without_rivals(stated, whole, explained.near), whole, trace, others)
     augmented = resting_on_absence(augmented, set(trace.names))
@@ -168,10 +164,10 @@ def explain_questioned(
     said = scatter_and_wandering(explained.table, trace, best.joint)
     augmented = replace(augmented, warnings=(*augmented.warnings, *said))
     loop = Loop(
-        declared=resting_on_absence(assess(declared, uncertainty, trials=0), set(trace.names)),
+        declared=resting_on_absence(before, set(trace.names)),
         augmented=augmented,
         effects=_effects(explained, close, misread),
-        unexplained=unexplained(explained.judged, _reach(explained), others),
+        unexplained=unexplained(explained.judged, _reach(explained), others, best.courses(whole, trace)),
         misread=misread,
         not_traced=explained.table.not_traced,
         withheld=withheld(explained.table, explained.judged),

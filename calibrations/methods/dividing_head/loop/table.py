@@ -114,5 +114,6 @@ def scene_of(observations: Observations, theta: FloatArray, reference_temperatur
         output_v=np.asarray(functions @ coefficients(theta)),
         slope_v_per_deg=np.asarray(functions @ coefficients_jacobian(theta)[:, ALPHA0]),
         response_v_per_g=theta[1:4],
+        product_v_per_g2=float(theta[4]),
         reference_temperature_degc=reference_temperature_degc,
     )

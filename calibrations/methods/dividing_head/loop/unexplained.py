@@ -5,6 +5,7 @@ from typing import Any
 
 from tumble.calibrations.core.quantities import format_number
 from tumble.calibrations.methods.dividing_head.loop.reach import Reach
+from tumble.calibrations.tracing.courses import Course
 from tumble.calibrations.tracing.findings import SHAPELESS_P, Unexplained
 from tumble.calibrations.tracing.judged import Judged
 from tumble.calibrations.tracing.trace import Trace
@@ -12,8 +13,13 @@ from tumble.calibrations.tracing.variables import VARIABLE_WORDS
 from tumble.messages import Message
 
 
-def unexplained(found: Judged[Any], reach: Reach, others: Sequence[Trace] = ()) -> Unexplained | None:
-    """Structure that no effect of the catalogue explains, and what `others` could stand for it; None for none."""
+def unexplained(
+    found: Judged[Any], reach: Reach, others: Sequence[Trace] = (), known: Sequence[Course] = ()
+) -> Unexplained | None:
+    """Structure that no effect of the catalogue explains, and what `others` could stand for it; None for none.
+
+    `known` are the courses of the components of the trace.
+    """
     components = found.trace.components
     if not components:
         has_name = found.trace.names and not found.withheld
@@ -27,6 +33,7 @@ def unexplained(found: Judged[Any], reach: Reach, others: Sequence[Trace] = ()) 
         channel=channel,
         variable=variable,
         also_possible=tuple(place for place in places if place != first.place),
+        courses=tuple(known),
     )
 
 

@@ -11,7 +11,7 @@ _MOST_THRESHOLDS = 100
 
 def _all_v(scene: TriadScene) -> FloatArray:
     """Output of every row by the fit, shape (rows,)."""
-    return scene.output_v.T.ravel()
+    return scene.output_v.ravel()
 
 
 DAQ_EFFECTS: tuple[Effect[TriadScene], ...] = (
@@ -20,7 +20,7 @@ DAQ_EFFECTS: tuple[Effect[TriadScene], ...] = (
         belongs_to="daq",
         symbol="f (u_previous - u)",
         source="dwell begun before the reading has settled",
-        forms=lambda scene: single(scene.left_over_v.T.ravel()) if scene.left_over_v.any() else (),
+        forms=lambda scene: single(scene.left_over_v.ravel()) if scene.left_over_v.any() else (),
         report=plain("value", "fraction"),
     ),
     *converter_effects(_all_v, step_key="value", most_thresholds=_MOST_THRESHOLDS),

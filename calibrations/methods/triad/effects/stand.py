@@ -8,6 +8,7 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.triad.geometry import ARCSEC_PER_RAD, square_change, wobble_changes
 from tumble.calibrations.methods.triad.scene import TriadScene
+from tumble.calibrations.stand_records.terms import TWO_AXES
 from tumble.calibrations.tracing.effect import Effect, Form, Quantity, Reported, Variable, harmonic_in, plain
 from tumble.messages import Message
 
@@ -18,7 +19,7 @@ def _axis(scene: TriadScene, axis: _AXIS) -> tuple[FloatArray, FloatArray]:
     """Angle of an axis at each row, in radians, and volts per arc second of it, both of shape (rows,)."""
     angle_deg = scene.observations.outer_deg if axis == "outer" else scene.observations.inner_deg
     volts = scene.outer_v if axis == "outer" else scene.inner_v
-    return np.tile(np.deg2rad(angle_deg), 3), volts / ARCSEC_PER_RAD
+    return np.repeat(np.deg2rad(angle_deg), 3), volts / ARCSEC_PER_RAD
 
 
 def _periods(axis: _AXIS, order: int) -> Callable[[TriadScene], Sequence[Form]]:
@@ -39,7 +40,7 @@ def _backlash(axis: _AXIS) -> Callable[[TriadScene], Sequence[Form]]:
         after = (scene.outer_direction if axis == "outer" else scene.inner_direction) < 0
         if not after.any() or after.all():
             return ()
-        return (Form(columns=(_axis(scene, axis)[1] * np.tile(after, 3))[:, None]),)
+        return (Form(columns=(_axis(scene, axis)[1] * np.repeat(after, 3))[:, None]),)
 
     return forms
 
@@ -50,7 +51,7 @@ def _square(scene: TriadScene) -> Sequence[Form]:
 
 
 def _outer_wobble(scene: TriadScene) -> Sequence[Form]:
-    angle_rad = np.tile(np.deg2rad(scene.observations.outer_deg), 3)
+    angle_rad = np.repeat(np.deg2rad(scene.observations.outer_deg), 3)
     volts = scene.turned_v(scene.directions.along) / ARCSEC_PER_RAD
     return (Form(columns=volts[:, None] * np.column_stack([np.sin(2 * angle_rad), np.cos(2 * angle_rad)])),)
 
@@ -90,14 +91,13 @@ def _of_axis(
     )
 
 
-_OUTER, _INNER = Message("outer"), Message("inner")
+_NAMES = {str(name): name for name in TWO_AXES}
 
 
 def _axis_effects(axis: _AXIS) -> tuple[Effect[TriadScene], ...]:
-    said = _OUTER if axis == "outer" else _INNER
-    eccentricity = Message.named(f"{axis}_eccentricity", "eccentricity of the {axis} axis", axis=said)
-    second = Message.named(f"{axis}_second_harmonic", "second harmonic of the {axis} axis", axis=said)
-    backlash = Message.named(f"{axis}_backlash", "backlash of the {axis} axis", axis=said)
+    eccentricity, second, backlash = (
+        _NAMES[f"{axis}_{kind}"] for kind in ("eccentricity", "second_harmonic", "backlash")
+    )
     return (
         _of_axis(eccentricity, "angle", "A sin(φ + p)", _periods(axis, 1), harmonic_in("arcsec")),
         _of_axis(second, "angle", "A sin(2φ + p)", _periods(axis, 2), harmonic_in("arcsec")),
@@ -109,7 +109,7 @@ def _axis_effects(axis: _AXIS) -> tuple[Effect[TriadScene], ...]:
 
 STAND_EFFECTS: tuple[Effect[TriadScene], ...] = (
     Effect(
-        name=Message.named("axes_orthogonality", "axes of the stand not square"),
+        name=_NAMES["axes_orthogonality"],
         belongs_to="stand",
         depends_on="angle",
         symbol="κ: the axes are not square",
@@ -120,7 +120,7 @@ STAND_EFFECTS: tuple[Effect[TriadScene], ...] = (
     *_axis_effects("outer"),
     *_axis_effects("inner"),
     Effect(
-        name=Message.named("outer_wobble", "wobble of the outer axis"),
+        name=_NAMES["outer_wobble"],
         belongs_to="stand",
         depends_on="angle",
         symbol="level_y + w sin(2A + p)",
@@ -129,7 +129,7 @@ STAND_EFFECTS: tuple[Effect[TriadScene], ...] = (
         report=harmonic_in("arcsec"),
     ),
     Effect(
-        name=Message.named("inner_wobble", "wobble of the inner axis"),
+        name=_NAMES["inner_wobble"],
         belongs_to="stand",
         depends_on="angle",
         symbol="inner axis turned by w (cos(2B + p), sin(2B + p), 0)",

@@ -37,7 +37,7 @@ def _courses(scene: TriadScene) -> Iterator[Form]:
     ):
         distinct = len(np.unique(np.round(angle_deg % 360.0, 1)))
         for order in range(3, min(_HIGHEST_ORDER, (distinct - 1) // 2) + 1):
-            phase = np.tile(np.deg2rad(order * angle_deg), 3)
+            phase = np.repeat(np.deg2rad(order * angle_deg), 3)
             waves = np.column_stack([np.sin(phase), np.cos(phase)])
             yield Form(columns=volts[:, None] * waves, scanned={"axis": axis, "order": float(order)})
 

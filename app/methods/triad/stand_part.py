@@ -1,0 +1,87 @@
+"""What runs of a triad say of their axes and voltmeter, and how they are corrected by what is known of these."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from tumble.app.methods.triad.analysed import TriadTraced
+from tumble.calibrations.methods.triad.loop import TriadLoop, declared_fit
+from tumble.calibrations.methods.triad.observations import TriadObservations
+from tumble.calibrations.methods.triad.stand import applying
+from tumble.calibrations.methods.triad.stand.evidence import TriadRun, validity_of
+from tumble.calibrations.methods.triad.stand.uncertainty import widened
+from tumble.calibrations.stand_records.corrections import Corrections
+from tumble.calibrations.stand_records.record import StandRecord, Validity
+from tumble.calibrations.stand_records.terms import Term
+
+
+def with_stand_record(loop: TriadLoop, record: StandRecord) -> TriadLoop:
+    """A loop on rows that a record corrected, with what that does not know of itself in both models."""
+    table, corrections = loop.explained.table, record.corrections
+    return replace(
+        loop,
+        declared=widened(loop.declared, loop.before, table, corrections),
+        augmented=widened(loop.augmented, loop.best, table, corrections),
+    )
+
+
+@dataclass(frozen=True)
+class TriadStandRun:
+    """A run as far as its stand is concerned. Fits `tumble.app.job_part.StandRun`."""
+
+    run: TriadRun
+
+    @property
+    def terms(self) -> tuple[Term, ...]:
+        """Effects of the stand that the run tells apart."""
+        return self.run.terms
+
+    @property
+    def highest_order(self) -> int:
+        """None: an error of any shape is not sought."""
+        return self.run.highest_order
+
+    @property
+    def objections(self) -> tuple[str, ...]:
+        """Why nothing may be learned from the run."""
+        return self.run.objections
+
+    @property
+    def doubts(self) -> tuple[str, ...]:
+        """Of what the run does not tell whether it is the stand's."""
+        return self.run.doubts
+
+    def estimate(self, terms: Sequence[Term]) -> Corrections:
+        """What the run says of these terms."""
+        return self.run.estimate(terms)
+
+    def contradictions(self, record: StandRecord) -> Sequence[str]:
+        """Where it contradicts the stand record that was applied to it."""
+        return tuple(applying.contradictions(self.run, record))
+
+    def validity(self, measured_at: str) -> Validity:
+        """Over what it was measured."""
+        return validity_of(self.run.loop.observations, measured_at)
+
+
+@dataclass(frozen=True)
+class TriadStand:
+    """Fits `tumble.app.job_part.StandPart`."""
+
+    def correctable(self, rows: TriadObservations) -> bool:
+        """Whether the rows follow their positions: of what is asked about nothing is taken off."""
+        return not declared_fit(rows).doubts
+
+    def corrected(self, rows: TriadObservations, record: StandRecord) -> TriadObservations:
+        """Rows corrected by a stand record."""
+        return applying.corrected(rows, record)
+
+    def validity(self, rows: TriadObservations) -> Validity:
+        """Over what rows were measured."""
+        return validity_of(rows)
+
+    def run(self, traced: TriadTraced) -> TriadStandRun | None:
+        """A run as far as its stand is concerned; None where nothing was traced."""
+        return None if traced.explained is None else TriadStandRun(TriadRun(loop=traced.loop))
+
+
+STAND = TriadStand()

@@ -1,0 +1,86 @@
+"""Pictures and tables by position: what a reader sees of a triad beside its values."""
+
+from collections.abc import Iterator, Sequence
+
+from markupsafe import Markup
+
+from tumble.calibrations.core.quantities import fixed
+from tumble.calibrations.core.view import Section
+from tumble.calibrations.methods.triad.loop import TriadLoop
+from tumble.calibrations.methods.triad.mismatch import PositionMismatch, position_mismatch
+from tumble.calibrations.methods.triad.pose_picture import MOST, pose_pictures
+from tumble.messages import Message
+
+
+def picture_sections(loop: TriadLoop) -> Iterator[Section]:
+    """Mismatch over the poses, mismatch by dwell and by position, correlation, and the positions themselves."""
+    found = position_mismatch(loop)
+    yield Section(
+        title=Message("Mismatch over the poses"),
+        figure=lambda: _map(loop),
+        caption=Message(
+            "|a| - 1 of each position, mean of its dwells, by the vector fit; a turn of the unit against the stand "
+            "does not show in it."
+        ),
+    )
+    yield Section(
+        title=Message("Mismatch by position"),
+        figure=lambda: _by_dwell(loop),
+        caption=Message("|a| - 1 of each dwell, before (circles) and with what was found (triangles)."),
+        headings=(
+            "",
+            Message("outer"),
+            Message("inner"),
+            Message("dwells"),
+            Message("Declared model"),
+            Message("With what was found"),
+        ),
+        rows=_rows(found),
+    )
+    yield Section(
+        title=Message("Correlation"),
+        figure=lambda: _correlation(loop),
+        caption=Message("Of the parameters that these positions tell, with what was found."),
+    )
+    yield position_section(list(zip(found.outer_deg.tolist(), found.inner_deg.tolist(), strict=True)))
+
+
+def position_section(positions: Sequence[tuple[float, float]]) -> Section:
+    """Positions drawn, by their outer and inner angles in degrees."""
+    return Section(
+        title=Message("Positions"),
+        figure=lambda: pose_pictures(positions),
+        caption=Message(
+            "In the order in which they are first taken, {most} at most: outer and inner angle. The dashed line is "
+            "the outer axis, the mark on the table the zero of the inner one.",
+            most=MOST,
+        ),
+    )
+
+
+def _rows(found: PositionMismatch) -> list[tuple[str, ...]]:
+    columns = (found.outer_deg, found.inner_deg, found.dwells, found.before_arcsec, found.after_arcsec)
+    return [
+        (str(number), f"{outer:g}°", f"{inner:g}°", str(dwells), f"{fixed(before, 2)}″", f"{fixed(after, 2)}″")
+        for number, (outer, inner, dwells, before, after) in enumerate(
+            zip(*(column.tolist() for column in columns), strict=True), start=1
+        )
+    ]
+
+
+def _map(loop: TriadLoop) -> Markup:
+    from tumble.calibrations.methods.triad import figures  # matplotlib takes half a second
+
+    return figures.mismatch_map(loop)
+
+
+def _by_dwell(loop: TriadLoop) -> Markup:
+    from tumble.calibrations.methods.triad import figures
+
+    return figures.mismatch_figure(loop)
+
+
+def _correlation(loop: TriadLoop) -> Markup:
+    from tumble.calibrations.methods.triad import figures
+
+    return figures.correlation_figure(loop)

@@ -1,0 +1,1 @@
+"""What the window shows of a triad on a two-axis stand."""

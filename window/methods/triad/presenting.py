@@ -1,0 +1,44 @@
+"""A result of a triad as the screen Result shows it, its figures drawn where that keeps nobody waiting."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from tumble.calibrations.core.view import Section
+from tumble.window.generic.presenting import SectionPresentation
+from tumble.window.generic.presenting import present as present_sections
+from tumble.window.work.activity import Concluded
+from tumble.window.work.presentation import Presentation
+
+
+@dataclass(frozen=True, kw_only=True)
+class Drawn:
+    """A figure of the result."""
+
+    title: str
+    svg: str
+    caption: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class TriadPresentation(SectionPresentation):
+    """What the tab Pictures shows beside."""
+
+    figures: Sequence[Drawn]
+
+
+def figures_of(presentation: Presentation) -> Sequence[Drawn]:
+    """The figures of a result that was presented here."""
+    assert isinstance(presentation, TriadPresentation), "a result is shown by the part that presented it"
+    return presentation.figures
+
+
+def present(concluded: Concluded) -> TriadPresentation:
+    """Work out what there is to show."""
+    plain = present_sections(concluded)
+    drawn = [_drawn(section) for section in plain.sections if section.figure]
+    return TriadPresentation(**vars(plain), figures=tuple(drawn))
+
+
+def _drawn(section: Section) -> Drawn:
+    assert section.figure is not None, "it has one"
+    return Drawn(title=section.title, svg=section.figure(), caption=section.caption)
