@@ -32,7 +32,7 @@ def traced(tracer: Tracer[_T]) -> tuple[Tracer[_T], Trace]:
     trace = tracer.trace()
     if tracer.table.not_traced or not tracer.table.axes:
         return tracer, trace
-    scan = Scan(tracer.table, tracer.table.axes, FALSE_ALARM)
+    scan = Scan(tracer.table.axes, FALSE_ALARM)
     for _ in range(MOST):
         further = min(_with_one_more(tracer, scan, trace), key=_cost, default=trace)
         if _cost(further) >= _cost(trace):
@@ -110,7 +110,7 @@ def alike(tracer: Tracer[Any], trace: Trace) -> list[Trace]:
         return []
     first, *others = trace.components
     table, rest = tracer.beside(others).table, trace.without(first.name)
-    scan = Scan(table, table.axes, FALSE_ALARM)
+    scan = Scan(table.axes, FALSE_ALARM)
     proposals = scan.proposals(seen_beside(table, rest.forms, rest.noise))
     near = [each for each in proposals if each.worth > proposals[0].worth - NEAR and each.axis.name != first.axis.name]
     return [in_place(rest, each) for each in near[:_MOST_ALIKE]]

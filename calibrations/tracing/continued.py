@@ -7,11 +7,12 @@ from typing import Final
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
-from tumble.calibrations.tracing.changes import levels, onset, ramp
 from tumble.calibrations.tracing.components import Axis, Component
 from tumble.calibrations.tracing.coordinate import Coordinate
 from tumble.calibrations.tracing.noise import Memory, NoiseModel, scaled_levels, slow_modes
-from tumble.calibrations.tracing.overtones import overtones
+from tumble.calibrations.tracing.shapes.overtones import overtones
+from tumble.calibrations.tracing.shapes.places import levels
+from tumble.calibrations.tracing.shapes.ramps import onset, ramp
 from tumble.calibrations.tracing.table import Extensible, View
 
 _BENT: Final = 0.5

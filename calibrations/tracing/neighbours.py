@@ -117,7 +117,7 @@ def _course_for_walk(tracer: Tracer[Any], trace: Trace) -> Iterator[Neighbour]:
     seen = seen_beside(table, rest.forms, rest.noise)
     for axis in table.axes:
         if axis.place == WANDERING:
-            other = in_place(rest, Family(axis, FALSE_ALARM).best_course(seen, table.rows))
+            other = in_place(rest, Family(axis, FALSE_ALARM).best_course(seen))
             table = tracer.beside(other.components).table
             behind = table.deviance(other.forms, other.noise) - trace.deviance
             odds = 1.0 if structured else float(np.exp(-0.5 * max(behind, 0.0)))

@@ -5,7 +5,6 @@ from collections.abc import Sequence
 from tumble.calibrations.tracing.components import Axis
 from tumble.calibrations.tracing.family import Family, Proposal
 from tumble.calibrations.tracing.gains import Beside
-from tumble.calibrations.tracing.table import Table
 
 
 class Scan:
@@ -14,14 +13,13 @@ class Scan:
     `chance` is that at which a table without structure is given any, shared by all that is tried.
     """
 
-    def __init__(self, table: Table, axes: Sequence[Axis], chance: float) -> None:
-        self._rows = table.rows
+    def __init__(self, axes: Sequence[Axis], chance: float) -> None:
         share = chance / 2.0 / max(len(axes), 1)
         expected = chance / 2.0 / max(sum(axis.expected for axis in axes), 1)
         self._families = [Family(axis, share + expected * axis.expected) for axis in axes]
 
     def proposals(self, beside_: Beside) -> list[Proposal]:
         """The best component of every axis that shows any, the best first."""
-        found = (family.best(beside_, self._rows) for family in self._families)
+        found = (family.best(beside_) for family in self._families)
         told = [best for best in found if best is not None and best.gain > 0.0]
         return sorted(told, key=lambda proposal: -proposal.worth)

@@ -64,7 +64,7 @@ def traced_places(output, wanders=False):
 
 
 def proposed(table, place, shape):
-    proposals = Scan(table, table.axes, 0.001).proposals(seen_beside(table, [], WHITE))
+    proposals = Scan(table.axes, 0.001).proposals(seen_beside(table, [], WHITE))
     return next(each for each in proposals if each.axis.place == place and each.shape.startswith(shape))
 
 

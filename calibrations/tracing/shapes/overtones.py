@@ -6,7 +6,6 @@ from typing import Final
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
-from tumble.calibrations.tracing.gains import Beside, Gained, gains
 
 _OVERTONES: Final = 8
 """The period itself and so many less one of its overtones, as far as the values show them."""
@@ -40,13 +39,3 @@ def candidates(falls: FloatArray, turns: FloatArray, limit: float) -> Iterator[f
         for turn in about + np.linspace(-0.5, 0.5, 2 * _FINER + 1) * apart / order:
             if turn >= 1.0 and 2.0 * turn <= limit:
                 yield float(turn)
-
-
-def gained(columns: FloatArray, level: FloatArray, seen: Beside) -> Gained:
-    """What columns for a channel gain together, with coefficients of one variance."""
-    weighted = columns * level[:, None]
-    taken = seen.taken.T @ weighted
-    values, vectors = np.linalg.eigh(weighted.T @ weighted - taken.T @ taken)
-    power, scale = (vectors.T @ (seen.left @ weighted)) ** 2, float(np.sum(weighted**2)) / len(level)
-    (fall,), (variance,) = gains(values[None] / scale, power[None] / scale, seen.squares, len(level))
-    return float(fall), float(variance)

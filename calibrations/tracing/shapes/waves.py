@@ -1,0 +1,70 @@
+"""Waves of any phase, and waves with overtones."""
+
+from collections.abc import Iterator
+from functools import partial
+from typing import Final
+
+import numpy as np
+
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.tracing.gains import gains_of_pairs
+from tumble.calibrations.tracing.shapes.along import Along, Shape, named, sides
+from tumble.calibrations.tracing.shapes.overtones import candidates, overtones, periods
+from tumble.calibrations.tracing.spectrum import wave_squares, wave_sums
+from tumble.messages import Message
+
+_EACH_TURN: Final = 8
+"""Parts of a turn by which waves with overtones are told apart."""
+
+
+def waves(along: Along) -> Iterator[Shape]:
+    """The best wave of any phase, up to the Nyquist limit."""
+    coordinate = along.coordinate
+    if not len(coordinate.turns):
+        return
+    finer = coordinate.turns[np.argmax(_falls(along))] + np.linspace(-0.5, 0.5, 11) * coordinate.turns[0]
+    swing = coordinate.swung(finer)
+    best, gain = along.best_pair(swing)
+    yield Shape(
+        name=named("wave", [finer[best]]),
+        described=Message("in waves of {period}", period=coordinate.shown(float(coordinate.range / finer[best]))),
+        columns=partial(sides, swing, best),
+        gained=gain,
+        tried=len(coordinate.turns),
+    )
+
+
+def waves_with_overtones(along: Along) -> Iterator[Shape]:
+    """The best wave with overtones: of a circle, a whole number of them on it."""
+    coordinate, part = along.coordinate, along.coordinate.part_of_cycle
+    limit, places = coordinate.nyquist_turns, len(np.unique(np.round(part, 6)))
+    told = [(along.together(overtones(part, turns)), turns) for turns in periods(_turns(along), limit, places)]
+    if not told:
+        return
+    best, turns = max(told, key=lambda each: each[0])
+    shown = coordinate.shown(float(coordinate.cycle / turns[0]))
+    yield Shape(
+        name=named("period", [turns[0], len(turns)]),
+        described=Message("in waves of {period} with overtones", period=shown),
+        columns=partial(overtones, part, turns),
+        gained=best,
+        tried=int(limit) * (_EACH_TURN if coordinate.period is None else 1),
+    )
+
+
+def _turns(along: Along) -> list[float]:
+    """Numbers of turns that are tried."""
+    coordinate = along.coordinate
+    if coordinate.period is not None:
+        return [float(turns) for turns in range(1, int(coordinate.nyquist_turns / 2.0) + 1)]
+    if not len(coordinate.turns):
+        return []
+    return list(candidates(_falls(along), coordinate.turns, coordinate.nyquist_turns))
+
+
+def _falls(along: Along) -> FloatArray:
+    """What each wave alone explains."""
+    part, count = along.coordinate.part, len(along.coordinate.turns)
+    sums = wave_sums(part, count, along.weighted)
+    squares = wave_squares(part, count, along.level**2)
+    return gains_of_pairs(along.seen.squares, along.rows, sums, squares)[0]
