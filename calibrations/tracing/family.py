@@ -18,8 +18,6 @@ from tumble.calibrations.tracing.spectrum import wave_squares, wave_sums
 from tumble.calibrations.tracing.wandering import PULLED_BACK, wandering
 from tumble.messages import Message
 
-_FEWEST_ROWS: Final = 4
-"""A pulse of fewer rows could be gross errors."""
 _EACH_TURN: Final = 8
 """Parts of a turn by which waves with overtones are told apart."""
 _FEWEST_PLACES: Final = 10
@@ -301,7 +299,7 @@ class Family:
         whole, first, last = columns.T @ columns, *np.triu_indices(len(places), 1)
         gram = whole - taken.T @ taken
         steps = best_column(np.diag(gram), np.diag(whole), along**2, seen.squares, rows)
-        long = np.diff(np.sum(stepped, axis=0)[np.array([last, first])], axis=0)[0] >= _FEWEST_ROWS
+        long = np.diff(np.sum(stepped, axis=0)[np.array([last, first])], axis=0)[0] >= self._axis.coordinate.fewest_rows
         between = (_between(gram, first, last) * long, _between(whole, first, last))
         pulses = best_column(*between, (along[first] - along[last]) ** 2, seen.squares, rows)
         return (steps[1], (steps[0],)), (pulses[1], (int(first[pulses[0]]), int(last[pulses[0]])))

@@ -80,7 +80,7 @@ def fit_triad(table: TriadTable, trace: Trace) -> TriadFit:
 
     What was scanned for counts as fitted: the change of each form with its scanned value is a column of its own.
     """
-    found = trace.found
+    found, table = trace.found, table.with_components(trace.components)
     places = slices([item.form.columns.shape[1] for item in found])
     first = table.fit(trace.forms, trace.noise).theta[INTERNAL:]
     changes = [tangent(table.scene, item, first[place]) for item, place in zip(found, places, strict=True)]

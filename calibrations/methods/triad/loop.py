@@ -20,10 +20,16 @@ from tumble.calibrations.methods.triad.readmitted import still_gross
 from tumble.calibrations.methods.triad.scalar import ScalarFit, fit_scalar
 from tumble.calibrations.methods.triad.table import TriadTable, triad_table
 from tumble.calibrations.methods.triad.weights import channel_weights
-from tumble.calibrations.tracing.effect import Structure
 from tumble.calibrations.tracing.experiments import Experiment
 from tumble.calibrations.tracing.explained import Explained
-from tumble.calibrations.tracing.findings import EffectFound, Unexplained, Withheld, effects_found, withheld
+from tumble.calibrations.tracing.findings import (
+    EffectFound,
+    Unexplained,
+    Withheld,
+    effects_found,
+    unexplained,
+    withheld,
+)
 from tumble.calibrations.tracing.judged import Judged, judged
 from tumble.calibrations.tracing.noise import NoiseModel
 from tumble.calibrations.tracing.trace import Trace, Tracer
@@ -91,16 +97,7 @@ class TriadLoop:
     @property
     def unexplained(self) -> Unexplained | None:
         """The largest structure that no effect of the catalogue explains; None where there is none."""
-        shown = [
-            (float(np.std(item.form.columns @ self.best.coefficients[columns])), item)
-            for item, columns in zip(self.best.found, self.best.columns, strict=True)
-            if isinstance(item.effect, Structure)
-        ]
-        if self.doubts or not shown:
-            return None
-        item = max(shown, key=lambda entry: entry[0])[1]
-        assert isinstance(item.effect, Structure)
-        return Unexplained(depends_on=item.effect.depends_on, description=item.effect.describe(item.form))
+        return None if self.doubts else unexplained(self.explained.trace, self.explained.alike)
 
 
 @dataclass(frozen=True, kw_only=True)
