@@ -111,7 +111,7 @@ class Changes:
         whole, gram, along = self._products(columns)
         chosen = list[int]()
         told = list[tuple[float, tuple[int, ...], Gained]]()
-        most = max(min(_MOST, np.count_nonzero(self._level) // _ROWS_EACH), 1)
+        most = max(min(_MOST, int(np.count_nonzero(self._level)) // _ROWS_EACH), 1)
         for _ in range(min(most, len(places))):
             chosen.append(_next(gram, along, chosen))
             for _ in range(_ROUNDS):

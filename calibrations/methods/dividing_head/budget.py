@@ -3,9 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.budget import Source
 from tumble.calibrations.core.gravity import Gravity
 from tumble.calibrations.core.repeats import settings
 from tumble.calibrations.methods.dividing_head.effects.scene import Scene
@@ -59,29 +58,6 @@ class StandUncertainty:
         )
 
 
-@dataclass(frozen=True, kw_only=True)
-class Source:
-    """One independent source of uncertainty, as errors of the rows."""
-
-    name: str
-    symbol: str
-    """What is uncertain, as a short text with its unit and size."""
-    errors_v: FloatArray
-    """What one standard uncertainty does to each row: of one independent error per column, shape (rows, errors)."""
-    shared_by: NDArray[np.int64] | None = None
-    """Where each group of rows has an error of its own: the number of the group of each row. `errors_v` then has one
-    column, in which they all stand: as a table of a column per group, a million rows would take tens of gigabytes."""
-
-    def turned(self, rotation: FloatArray) -> FloatArray:
-        """What each independent error does to the rotated voltages, shape (rotated, errors).
-
-        `rotation` has the shape (rows, rotated), see `compression.Compressed`.
-        """
-        if self.shared_by is None:
-            return np.asarray(rotation.T @ self.errors_v)
-        return np.stack([np.bincount(self.shared_by, column * self.errors_v[:, 0]) for column in rotation.T])
-
-
 def sources(scene: Scene, stand: StandUncertainty) -> tuple[Source, ...]:
     """Sources of type B with a size above zero, for the rows of a scene."""
     observations, slope_v_per_deg = scene.observations, scene.slope_v_per_deg
@@ -130,10 +106,3 @@ def _recorded(scene: Scene, record: StandRecord) -> Source:
         ),
         errors_v=corrections_columns_v(corrections, scene) @ independent,
     )
-
-
-def effective_freedom(contributions: list[tuple[float, float]]) -> float:
-    """Welch-Satterthwaite degrees of freedom (GUM, G.4.1) of (standard uncertainty, degrees of freedom) pairs."""
-    total = sum(u**2 for u, _ in contributions)
-    denominator = sum(u**4 / freedom for u, freedom in contributions if freedom > 0 and np.isfinite(freedom))
-    return float(total**2 / denominator) if denominator > 0 else float("inf")

@@ -6,6 +6,7 @@ from typing import Any
 
 from tumble.calibrations.core.coverage import coverage_factor
 from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.core.propagation import TRIALS
 from tumble.calibrations.core.quantities import (
     fixed,
     format_concise,
@@ -16,7 +17,6 @@ from tumble.calibrations.core.quantities import (
     prefixed,
     two_digit_places,
 )
-from tumble.calibrations.methods.dividing_head.montecarlo import TRIALS
 from tumble.calibrations.methods.dividing_head.report.results import freedom
 from tumble.calibrations.methods.dividing_head.report.subject import Subject
 from tumble.messages import Message
