@@ -86,6 +86,23 @@ def contributions(covariance: FloatArray, names: Sequence[str], stated: Sequence
     return {name: float(np.sqrt(covariance[i, i])) for i, name in enumerate(names) if name in stated}
 
 
+def not_included(stated: Mapping[str, float | None], nothing: Message) -> str:
+    """That some of what a stand adds is not in the stated uncertainty; empty where all of it is stated.
+
+    `nothing` is said where no key has a value.
+    """
+    missing = [key for key, value in stated.items() if value is None]
+    if not missing:
+        return ""
+    if len(missing) == len(stated):
+        return nothing
+    return Message(
+        "part of the stand's contribution is not included in the stated uncertainty: the stand file does not state "
+        "{keys}; state it there, as 0 where it is negligible",
+        keys=", ".join(missing),
+    )
+
+
 def effective_freedom(contributions: list[tuple[float, float]]) -> float:
     """Welch-Satterthwaite degrees of freedom (GUM, G.4.1) of (standard uncertainty, degrees of freedom) pairs."""
     total = sum(u**2 for u, _ in contributions)

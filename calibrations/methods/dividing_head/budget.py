@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tumble.calibrations.core.budget import Source
+from tumble.calibrations.core.budget import Source, not_included
 from tumble.calibrations.core.gravity import Gravity
 from tumble.calibrations.core.repeats import settings
 from tumble.calibrations.methods.dividing_head.effects.scene import Scene
@@ -42,20 +42,12 @@ class StandUncertainty:
             "gain_uncertainty": self.daq_gain,
             "offset_uncertainty_v": self.daq_offset_v,
         }
-        missing = [key for key, value in stated.items() if value is None]
-        if not missing:
-            return ""
-        if len(missing) == len(stated):
-            return Message(
-                "the stand's contribution is not included in the stated uncertainty: no stand file says what head, "
-                "seat and DAQ add; state {keys} in a stand file",
-                keys=", ".join(missing),
-            )
-        return Message(
-            "part of the stand's contribution is not included in the stated uncertainty: the stand file does not state "
-            "{keys}; state it there, as 0 where it is negligible",
-            keys=", ".join(missing),
+        nothing = Message(
+            "the stand's contribution is not included in the stated uncertainty: no stand file says what head, "
+            "seat and DAQ add; state {keys} in a stand file",
+            keys=", ".join(stated),
         )
+        return not_included(stated, nothing)
 
 
 def sources(scene: Scene, stand: StandUncertainty) -> tuple[Source, ...]:
@@ -87,22 +79,6 @@ def sources(scene: Scene, stand: StandUncertainty) -> tuple[Source, ...]:
             symbol=f"{offset_v * 1e6:g} µV",
             errors_v=np.full((len(observations), 1), offset_v),
         ),
-        *((_recorded(scene, stand.record),) if stand.record else ()),
+        *((stand.record.source(corrections_columns_v(stand.record.corrections, scene)),) if stand.record else ()),
     )
     return tuple(source for source in listed if np.any(source.errors_v))
-
-
-def _recorded(scene: Scene, record: StandRecord) -> Source:
-    """What is not known of the corrections: as many independent errors as they have coefficients."""
-    corrections = record.corrections
-    values, vectors = np.linalg.eigh(corrections.covariance)
-    independent = vectors * np.sqrt(np.maximum(values, 0.0))
-    return Source(
-        name=Message("stand record {version}", version=record.version),
-        symbol=Message(
-            "{coefficients} coefficients of {terms} terms, correlated",
-            coefficients=len(corrections.values),
-            terms=len(corrections.terms),
-        ),
-        errors_v=corrections_columns_v(corrections, scene) @ independent,
-    )

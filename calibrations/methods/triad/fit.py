@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.compression import Compressed, compress
 from tumble.calibrations.core.coverage import coverage_factor
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.solutions import pseudo_inverse
@@ -35,6 +36,12 @@ class TriadFit(Quantified):
     identified: NDArray[np.bool_]
     """Which of the stated parameters the positions tell, shape (14,)."""
     degrees_of_freedom: int
+    compressed: Compressed
+    """The rows as the functions and what was found see them, white."""
+    everything: FloatArray
+    """Internal parameters and the coefficients of all further columns."""
+    inverse: FloatArray
+    """From a change of the compressed rows to the step of all of them, shape (parameters, compressed rows)."""
 
     @property
     def values(self) -> FloatArray:
@@ -100,6 +107,7 @@ def _solved(
     whole = np.column_stack([table.declared, *columns])
     misfit = table.output - whole @ table.model.coefficients(theta)
     whiten = table.memory.whitening(noise)
+    compressed = compress(whole, table.output, table.weights, whiten)
     jacobian = np.column_stack([table.declared @ table.model.slopes(theta), *columns])
     inverse, _ = pseudo_inverse(whiten(jacobian * root[:, None]))
     freedom = max(table.rows - jacobian.shape[1], 1)
@@ -120,7 +128,16 @@ def _solved(
         parameter_covariance=slopes @ together[:INTERNAL, :INTERNAL] @ slopes.T,
         identified=_identified(whiten(jacobian * root[:, None]), slopes),
         degrees_of_freedom=freedom,
+        compressed=compressed,
+        everything=theta,
+        inverse=pseudo_inverse(_stepped(compressed.r, table.model.slopes(theta)))[0],
     )
+
+
+def _stepped(r: FloatArray, slopes: FloatArray) -> FloatArray:
+    """What a step of all parameters does to compressed rows, the declared ones by the slopes of the functions."""
+    functions = len(slopes)
+    return np.column_stack([r[:, :functions] @ slopes, r[:, functions:]])
 
 
 def _identified(jacobian: FloatArray, slopes: FloatArray) -> NDArray[np.bool_]:

@@ -1,7 +1,7 @@
 """Closing the loop on a triad: what the declared model leaves, traced; parameters before and after."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -10,6 +10,7 @@ from tumble.calibrations.core.blas_threads import one_blas_thread
 from tumble.calibrations.core.parameter import ModelFit
 from tumble.calibrations.core.repeats import PureError, pure_error
 from tumble.calibrations.core.rows import SetAside
+from tumble.calibrations.methods.triad.assessed import Budget
 from tumble.calibrations.methods.triad.doubts import doubts
 from tumble.calibrations.methods.triad.experiments import next_experiments
 from tumble.calibrations.methods.triad.fit import TriadFit, fit_triad
@@ -54,6 +55,8 @@ class TriadLoop:
     scalar: ScalarFit | None
     pure_errors: tuple[PureError, ...]
     """Scatter of a dwell mean of each channel between repeats."""
+    declared_budget: Budget = field(default_factory=Budget)
+    augmented_budget: Budget = field(default_factory=Budget)
     experiments: tuple[Experiment, ...] = ()
     """What to measure next, where that was asked; see `asked_next`."""
 
@@ -111,6 +114,7 @@ class TriadDeclared:
     doubts: tuple[str, ...]
     """Questions about the table; where there are any, nothing is stated."""
     model: ModelFit
+    budget: Budget = field(default_factory=Budget)
 
 
 @one_blas_thread
