@@ -26,8 +26,8 @@ _TIMES: Final = (0.7, 1.0, 1.4)
 """The same about the best of them."""
 _MOST: Final = 12
 """Levels change so often at most."""
-_ROWS_EACH: Final = 12
-"""So many rows a level has at least, in the mean."""
+_DWELLS_EACH: Final = 12
+"""So many dwells a level has at least, in the mean."""
 _ROUNDS: Final = 2
 """So often each change is moved to where it fits best beside the others."""
 
@@ -111,7 +111,7 @@ class Changes:
         whole, gram, along = self._products(columns)
         chosen = list[int]()
         told = list[tuple[float, tuple[int, ...], Gained]]()
-        most = max(min(_MOST, int(np.count_nonzero(self._level)) // _ROWS_EACH), 1)
+        most = max(min(_MOST, len(self._level) // (_DWELLS_EACH * self._coordinate.outputs)), 1)
         for _ in range(min(most, len(places))):
             chosen.append(_next(gram, along, chosen))
             for _ in range(_ROUNDS):

@@ -1,6 +1,7 @@
 """On what structure without a name may depend in the table of a triad: channels, and variables for each.
 
-Each output has an offset and a response to its own axis, each axis of the stand an error of its angle.
+Each output has an offset and a response to its own axis, each axis of the stand an error of its angle. A step at a
+temperature is left out: in a run that warms up it is a step in time, which is commoner.
 """
 
 from collections.abc import Iterator
@@ -121,7 +122,6 @@ def _of_the_warmth(scene: TriadScene, place: int) -> Iterator[Coordinate]:
             depends_on="temperature",
             values=scene.temperature_k[:, place] + scene.reference_temperature_degc,
             shown="{:.1f} °C".format,
-            steps=True,
             phrase=Message("that follows the temperature"),
             unit="°C",
         )
