@@ -16,8 +16,6 @@ from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.tracing.coordinate import Coordinate, IntArray
 from tumble.calibrations.tracing.gains import Beside, Gained, best_column, gains, gains_of_pairs
 
-_FEWEST_ROWS: Final = 4
-"""Fewer rows between two places could be gross errors."""
 _PLACES: Final = 60
 """Places that are tried."""
 _SETTLING: Final = (0.02, 0.05, 0.12, 0.3)
@@ -71,7 +69,7 @@ class Changes:
         from_ = self._ramp(places[[best]], gained)
         first, last = np.triu_indices(len(places), 1)
         beyond = np.sum(self._coordinate.stepped(places), axis=0)
-        left = _between(gram, first, last) * (beyond[first] - beyond[last] >= _FEWEST_ROWS)
+        left = _between(gram, first, last) * (beyond[first] - beyond[last] >= self._coordinate.fewest_rows)
         power = (along[first] - along[last]) ** 2
         best, gained = best_column(left, _between(whole, first, last), power, squares, rows)
         return from_, self._ramp(places[[first[best], last[best]]], gained)
