@@ -64,3 +64,11 @@ def test_bins_hold_three_dwells_each_in_the_mean(tmp_path):
     axes = unnamed(triad_table(read(tmp_path, made("24", passes=3))).scene)
 
     assert {int(axis.coordinate.bins.max()) + 1 for axis in axes if axis.coordinate.word == "time"} == {24}
+
+
+def test_what_is_known_of_it_is_taken_off_the_mismatch(tmp_path):
+    loop = traced(tmp_path, lambda *_: in_channel(1, 8e-5 * (HOURS > 1.5)))
+    later = loop.observations.time_s > 1.5 * 3600.0 + 175.0
+    shown_v = loop.explained_v[:, 1]
+
+    assert np.mean(shown_v[later]) - np.mean(shown_v[~later]) == pytest.approx(8e-5, rel=0.1)

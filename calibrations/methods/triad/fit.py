@@ -38,6 +38,8 @@ class TriadFit(Quantified):
     degrees_of_freedom: int
     compressed: Compressed
     """The rows as the functions and what was found see them, white."""
+    drawn_v: FloatArray
+    """What is known of what is noise to a fit, structure without a name above all, shape (rows,), in volts."""
     everything: FloatArray
     """Internal parameters and the coefficients of all further columns."""
     inverse: FloatArray
@@ -107,6 +109,7 @@ def _solved(
     whole = np.column_stack([table.declared, *columns])
     misfit = table.output - whole @ table.model.coefficients(theta)
     whiten = table.memory.whitening(noise)
+    residual_v = np.asarray(whiten(whiten(misfit * root)) / root)
     compressed = compress(whole, table.output, table.weights, whiten)
     jacobian = np.column_stack([table.declared @ table.model.slopes(theta), *columns])
     inverse, _ = pseudo_inverse(whiten(jacobian * root[:, None]))
@@ -121,7 +124,7 @@ def _solved(
         scanned=tuple(None if change is None else next(numbers) for change in changes),
         coefficients=theta[INTERNAL:],
         covariance=together[INTERNAL:, INTERNAL:],
-        residual=np.asarray(whiten(whiten(misfit * root)) / root),
+        residual=residual_v,
         dwell=float(np.sqrt(variance)),
         theta=theta[:INTERNAL],
         internal_covariance=together[:INTERNAL, :INTERNAL],
@@ -129,6 +132,7 @@ def _solved(
         identified=_identified(whiten(jacobian * root[:, None]), slopes),
         degrees_of_freedom=freedom,
         compressed=compressed,
+        drawn_v=misfit - residual_v,
         everything=theta,
         inverse=pseudo_inverse(_stepped(compressed.r, table.model.slopes(theta)))[0],
     )

@@ -21,6 +21,7 @@ from tumble.calibrations.methods.triad.readmitted import still_gross
 from tumble.calibrations.methods.triad.scalar import ScalarFit, fit_scalar
 from tumble.calibrations.methods.triad.table import TriadTable, triad_table
 from tumble.calibrations.methods.triad.weights import channel_weights
+from tumble.calibrations.tracing.components import Component
 from tumble.calibrations.tracing.experiments import Experiment
 from tumble.calibrations.tracing.explained import Explained
 from tumble.calibrations.tracing.findings import (
@@ -82,7 +83,7 @@ class TriadLoop:
             item.form.columns @ self.best.coefficients[columns]
             for item, columns in zip(self.best.found, self.best.columns, strict=True)
         ]
-        return np.asarray(sum(shares, np.zeros(3 * len(self.observations))).reshape(-1, 3))
+        return np.asarray(sum(shares, self.best.drawn_v).reshape(-1, 3))
 
     @property
     def effects(self) -> tuple[EffectFound, ...]:
@@ -183,7 +184,7 @@ def _loop(before: TriadDeclared, explained: Explained[TriadTable, TriadFit]) -> 
         explained=explained,
         declared=before.model,
         augmented=silent(asked[0]) if asked else augmented(explained),
-        scalar=None if asked else _scalar(used, explained.best),
+        scalar=None if asked else _scalar(used, explained.best, explained.trace.components),
         pure_errors=_pure_errors(used),
     )
 
@@ -203,14 +204,16 @@ def _untraced(table: TriadTable) -> Judged[TriadTable]:
     return Judged(tracer=Tracer(table), trace=_nothing(table), near={}, evidence={}, withheld=())
 
 
-def _scalar(observations: TriadObservations, best: TriadFit) -> ScalarFit | None:
+def _scalar(observations: TriadObservations, best: TriadFit, components: Sequence[Component]) -> ScalarFit | None:
     """The scalar fit of the outputs less what was found in the unit and in the voltmeter."""
     shares = [
         item.form.columns @ best.coefficients[columns]
         for item, columns in zip(best.found, best.columns, strict=True)
         if item.effect.belongs_to != "stand"
     ]
-    corrected = observations.outputs_v - sum(shares, np.zeros(3 * len(observations))).reshape(-1, 3)
+    of_the_unit = not any(each.axis.channel.word == "angle" for each in components)
+    drawn_v = best.drawn_v if of_the_unit else np.zeros(3 * len(observations))
+    corrected = observations.outputs_v - sum(shares, drawn_v).reshape(-1, 3)
     return fit_scalar(corrected, 1.0 / channel_weights(observations))
 
 
