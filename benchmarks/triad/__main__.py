@@ -30,14 +30,15 @@ _ALL = (*UNIT, *STAND)
 @click.argument("kind", type=click.Choice(["clean", "single", "pairs", "novel"]))
 @click.option("--seeds", type=click.Choice([*SEEDS]), default="development")
 @click.option("--tables", default=30)
+@click.option("--fine", is_flag=True, help="Positions in steps of 15° beside those of 45°.")
 @click.option("--verbose", is_flag=True)
-def main(kind: str, seeds: str, tables: int, *, verbose: bool) -> None:
+def main(kind: str, seeds: str, tables: int, *, fine: bool, verbose: bool) -> None:
     """Run one list."""
     counted: Counter[str] = Counter()
     inside = stated = 0
     for number in range(tables):
         rng = np.random.default_rng([SEEDS[seeds], number])
-        names, wanted, made = _drawn(kind, number, rng)
+        names, wanted, made = _drawn(kind, number, rng, POSITIONS["fine"] if fine else ())
         loop = _closed(made)
         said = sorted(effect.name for effect in loop.effects)
         right = _right(loop, said, names, wanted)
@@ -53,9 +54,11 @@ def main(kind: str, seeds: str, tables: int, *, verbose: bool) -> None:
     )
 
 
-def _drawn(kind: str, number: int, rng: np.random.Generator) -> tuple[Sequence[str], str, Made]:
+def _drawn(
+    kind: str, number: int, rng: np.random.Generator, beside: Sequence[tuple[float, float]] = ()
+) -> tuple[Sequence[str], str, Made]:
     """Names of the effects, the variable of a kind without a name, and the table."""
-    positions = POSITIONS["24" if number % 3 else "18"]
+    positions = (*POSITIONS["24" if number % 3 else "18"], *beside)
     noise = NOISE_V[number % 2]
     if kind == "clean":
         return (), "", make(rng, positions, int(rng.integers(1, 4)), noise)

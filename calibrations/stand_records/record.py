@@ -6,6 +6,10 @@ from datetime import datetime
 from enum import StrEnum
 from typing import Any
 
+import numpy as np
+
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.budget import Source
 from tumble.calibrations.core.sentences import series
 from tumble.calibrations.records.canonical import canonical_sha256, plain
 from tumble.calibrations.records.times import read_time, utc_text
@@ -143,6 +147,22 @@ class StandRecord:
             version=self.version,
             stand=self.identity.stand,
             units=series(self.units),
+        )
+
+    def source(self, columns_v: FloatArray) -> Source:
+        """What is not known of the corrections, as many independent errors as they have coefficients.
+
+        `columns_v` is what a unit of each adds to the rows, shape (rows, coefficients), in volts.
+        """
+        values, vectors = np.linalg.eigh(self.corrections.covariance)
+        return Source(
+            name=Message("stand record {version}", version=self.version),
+            symbol=Message(
+                "{coefficients} coefficients of {terms} terms, correlated",
+                coefficients=len(self.corrections.values),
+                terms=len(self.corrections.terms),
+            ),
+            errors_v=columns_v @ (vectors * np.sqrt(np.maximum(values, 0.0))),
         )
 
     @property

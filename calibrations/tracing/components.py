@@ -39,6 +39,13 @@ class Channel:
     """What changes, for a reader: `an offset of the output`."""
     unit: str = ""
     """Of what changes: that of the output over that of the gain."""
+    detail: str = ""
+    """Which of several channels of the same word it is: `x` of the offsets of three outputs."""
+
+    @property
+    def called(self) -> str:
+        """No other channel of a table is called so."""
+        return f"{self.word} {self.detail}".rstrip()
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -53,7 +60,7 @@ class Axis:
     @property
     def name(self) -> str:
         """No other axis of a table has it."""
-        return f"{self.channel.word} {self.coordinate.phrase}"
+        return f"{self.channel.called} {self.coordinate.phrase}"
 
     @property
     def place(self) -> tuple[str, str]:
@@ -63,7 +70,7 @@ class Axis:
     @property
     def key(self) -> tuple[str, str, str]:
         """The same with which of several variables of one word it is: the same in every table of a method."""
-        return self.channel.word, self.coordinate.word, self.coordinate.detail
+        return self.channel.called, self.coordinate.word, self.coordinate.detail
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

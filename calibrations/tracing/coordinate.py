@@ -15,8 +15,8 @@ from tumble.messages import Message
 
 MOST_VALUES: Final = 90
 """Variables with more distinct values are cut into so many bins of equally many rows."""
-_ROWS_EACH: Final = 3
-"""So many rows each bin has at least, in the mean."""
+_DWELLS_EACH: Final = 3
+"""So many dwells each bin has at least, in the mean."""
 _KEPT: Final = 1e-3
 """Directions in which a process varies by less than this part of its largest are left out."""
 _ROUGH: Final = (0.03, 0.3, 3.0)
@@ -63,6 +63,8 @@ class Coordinate:
     """Which of several variables of the same word it is: `ax` of the acceleration."""
     unit: str = ""
     """Of its values; empty where they count or are labels."""
+    outputs: int = 1
+    """Rows of one dwell, which share its value: one for each output that a method takes together."""
     recurs: bool = True
     """Whether a value means the same in another run; the number of a realisation does not."""
 
@@ -73,7 +75,7 @@ class Coordinate:
         With a number of its own for nearly every row, nothing would be left to tell a course from the noise of a dwell.
         """
         rows = len(self.values)
-        most = min(MOST_VALUES, rows // _ROWS_EACH)
+        most = min(MOST_VALUES, rows // (_DWELLS_EACH * self.outputs))
         if self.values.ndim > 1:
             return _cells(self.values, most)
         distinct, number = np.unique(np.round(self.values, 6), return_inverse=True)
@@ -81,6 +83,11 @@ class Coordinate:
             return np.asarray(number, dtype=np.int64)
         rank = np.argsort(np.argsort(self.values, kind="stable"), kind="stable")
         return np.asarray(rank * most // rows, dtype=np.int64)
+
+    @property
+    def fewest_rows(self) -> int:
+        """What is at one place, or lasts, in fewer rows than this could be gross errors."""
+        return _FEWEST * self.outputs
 
     @property
     def bends_tried(self) -> bool:
@@ -162,7 +169,7 @@ class Coordinate:
         tried = np.concatenate(
             [np.column_stack([self.centres, np.full(len(self.centres), away * width)]) for width in _SPOTS]
         )
-        return np.asarray(tried[np.count_nonzero(self.spots(tried) > _MIDDLE, axis=0) >= _FEWEST])
+        return np.asarray(tried[np.count_nonzero(self.spots(tried) > _MIDDLE, axis=0) >= self.fewest_rows])
 
     def spots(self, spots: FloatArray) -> FloatArray:
         """A bell about each of some places in space, shape (rows, spots)."""
@@ -172,7 +179,7 @@ class Coordinate:
     def _several_rows(self, bumps: FloatArray) -> FloatArray:
         """Those in whose middle are several rows."""
         bell, _ = self.bells(bumps)
-        return np.asarray(bumps[np.count_nonzero(bell > _MIDDLE, axis=0) >= _FEWEST])
+        return np.asarray(bumps[np.count_nonzero(bell > _MIDDLE, axis=0) >= self.fewest_rows])
 
     @cached_property
     def bends(self) -> FloatArray:
@@ -263,7 +270,7 @@ _MOST_BENT: Final = 5
 """Order of the highest polynomial that is tried."""
 _MIDDLE: Final = 0.6
 _FEWEST: Final = 4
-"""Fewer rows than this in its middle make no bump: they could be gross errors."""
+"""So many dwells are more than a few gross errors."""
 _STEPS: Final = 120
 """Places at which a step is tried."""
 _NYQUIST: Final = 0.98

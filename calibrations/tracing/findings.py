@@ -14,6 +14,7 @@ from tumble.calibrations.tracing.quantified import Quantified, level_quantities
 from tumble.calibrations.tracing.rivals import Rival
 from tumble.calibrations.tracing.table import Table
 from tumble.calibrations.tracing.trace import WALK, Trace
+from tumble.calibrations.tracing.variables import VARIABLE_WORDS
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -45,6 +46,26 @@ class Unexplained:
     """Other channels and variables that the rows do not part from these."""
     courses: tuple[Course, ...] = ()
     """What is known of it, the first one along its channel and variable; none where it has no shape."""
+
+
+def unexplained(trace: Trace, others: Sequence[Trace] = (), known: Sequence[Course] = ()) -> Unexplained | None:
+    """Structure of a trace that no effect of the catalogue explains, and what `others` could stand for it.
+
+    `known` are the courses of its components. None where there is none.
+    """
+    if not trace.components:
+        return None
+    first = trace.components[0]
+    channel, variable = first.place
+    places = dict.fromkeys(other.components[0].place for other in others)
+    return Unexplained(
+        depends_on=VARIABLE_WORDS[first.depends_on],
+        description=first.described,
+        channel=channel,
+        variable=variable,
+        also_possible=tuple(place for place in places if place != first.place),
+        courses=tuple(known),
+    )
 
 
 SHAPELESS_P = 1e-5

@@ -180,9 +180,19 @@ def _filled(values: Sequence[float]) -> list[float]:
     """Values with others between them, and beyond them as far as the search goes."""
     if not values:
         return []
-    ends = [min(values) / _BEYOND, *sorted(values), max(values) * _BEYOND]
-    parts = [np.geomspace(*pair, _BETWEEN + 1, endpoint=False) for pair in pairwise(ends)]
-    return [*np.concatenate(parts).tolist(), ends[-1]]
+    ends = [_beyond(min(values), 1.0 / _BEYOND), *sorted(values), _beyond(max(values), _BEYOND)]
+    return [*np.concatenate([_between(*pair) for pair in pairwise(ends)]).tolist(), ends[-1]]
+
+
+def _beyond(value: float, ratio: float) -> float:
+    """A value so many times as large; a threshold below zero goes as far the same way."""
+    return value * ratio if value > 0.0 else value / ratio
+
+
+def _between(low: float, high: float) -> FloatArray:
+    """Values from one to before the next, by equal ratios, or across zero by equal steps."""
+    spaced = np.geomspace if low * high > 0.0 else np.linspace
+    return np.asarray(spaced(low, high, _BETWEEN + 1)[:-1])
 
 
 def _columns(scene: View, item: Found) -> FloatArray:

@@ -13,12 +13,12 @@ from tumble.app.methods.dividing_head.stand_part import STAND, DividingHeadStand
 from tumble.app.methods.dividing_head.uncertainty import uncertainty_of
 from tumble.app.stand import LoadedStand
 from tumble.calibrations.adopted.offered import Adopting, offered
+from tumble.calibrations.core.propagation import TRIALS
 from tumble.calibrations.core.provenance import Provenance
 from tumble.calibrations.methods.dividing_head.analysis import analyse
 from tumble.calibrations.methods.dividing_head.effects.adopting import ADOPTING
 from tumble.calibrations.methods.dividing_head.effects.scene import Scene
 from tumble.calibrations.methods.dividing_head.loop.loop import asked_next, explain_questioned
-from tumble.calibrations.methods.dividing_head.montecarlo import TRIALS
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.probes import PROBES
 from tumble.calibrations.methods.dividing_head.questions import questioned

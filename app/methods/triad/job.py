@@ -1,7 +1,7 @@
 """The job of a triad, as the entry point group `tumble.jobs` names it."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
@@ -10,17 +10,19 @@ from tumble.app.job_part import JobPart
 from tumble.app.measurement import Measurement
 from tumble.app.measurements import check_limits
 from tumble.app.methods.triad.analysed import TriadAnalysed, TriadTraced
-from tumble.app.methods.triad.stand_part import STAND, TriadStand, with_stand_record
+from tumble.app.methods.triad.stand_part import STAND, TriadStand
+from tumble.app.methods.triad.uncertainty import uncertainty_of
 from tumble.app.stand import LoadedStand
+from tumble.calibrations.core.propagation import TRIALS
 from tumble.calibrations.core.provenance import Provenance
 from tumble.calibrations.core.view import Section
+from tumble.calibrations.methods.triad.at_the_stand import declared_at, loop_at
 from tumble.calibrations.methods.triad.by_temperature import parameter_runs
 from tumble.calibrations.methods.triad.loop import asked_next, close_triad_loop, declared_fit
 from tumble.calibrations.methods.triad.method import NEEDED
 from tumble.calibrations.methods.triad.observations import TriadObservations, read_triad_table
 from tumble.calibrations.methods.triad.picture_sections import position_section
 from tumble.calibrations.methods.triad.probes import PROBES
-from tumble.calibrations.methods.triad.stand.uncertainty import widened
 from tumble.calibrations.tracing.experiments import Experiment
 
 
@@ -43,12 +45,10 @@ class TriadJob:
         """The rows as they are: what is in doubt is asked once they are fitted."""
         return rows
 
-    def fit(self, measurement: Measurement, origin: Provenance, trials: int | None) -> TriadAnalysed:  # noqa: ARG002
+    def fit(self, measurement: Measurement, origin: Provenance, trials: int | None) -> TriadAnalysed:
         """Fit the declared model. Raises `ValueError`, `InputError`."""
         declared = declared_fit(_rows(measurement), measurement.reference_temperature_degc)
-        if record := measurement.stand_record:
-            model = widened(declared.model, declared.fit, declared.table, record.corrections)
-            declared = replace(declared, model=model)
+        declared = declared_at(declared, uncertainty_of(measurement), TRIALS if trials is None else trials)
         return TriadAnalysed(
             measurement=measurement,
             provenance=origin,
@@ -60,8 +60,7 @@ class TriadJob:
         """Close the loop."""
         measurement = analysed.measurement
         loop = close_triad_loop(_rows(measurement), measurement.reference_temperature_degc)
-        if record := measurement.stand_record:
-            loop = with_stand_record(loop, record)
+        loop = loop_at(loop, uncertainty_of(measurement))
         limits = check_limits(loop.augmented.parameters, measurement.programme)
         return TriadTraced(**{**vars(analysed), "limits": limits}, loop=loop)
 

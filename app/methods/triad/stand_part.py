@@ -1,27 +1,16 @@
 """What runs of a triad say of their axes and voltmeter, and how they are corrected by what is known of these."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from tumble.app.methods.triad.analysed import TriadTraced
-from tumble.calibrations.methods.triad.loop import TriadLoop, declared_fit
+from tumble.calibrations.methods.triad.loop import declared_fit
 from tumble.calibrations.methods.triad.observations import TriadObservations
 from tumble.calibrations.methods.triad.stand import applying
 from tumble.calibrations.methods.triad.stand.evidence import TriadRun, validity_of
-from tumble.calibrations.methods.triad.stand.uncertainty import widened
 from tumble.calibrations.stand_records.corrections import Corrections
 from tumble.calibrations.stand_records.record import StandRecord, Validity
 from tumble.calibrations.stand_records.terms import Term
-
-
-def with_stand_record(loop: TriadLoop, record: StandRecord) -> TriadLoop:
-    """A loop on rows that a record corrected, with what that does not know of itself in both models."""
-    table, corrections = loop.explained.table, record.corrections
-    return replace(
-        loop,
-        declared=widened(loop.declared, loop.before, table, corrections),
-        augmented=widened(loop.augmented, loop.best, table, corrections),
-    )
 
 
 @dataclass(frozen=True)

@@ -6,21 +6,22 @@ import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.blas_threads import one_blas_thread
+from tumble.calibrations.core.budget import BudgetLine, Source, contributions, effective_freedom, scatter_line
 from tumble.calibrations.core.coverage import coverage_factor
-from tumble.calibrations.core.gravity import Gravity
+from tumble.calibrations.core.gravity import per_acceleration
 from tumble.calibrations.core.parameter import Parameter
-from tumble.calibrations.core.quantities import format_number
-from tumble.calibrations.methods.dividing_head.budget import Source, StandUncertainty, effective_freedom, sources
+from tumble.calibrations.core.propagation import TRIALS, MonteCarlo
+from tumble.calibrations.methods.dividing_head.budget import StandUncertainty, sources
 from tumble.calibrations.methods.dividing_head.fit import Alpha0Profile, covariance
 from tumble.calibrations.methods.dividing_head.flips import flip_closure
 from tumble.calibrations.methods.dividing_head.held_out import held_out_rms
 from tumble.calibrations.methods.dividing_head.identifiability import Identification, identify
 from tumble.calibrations.methods.dividing_head.joint import LACK_OF_FIT_P, Joint, fit_jointly
 from tumble.calibrations.methods.dividing_head.model import ALPHA0, PARAMETERS, UNITS
-from tumble.calibrations.methods.dividing_head.montecarlo import TRIALS, MonteCarlo, monte_carlo
+from tumble.calibrations.methods.dividing_head.montecarlo import monte_carlo
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.published import published_method
-from tumble.calibrations.methods.dividing_head.result import BudgetLine, Calibration, PerAcceleration
+from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.messages import Message
 
 
@@ -74,8 +75,8 @@ def assess(
         closure=flip_closure(fitted.observations, fitted.observations.output_v - fitted.residual_v, fitted.error),
         published=published_method(fitted.observations),
         budget=_budget(fitted, type_a, listed, type_b, stated),
-        monte_carlo=_by_name(_simulate(fitted, listed, trials), stated) if trials else {},
-        per_acceleration=_per_acceleration(parameters, stand.gravity) if stand.gravity else {},
+        monte_carlo=_simulate(fitted, listed, trials).by_name(PARAMETERS, stated) if trials else {},
+        per_acceleration=per_acceleration(parameters, stand.gravity) if stand.gravity else {},
         warnings=(*fitted.observations.warnings, *_doubts(fitted), *filter(None, [stand.left_out])),
         stand_record=stand.record,
     )
@@ -170,29 +171,10 @@ def _correlation(matrix: FloatArray, parameters: Mapping[str, Parameter]) -> Flo
 def _budget(
     fitted: Joint, type_a: FloatArray, listed: tuple[Source, ...], type_b: Mapping[str, FloatArray], stated: list[str]
 ) -> tuple[BudgetLine, ...]:
-    def contributions(matrix: FloatArray) -> dict[str, float]:
-        return {name: float(np.sqrt(matrix[i, i])) for i, name in enumerate(PARAMETERS) if name in stated}
-
     noise = fitted.noise
-    return (
-        BudgetLine(
-            name=Message("scatter of the data"),
-            kind="A",
-            symbol=Message("{scatter} a dwell", scatter=format_number(noise.used_v, "V")),
-            contributions=contributions(type_a),
-            degrees_of_freedom=noise.used_degrees_of_freedom,
-        ),
-        *(
-            BudgetLine(
-                name=source.name,
-                kind="B",
-                symbol=source.symbol,
-                contributions=contributions(type_b[source.name]),
-                degrees_of_freedom=float("inf"),
-            )
-            for source in listed
-        ),
-    )
+    scatter = scatter_line(noise.used_v, noise.used_degrees_of_freedom, contributions(type_a, PARAMETERS, stated))
+    further = (source.line(contributions(type_b[source.name], PARAMETERS, stated)) for source in listed)
+    return (scatter, *further)
 
 
 def _simulate(fitted: Joint, listed: tuple[Source, ...], trials: int) -> MonteCarlo:
@@ -200,32 +182,3 @@ def _simulate(fitted: Joint, listed: tuple[Source, ...], trials: int) -> MonteCa
     errors = np.column_stack([np.zeros((rotation.shape[1], 1)), *(source.turned(rotation) for source in listed)])
     nodes = fitted.profile.nodes_deg(float(fitted.fit.theta[ALPHA0]))
     return monte_carlo(fitted.compressed, fitted.fit, nodes, fitted.noise, errors, trials)
-
-
-def _by_name(simulated: MonteCarlo, stated: list[str]) -> dict[str, tuple[float, tuple[float, float]]]:
-    return {
-        name: (
-            float(simulated.standard_uncertainty[i]),
-            (float(simulated.interval_95[i, 0]), float(simulated.interval_95[i, 1])),
-        )
-        for i, name in enumerate(PARAMETERS)
-        if name in stated
-    }
-
-
-def _per_acceleration(parameters: Mapping[str, Parameter], gravity: Gravity) -> dict[str, PerAcceleration]:
-    """Coefficients per m/s²: divided by local g, once for V/g and twice for V/g²; its uncertainty enters here alone."""
-    relative = gravity.standard_uncertainty_m_s2 / gravity.value_m_s2
-    result = {}
-    for name, parameter in parameters.items():
-        power = {"V/g": 1, "V/g^2": 2}.get(parameter.unit, 0)
-        if power and parameter.value is not None and parameter.standard_uncertainty is not None:
-            scale = gravity.value_m_s2**power
-            result[name] = PerAcceleration(
-                value=parameter.value / scale,
-                standard_uncertainty=float(
-                    np.hypot(parameter.standard_uncertainty, power * relative * parameter.value) / scale
-                ),
-                unit=parameter.unit.replace("g^2", "(m/s^2)^2").replace("/g", "/(m/s^2)"),
-            )
-    return result

@@ -3,9 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.budget import Source, not_included
 from tumble.calibrations.core.gravity import Gravity
 from tumble.calibrations.core.repeats import settings
 from tumble.calibrations.methods.dividing_head.effects.scene import Scene
@@ -43,43 +42,12 @@ class StandUncertainty:
             "gain_uncertainty": self.daq_gain,
             "offset_uncertainty_v": self.daq_offset_v,
         }
-        missing = [key for key, value in stated.items() if value is None]
-        if not missing:
-            return ""
-        if len(missing) == len(stated):
-            return Message(
-                "the stand's contribution is not included in the stated uncertainty: no stand file says what head, "
-                "seat and DAQ add; state {keys} in a stand file",
-                keys=", ".join(missing),
-            )
-        return Message(
-            "part of the stand's contribution is not included in the stated uncertainty: the stand file does not state "
-            "{keys}; state it there, as 0 where it is negligible",
-            keys=", ".join(missing),
+        nothing = Message(
+            "the stand's contribution is not included in the stated uncertainty: no stand file says what head, "
+            "seat and DAQ add; state {keys} in a stand file",
+            keys=", ".join(stated),
         )
-
-
-@dataclass(frozen=True, kw_only=True)
-class Source:
-    """One independent source of uncertainty, as errors of the rows."""
-
-    name: str
-    symbol: str
-    """What is uncertain, as a short text with its unit and size."""
-    errors_v: FloatArray
-    """What one standard uncertainty does to each row: of one independent error per column, shape (rows, errors)."""
-    shared_by: NDArray[np.int64] | None = None
-    """Where each group of rows has an error of its own: the number of the group of each row. `errors_v` then has one
-    column, in which they all stand: as a table of a column per group, a million rows would take tens of gigabytes."""
-
-    def turned(self, rotation: FloatArray) -> FloatArray:
-        """What each independent error does to the rotated voltages, shape (rotated, errors).
-
-        `rotation` has the shape (rows, rotated), see `compression.Compressed`.
-        """
-        if self.shared_by is None:
-            return np.asarray(rotation.T @ self.errors_v)
-        return np.stack([np.bincount(self.shared_by, column * self.errors_v[:, 0]) for column in rotation.T])
+        return not_included(stated, nothing)
 
 
 def sources(scene: Scene, stand: StandUncertainty) -> tuple[Source, ...]:
@@ -111,29 +79,6 @@ def sources(scene: Scene, stand: StandUncertainty) -> tuple[Source, ...]:
             symbol=f"{offset_v * 1e6:g} µV",
             errors_v=np.full((len(observations), 1), offset_v),
         ),
-        *((_recorded(scene, stand.record),) if stand.record else ()),
+        *((stand.record.source(corrections_columns_v(stand.record.corrections, scene)),) if stand.record else ()),
     )
     return tuple(source for source in listed if np.any(source.errors_v))
-
-
-def _recorded(scene: Scene, record: StandRecord) -> Source:
-    """What is not known of the corrections: as many independent errors as they have coefficients."""
-    corrections = record.corrections
-    values, vectors = np.linalg.eigh(corrections.covariance)
-    independent = vectors * np.sqrt(np.maximum(values, 0.0))
-    return Source(
-        name=Message("stand record {version}", version=record.version),
-        symbol=Message(
-            "{coefficients} coefficients of {terms} terms, correlated",
-            coefficients=len(corrections.values),
-            terms=len(corrections.terms),
-        ),
-        errors_v=corrections_columns_v(corrections, scene) @ independent,
-    )
-
-
-def effective_freedom(contributions: list[tuple[float, float]]) -> float:
-    """Welch-Satterthwaite degrees of freedom (GUM, G.4.1) of (standard uncertainty, degrees of freedom) pairs."""
-    total = sum(u**2 for u, _ in contributions)
-    denominator = sum(u**4 / freedom for u, freedom in contributions if freedom > 0 and np.isfinite(freedom))
-    return float(total**2 / denominator) if denominator > 0 else float("inf")

@@ -1,31 +1,14 @@
 """Propagation of distributions (JCGM 101): the check on the budget."""
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.compression import Compressed
+from tumble.calibrations.core.propagation import MonteCarlo, drawn_errors_v, summarised
 from tumble.calibrations.core.solutions import pseudo_inverse
 from tumble.calibrations.methods.dividing_head.fit import JointFit
 from tumble.calibrations.methods.dividing_head.joint import Noise
 from tumble.calibrations.methods.dividing_head.model import coefficients, design, further_terms, parameter_vector
-
-TRIALS = 20_000
-SEED = 20081
-_DRAWN_EACH = 1000
-"""Up to so many errors are drawn one by one; 20,000 trials of a million would be 160 gigabytes."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class MonteCarlo:
-    """What repeated simulated calibrations of the fitted unit give."""
-
-    trials: int
-    standard_uncertainty: FloatArray
-    """Root mean square deviation of each parameter from the fitted value, bias included, shape (6,)."""
-    interval_95: FloatArray
-    """Probabilistically symmetric 95% interval (JCGM 101, 7.7), shape (6, 2)."""
 
 
 def monte_carlo(
@@ -38,31 +21,13 @@ def monte_carlo(
 ) -> MonteCarlo:
     """Simulate the rows anew and refit the full nonlinear model to each.
 
-    `nodes_deg` are values of alpha0 that span what it can be; `scatter` is that of a row of weight 1, with few degrees
-    of freedom a Student distribution (JCGM 101, 6.4.9); `errors_v`, shape (10 + terms, n), are the independent errors
-    of type B as they show in the rotated voltages, one standard uncertainty each. Work is done on those, where white
-    noise stays white. Many errors are drawn as their sum is distributed: normal, with their covariance.
+    `nodes_deg` are values of alpha0 that span what it can be; `scatter` is that of a row of weight 1; `errors_v`, shape
+    (10 + terms, n), are the independent errors of type B as they show in the rotated voltages, one standard uncertainty
+    each. Work is done on those, where white noise stays white.
     """
-    generator = np.random.default_rng(SEED)
-    effect = errors_v if errors_v.shape[1] <= _DRAWN_EACH else _root(errors_v @ errors_v.T)
+    errors = drawn_errors_v(scatter.used_v, scatter.used_degrees_of_freedom, errors_v, trials)
     centre = compressed.r @ coefficients(fit.theta)
-    freedom = max(scatter.used_degrees_of_freedom, 1)
-    ruler_v = scatter.used_v * np.sqrt(freedom / generator.chisquare(freedom, size=(trials, 1)))
-    noise = generator.normal(size=(trials, len(centre))) * ruler_v
-    shared = generator.normal(size=(trials, effect.shape[1])) @ effect.T
-    theta = _refit(compressed, fit, np.unique(nodes_deg), centre + noise + shared)
-    low, high = np.quantile(theta, [0.025, 0.975], axis=0)
-    return MonteCarlo(
-        trials=trials,
-        standard_uncertainty=np.sqrt(np.mean((theta - fit.theta) ** 2, axis=0)),
-        interval_95=np.column_stack([low, high]),
-    )
-
-
-def _root(covariance: FloatArray) -> FloatArray:
-    """Independent columns that give a covariance."""
-    values, vectors = np.linalg.eigh(covariance)
-    return np.asarray(vectors * np.sqrt(np.maximum(values, 0.0)))
+    return summarised(_refit(compressed, fit, np.unique(nodes_deg), centre + errors), fit.theta)
 
 
 def _refit(compressed: Compressed, fit: JointFit, nodes_deg: FloatArray, z: FloatArray) -> FloatArray:

@@ -5,8 +5,11 @@ from dataclasses import dataclass
 from typing import Any
 
 from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.budget import BudgetLine
 from tumble.calibrations.core.documents import rows_json
-from tumble.calibrations.core.parameter import Parameter, finite
+from tumble.calibrations.core.gravity import PerAcceleration
+from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.core.propagation import Simulated, simulated_json
 from tumble.calibrations.methods.dividing_head.flips import FlipClosure
 from tumble.calibrations.methods.dividing_head.joint import Noise
 from tumble.calibrations.methods.dividing_head.model import UNITS
@@ -16,29 +19,6 @@ from tumble.calibrations.stand_records.record import StandRecord
 from tumble.messages import Message
 
 SCHEMA = "tumble.fit/1"
-
-
-@dataclass(frozen=True, kw_only=True)
-class BudgetLine:
-    """One source of uncertainty and what it adds to each parameter."""
-
-    name: str
-    kind: str
-    """`A` or `B`."""
-    symbol: str
-    """Size of the source with its unit."""
-    contributions: Mapping[str, float]
-    """Standard uncertainty by parameter name, in the parameter's unit."""
-    degrees_of_freedom: float
-
-
-@dataclass(frozen=True, kw_only=True)
-class PerAcceleration:
-    """A coefficient per m/s² instead of per local g."""
-
-    value: float
-    standard_uncertainty: float
-    unit: str
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -61,8 +41,8 @@ class Calibration:
     closure: FlipClosure | None
     published: Mapping[str, PublishedValue]
     budget: tuple[BudgetLine, ...]
-    monte_carlo: Mapping[str, tuple[float, tuple[float, float]]]
-    """Standard uncertainty and 95% interval by propagation of distributions, by name."""
+    monte_carlo: Mapping[str, Simulated]
+    """What propagation of distributions gives, by name."""
     per_acceleration: Mapping[str, PerAcceleration]
     """Empty where local gravity is not known."""
     warnings: tuple[str, ...]
@@ -89,15 +69,9 @@ class Calibration:
             "lack_of_fit_p": self.lack_of_fit_p,
             "flip_closure": closure_json(self.closure),
             "published_method": {"parameters": {name: _published_json(name, v) for name, v in self.published.items()}},
-            "budget": [_budget_json(line) for line in self.budget],
-            "monte_carlo": {
-                name: {"standard_uncertainty": u, "interval_95": list(interval)}
-                for name, (u, interval) in self.monte_carlo.items()
-            },
-            "per_m_s2": {
-                name: {"value": c.value, "standard_uncertainty": c.standard_uncertainty, "unit": c.unit}
-                for name, c in self.per_acceleration.items()
-            },
+            "budget": [line.as_json() for line in self.budget],
+            "monte_carlo": simulated_json(self.monte_carlo),
+            "per_m_s2": {name: each.as_json() for name, each in self.per_acceleration.items()},
             "warnings": list(self.warnings),
         } | ({"stand_record": self.stand_record.reference} if self.stand_record else {})
 
@@ -124,16 +98,6 @@ def _published_json(name: str, value: PublishedValue) -> dict[str, Any]:
         "unit": UNITS[name],
     }
     return result | ({"reason": value.reason} if value.reason else {})
-
-
-def _budget_json(line: BudgetLine) -> dict[str, Any]:
-    return {
-        "name": line.name,
-        "kind": line.kind,
-        "size": line.symbol,
-        "degrees_of_freedom": finite(line.degrees_of_freedom),
-        "contributions": dict(line.contributions),
-    }
 
 
 def _correlation_json(parameters: Mapping[str, Parameter], correlation: FloatArray) -> dict[str, dict[str, float]]:

@@ -26,11 +26,11 @@ def document(loop: TriadLoop) -> dict[str, Any]:
             for channel, error in zip(CHANNELS, loop.pure_errors, strict=True)
         },
         "warnings": [*loop.doubts, *rows.warnings],
-        "declared": _model(loop.declared),
+        "declared": _model(loop.declared) | loop.declared_budget.as_json(),
         "effects": [effect_json(effect) for effect in loop.effects],
         "withheld": [{"name": each.name, "reason": each.reason} for each in loop.withheld],
         "unexplained": unexplained_json(loop.unexplained),
-        "augmented": _model(loop.augmented),
+        "augmented": _model(loop.augmented) | loop.augmented_budget.as_json(),
         "scalar": _scalar(loop.scalar),
         "mismatch_arcsec": _mismatch(loop.scalar),
         "correction": None if loop.doubts else correction(loop.best).as_json(),
@@ -48,6 +48,7 @@ def fit_document(declared: TriadDeclared) -> dict[str, Any]:
         "rows": rows_json(declared.observations),
         "warnings": [*declared.doubts, *declared.observations.warnings],
         **_model(declared.model),
+        **declared.budget.as_json(),
         "correction": None if declared.doubts else correction(declared.fit).as_json(),
     }
 

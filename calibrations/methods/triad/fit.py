@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.compression import Compressed, compress
 from tumble.calibrations.core.coverage import coverage_factor
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.solutions import pseudo_inverse
@@ -35,6 +36,14 @@ class TriadFit(Quantified):
     identified: NDArray[np.bool_]
     """Which of the stated parameters the positions tell, shape (14,)."""
     degrees_of_freedom: int
+    compressed: Compressed
+    """The rows as the functions and what was found see them, white."""
+    drawn_v: FloatArray
+    """What is known of what is noise to a fit, structure without a name above all, shape (rows,), in volts."""
+    everything: FloatArray
+    """Internal parameters and the coefficients of all further columns."""
+    inverse: FloatArray
+    """From a change of the compressed rows to the step of all of them, shape (parameters, compressed rows)."""
 
     @property
     def values(self) -> FloatArray:
@@ -80,7 +89,7 @@ def fit_triad(table: TriadTable, trace: Trace) -> TriadFit:
 
     What was scanned for counts as fitted: the change of each form with its scanned value is a column of its own.
     """
-    found = trace.found
+    found, table = trace.found, table.with_components(trace.components)
     places = slices([item.form.columns.shape[1] for item in found])
     first = table.fit(trace.forms, trace.noise).theta[INTERNAL:]
     changes = [tangent(table.scene, item, first[place]) for item, place in zip(found, places, strict=True)]
@@ -100,6 +109,8 @@ def _solved(
     whole = np.column_stack([table.declared, *columns])
     misfit = table.output - whole @ table.model.coefficients(theta)
     whiten = table.memory.whitening(noise)
+    residual_v = np.asarray(whiten(whiten(misfit * root)) / root)
+    compressed = compress(whole, table.output, table.weights, whiten)
     jacobian = np.column_stack([table.declared @ table.model.slopes(theta), *columns])
     inverse, _ = pseudo_inverse(whiten(jacobian * root[:, None]))
     freedom = max(table.rows - jacobian.shape[1], 1)
@@ -113,14 +124,24 @@ def _solved(
         scanned=tuple(None if change is None else next(numbers) for change in changes),
         coefficients=theta[INTERNAL:],
         covariance=together[INTERNAL:, INTERNAL:],
-        residual=np.asarray(whiten(whiten(misfit * root)) / root),
+        residual=residual_v,
         dwell=float(np.sqrt(variance)),
         theta=theta[:INTERNAL],
         internal_covariance=together[:INTERNAL, :INTERNAL],
         parameter_covariance=slopes @ together[:INTERNAL, :INTERNAL] @ slopes.T,
         identified=_identified(whiten(jacobian * root[:, None]), slopes),
         degrees_of_freedom=freedom,
+        compressed=compressed,
+        drawn_v=misfit - residual_v,
+        everything=theta,
+        inverse=pseudo_inverse(_stepped(compressed.r, table.model.slopes(theta)))[0],
     )
+
+
+def _stepped(r: FloatArray, slopes: FloatArray) -> FloatArray:
+    """What a step of all parameters does to compressed rows, the declared ones by the slopes of the functions."""
+    functions = len(slopes)
+    return np.column_stack([r[:, :functions] @ slopes, r[:, functions:]])
 
 
 def _identified(jacobian: FloatArray, slopes: FloatArray) -> NDArray[np.bool_]:

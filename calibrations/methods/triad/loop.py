@@ -1,7 +1,7 @@
 """Closing the loop on a triad: what the declared model leaves, traced; parameters before and after."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -10,6 +10,7 @@ from tumble.calibrations.core.blas_threads import one_blas_thread
 from tumble.calibrations.core.parameter import ModelFit
 from tumble.calibrations.core.repeats import PureError, pure_error
 from tumble.calibrations.core.rows import SetAside
+from tumble.calibrations.methods.triad.assessed import Budget
 from tumble.calibrations.methods.triad.doubts import doubts
 from tumble.calibrations.methods.triad.experiments import next_experiments
 from tumble.calibrations.methods.triad.fit import TriadFit, fit_triad
@@ -20,10 +21,17 @@ from tumble.calibrations.methods.triad.readmitted import still_gross
 from tumble.calibrations.methods.triad.scalar import ScalarFit, fit_scalar
 from tumble.calibrations.methods.triad.table import TriadTable, triad_table
 from tumble.calibrations.methods.triad.weights import channel_weights
-from tumble.calibrations.tracing.effect import Structure
+from tumble.calibrations.tracing.components import Component
 from tumble.calibrations.tracing.experiments import Experiment
 from tumble.calibrations.tracing.explained import Explained
-from tumble.calibrations.tracing.findings import EffectFound, Unexplained, Withheld, effects_found, withheld
+from tumble.calibrations.tracing.findings import (
+    EffectFound,
+    Unexplained,
+    Withheld,
+    effects_found,
+    unexplained,
+    withheld,
+)
 from tumble.calibrations.tracing.judged import Judged, judged
 from tumble.calibrations.tracing.noise import NoiseModel
 from tumble.calibrations.tracing.trace import Trace, Tracer
@@ -48,6 +56,8 @@ class TriadLoop:
     scalar: ScalarFit | None
     pure_errors: tuple[PureError, ...]
     """Scatter of a dwell mean of each channel between repeats."""
+    declared_budget: Budget = field(default_factory=Budget)
+    augmented_budget: Budget = field(default_factory=Budget)
     experiments: tuple[Experiment, ...] = ()
     """What to measure next, where that was asked; see `asked_next`."""
 
@@ -73,7 +83,7 @@ class TriadLoop:
             item.form.columns @ self.best.coefficients[columns]
             for item, columns in zip(self.best.found, self.best.columns, strict=True)
         ]
-        return np.asarray(sum(shares, np.zeros(3 * len(self.observations))).reshape(-1, 3))
+        return np.asarray(sum(shares, self.best.drawn_v).reshape(-1, 3))
 
     @property
     def effects(self) -> tuple[EffectFound, ...]:
@@ -91,16 +101,7 @@ class TriadLoop:
     @property
     def unexplained(self) -> Unexplained | None:
         """The largest structure that no effect of the catalogue explains; None where there is none."""
-        shown = [
-            (float(np.std(item.form.columns @ self.best.coefficients[columns])), item)
-            for item, columns in zip(self.best.found, self.best.columns, strict=True)
-            if isinstance(item.effect, Structure)
-        ]
-        if self.doubts or not shown:
-            return None
-        item = max(shown, key=lambda entry: entry[0])[1]
-        assert isinstance(item.effect, Structure)
-        return Unexplained(depends_on=item.effect.depends_on, description=item.effect.describe(item.form))
+        return None if self.doubts else unexplained(self.explained.trace, self.explained.alike)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -114,6 +115,7 @@ class TriadDeclared:
     doubts: tuple[str, ...]
     """Questions about the table; where there are any, nothing is stated."""
     model: ModelFit
+    budget: Budget = field(default_factory=Budget)
 
 
 @one_blas_thread
@@ -182,7 +184,7 @@ def _loop(before: TriadDeclared, explained: Explained[TriadTable, TriadFit]) -> 
         explained=explained,
         declared=before.model,
         augmented=silent(asked[0]) if asked else augmented(explained),
-        scalar=None if asked else _scalar(used, explained.best),
+        scalar=None if asked else _scalar(used, explained.best, explained.trace.components),
         pure_errors=_pure_errors(used),
     )
 
@@ -202,14 +204,16 @@ def _untraced(table: TriadTable) -> Judged[TriadTable]:
     return Judged(tracer=Tracer(table), trace=_nothing(table), near={}, evidence={}, withheld=())
 
 
-def _scalar(observations: TriadObservations, best: TriadFit) -> ScalarFit | None:
+def _scalar(observations: TriadObservations, best: TriadFit, components: Sequence[Component]) -> ScalarFit | None:
     """The scalar fit of the outputs less what was found in the unit and in the voltmeter."""
     shares = [
         item.form.columns @ best.coefficients[columns]
         for item, columns in zip(best.found, best.columns, strict=True)
         if item.effect.belongs_to != "stand"
     ]
-    corrected = observations.outputs_v - sum(shares, np.zeros(3 * len(observations))).reshape(-1, 3)
+    of_the_unit = not any(each.axis.channel.word == "angle" for each in components)
+    drawn_v = best.drawn_v if of_the_unit else np.zeros(3 * len(observations))
+    corrected = observations.outputs_v - sum(shares, drawn_v).reshape(-1, 3)
     return fit_scalar(corrected, 1.0 / channel_weights(observations))
 
 

@@ -12,6 +12,8 @@ from tumble.calibrations.core.known_tables import misspelt
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.sentences import series
 from tumble.calibrations.core.view import Section
+from tumble.calibrations.methods.triad.at_the_stand import loop_at
+from tumble.calibrations.methods.triad.budget import TwoAxisUncertainty
 from tumble.calibrations.methods.triad.document import document
 from tumble.calibrations.methods.triad.entry import VERSION, entry
 from tumble.calibrations.methods.triad.hand.log import output_names, read_log
@@ -92,9 +94,8 @@ class TriadMethod:
             if len(paths) > 1:
                 raise ValueError(Message("{path}: give one log of a triad at a time", path=paths[1]))
             return calibrated_by_hand(read_log(paths[0]))
-        return TriadResult(
-            loop=asked_next(close_triad_loop(joined([read_triad_table(path) for path in paths], [None] * len(paths))))
-        )
+        rows = joined([read_triad_table(path) for path in paths], [None] * len(paths))
+        return TriadResult(loop=loop_at(asked_next(close_triad_loop(rows)), TwoAxisUncertainty()))
 
 
 def _by_hand(header: Sequence[str]) -> bool:

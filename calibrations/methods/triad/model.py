@@ -49,8 +49,8 @@ def functions(directions: Directions) -> FloatArray:
 
 
 def response(theta: FloatArray) -> FloatArray:
-    """K: volts of each channel (rows) per g along each axis of the case, shape (3, 3)."""
-    return np.asarray(theta[3:12].reshape(3, 3))
+    """K: volts of each channel (rows) per g along each axis of the case, shape (..., 3, 3) of parameters (..., n)."""
+    return np.asarray(theta[..., 3:12].reshape(*theta.shape[:-1], 3, 3))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -81,10 +81,10 @@ class Triad:
         return self.fitted(compressed)
 
     def coefficients(self, theta: FloatArray) -> FloatArray:
-        """Coefficients of the functions, and of any further columns."""
-        by_direction = [level * response(theta) for level in _levels(theta)]
-        own = [np.column_stack([theta[:3], *by_direction]).ravel()]
-        return np.concatenate([*own, theta[INTERNAL:]])
+        """Coefficients of the functions, and of any further columns, of one set of parameters or of many."""
+        by_direction = [level[..., None, None] * response(theta) for level in _levels(theta)]
+        own = np.concatenate([theta[..., :3, None], *by_direction], axis=-1)
+        return np.concatenate([own.reshape(*theta.shape[:-1], FUNCTIONS), theta[..., INTERNAL:]], axis=-1)
 
     def slopes(self, theta: FloatArray) -> FloatArray:
         """Derivative of the coefficients of the functions, shape (30, 14)."""
@@ -114,19 +114,19 @@ class Triad:
         return replace(self, functions=functions)
 
 
-def _levels(theta: FloatArray) -> tuple[float, float, float]:
+def _levels(theta: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Coefficients of the three directions by the levels."""
-    x, y = theta[LEVEL_X], theta[LEVEL_Y]
-    return float(np.cos(y) * np.cos(x)), float(np.cos(y) * np.sin(x)), float(np.sin(y))
+    x, y = theta[..., LEVEL_X], theta[..., LEVEL_Y]
+    return np.asarray(np.cos(y) * np.cos(x)), np.asarray(np.cos(y) * np.sin(x)), np.asarray(np.sin(y))
 
 
 def stated(theta: FloatArray) -> FloatArray:
-    """Parameters as they are stated, shape (14,): biases, scales, six m and two levels in arcsec."""
+    """Parameters as they are stated, shape (..., 14): biases, scales, six m and two levels in arcsec."""
     k = response(theta)
-    scale = np.diag(k)
-    by = _divisors(k)
-    angles = [k[i, j] / by[i] for i in range(3) for j in range(3) if i != j]
-    return np.concatenate([theta[:3], scale, ARCSEC_PER_RAD * np.array([*angles, theta[LEVEL_X], theta[LEVEL_Y]])])
+    scale = np.diagonal(k, axis1=-2, axis2=-1)
+    angles = (k / _divisors(k)[..., None])[..., ~np.eye(3, dtype=bool)]
+    turned = ARCSEC_PER_RAD * np.concatenate([angles, theta[..., LEVEL_X : LEVEL_Y + 1]], axis=-1)
+    return np.concatenate([theta[..., :3], scale, turned], axis=-1)
 
 
 def stated_slopes(theta: FloatArray) -> FloatArray:
@@ -148,5 +148,5 @@ def stated_slopes(theta: FloatArray) -> FloatArray:
 
 def _divisors(k: FloatArray) -> FloatArray:
     """The diagonal of K; infinite where no position shows it, so that what rests on it vanishes."""
-    scale = np.diag(k)
+    scale = np.diagonal(k, axis1=-2, axis2=-1)
     return np.where(scale == 0.0, np.inf, scale)

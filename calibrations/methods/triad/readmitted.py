@@ -15,7 +15,6 @@ from tumble.calibrations.methods.triad.fit import TriadFit, fit_triad
 from tumble.calibrations.methods.triad.observations import TriadObservations
 from tumble.calibrations.methods.triad.scene import TriadScene
 from tumble.calibrations.methods.triad.table import TriadTable
-from tumble.calibrations.tracing.effect import Structure
 from tumble.calibrations.tracing.explained import Explained
 from tumble.calibrations.tracing.quantified import form_in
 from tumble.calibrations.tracing.trace import Trace
@@ -39,7 +38,7 @@ def _explanations(explained: Explained[TriadTable, TriadFit]) -> Iterator[Trace]
     """What was found and what it could be as well, as far as it says anything of other rows."""
     rivals = (rival.trace for found in explained.close.values() for rival in found)
     for trace in (explained.trace, *rivals):
-        if trace.found and not any(isinstance(item.effect, Structure) for item in trace.found):
+        if trace.found and not trace.components:
             yield trace
 
 

@@ -6,6 +6,7 @@ from dataclasses import replace
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.quantities import format_concise, format_number
 from tumble.calibrations.core.view import Section
+from tumble.calibrations.methods.triad.budget_sections import budget_sections
 from tumble.calibrations.methods.triad.correction import correction
 from tumble.calibrations.methods.triad.loop import TriadLoop
 from tumble.calibrations.methods.triad.picture_sections import picture_sections
@@ -33,6 +34,7 @@ def _composed(loop: TriadLoop, parameters: Section) -> Iterator[Section]:
     yield _scalar(loop)
     yield Section(title=Message("What to measure next"), lines=[each.why for each in loop.experiments], brief=True)
     yield from picture_sections(loop)
+    yield from budget_sections(loop)
     constants = correction(loop.best)
     yield Section(
         title=Message("Correction a = C (u - b)"),

@@ -8,12 +8,14 @@ from numpy.typing import NDArray
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.compression import compress
 from tumble.calibrations.core.repeats import labels, visits
-from tumble.calibrations.methods.triad.effects import TRIAD_EFFECTS, TRIAD_STRUCTURES
+from tumble.calibrations.methods.triad.effects import TRIAD_EFFECTS
+from tumble.calibrations.methods.triad.effects.unnamed import unnamed
 from tumble.calibrations.methods.triad.geometry import directions
 from tumble.calibrations.methods.triad.model import Triad, functions
 from tumble.calibrations.methods.triad.observations import TriadObservations
 from tumble.calibrations.methods.triad.scene import TriadScene
 from tumble.calibrations.methods.triad.weights import channel_weights
+from tumble.calibrations.tracing.components import Axis
 from tumble.calibrations.tracing.effect import Variable
 from tumble.calibrations.tracing.noise import Memory, scaled_levels
 from tumble.calibrations.tracing.table import Extensible, View
@@ -42,6 +44,11 @@ class TriadTable(Extensible):
         """The thirty functions of the positions, shape (rows, 30)."""
         assert isinstance(view, TriadScene), "it is a view of this table"
         return functions(view.directions)
+
+    def axes_in(self, view: View) -> tuple[Axis, ...]:
+        """Channels, each with every variable that varies in the view."""
+        assert isinstance(view, TriadScene), "it is a view of this table"
+        return unnamed(view)
 
     @property
     def further_weights(self) -> FloatArray:
@@ -74,7 +81,8 @@ def triad_table(observations: TriadObservations, reference_temperature_degc: flo
         weights=weights,
         scene=scene,
         effects=TRIAD_EFFECTS,
-        structures=TRIAD_STRUCTURES,
+        structures=(),
+        axes=unnamed(scene),
         memory=Memory(
             modes=np.empty((len(output_v), 0)),
             levels={name: scaled_levels(columns, weights) for name, columns in drawn.items()},

@@ -20,8 +20,8 @@ from tumble.messages import Message
 
 _MOST: Final = 12
 """Levels change so often at most."""
-_ROWS_EACH: Final = 12
-"""So many rows a level has at least, in the mean."""
+_DWELLS_EACH: Final = 12
+"""So many dwells a level has at least, in the mean."""
 _ROUNDS: Final = 2
 """So often each change is moved."""
 _ALIKE: Final = 1e-6
@@ -33,7 +33,7 @@ def changes(along: Along) -> Iterator[Shape]:
     places = along.coordinate.places
     if len(places) < FEWEST_PLACES:
         return
-    most = min(max(min(_MOST, along.rows // _ROWS_EACH), 1), len(places))
+    most = min(max(min(_MOST, along.rows // (_DWELLS_EACH * along.coordinate.outputs)), 1), len(places))
     steps, chosen = _Steps.at(along, places), list[int]()
     told = list[tuple[float, list[int]]]()
     for count in range(1, most + 1):

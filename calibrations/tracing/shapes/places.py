@@ -7,8 +7,6 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.tracing.coordinate import IntArray
 
-FEWEST_ROWS: Final = 4
-"""Fewer rows between two places could be gross errors."""
 FEWEST_PLACES: Final = 10
 """With fewer values, a step between them is any difference between them."""
 

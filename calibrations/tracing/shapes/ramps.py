@@ -10,7 +10,7 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.tracing.gains import Gained, best_column
 from tumble.calibrations.tracing.shapes.along import Along, Shape, named
-from tumble.calibrations.tracing.shapes.places import FEWEST_PLACES, FEWEST_ROWS, squares_between
+from tumble.calibrations.tracing.shapes.places import FEWEST_PLACES, squares_between
 from tumble.messages import Message
 
 _PLACES: Final = 60
@@ -82,7 +82,7 @@ def _ramps(along: Along, places: FloatArray) -> tuple[tuple[FloatArray, Gained],
     one, gain_of_one = best_column(np.diag(gram), np.diag(whole), with_left**2, squares, along.rows)
     first, last = np.triu_indices(len(places), 1)
     beyond = np.sum(along.coordinate.stepped(places), axis=0)
-    left = squares_between(gram, first, last) * (beyond[first] - beyond[last] >= FEWEST_ROWS)
+    left = squares_between(gram, first, last) * (beyond[first] - beyond[last] >= along.coordinate.fewest_rows)
     power = (with_left[first] - with_left[last]) ** 2
     two, gain_of_two = best_column(left, squares_between(whole, first, last), power, squares, along.rows)
     return (places[[one]], gain_of_one), (places[[first[two], last[two]]], gain_of_two)

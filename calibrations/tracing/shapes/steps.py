@@ -9,7 +9,7 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.tracing.gains import Gained, best_column
 from tumble.calibrations.tracing.shapes.along import Along, Shape, named, sides
-from tumble.calibrations.tracing.shapes.places import FEWEST_PLACES, FEWEST_ROWS, squares_between
+from tumble.calibrations.tracing.shapes.places import FEWEST_PLACES, squares_between
 from tumble.messages import Message
 
 _Placed = tuple[Gained, tuple[int, ...]]
@@ -49,7 +49,7 @@ def _steps(along: Along, places: FloatArray) -> tuple[_Placed, _Placed]:
     gram = whole - taken @ taken.T
     single = best_column(np.diag(gram), length, with_left**2, seen.squares, along.rows)
     before = coordinate.rows_before(places)
-    long = before[last] - before[first] >= FEWEST_ROWS
+    long = before[last] - before[first] >= coordinate.fewest_rows
     lengths = (squares_between(gram, first, last) * long, squares_between(whole, first, last))
     double = best_column(*lengths, (with_left[first] - with_left[last]) ** 2, seen.squares, along.rows)
     return (single[1], (single[0],)), (double[1], (int(first[double[0]]), int(last[double[0]])))

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
-from tumble.calibrations.methods.dividing_head.budget import Source
+from tumble.calibrations.core.budget import Source
 from tumble.calibrations.methods.dividing_head.effects.scene import Scene
 from tumble.calibrations.methods.dividing_head.effects.unnamed import unnamed
 from tumble.calibrations.methods.dividing_head.fit import covariance

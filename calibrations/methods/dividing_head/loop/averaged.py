@@ -7,6 +7,7 @@ from typing import Final
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.budget import BudgetLine
 from tumble.calibrations.core.mixtures import Part, interval_95
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.methods.dividing_head.best_alpha0 import ALPHA0_REACH_DEG
@@ -15,7 +16,7 @@ from tumble.calibrations.methods.dividing_head.joint import Joint
 from tumble.calibrations.methods.dividing_head.loop.augmented import augment
 from tumble.calibrations.methods.dividing_head.loop.table import DividingHeadTable
 from tumble.calibrations.methods.dividing_head.model import ALPHA0, PARAMETERS
-from tumble.calibrations.methods.dividing_head.result import BudgetLine, Calibration
+from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.calibrations.tracing.neighbours import Neighbour
 from tumble.messages import Message
 

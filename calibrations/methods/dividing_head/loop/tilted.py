@@ -12,7 +12,7 @@ from typing import Final
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
-from tumble.calibrations.methods.dividing_head.budget import Source
+from tumble.calibrations.core.budget import Source
 from tumble.calibrations.methods.dividing_head.model import BASIS_SIZE, coefficients
 from tumble.calibrations.tracing.trace import Found
 from tumble.messages import Message

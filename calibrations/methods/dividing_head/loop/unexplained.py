@@ -5,6 +5,7 @@ from typing import Any
 
 from tumble.calibrations.core.quantities import format_number
 from tumble.calibrations.methods.dividing_head.loop.reach import Reach
+from tumble.calibrations.tracing import findings
 from tumble.calibrations.tracing.courses import Course
 from tumble.calibrations.tracing.findings import SHAPELESS_P, Unexplained
 from tumble.calibrations.tracing.judged import Judged
@@ -20,21 +21,10 @@ def unexplained(
 
     `known` are the courses of the components of the trace.
     """
-    components = found.trace.components
-    if not components:
-        has_name = found.trace.names and not found.withheld
-        return None if has_name or reach.alike > SHAPELESS_P else _shapeless(reach)
-    first = components[0]
-    channel, variable = first.place
-    places = dict.fromkeys(other.components[0].place for other in others)
-    return Unexplained(
-        depends_on=VARIABLE_WORDS[first.depends_on],
-        description=first.described,
-        channel=channel,
-        variable=variable,
-        also_possible=tuple(place for place in places if place != first.place),
-        courses=tuple(known),
-    )
+    if structure := findings.unexplained(found.trace, others, known):
+        return structure
+    has_name = found.trace.names and not found.withheld
+    return None if has_name or reach.alike > SHAPELESS_P else _shapeless(reach)
 
 
 def _shapeless(reach: Reach) -> Unexplained:

@@ -27,11 +27,16 @@ def form_of(term: Term, scene: TriadScene) -> Form | None:
     return next(iter(effect.forms(scene)), None)
 
 
-def correction_v(corrections: Corrections, scene: TriadScene) -> FloatArray:
-    """What all terms add to the outputs, shape (dwells, 3)."""
-    added = np.zeros(scene.rows)
+def columns_v(corrections: Corrections, scene: TriadScene) -> FloatArray:
+    """What a unit of each coefficient adds to the outputs, shape (rows, coefficients), in volts."""
+    found = np.zeros((scene.rows, len(corrections.values)))
     for term in corrections.terms:
         form = form_of(term, scene)
         if form is not None:
-            added += form.columns @ corrections.values[corrections.place(term)]
-    return added.reshape(-1, 3)
+            found[:, corrections.place(term)] = form.columns
+    return found
+
+
+def correction_v(corrections: Corrections, scene: TriadScene) -> FloatArray:
+    """What all terms add to the outputs, shape (dwells, 3)."""
+    return np.asarray((columns_v(corrections, scene) @ corrections.values).reshape(-1, 3))
