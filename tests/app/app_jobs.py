@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 
 from tumble.app.cli import main
 from tumble.calibrations.methods.dividing_head import analysis
-from tumble.calibrations.methods.dividing_head.loop.loop import explain
+from tumble.calibrations.methods.dividing_head.loop.loop import explain_questioned
 
 STAND = """\
 name = "bench-1"
@@ -109,19 +109,19 @@ def blank_figures():
 _traced = {}
 
 
-def _explain_once(observations, stand, reference_temperature_degc, *effects):
+def _explain_once(asked, stand, reference_temperature_degc, *effects):
     if effects:  # they hold functions, of which none knows whether they are equal
-        return explain(observations, stand, reference_temperature_degc, *effects)
-    rows = pickle.dumps((replace(observations, source=""), stand, reference_temperature_degc))
+        return explain_questioned(asked, stand, reference_temperature_degc, *effects)
+    rows = pickle.dumps((replace(asked.observations, source=""), stand, reference_temperature_degc))
     if rows not in _traced:
-        _traced[rows] = explain(observations, stand, reference_temperature_degc)
+        _traced[rows] = explain_questioned(asked, stand, reference_temperature_degc)
     return _traced[rows]
 
 
 @contextmanager
 def tracing_once():
     """The same rows of the same stand are traced once, from whatever file they come."""
-    with patch("tumble.app.methods.dividing_head.job.explain", _explain_once):
+    with patch("tumble.app.methods.dividing_head.job.explain_questioned", _explain_once):
         yield
 
 

@@ -10,7 +10,7 @@ from tables import table
 from tumble.app.joining import read_together
 from tumble.app.measurements import provenance
 from tumble.calibrations.core.table import write_table
-from tumble.calibrations.methods.dividing_head.loop.loop import explain
+from tumble.calibrations.methods.dividing_head.loop.loop import explain_questioned
 
 
 @pytest.fixture(scope="session")
@@ -153,7 +153,7 @@ def test_a_calibration_is_stored_and_reported_with_its_loop(calibrated):
 
 
 def test_a_record_with_its_loop_is_verified(calibrated, monkeypatch):
-    monkeypatch.setattr("tumble.app.methods.dividing_head.job.explain", explain)
+    monkeypatch.setattr("tumble.app.methods.dividing_head.job.explain_questioned", explain_questioned)
     ran = tumble("records", "verify", "--store", calibrated.store)
 
     assert (ran.status, "every parameter comes back" in ran.out) == (0, True)

@@ -4,7 +4,7 @@ import shutil
 import pytest
 from app_jobs import STAND, tumble
 
-from tumble.calibrations.methods.dividing_head.loop.loop import explain
+from tumble.calibrations.methods.dividing_head.loop.loop import explain_questioned
 
 
 def listed(store, *arguments):
@@ -112,7 +112,7 @@ def test_a_comparison_knows_two_analyses_of_one_raw_file(copied):
 
 
 def test_an_untouched_record_is_verified(calibrated, monkeypatch):
-    monkeypatch.setattr("tumble.app.methods.dividing_head.job.explain", explain)
+    monkeypatch.setattr("tumble.app.methods.dividing_head.job.explain_questioned", explain_questioned)
 
     ran = tumble("records", "verify", "--store", calibrated.store)
 

@@ -7,7 +7,7 @@ import pytest
 from app_jobs import cheaply, tumble
 
 from tumble.app.stand_records import head_map_curve, list_stand_records
-from tumble.calibrations.methods.dividing_head.loop.loop import explain
+from tumble.calibrations.methods.dividing_head.loop.loop import explain_questioned
 
 STAND = """\
 name = "bench-1"
@@ -158,7 +158,7 @@ def test_a_list_has_a_line_for_every_version(known):
 
 
 def test_records_are_derived_again_from_their_raw_files(known, monkeypatch):
-    monkeypatch.setattr("tumble.app.methods.dividing_head.job.explain", explain)
+    monkeypatch.setattr("tumble.app.methods.dividing_head.job.explain_questioned", explain_questioned)
 
     ran = tumble("stand", "verify", "--store", known[0] / "store")
 

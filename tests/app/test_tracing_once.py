@@ -11,8 +11,12 @@ from tumble.app.methods.dividing_head import job
 @pytest.fixture
 def traced(monkeypatch):
     """Rows of every table that is traced."""
-    rows, explain = [], job.explain
-    monkeypatch.setattr(job, "explain", lambda table, *more: rows.append(len(table)) or explain(table, *more))
+    rows, explain = [], job.explain_questioned
+    monkeypatch.setattr(
+        job,
+        "explain_questioned",
+        lambda asked, *more: rows.append(len(asked.observations)) or explain(asked, *more),
+    )
     return rows
 
 

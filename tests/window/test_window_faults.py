@@ -99,7 +99,7 @@ def test_an_exception_anywhere_becomes_a_dialog_and_stops_the_run(driver, long, 
 
 
 def test_a_fault_in_the_analysis_is_a_dialog_too(driver, tiny, monkeypatch):
-    monkeypatch.setattr("tumble.app.methods.dividing_head.job.explain", lambda *_: 1 / 0)
+    monkeypatch.setattr("tumble.app.methods.dividing_head.job.explain_questioned", lambda *_: 1 / 0)
     driver.start(tiny)
     driver.wait(lambda: driver.complaints)
     assert driver.complaints == ["A fault of the program; the head was told to stop."]
