@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from stand_examples import ANOTHER, PARTS, UP, rows, run_on
+from stand_examples import ANOTHER, PARTS, UNIT, UP, rows, run_on
 from stand_record_examples import FOUND, learned, record_of
 
 from tumble.calibrations.core.provenance import Provenance
@@ -55,10 +55,11 @@ def test_a_tilt_and_a_step_of_the_voltmeter_are_taken_off_the_voltage():
         tilted_v = np.deg2rad(0.2) * np.array([along_axis[str(mount)] for mount in mounts])
         return tilted_v + np.where(volts > 2.7, 5e-4, 0.0)
 
-    disturbed = corrected(rows(added_v=added_v, parts=parts), record_of(known))
+    unit = {**UNIT, "kxy": 0.0}  # which adds to the product of ax and ay as well what a tilt adds to each
+    disturbed = corrected(rows(unit=unit, added_v=added_v, parts=parts), record_of(known))
 
     assert disturbed.correction_deg is None
-    assert np.abs(disturbed.output_v - rows(parts=parts).output_v).max() < 3e-6
+    assert np.abs(disturbed.output_v - rows(unit=unit, parts=parts).output_v).max() < 3e-6
 
 
 def test_what_a_record_does_not_know_is_a_line_of_the_budget():
