@@ -12,6 +12,7 @@ _OVERTONES: Final = 8
 _PLACES_EACH: Final = 8
 """So many distinct values there are at least for a wave, and for each overtone."""
 _FINER: Final = 5
+"""So many turns more, and fewer, are tried about each."""
 
 
 def periods(turns: Sequence[float], limit: float, places: int) -> list[FloatArray]:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.repeats import labels
 from tumble.calibrations.methods.dividing_head.effects.scene import Scene
+from tumble.calibrations.tracing.common_coordinates import pose_of, shown_in_seconds, time_of
 from tumble.calibrations.tracing.components import Axis, Channel, axes
 from tumble.calibrations.tracing.coordinate import Coordinate
 from tumble.messages import Message
@@ -77,35 +78,17 @@ def _of_the_input(scene: Scene) -> Iterator[Coordinate]:
             detail=f"a{name}",
             unit="g",
         )
-    yield Coordinate(
-        word="pose",
-        depends_on="acceleration",
-        values=scene.gravity_g,
-        phrase=Message("that follows the pose of the unit"),
-        unit="g",
-    )
+    yield pose_of(scene.gravity_g)
 
 
 def _of_the_time(scene: Scene) -> Iterator[Coordinate]:
     if scene.hours is not None:
-        yield Coordinate(
-            word="time",
-            depends_on="time",
-            values=scene.hours,
-            shown=_seconds,
-            waves=True,
-            overtones=True,
-            steps=True,
-            kinks=True,
-            onsets=True,
-            phrase=Message("that follows the time"),
-            unit="h",
-        )
+        yield time_of(scene.hours)
         yield Coordinate(
             word="time_since_seating",
             depends_on="time",
             values=_since(scene.mounting, scene.hours),
-            shown=_seconds,
+            shown=shown_in_seconds,
             phrase=Message("that follows the time since the unit was seated"),
             unit="h",
         )
@@ -205,10 +188,6 @@ def _since_reversal(scene: Scene) -> FloatArray:
     count, reversed_ = np.arange(scene.rows), np.diff(scene.direction, prepend=0) != 0
     since = count - np.maximum.accumulate(np.where(reversed_, count, 0)) + 1
     return np.asarray(scene.direction * since, dtype=float)
-
-
-def _seconds(hours: float) -> str:
-    return f"{3600.0 * hours:.0f} s"
 
 
 def _degrees(angle_deg: float) -> str:

@@ -12,6 +12,7 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.triad.observations import CHANNELS
 from tumble.calibrations.methods.triad.scene import TriadScene
+from tumble.calibrations.tracing.common_coordinates import pose_of, time_of
 from tumble.calibrations.tracing.components import Axis, Channel, axes
 from tumble.calibrations.tracing.coordinate import Coordinate
 from tumble.messages import Message
@@ -89,30 +90,12 @@ def _of_the_input(scene: TriadScene, felt_g: FloatArray) -> Iterator[Coordinate]
         phrase=Message("that follows the acceleration along its axis"),
         unit="g",
     )
-    yield Coordinate(
-        word="pose",
-        depends_on="acceleration",
-        values=scene.gravity_g,
-        phrase=Message("that follows the pose of the unit"),
-        unit="g",
-    )
+    yield pose_of(scene.gravity_g)
 
 
 def _of_the_time(scene: TriadScene) -> Iterator[Coordinate]:
     if scene.dwell_hours is not None:
-        yield Coordinate(
-            word="time",
-            depends_on="time",
-            values=scene.dwell_hours,
-            shown=_seconds,
-            waves=True,
-            overtones=True,
-            steps=True,
-            kinks=True,
-            onsets=True,
-            phrase=Message("that follows the time"),
-            unit="h",
-        )
+        yield time_of(scene.dwell_hours)
 
 
 def _of_the_warmth(scene: TriadScene, place: int) -> Iterator[Coordinate]:
@@ -151,7 +134,3 @@ def _of_the_realisation(scene: TriadScene) -> Iterator[Coordinate]:
         phrase=Message("that differs between realisations"),
         recurs=False,
     )
-
-
-def _seconds(hours: float) -> str:
-    return f"{3600.0 * hours:.0f} s"
