@@ -3,6 +3,7 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Final
 
 import numpy as np
 
@@ -32,6 +33,10 @@ class Shape:
     """At which one of its kind is there where there is nothing; None: its share of that of the axis."""
 
 
+_DECLARED: Final = 1e-6
+"""Part of a course that may be left beside the declared model where that has it."""
+
+
 @dataclass(frozen=True, kw_only=True)
 class Along:
     """A channel along a variable, beside what was found."""
@@ -58,6 +63,13 @@ class Along:
     def weighted(self) -> FloatArray:
         """What is taken, and what is left of the output, times that, shape (rows, n + 1)."""
         return np.column_stack([self.seen.taken, self.seen.left]) * self.level[:, None]
+
+    @cached_property
+    def straight_is_declared(self) -> bool:
+        """Whether the declared model has a straight course along the variable: no row shows one that is added."""
+        weighted = (self.coordinate.part * self.level)[:, None]
+        left = np.sum(weighted**2) - np.sum((self.seen.taken.T @ weighted) ** 2)
+        return bool(left < _DECLARED * np.sum(weighted**2))
 
     def best_single(self, columns: FloatArray) -> tuple[int, Gained]:
         """Number and gain of the best of shapes of one column each."""

@@ -1,6 +1,6 @@
 """A slope from a place on, or between two; and what begins at a place, jumps, and settles to another level."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import partial
 from math import comb
 from typing import Final
@@ -22,17 +22,23 @@ _TIMES: Final = (0.7, 1.0, 1.4)
 
 
 def ramps(along: Along) -> Iterator[Shape]:
-    """The best slope from a place on, and the best one between two places."""
+    """The best slope from a place on, and the best one between two places.
+
+    Along what the declared model has a slope in, as the scale factor is one over the acceleration, a slope from a place
+    on is the same rows as one up to it, with another scale factor.
+    """
     if len(along.coordinate.places) < FEWEST_PLACES:
         return
     places = _tried(along)
     ends = [ends for ends, _ in _ramps(along, places)]
     finer = np.unique(np.concatenate([along.coordinate.nearby(float(end)) for each in ends for end in each]))
+    straight = along.coordinate.part[:, None] if along.straight_is_declared else along.coordinate.part[:, None][:, :0]
     for at, gained in _ramps(along, finer):
         yield Shape(
             name=named("ramp", at.tolist()),
             described=_said(*(along.shown(part) for part in at.tolist())),
             columns=partial(ramp, along.coordinate.part, at),
+            whole=partial(_with, straight, partial(ramp, along.coordinate.part, at)),
             gained=gained,
             tried=comb(len(places), len(at)),
         )
@@ -67,6 +73,11 @@ def ramp(part: FloatArray, ends: FloatArray) -> FloatArray:
 def onset(part: FloatArray, begun: FloatArray) -> FloatArray:
     """A jump at a place and what decays after it within a time, shape (rows, 2)."""
     return np.column_stack(_begun(part, begun[None]))
+
+
+def _with(straight: FloatArray, columns: Callable[[], FloatArray]) -> FloatArray:
+    """Columns, and a straight course beside them."""
+    return np.column_stack([columns(), straight])
 
 
 def _tried(along: Along) -> FloatArray:
