@@ -57,9 +57,16 @@ def traced(tracer: Tracer[_T], scan: Scan) -> Traced[_T]:
 
 
 def _cost(trace: Trace) -> float:
-    """Penalised deviance, more of it for what follows any slow course in time."""
+    """Penalised deviance, more of it for what follows any slow course in time, and for names beside a like structure.
+
+    An effect along a variable that structure without a name follows too may be a part of that: it must be worth as much
+    more as structure must be where a name would do.
+    """
     courses = [each for each in trace.components if each.place == WANDERING and each.is_course]
-    return penalised_deviance(trace) + FOLLOWS_ANYTHING * (bool(trace.noise.walk) + len(courses))
+    followed = {each.depends_on for each in trace.components}
+    parts = sum(item.effect.depends_on in followed for item in trace.named)
+    slow = bool(trace.noise.walk) + len(courses)
+    return penalised_deviance(trace) + FOLLOWS_ANYTHING * slow + UNNAMED * parts
 
 
 WANDERING: Final = ("offset", "time")

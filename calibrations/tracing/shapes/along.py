@@ -64,12 +64,11 @@ class Along:
         """What is taken, and what is left of the output, times that, shape (rows, n + 1)."""
         return np.column_stack([self.seen.taken, self.seen.left]) * self.level[:, None]
 
-    @cached_property
-    def straight_is_declared(self) -> bool:
-        """Whether the declared model has a straight course along the variable: no row shows one that is added."""
-        weighted = (self.coordinate.part * self.level)[:, None]
+    def undetermined(self, course: FloatArray) -> FloatArray:
+        """A course, shape (rows,), as a column if the declared model has it, so that no row shows it; else none."""
+        weighted = course * self.level
         left = np.sum(weighted**2) - np.sum((self.seen.taken.T @ weighted) ** 2)
-        return bool(left < _DECLARED * np.sum(weighted**2))
+        return course[:, None] if left < _DECLARED * np.sum(weighted**2) else course[:, None][:, :0]
 
     def best_single(self, columns: FloatArray) -> tuple[int, Gained]:
         """Number and gain of the best of shapes of one column each."""
@@ -111,3 +110,8 @@ def sides(pair: Sequence[FloatArray], number: int) -> FloatArray:
 def named(word: str, numbers: Sequence[float]) -> str:
     """A word, and the numbers that fix it."""
     return " ".join([word, *(f"{number:.4g}" for number in numbers)])
+
+
+def beside(undetermined: FloatArray, columns: Callable[[], FloatArray]) -> Callable[[], FloatArray]:
+    """Columns of a shape with those that no row shows, for its `whole`."""
+    return lambda: np.column_stack([columns(), undetermined])

@@ -1,6 +1,6 @@
 """A slope from a place on, or between two; and what begins at a place, jumps, and settles to another level."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from functools import partial
 from math import comb
 from typing import Final
@@ -9,7 +9,7 @@ import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.tracing.gains import Gained, best_column
-from tumble.calibrations.tracing.shapes.along import Along, Shape, named
+from tumble.calibrations.tracing.shapes.along import Along, Shape, beside, named
 from tumble.calibrations.tracing.shapes.places import FEWEST_PLACES, squares_between
 from tumble.messages import Message
 
@@ -32,13 +32,13 @@ def ramps(along: Along) -> Iterator[Shape]:
     places = _tried(along)
     ends = [ends for ends, _ in _ramps(along, places)]
     finer = np.unique(np.concatenate([along.coordinate.nearby(float(end)) for each in ends for end in each]))
-    straight = along.coordinate.part[:, None] if along.straight_is_declared else along.coordinate.part[:, None][:, :0]
+    straight = along.undetermined(along.coordinate.part)
     for at, gained in _ramps(along, finer):
         yield Shape(
             name=named("ramp", at.tolist()),
             described=_said(*(along.shown(part) for part in at.tolist())),
             columns=partial(ramp, along.coordinate.part, at),
-            whole=partial(_with, straight, partial(ramp, along.coordinate.part, at)),
+            whole=beside(straight, partial(ramp, along.coordinate.part, at)),
             gained=gained,
             tried=comb(len(places), len(at)),
         )
@@ -73,11 +73,6 @@ def ramp(part: FloatArray, ends: FloatArray) -> FloatArray:
 def onset(part: FloatArray, begun: FloatArray) -> FloatArray:
     """A jump at a place and what decays after it within a time, shape (rows, 2)."""
     return np.column_stack(_begun(part, begun[None]))
-
-
-def _with(straight: FloatArray, columns: Callable[[], FloatArray]) -> FloatArray:
-    """Columns, and a straight course beside them."""
-    return np.column_stack([columns(), straight])
 
 
 def _tried(along: Along) -> FloatArray:
