@@ -86,9 +86,9 @@ def _with_one_more(tracer: Tracer[Any], scan: Scan, trace: Trace) -> Iterator[Tr
 
 
 def _proposed(tracer: Tracer[Any], scan: Scan, trace: Trace) -> Iterator[tuple[Trace, Proposal]]:
-    """Every start with the component that promises most beside it; beside most of a trace, the foremost axes do."""
-    starts = [(each, scan.proposals) for each in (trace, *_nothing(tracer, trace))]
-    starts += [(each, scan.foremost) for each in _with_one_less(tracer, trace)]
+    """Every start with the component that promises most beside it; beside less than a trace, the foremost axes do."""
+    others = (*_nothing(tracer, trace), *_with_one_less(tracer, trace))
+    starts = [(trace, scan.proposals), *((other, scan.foremost) for other in others)]
     for start, proposals in starts:
         seen = seen_beside(tracer.beside(start.components).table, start.forms, start.noise)
         several = (each for each in proposals(seen) if seen.rests_on_several_rows(each.component.columns))
@@ -141,7 +141,7 @@ def alike(tracer: Tracer[Any], trace: Trace, scan: Scan) -> list[Trace]:
         return []
     first, *others = trace.components
     table, rest = tracer.beside(others).table, trace.without(first.name)
-    proposals = scan.proposals(seen_beside(table, rest.forms, rest.noise))
+    proposals = scan.foremost(seen_beside(table, rest.forms, rest.noise))
     near = [each for each in proposals if each.worth > proposals[0].worth - NEAR and each.axis.name != first.axis.name]
     return [in_place(rest, each) for each in near[:_MOST_ALIKE]]
 

@@ -28,10 +28,10 @@ class Scan:
         return self._known[beside_.fingerprint]
 
     def foremost(self, beside_: Beside) -> list[Proposal]:
-        """The same of the axes along which courses that have no shape explain most, in a third of the time."""
+        """The same of those axes alone along which courses or waves explain most, in a third of the time."""
         if beside_.fingerprint in self._known:
             return self._known[beside_.fingerprint]
-        ranked = sorted(self._families, key=lambda family: -family.best_course(beside_).gain)
+        ranked = sorted(self._families, key=lambda family: -family.at_a_glance(beside_))
         return _best_of(ranked[:_FOREMOST], beside_)
 
 
