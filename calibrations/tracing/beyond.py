@@ -141,7 +141,7 @@ def alike(tracer: Tracer[Any], trace: Trace, scan: Scan) -> list[Trace]:
         return []
     first, *others = trace.components
     table, rest = tracer.beside(others).table, trace.without(first.name)
-    proposals = scan.foremost(seen_beside(table, rest.forms, rest.noise))
+    proposals = scan.proposals(seen_beside(table, rest.forms, rest.noise))
     near = [each for each in proposals if each.worth > proposals[0].worth - NEAR and each.axis.name != first.axis.name]
     return [in_place(rest, each) for each in near[:_MOST_ALIKE]]
 
