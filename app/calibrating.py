@@ -5,11 +5,11 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from tumble.app import reports
 from tumble.app.adopted_effects import FOLDER, adopted_json, read_kept, with_what_is_known
 from tumble.app.analysed import Traced
 from tumble.app.analysing import fit, trace
 from tumble.app.exits import Exit, JobError
-from tumble.app.files import write_text
 from tumble.app.jobs import find_job
 from tumble.app.learning import Learned, contradictions_of, learn
 from tumble.app.measurements import read_measurement
@@ -18,7 +18,6 @@ from tumble.app.wiring import Connected
 from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.records.errors import StoreError
 from tumble.calibrations.records.record import Record
-from tumble.calibrations.report.language import written_in
 from tumble.calibrations.tracing.chain import Chain
 from tumble.messages import Language, Message
 from tumble.procedures.announcer import Listener
@@ -74,14 +73,12 @@ def has_report(path: Path) -> bool:
 def write_report(
     traced: Traced, path: Path, language: Language, record: Record | None = None, chain: Chain[Any] | None = None
 ) -> None:
-    """Write the HTML report in a language, with the experiments that closed the loop where there were any.
+    """Write the report in a language, with the experiments that closed the loop where there were any.
 
     `record` is the one that was made of the result. Raises `JobError`.
     """
     record_id, revision = (record.id, record.revision) if record else ("", 1)
-    with written_in(language):
-        page = traced.report(record_id, revision, chain, contradictions_of(traced))
-    write_text(path, page)
+    reports.write(traced.report(record_id, revision, chain, contradictions_of(traced)), path, language)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -2,6 +2,7 @@
 
 import re
 from enum import StrEnum
+from pathlib import Path
 from typing import Final
 
 from tumble.messages import Message
@@ -51,6 +52,11 @@ _BEGINNINGS: Final = {
     Kind.PDF: rb"%PDF-.{,1000}/Creator \(\xfe\xff" + _CREATOR + rb"\)",
 }
 """Of two that fit, the first counts."""
+
+
+def report_kind(path: Path) -> Kind:
+    """As what a report is written there, by the name of the file."""
+    return Kind.PDF if path.suffix.lower() == ".pdf" else Kind.REPORT
 
 
 def kind_of(beginning: bytes) -> Kind | None:

@@ -7,14 +7,16 @@ from typing import Any, Final
 import click
 from rich.table import Table
 
+from tumble.app import reports
 from tumble.app.adopted_effects import FOLDER, read_kept
 from tumble.app.adopting import adopt
 from tumble.app.adoption_wish import Wish, check_wish
 from tumble.app.commands import options
 from tumble.app.console import results
-from tumble.app.files import write_new, write_text
+from tumble.app.files import write_new
 from tumble.app.kept_with import kept_with
 from tumble.app.named_runs import measured, units_of
+from tumble.app.section_report import page_of_sections
 from tumble.app.sections import show_sections
 from tumble.app.stand import read_stand
 from tumble.app.terminal import as_json, language, say
@@ -113,9 +115,7 @@ def show(name: str, folder: Path, json_path: Path | None, page: Path | None) -> 
         show_sections(shown)
     options.write_json(_document(kept), json_path)
     if page is not None:
-        from tumble.calibrations.report.sections import page as page_of  # jinja2 takes time
-
-        write_text(page, page_of(Message("Adopted effect"), kept.effect.name, shown, (), language()))
+        reports.write(page_of_sections(Message("Adopted effect"), kept.effect.name, shown), page, language())
 
 
 @command.command("retire")

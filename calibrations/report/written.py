@@ -1,0 +1,143 @@
+"""A report in words: every text in one language, every figure as SVG, ready for a page or for paper."""
+
+import re
+from collections.abc import Mapping, Sequence
+from typing import Any, Final
+
+from markupsafe import Markup
+
+from tumble.calibrations.core.verdict import Outcome
+from tumble.calibrations.core.view import Chapter, Section
+from tumble.calibrations.report.dates import dated
+from tumble.calibrations.report.document import Front, Report
+from tumble.calibrations.report.instruments import instruments, laboratory, overdue_sentences
+from tumble.calibrations.report.language import language, say
+from tumble.calibrations.report.values import values
+from tumble.calibrations.report.verdicts import JUDGED, headline
+from tumble.messages import Message
+
+_NUMERIC: Final = re.compile(r"[<>≈×]?\s*[-+−(]?\d")
+"""How a cell begins that is set to the right."""
+_LABELS: Final = {
+    "read_first": Message("Read this first"),
+    "sections": Message("Sections"),
+    "values": Message("Values to use"),
+    "quantity": Message("Quantity"),
+    "value": Message("Value ± U"),
+    "limits": Message("Limits"),
+    "verdict": Message("Verdict"),
+    "instruments": Message("Instruments"),
+    "page": Message("page"),
+    "of": Message("of"),
+    "reset": Message("whole figure"),
+    "hint": Message("Wheel or drag: zoom. Double click: the whole figure. The nearest value stands at the pointer."),
+    "issued": Message("Place and date"),
+    "authorised": Message("Name and signature"),
+}
+"""What stands in every report."""
+
+
+def written(report: Report) -> dict[str, Any]:
+    """All that a report says, in the language of the page that is written; figures and bars are SVG."""
+    front = report.front
+    overdue = overdue_sentences(front.provenance) if front else []
+    return {
+        "language": str(language()),
+        "labels": {name: say(text) for name, text in _LABELS.items()},
+        "kind": say(report.kind),
+        "title": report.title,
+        "front": _front(front) if front else None,
+        "notices": [say(each) for each in (*report.notices, *overdue)],
+        "chapters": [_chapter(each) for each in report.chapters if any(not part.empty for part in each.sections)],
+    }
+
+
+def _front(front: Front) -> dict[str, Any]:
+    outcome = front.verdict.outcome
+    name, address = laboratory(front.provenance.stand)
+    return {
+        "record": front.record_id,
+        "laboratory": name,
+        "address": address,
+        "outcome": str(outcome),
+        "word": say(outcome.words).upper(),
+        "headline": say(headline(front.verdict)),
+        "judged": "" if outcome is Outcome.NO_LIMITS else say(JUDGED[front.verdict.judged]),
+        "decided": [say(each.sentence) for each in front.verdict.parameters if each.outcome is not Outcome.PASS],
+        "facts": [(say(name), text) for name, text in _facts(front).items() if text],
+        "values": [
+            {name: text if name == "bar" else say(text) for name, text in vars(each).items()} for each in values(front)
+        ],
+        "limited": bool(front.limits),
+        "picture": front.picture
+        and {"svg": Markup(front.picture.figure.__html__()), "caption": say(front.picture.caption)},
+        "instruments": _instruments(front),
+        "statements": [say(each) for each in _STATEMENTS],
+    }
+
+
+def _facts(front: Front) -> dict[str, str]:
+    provenance = front.provenance
+    return {
+        Message("Measured"): dated(provenance.measured_at, language()),
+        Message("Operator"): provenance.operator,
+        Message("Programme"): provenance.programme_name,
+        Message("Stand"): provenance.stand_name,
+        Message("Record"): front.record_id,
+        Message("Revision"): str(front.revision) if front.record_id else "",
+    }
+
+
+_STATEMENTS: Final = (
+    Message(
+        "U is the expanded uncertainty for a coverage probability of 95%, k times the standard uncertainty; where both "
+        "sides differ, each is stated. g is local gravity."
+    ),
+    Message("The results relate only to the unit named above, as it was when it was measured."),
+)
+
+
+def _instruments(front: Front) -> dict[str, Any] | None:
+    """The table of the instruments; columns in which nothing is stated are left out."""
+    found = list(instruments(front.provenance.stand))
+    columns = {
+        Message("Instrument"): [say(each.name) for each in found],
+        Message("Driver"): [each.driver for each in found],
+        Message("Serial number"): [each.serial for each in found],
+        Message("Certificate"): [each.certificate for each in found],
+        Message("Calibration due"): [dated(each.due, language()) for each in found],
+    }
+    shown = {say(name): cells for name, cells in columns.items() if any(cells)}
+    return {"headings": list(shown), "rows": list(zip(*shown.values(), strict=True))} if found else None
+
+
+def _chapter(chapter: Chapter) -> dict[str, Any]:
+    shown = [section for section in chapter.sections if not section.empty]
+    return {
+        "anchor": chapter.anchor,
+        "title": say(chapter.title),
+        "sections": [written_section(each) for each in shown],
+    }
+
+
+def written_section(section: Section) -> dict[str, Any]:
+    """A section in the language of the page that is written."""
+    rows = [[say(cell) for cell in row] for row in section.rows]
+    return {
+        "title": say(section.title),
+        "lines": [say(line) for line in section.lines],
+        "svg": Markup(section.figure().__html__()) if section.figure else "",
+        "caption": say(section.caption),
+        "headings": [say(heading) for heading in section.headings],
+        "rows": rows,
+        "right": _set_right(rows),
+    }
+
+
+def _set_right(rows: Sequence[Sequence[str]]) -> list[bool]:
+    """Which columns hold numbers in all their cells but the empty ones."""
+    columns: Mapping[int, list[str]] = {
+        place: [row[place] for row in rows if place < len(row) and row[place]]
+        for place in range(max(map(len, rows), default=0))
+    }
+    return [place > 0 and bool(cells) and all(map(_NUMERIC.match, cells)) for place, cells in columns.items()]
