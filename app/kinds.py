@@ -43,6 +43,8 @@ _PAGE: Final = (
     rb'(<meta name="generator" content="tumble">\n'
     rb'|<meta name="viewport" content="width=device-width, initial-scale=1">\n<title>Calibration of )'  # of version 0.1
 )
+_KEYWORD: Final = b"/Keywords(tumble)"
+"""In a PDF; those of version 0.2 and before name their creator at the beginning."""
 _CREATOR: Final = re.escape("tumble".encode("utf-16-be"))
 _BEGINNINGS: Final = {
     Kind.RECORD: rb'\{"content_sha256":"[0-9a-f]{64}"|\{\s*"schema":\s*"tumble\.record/',
@@ -65,6 +67,15 @@ def kind_of(beginning: bytes) -> Kind | None:
         if re.match(pattern, beginning, re.DOTALL):
             return kind
     return Kind.TABLE if _exported(beginning) else None
+
+
+def kind_of_file(path: Path) -> Kind | None:
+    """The same of a file; a PDF says at its end whose it is."""
+    with path.open("rb") as file:
+        beginning = file.read(BEGINNING_BYTES)
+        if beginning.startswith(b"%PDF-") and _KEYWORD in beginning + file.read():
+            return Kind.PDF
+    return kind_of(beginning)
 
 
 def _exported(beginning: bytes) -> bool:

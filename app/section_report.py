@@ -111,15 +111,6 @@ def table_report(method: Method, result: Result, provenance: Provenance, name: s
     )
 
 
-def page_of_sections(kind: str, title: str, sections: Sequence[Section], notices: Sequence[str] = ()) -> Report:
-    """A page without a front, its sections one after the other."""
-    chapters = [
-        Chapter(anchor=f"s{number}", title=section.title, sections=(replace(section, title=""),))
-        for number, section in enumerate(sections, start=1)
-    ]
-    return Report(kind=kind, title=title, notices=notices, chapters=chapters)
-
-
 def quantities(method: Method) -> Mapping[str, Quantity]:
     """What the parameters of a method are called; none where it does not say."""
     return method.quantities if isinstance(method, Worded) else {}

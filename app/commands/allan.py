@@ -8,13 +8,13 @@ from tumble.app import reports
 from tumble.app.commands import options
 from tumble.app.console import warn
 from tumble.app.files import write_new
-from tumble.app.section_report import page_of_sections
 from tumble.app.sections import show_sections
 from tumble.app.terminal import language, say
 from tumble.calibrations.allan.recording import StillRecording, read_still
 from tumble.calibrations.allan.result import AllanResult, allan
 from tumble.calibrations.allan.sections import sections
 from tumble.calibrations.core.cells import TableError
+from tumble.calibrations.report.document import page_of_sections
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.programmes import load_programme, with_dwell

@@ -16,7 +16,6 @@ from tumble.app.console import results
 from tumble.app.files import write_new
 from tumble.app.kept_with import kept_with
 from tumble.app.named_runs import measured, units_of
-from tumble.app.section_report import page_of_sections
 from tumble.app.sections import show_sections
 from tumble.app.stand import read_stand
 from tumble.app.terminal import as_json, language, say
@@ -24,6 +23,7 @@ from tumble.calibrations.adopted.document import document
 from tumble.calibrations.adopted.folder import RETIRED_SUFFIX, SUFFIX, Kept, Retired
 from tumble.calibrations.adopted.sections import depends, sections, size_text, spread_text, status
 from tumble.calibrations.records.times import utc_now
+from tumble.calibrations.report.document import page_of_sections
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
 

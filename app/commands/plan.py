@@ -11,9 +11,9 @@ from tumble.app import reports
 from tumble.app.commands import options
 from tumble.app.jobs import find_job
 from tumble.app.running import Outline
-from tumble.app.section_report import page_of_sections
 from tumble.app.stand import read_stand
 from tumble.app.terminal import language, say
+from tumble.calibrations.report.document import page_of_sections
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.layout import Layout

@@ -1,12 +1,12 @@
 """What a report says, whatever it is written as."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.provenance import LimitCheck, Provenance
 from tumble.calibrations.core.verdict import Verdict
-from tumble.calibrations.core.view import Chapter, Drawn, Quantity
+from tumble.calibrations.core.view import Chapter, Drawn, Quantity, Section
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -46,3 +46,12 @@ class Report:
     notices: Sequence[str] = ()
     """What the reader must know before the numbers, a sentence each."""
     chapters: Sequence[Chapter] = ()
+
+
+def page_of_sections(kind: str, title: str, sections: Sequence[Section], notices: Sequence[str] = ()) -> Report:
+    """A page without a front, its sections one after the other."""
+    chapters = [
+        Chapter(anchor=f"s{number}", title=section.title, sections=(replace(section, title=""),))
+        for number, section in enumerate(sections, start=1)
+    ]
+    return Report(kind=kind, title=title, notices=notices, chapters=chapters)

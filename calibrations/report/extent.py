@@ -24,12 +24,12 @@ def extent(panel: Panel) -> tuple[Ends, Ends]:
 
 def ticks(axis: Axis, ends: Ends, most: int) -> list[float]:
     """Places of the numbers along an axis, `most` of them or fewer."""
-    low, high = ends
+    low, high = sorted(ends)
     if len(axis.ticks):
         return [float(tick) for tick in axis.ticks if low - 1e-9 <= tick <= high + 1e-9]
     if axis.logarithmic:
         return _decades(low, high)
-    step = round_step((high - low) / max(most, 1))
+    step = round_step((high - low) / (2 * most if axis.whole else most))
     if axis.whole:
         step = max(1.0, math.ceil(step))
     first = math.ceil(low / step - 1e-9)

@@ -4,10 +4,8 @@ A report draws it as vectors (`svg`), a window by its own means. It knows no lan
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final, Literal, TypeAlias
-
-import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 
@@ -151,7 +149,6 @@ class Figure:
     width: float = 720.0
     scale: tuple[str, float] | None = None
     """Label and largest number of a scale of colours for `Cells` and `Shades`."""
-    legend: bool = field(default=True)
 
     def __html__(self) -> "Markup":
         """The figure as SVG, in the language of the page that is written."""
@@ -172,8 +169,3 @@ def on_one_scale(panels: Sequence[Panel]) -> tuple[Panel, ...]:
 def residual_line(scatter: float) -> tuple[Layer, ...]:
     """Zero, and the scatter of a row on both sides of it."""
     return Span(low=-scatter, high=scatter), Span(low=0.0, high=0.0, colour=INK, opacity=1.0)
-
-
-def several(values: FloatArray) -> bool:
-    """Whether there are different numbers among them."""
-    return bool(np.ptp(values) > 0) if len(values) else False

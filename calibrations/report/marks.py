@@ -12,6 +12,7 @@ import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.report.figure import INK, Area, Boxes, Cells, Layer, Line, Marks, Shades, Shape, Span
+from tumble.calibrations.report.language import say
 
 Place: TypeAlias = Callable[[FloatArray], FloatArray]
 """From numbers of an axis to units of the page."""
@@ -20,25 +21,29 @@ _UNIT: Final = 1.3
 _BLUE, _WHITE, _RED = (np.array(each, dtype=float) for each in ((0, 114, 178), (255, 255, 255), (213, 94, 0)))
 
 
-def marked(layer: Layer, x: Place, y: Place, height: float, width: float) -> str:
-    """A layer in a panel of this size, as elements of SVG."""
+def marked(layer: Layer, x: Place, y: Place, width: float) -> str:
+    """A layer in a panel of this width, as elements of SVG."""
+    return "".join(_elements(layer, x, y, width))
+
+
+def _elements(layer: Layer, x: Place, y: Place, width: float) -> Iterator[str]:
     match layer:
         case Marks():
-            return _marks(layer, x, y)
+            yield _marks(layer, x, y)
         case Line():
             dashes = ' stroke-dasharray="6 4"' if layer.dashed else ""
-            return _stroke(_polyline(x(layer.x), y(layer.y)), layer.colour, layer.width, dashes)
+            yield _stroke(_polyline(x(layer.x), y(layer.y)), layer.colour, layer.width, dashes)
         case Area():
             around = np.concatenate([layer.x, layer.x[::-1]]), np.concatenate([layer.high, layer.low[::-1]])
-            return _fill(f"{_polyline(x(around[0]), y(around[1]))}z", layer.colour, layer.opacity)
+            yield _fill(f"{_polyline(x(around[0]), y(around[1]))}z", layer.colour, layer.opacity)
         case Span():
-            return _span(layer, y, width)
+            yield _span(layer, y, width)
         case Boxes():
-            return "".join(_boxes(layer, x, y))
+            yield from _boxes(layer, x, y)
         case Cells():
-            return "".join(_cells(layer, x, y))
+            yield from _cells(layer, x, y)
         case Shades():
-            return "".join(_shades(layer, x, y))
+            yield from _shades(layer, x, y)
 
 
 def sample(layer: Marks | Line, x: float, y: float) -> str:
@@ -136,7 +141,7 @@ def _cells(layer: Cells, x: Place, y: Place) -> Iterator[str]:
                 ink = "#fff" if abs(value) > 0.75 else INK
                 yield (
                     f'<text x="{_n((left + right) / 2)}" y="{_n((top + foot) / 2 + 3.5)}" font-size="10" fill="{ink}" '
-                    f'text-anchor="middle">{escape(layer.texts[row][column])}</text>'
+                    f'text-anchor="middle">{escape(say(layer.texts[row][column]))}</text>'
                 )
 
 

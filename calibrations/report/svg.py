@@ -24,11 +24,14 @@ _SIZE: Final = 11
 _LETTER: Final = 6.0
 """So wide one is at most, on the whole."""
 _LINE: Final = 15.0
-_TICKS_APART: Final = 70.0
+_TICKS_APART: Final = 60.0
 _RULE: Final = "#e4e6ea"
 _FRAME: Final = "#666"
 _INK: Final = "#222222"
 _SCALE_WIDTH: Final = 74.0
+_PAGE: Final = 720.0
+_PAGE_MM: Final = 174.0
+"""Width of what stands on a page, in units and on paper."""
 
 
 def drawn(figure: Figure) -> Markup:
@@ -44,8 +47,9 @@ def drawn(figure: Figure) -> Markup:
     if figure.scale:
         parts.append(_scale(*figure.scale, figure.width - _SCALE_WIDTH, top + 20.0, figure.height - 60.0))
     return Markup(
-        f'<svg xmlns="http://www.w3.org/2000/svg" class="figure" id="{escape(figure.name)}" role="img" '
+        f'<svg xmlns="http://www.w3.org/2000/svg" class="figure" id="figure-{escape(figure.name)}" role="img" '
         f'aria-label="{escape(say(figure.description))}" viewBox="0 0 {figure.width:g} {top + rows * figure.height:g}" '
+        f'width="{figure.width / _PAGE * _PAGE_MM:.1f}mm" style="max-width:{100 * figure.width / _PAGE:.3g}%" '
         f'font-family="sans-serif" font-size="{_SIZE}" fill="{_INK}">{"".join(parts)}</svg>'
     )
 
@@ -98,7 +102,7 @@ class _Frame:
             _placed(self.panel.x, self.ends[0], 0.0, self.width),
             _placed(self.panel.y, self.ends[1], self.height, 0.0),
         )
-        layers = "".join(marked(layer, x, y, self.height, self.width) for layer in self.panel.layers)
+        layers = "".join(marked(layer, x, y, self.width) for layer in self.panel.layers)
         return (
             f'<g class="panel" transform="translate({self.left + self.before:.1f} {self.top + self.above:.1f})" '
             f'data-size="{self.width:.1f} {self.height:.1f}" data-x="{_data(self.panel.x, self.ends[0])}" '

@@ -14,6 +14,10 @@ JUDGED: Final = {
 }
 
 
+MARKS: Final = {Outcome.PASS: "✓", Outcome.FAIL: "✗", Outcome.NOT_DECIDED: "?", Outcome.NO_LIMITS: ""}
+"""Shapes beside the colours."""
+
+
 def headline(verdict: Verdict) -> str:
     """What is decided, in a few words; empty where there are no limits."""
     outside, undecided = verdict.named(Outcome.FAIL), verdict.named(Outcome.NOT_DECIDED)

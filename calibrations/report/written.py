@@ -13,7 +13,7 @@ from tumble.calibrations.report.document import Front, Report
 from tumble.calibrations.report.instruments import instruments, laboratory, overdue_sentences
 from tumble.calibrations.report.language import language, say
 from tumble.calibrations.report.values import values
-from tumble.calibrations.report.verdicts import JUDGED, headline
+from tumble.calibrations.report.verdicts import JUDGED, MARKS, headline
 from tumble.messages import Message
 
 _NUMERIC: Final = re.compile(r"[<>≈×]?\s*[-+−(]?\d")
@@ -27,8 +27,7 @@ _LABELS: Final = {
     "limits": Message("Limits"),
     "verdict": Message("Verdict"),
     "instruments": Message("Instruments"),
-    "page": Message("page"),
-    "of": Message("of"),
+    "page": Message("page {page} of {pages}", page="{page}", pages="{pages}"),
     "reset": Message("whole figure"),
     "hint": Message("Wheel or drag: zoom. Double click: the whole figure. The nearest value stands at the pointer."),
     "issued": Message("Place and date"),
@@ -61,7 +60,7 @@ def _front(front: Front) -> dict[str, Any]:
         "address": address,
         "outcome": str(outcome),
         "word": say(outcome.words).upper(),
-        "headline": say(headline(front.verdict)),
+        "headline": " ".join(filter(None, [MARKS[outcome], say(headline(front.verdict))])),
         "judged": "" if outcome is Outcome.NO_LIMITS else say(JUDGED[front.verdict.judged]),
         "decided": [say(each.sentence) for each in front.verdict.parameters if each.outcome is not Outcome.PASS],
         "facts": [(say(name), text) for name, text in _facts(front).items() if text],

@@ -7,7 +7,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
 from tumble.app.exits import Exit, JobError
@@ -146,12 +145,10 @@ def export(folder: Path, record_id: str, path: Path) -> Path:
     match path.suffix.lower():
         case ".json":
             write_text(path, document_text(open_store(folder).get(record_id)))
-        case ".html":
+        case ".html" | ".pdf":
             report_again(folder, record_id, spoken(), path)
         case ".csv":
             _write_rows(folder, record_id, path)
-        case ".pdf":
-            _write_pdf(folder, record_id, path)
         case suffix:
             raise JobError(
                 f"{path}: {suffix or 'no ending'} is no format; end it in .json, .html, .csv or .pdf", Exit.BAD_INPUT
@@ -167,13 +164,3 @@ def _write_rows(folder: Path, record_id: str, path: Path) -> None:
     _, measurement = recall(folder, record_id)
     with replacing(path, Kind.TABLE) as begun:
         write_table(measurement.observations, begun)
-
-
-def _write_pdf(folder: Path, record_id: str, path: Path) -> None:
-    from tumble.app.recall import report_again
-    from tumble.window.work.printing import print_page
-
-    check_result(path, Kind.PDF)
-    with TemporaryDirectory() as aside, replacing(path, Kind.PDF) as begun:
-        page = report_again(folder, record_id, spoken(), Path(aside) / "report.html")
-        print_page(page.read_text(encoding="utf-8"), begun)

@@ -1,12 +1,13 @@
 """Puts the chapters together into one report."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Final
 
 from tumble.calibrations.core.provenance import LimitCheck, Provenance
-from tumble.calibrations.core.view import Chapter, Quantity, Section
+from tumble.calibrations.core.view import Chapter, Section
 from tumble.calibrations.methods.dividing_head.loop.loop import Loop
+from tumble.calibrations.methods.dividing_head.quantities import QUANTITIES
 from tumble.calibrations.methods.dividing_head.report import evidence, uncertainty
 from tumble.calibrations.methods.dividing_head.report.loop import loop_sections
 from tumble.calibrations.methods.dividing_head.report.results import notices, result_sections
@@ -17,16 +18,6 @@ from tumble.calibrations.report.document import Front, Report
 from tumble.calibrations.report.origin import origin
 from tumble.calibrations.tracing.chain import Chain
 from tumble.messages import Message
-
-QUANTITIES: Final[Mapping[str, Quantity]] = {
-    "u0": Quantity(symbol="u_0", words=Message("bias")),
-    "kx": Quantity(symbol="k_x", words=Message("scale factor")),
-    "ky": Quantity(symbol="k_y", words=Message("cross-axis sensitivity along y")),
-    "kz": Quantity(symbol="k_z", words=Message("cross-axis sensitivity along z")),
-    "kxy": Quantity(symbol="k_xy", words=Message("cross-coupling of x and y")),
-    "alpha0": Quantity(symbol="α_0", words=Message("mounting error")),
-}
-"""What the parameters are called; see the glossary."""
 
 
 @dataclass(frozen=True, kw_only=True)

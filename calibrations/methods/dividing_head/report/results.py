@@ -129,7 +129,8 @@ def result_sections(subject: Subject) -> Iterator[Section]:
 
 
 _AUGMENTED: Final = Message(
-    "These are the values with what was found taken into account; the declared model alone does not describe these data."
+    "These are the values with what was found taken into account. Those of the declared model alone, which does not "
+    "describe these data, stand under: What the model left unexplained."
 )
 
 
