@@ -5,7 +5,6 @@ from dataclasses import dataclass
 from datetime import date
 from typing import Any, Final
 
-from tumble.calibrations.core.provenance import Provenance
 from tumble.calibrations.report.dates import day_of
 from tumble.messages import Message
 
@@ -43,19 +42,6 @@ def instruments(stand: Mapping[str, Any]) -> Iterator[Instrument]:
     for group in _NAMED:
         for name, table in (stand.get(group) or {}).items():
             yield _instrument(name, table)
-
-
-def overdue_sentences(provenance: Provenance) -> list[str]:
-    """A sentence for each whose calibration was overdue when the unit was measured."""
-    measured = day_of(provenance.measured_at)
-    if measured is None:
-        return []
-    return [
-        Message("The calibration of the {instrument} was due on {date}, before the unit was measured.",
-                instrument=each.name, date=each.due)
-        for each in instruments(provenance.stand)
-        if each.overdue(measured)
-    ]  # fmt: skip
 
 
 def laboratory(stand: Mapping[str, Any]) -> tuple[str, str]:

@@ -1,20 +1,23 @@
 """A report in words: every text in one language, every figure as SVG, ready for a page or for paper."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
+from dataclasses import replace
+from datetime import date
 from typing import Any, Final
 
 from markupsafe import Markup
 
 from tumble.calibrations.core.verdict import Outcome
 from tumble.calibrations.core.view import Chapter, Section
-from tumble.calibrations.report.dates import dated
+from tumble.calibrations.report.dates import dated, day_of
 from tumble.calibrations.report.document import Front, Report
-from tumble.calibrations.report.instruments import instruments, laboratory, overdue_sentences
+from tumble.calibrations.report.instruments import Instrument, instruments, laboratory
 from tumble.calibrations.report.language import language, say
 from tumble.calibrations.report.values import values
 from tumble.calibrations.report.verdicts import JUDGED, MARKS, headline
-from tumble.messages import Message
+from tumble.messages import Message, translate
+from tumble.numerals import localised
 
 _NUMERIC: Final = re.compile(r"[<>≈×]?\s*[-+−(]?\d")
 """How a cell begins that is set to the right."""
@@ -39,14 +42,13 @@ _LABELS: Final = {
 def written(report: Report) -> dict[str, Any]:
     """All that a report says, in the language of the page that is written; figures and bars are SVG."""
     front = report.front
-    overdue = overdue_sentences(front.provenance) if front else []
     return {
         "language": str(language()),
         "labels": {name: say(text) for name, text in _LABELS.items()},
         "kind": say(report.kind),
         "title": report.title,
         "front": _front(front) if front else None,
-        "notices": [say(each) for each in (*report.notices, *overdue)],
+        "notices": list(dict.fromkeys(map(_without_path, report.notices))),
         "chapters": [_chapter(each) for each in report.chapters if any(not part.empty for part in each.sections)],
     }
 
@@ -62,7 +64,11 @@ def _front(front: Front) -> dict[str, Any]:
         "word": say(outcome.words).upper(),
         "headline": " ".join(filter(None, [MARKS[outcome], say(headline(front.verdict))])),
         "judged": "" if outcome is Outcome.NO_LIMITS else say(JUDGED[front.verdict.judged]),
-        "decided": [say(each.sentence) for each in front.verdict.parameters if each.outcome is not Outcome.PASS],
+        "decided": [
+            say(replace(each, remedy="").sentence)
+            for each in front.verdict.parameters
+            if each.outcome is not Outcome.PASS
+        ],
         "facts": [(say(name), text) for name, text in _facts(front).items() if text],
         "values": [
             {name: text if name == "bar" else say(text) for name, text in vars(each).items()} for each in values(front)
@@ -104,10 +110,26 @@ def _instruments(front: Front) -> dict[str, Any] | None:
         Message("Driver"): [each.driver for each in found],
         Message("Serial number"): [each.serial for each in found],
         Message("Certificate"): [each.certificate for each in found],
-        Message("Calibration due"): [dated(each.due, language()) for each in found],
+        Message("Calibration due"): [_due(each, day_of(front.provenance.measured_at)) for each in found],
     }
     shown = {say(name): cells for name, cells in columns.items() if any(cells)}
     return {"headings": list(shown), "rows": list(zip(*shown.values(), strict=True))} if found else None
+
+
+def _due(instrument: Instrument, measured: date | None) -> str:
+    """By when it was to be calibrated, and whether that day was past when the unit was measured."""
+    due = dated(instrument.due, language())
+    return say(Message("{date}, overdue", date=due)) if measured and instrument.overdue(measured) else due
+
+
+def _without_path(notice: str) -> str:
+    """A notice without the file that it begins with: that stands under provenance."""
+    source = notice.fields.get("source") if isinstance(notice, Message) else None
+    said = translate(notice, language()) if isinstance(notice, Message) else notice
+    if not source or not said.startswith(f"{source}: "):
+        return say(notice)
+    rest = said.removeprefix(f"{source}: ")
+    return localised(rest[:1].upper() + rest[1:], language())
 
 
 def _chapter(chapter: Chapter) -> dict[str, Any]:
@@ -134,9 +156,14 @@ def written_section(section: Section) -> dict[str, Any]:
 
 
 def _set_right(rows: Sequence[Sequence[str]]) -> list[bool]:
-    """Which columns hold numbers in all their cells but the empty ones."""
-    columns: Mapping[int, list[str]] = {
-        place: [row[place] for row in rows if place < len(row) and row[place]]
-        for place in range(max(map(len, rows), default=0))
-    }
-    return [place > 0 and bool(cells) and all(map(_NUMERIC.match, cells)) for place, cells in columns.items()]
+    """Which columns hold numbers in most of their cells, the empty ones not counted; the first names the line."""
+    columns = [[row[place] for row in rows if place < len(row) and row[place]] for place in range(_widest(rows))]
+    return [place > 0 and _mostly_numbers(cells) for place, cells in enumerate(columns)]
+
+
+def _widest(rows: Sequence[Sequence[str]]) -> int:
+    return max(map(len, rows), default=0)
+
+
+def _mostly_numbers(cells: Sequence[str]) -> bool:
+    return 2 * sum(bool(_NUMERIC.match(cell)) for cell in cells) > len(cells)

@@ -25,11 +25,14 @@ from tumble.calibrations.report.figure import (
 )
 from tumble.messages import Message, with_wording
 
+_IN_ROW = 3
+"""So many mounts stand beside each other; more in two rows."""
+
 
 def fit_figure(calibration: Calibration) -> Figure:
     """Output against head angle, one panel a mount, with the model where its parameters draw it."""
     mounts = mounts_of(calibration.observations)
-    columns = min(len(mounts), 2)
+    columns = len(mounts) if len(mounts) <= _IN_ROW else -(-len(mounts) // 2)
     panels = [_fitted(calibration, index, mount, index % columns == 0) for index, mount in enumerate(mounts)]
     return Figure(
         name="fit",
@@ -39,7 +42,7 @@ def fit_figure(calibration: Calibration) -> Figure:
         ),
         panels=on_one_scale(panels),
         columns=columns,
-        height=210.0,
+        height=190.0 if len(mounts) <= _IN_ROW else 150.0,
     )
 
 

@@ -16,6 +16,7 @@ from tumble.calibrations.core.quantities import (
 from tumble.calibrations.core.sentences import equals, series
 from tumble.calibrations.core.verdict import Judgement, Model, Outcome
 from tumble.calibrations.core.view import Section
+from tumble.calibrations.methods.dividing_head.analysis import lack_of_fit_warning
 from tumble.calibrations.methods.dividing_head.joint import LACK_OF_FIT_P
 from tumble.calibrations.methods.dividing_head.loop.sentences import found_sentences
 from tumble.calibrations.methods.dividing_head.report.subject import Subject
@@ -51,7 +52,8 @@ def notices(subject: Subject) -> list[str]:
     found: list[str] = []
     if not calibration.observations.complete:
         found.append(Message("The recording is incomplete: the result rests on the rows before it was cut off."))
-    found.extend(dict.fromkeys(calibration.warnings))
+    said_below = lack_of_fit_warning(calibration.observations.source, calibration.lack_of_fit_p)
+    found.extend(each for each in dict.fromkeys(calibration.warnings) if each != said_below)
     lacking = [name for name, parameter in subject.use.calibration.parameters.items() if parameter.value is None]
     if lacking:
         found.append(
@@ -100,7 +102,11 @@ def result_sections(subject: Subject) -> Iterator[Section]:
     limited = (Message("Limits"), Message("Verdict")) if found["has_limits"] else ()
     yield Section(
         title="",
-        lines=[*([_AUGMENTED] if found["augmented"] else []), *map(_why_none, (row for row in rows if row.reason))],
+        lines=[
+            *([_AUGMENTED] if found["augmented"] else []),
+            *map(_why_none, (row for row in rows if row.reason)),
+            *(each.sentence for each in subject.verdict.parameters if each.remedy),
+        ],
         caption=Message(
             "± is the expanded uncertainty for a coverage probability of 95%, k times the standard uncertainty u, or "
             "for alpha0 the interval of its likelihood profile; ν are the effective degrees of freedom. g is local "
