@@ -87,7 +87,7 @@
       return [Math.min(Math.max(point.x, 0), this.width), Math.min(Math.max(point.y, 0), this.height)];
     }
     wheel(event) {
-      if (!event.ctrlKey && !event.shiftKey && !this.zoomed && event.deltaY > 0) return; // the page scrolls on
+      if (!event.ctrlKey) return; // the page scrolls on
       event.preventDefault();
       const places = this.where(event);
       const factor = event.deltaY > 0 ? 1.25 : 0.8;

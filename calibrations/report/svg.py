@@ -22,7 +22,10 @@ from tumble.calibrations.report.marks import Place, marked, sample, shade
 _SIZE: Final = 11
 """Of letters."""
 _LETTER: Final = 6.0
+_BOLD: Final = 7.4
 """So wide one is at most, on the whole."""
+_ROOM: Final = 5
+"""Letters that a number beside the axis has room for, at least: a part of it has more digits than the whole."""
 _LINE: Final = 15.0
 _TICKS_APART: Final = 60.0
 _RULE: Final = "#e4e6ea"
@@ -81,7 +84,7 @@ class _Frame:
     @cached_property
     def before(self) -> float:
         """Left of the axes: label and numbers."""
-        widest = max((len(text) for _, text in self.y_ticks), default=1)
+        widest = max(_ROOM, *(len(text) for _, text in self.y_ticks))
         return _LETTER * widest + 10.0 + (_LINE if self.panel.y.label else 0.0)
 
     @cached_property
@@ -125,12 +128,15 @@ class _Frame:
 
     def _labels(self) -> Iterator[str]:
         if self.panel.title:
-            yield _text(0.0, -7.0, say(self.panel.title), "start", ' font-weight="bold"')
+            title = say(self.panel.title)
+            yield _text(0.0, -7.0, title, "start", f' font-weight="bold"{_to_fit(title, self.width, _BOLD)}')
         if self.panel.x.label:
-            yield _text(self.width / 2, self.height + 2 * _LINE, say(self.panel.x.label), "middle")
+            label = say(self.panel.x.label)
+            yield _text(self.width / 2, self.height + 2 * _LINE, label, "middle", _to_fit(label, self.width))
         if self.panel.y.label:
-            turned = ' transform="rotate(-90)"'
-            yield _text(-self.height / 2, -self.before + _SIZE + 1.0, say(self.panel.y.label), "middle", turned)
+            label = say(self.panel.y.label)
+            more = f' transform="rotate(-90)"{_to_fit(label, self.height + 10.0)}'
+            yield _text(-self.height / 2, -self.before + _SIZE + 1.0, label, "middle", more)
 
 
 @dataclass(frozen=True)
@@ -193,6 +199,12 @@ def _scale(label: str, most: float, left: float, top: float, high: float) -> str
     ]
     turned = ' transform="rotate(-90)"'
     return "".join([*bars, *numbers, _text(-top - high / 2, left + _SCALE_WIDTH - 6.0, say(label), "middle", turned)])
+
+
+def _to_fit(text: str, room: float, letter: float = _LETTER) -> str:
+    """The size of letters in which a text is no longer than the room that it has; nothing where it is short enough."""
+    size = _SIZE * min(1.0, room / (letter * max(len(text), 1)))
+    return "" if size == _SIZE else f' font-size="{size:.1f}"'
 
 
 def _text(x: float, y: float, text: str, anchor: str, more: str = "") -> str:

@@ -32,7 +32,9 @@ _LABELS: Final = {
     "instruments": Message("Instruments"),
     "page": Message("page {page} of {pages}", page="{page}", pages="{pages}"),
     "reset": Message("whole figure"),
-    "hint": Message("Wheel or drag: zoom. Double click: the whole figure. The nearest value stands at the pointer."),
+    "hint": Message(
+        "Drag, or wheel with Ctrl: zoom. Double click: whole figure. The nearest value stands at the pointer."
+    ),
     "issued": Message("Place and date"),
     "authorised": Message("Name and signature"),
 }
