@@ -11,6 +11,7 @@ from tumble.app.analysed import Traced
 from tumble.app.analysing import fit, trace
 from tumble.app.exits import Exit, JobError
 from tumble.app.jobs import find_job
+from tumble.app.kept_reports import keep, report_path
 from tumble.app.learning import Learned, contradictions_of, learn
 from tumble.app.measurements import read_measurement
 from tumble.app.running import Job, failure, recording_path, run
@@ -60,25 +61,24 @@ def make_ready(folder: Path) -> None:
         raise JobError(sentence, Exit.STORAGE) from error
 
 
-def report_path(folder: Path, record: Record) -> Path:
-    """Where the report of a record lies."""
-    return folder / "reports" / f"{record.id}.html"
-
-
 def has_report(path: Path) -> bool:
     """Whether a report is there to its end."""
     return path.is_file() and path.read_bytes().rstrip().endswith(b"</html>")
 
 
-def write_report(
-    traced: Traced, path: Path, language: Language, record: Record | None = None, chain: Chain[Any] | None = None
-) -> None:
+def write_report(traced: Traced, path: Path, language: Language, chain: Chain[Any] | None = None) -> None:
     """Write the report in a language, with the experiments that closed the loop where there were any.
 
-    `record` is the one that was made of the result. Raises `JobError`.
+    Raises `JobError`.
     """
-    record_id, revision = (record.id, record.revision) if record else ("", 1)
-    reports.write(traced.report(record_id, revision, chain, contradictions_of(traced)), path, language)
+    reports.write(traced.report("", 1, chain, contradictions_of(traced)), path, language)
+
+
+def report_record(traced: Traced, record: Record, folder: Path, path: Path, language: Language) -> None:
+    """Write the report of a record in a language, and keep in its store what it says. Raises `JobError`."""
+    report = traced.report(record.id, record.revision, None, contradictions_of(traced))
+    keep(report, record, folder)
+    reports.write(report, path, language)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -163,7 +163,7 @@ def conclude(
     tell("reporting")
     report = report_path(folder, record)
     try:
-        write_report(traced, report, language, record)
+        report_record(traced, record, folder, report, language)
     except JobError as error:
         raise JobError(
             Message(

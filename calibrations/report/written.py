@@ -6,8 +6,6 @@ from dataclasses import replace
 from datetime import date
 from typing import Any, Final
 
-from markupsafe import Markup
-
 from tumble.calibrations.core.verdict import Outcome
 from tumble.calibrations.core.view import Chapter, Section
 from tumble.calibrations.report.dates import dated, day_of
@@ -77,7 +75,7 @@ def _front(front: Front) -> dict[str, Any]:
         ],
         "limited": bool(front.limits),
         "picture": front.picture
-        and {"svg": Markup(front.picture.figure.__html__()), "caption": say(front.picture.caption)},
+        and {"svg": str(front.picture.figure.__html__()), "caption": say(front.picture.caption)},
         "instruments": _instruments(front),
         "statements": [say(each) for each in _STATEMENTS],
     }
@@ -149,7 +147,7 @@ def written_section(section: Section) -> dict[str, Any]:
     return {
         "title": say(section.title),
         "lines": [say(line) for line in section.lines],
-        "svg": Markup(section.figure().__html__()) if section.figure else "",
+        "svg": str(section.figure().__html__()) if section.figure else "",
         "caption": say(section.caption),
         "headings": [say(heading) for heading in section.headings],
         "rows": rows,

@@ -86,7 +86,7 @@ def cheaply(blank="report"):
     with ExitStack() as stack:
         stack.enter_context(patch.object(analysis, "monte_carlo", few_trials_of(analysis.monte_carlo)))
         if blank == "report":
-            stack.enter_context(patch("tumble.calibrations.report.html.html", lambda _: "<html></html>"))
+            stack.enter_context(patch("tumble.calibrations.report.page.html", lambda _: "<html></html>"))
         else:
             stack.enter_context(blank_figures())
         yield

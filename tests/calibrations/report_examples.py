@@ -14,8 +14,9 @@ from tumble.calibrations.methods.dividing_head.report import calibration_report
 from tumble.calibrations.methods.dividing_head.report.page import PARTS
 from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.calibrations.report.document import Report
-from tumble.calibrations.report.html import html
 from tumble.calibrations.report.origin import origin
+from tumble.calibrations.report.page import html
+from tumble.calibrations.report.written import written
 
 SWEEP_DEG = np.arange(0.0, 400.0, 10.0)
 STAND = StandUncertainty(
@@ -88,11 +89,11 @@ def provenance(**changes) -> Provenance:
 
 def page_of(calibration, origin, **more) -> str:
     """The report as HTML."""
-    return html(calibration_report(calibration, origin, **more))
+    return html(written(calibration_report(calibration, origin, **more)))
 
 
 def chapter(anchor, subject) -> str:
     """One chapter of the page, without its heading."""
     chapters = {part.anchor: part.chapter for part in PARTS} | {"origin": lambda shown: origin(shown.provenance)}
-    page = html(Report(kind="", title="", chapters=[chapters[anchor](subject)]))
+    page = html(written(Report(kind="", title="", chapters=[chapters[anchor](subject)])))
     return page.split("</h2>\n")[1].split("</section>")[0]

@@ -19,14 +19,15 @@ from tumble.calibrations.methods.temperature.method import METHOD as TEMPERATURE
 from tumble.calibrations.methods.temperature.method import TemperatureResult
 from tumble.calibrations.report.document import page_of_sections
 from tumble.calibrations.report.figure import Axis, Figure, Panel
-from tumble.calibrations.report.html import html
 from tumble.calibrations.report.language import written_in
+from tumble.calibrations.report.page import html
+from tumble.calibrations.report.written import written
 from tumble.messages import Language, Message
 
 
 def page(kind, title, sections, notices=(), language=Language.ENGLISH):
     with written_in(language):
-        return html(page_of_sections(kind, title, sections, notices))
+        return html(written(page_of_sections(kind, title, sections, notices)))
 
 
 OTHERS = [Language.UKRAINIAN, Language.GERMAN]

@@ -1,24 +1,17 @@
-"""A report as one HTML page that needs nothing else, with figures that can be zoomed and read."""
+"""A report in words as one HTML page that needs nothing else, with figures that can be zoomed and read."""
 
+from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any, Final
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
-from tumble.calibrations.report.document import Report
-from tumble.calibrations.report.written import written
-
 _FOLDER: Final = Path(__file__).parent
 
 
-def html(report: Report) -> str:
-    """The page, in the language of `written_in`; the same input gives the same text."""
-    return body(written(report))
-
-
-def body(content: dict[str, Any]) -> str:
-    """The page of a report in words."""
+def html(content: Mapping[str, Any]) -> str:
+    """The page of what `written` made; the same content gives the same text."""
     return _templates().get_template("report.html.j2").render(content)
 
 
