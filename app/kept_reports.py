@@ -58,4 +58,4 @@ def kept(store: "Store", record: Record, language: Language) -> Mapping[str, Any
 
 
 def _place(folder: Path, record: Record) -> Path:
-    return folder / "reports" / f"{record.id}.words.gz"
+    return folder / "report-words" / f"{record.id}.json.gz"

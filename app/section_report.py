@@ -11,6 +11,7 @@ from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.provenance import LimitCheck, Provenance
 from tumble.calibrations.core.verdict import Verdict
 from tumble.calibrations.core.view import Chapter, Quantity, Section
+from tumble.calibrations.records.entry import NOT_JUDGED
 from tumble.calibrations.report.document import Front, Picture, Report
 from tumble.calibrations.report.origin import origin
 from tumble.calibrations.tracing.chain import Chain
@@ -101,7 +102,7 @@ def table_report(method: Method, result: Result, provenance: Provenance, name: s
         front=Front(
             provenance=provenance,
             parameters=result.parameters,
-            verdict=result.entry().verdict,
+            verdict=NOT_JUDGED,
             quantities=quantities(method),
             record_id=record_id,
             picture=picture,
@@ -122,7 +123,10 @@ def _with_picture(sections: Sequence[Section]) -> tuple[Picture | None, Sequence
     chosen = next((section for section in drawn if section.brief), drawn[0] if drawn else None)
     if chosen is None or chosen.figure is None:
         return None, sections
-    picture = Picture(figure=chosen.figure(), caption=chosen.caption)
+    caption = (
+        Message("{title}. {caption}", title=chosen.title, caption=chosen.caption) if chosen.caption else chosen.title
+    )
+    picture = Picture(figure=chosen.figure(), caption=caption)
     return picture, [replace(each, figure=None, caption="") if each is chosen else each for each in sections]
 
 

@@ -7,7 +7,7 @@ from typing import Final, TypeAlias
 import numpy as np
 
 from tumble.calibrations.core.quantities import fixed
-from tumble.calibrations.report.figure import Area, Axis, Boxes, Cells, Line, Marks, Panel, Shades, Span
+from tumble.calibrations.report.layers import Area, Axis, Boxes, Cells, Line, Marks, Panel, Shades, Span
 
 Ends: TypeAlias = tuple[float, float]
 _MARGIN: Final = 0.05

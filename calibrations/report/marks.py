@@ -11,8 +11,8 @@ from typing import Final, TypeAlias
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
-from tumble.calibrations.report.figure import INK, Area, Boxes, Cells, Layer, Line, Marks, Shades, Shape, Span
 from tumble.calibrations.report.language import say
+from tumble.calibrations.report.layers import INK, Area, Boxes, Cells, Layer, Line, Marks, Shades, Shape, Span
 
 Place: TypeAlias = Callable[[FloatArray], FloatArray]
 """From numbers of an axis to units of the page."""

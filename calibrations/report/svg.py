@@ -15,8 +15,8 @@ from markupsafe import Markup
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.report.extent import Ends, extent, tick_texts, ticks
-from tumble.calibrations.report.figure import Axis, Figure, Line, Marks, Panel
 from tumble.calibrations.report.language import say
+from tumble.calibrations.report.layers import Axis, Line, Marks, Panel, Sheet
 from tumble.calibrations.report.marks import Place, marked, sample, shade
 
 _SIZE: Final = 11
@@ -37,7 +37,7 @@ _PAGE_MM: Final = 174.0
 """Width of what stands on a page, in units and on paper."""
 
 
-def drawn(figure: Figure) -> Markup:
+def drawn(figure: Sheet) -> Markup:
     """The figure as an SVG element for a page that has others."""
     rows = -(-len(figure.panels) // figure.columns)
     legend = list(_legend(figure))
@@ -145,7 +145,7 @@ class _Entry:
     svg: str
 
 
-def _legend(figure: Figure) -> Iterator[_Entry]:
+def _legend(figure: Sheet) -> Iterator[_Entry]:
     """What the labels of all panels mean, above them, each once."""
     labelled: dict[str, Marks | Line] = {}
     for panel in figure.panels:
