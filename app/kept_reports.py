@@ -24,8 +24,8 @@ if TYPE_CHECKING:
     from tumble.calibrations.records.store import Store
     from tumble.calibrations.report.document import Report
 
-_FORMAT: Final = 1
-"""Of the kept words: raised whenever page or paper ask for others."""
+_SCHEMA: Final = "tumble.report-words/1"
+"""Its number is raised whenever page or paper ask for other words."""
 
 
 def report_path(folder: Path, record: Record) -> Path:
@@ -36,7 +36,7 @@ def report_path(folder: Path, record: Record) -> Path:
 def keep(report: "Report", record: Record, folder: Path) -> None:
     """Keep what it says in every language; where that cannot be written, it is worked out again next time."""
     content = {
-        "schema": f"tumble.report-words/{_FORMAT}",
+        "schema": _SCHEMA,
         "record_sha256": record.content_sha256,
         "languages": {str(each): reports.in_words(report, each) for each in Language},
     }
@@ -50,11 +50,10 @@ def kept(store: "Store", record: Record, language: Language) -> Mapping[str, Any
     try:
         content = json.loads(gzip.decompress(_place(store.folder, record).read_bytes()))
         hashes = tuple(file_sha256(path) for path in store.raw_files(record))
-    except (OSError, EOFError, zlib.error, ValueError):
+        of_record = (content["schema"], content["record_sha256"]) == (_SCHEMA, record.content_sha256)
+        return dict(content["languages"][language]) if of_record and hashes == record.provenance.source_hashes else None
+    except (OSError, EOFError, zlib.error, ValueError, KeyError, TypeError):  # spoilt, or by another version
         return None
-    same = content["record_sha256"] == record.content_sha256 and hashes == record.provenance.source_hashes
-    current = content["schema"] == f"tumble.report-words/{_FORMAT}"
-    return dict(content["languages"][language]) if same and current else None
 
 
 def _place(folder: Path, record: Record) -> Path:
