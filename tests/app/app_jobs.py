@@ -95,7 +95,7 @@ def cheaply(blank="report"):
 @contextmanager
 def blank_figures():
     """Figures are made, but not drawn, which takes most of the time of a report."""
-    with patch("tumble.calibrations.report.svg.drawn", lambda _: Markup("<svg></svg>")):
+    with patch("tumble.calibrations.report.figure.drawn", lambda _: Markup("<svg></svg>")):
         yield
 
 

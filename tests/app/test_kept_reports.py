@@ -2,7 +2,6 @@
 
 import gzip
 import json
-import re
 
 import pytest
 from app_jobs import tumble
@@ -43,11 +42,16 @@ def test_it_is_written_in_any_language(copied, unanalysed, tmp_path, language, w
     assert word in (tmp_path / "again.html").read_text("utf-8")
 
 
-@pytest.mark.parametrize(
-    "spoilt",
-    [b"", b"no gzip", *map(gzip.compress, (b"no JSON", b"{}", b"[]"))],
-    ids=["empty", "no gzip", "no JSON", "{}", "[]"],
-)
+SPOILT = {
+    "empty": b"",
+    "no gzip": b"words",
+    "no JSON": gzip.compress(b"words"),
+    "another object": gzip.compress(b"{}"),
+    "no object": gzip.compress(b"[]"),
+}
+
+
+@pytest.mark.parametrize("spoilt", SPOILT.values(), ids=SPOILT)
 def test_what_cannot_be_read_is_worked_out_anew(copied, tmp_path, spoilt):
     kept_of(copied).write_bytes(spoilt)
     assert report(copied, tmp_path / "again.html").status == 0
@@ -69,10 +73,3 @@ def test_what_was_kept_of_another_record_does_not_count(copied, unanalysed, tmp_
 def test_once_the_raw_file_has_changed_it_does_not_count_either(copied, unanalysed, tmp_path):
     copied.recording.write_bytes(copied.recording.read_bytes()[:-100])
     assert report(copied, tmp_path / "again.html").status != 0
-
-
-def test_a_page_stays_small_and_its_figures_can_be_read(copied):
-    page = (copied.store / "reports" / f"{copied.document['record']}.html").read_text("utf-8")
-    assert len(page.encode()) < 1_500_000
-    assert len(re.findall('<svg[^>]* class="figure"', page)) >= 4
-    assert page.count("<script>") == 1

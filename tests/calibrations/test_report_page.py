@@ -111,6 +111,12 @@ def test_the_page_needs_nothing_from_outside(page):
     }
 
 
+def test_the_page_is_small_and_its_script_finds_every_figure(page):
+    assert len(page.encode()) < 1_500_000
+    assert len(re.findall('<svg[^>]* class="figure"', page)) == 5
+    assert page.count("<script>") == 1
+
+
 def test_the_same_input_gives_the_same_page(page):
     assert page_of(face_up(), provenance(), record_id="R-17", revision=3) == page
 
