@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import Final
 
 from tumble.messages import Message
-from tumble.procedures.registry import usable_methods
 
 BEGINNING_BYTES: Final = 4096
 """So much of a file says what it is."""
@@ -80,6 +79,8 @@ def kind_of_file(path: Path) -> Kind | None:
 
 def _exported(beginning: bytes) -> bool:
     """Whether a table has all columns that a recording gives, in its order, and none besides."""
+    from tumble.procedures.registry import usable_methods  # what is no table need not wait for every method
+
     line, end, _ = beginning.partition(b"\n")
     columns = line.decode("utf-8", "replace").split(",")
     known = (method.procedure_part.exported for method in usable_methods()) if end and len(columns) > 1 else ()
