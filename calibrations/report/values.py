@@ -5,8 +5,9 @@ from dataclasses import dataclass
 
 from tumble.calibrations.core.coverage import coverage_factor
 from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.core.provenance import LimitCheck
 from tumble.calibrations.core.quantities import format_limits, format_quantity, rounded
-from tumble.calibrations.core.verdict import Outcome
+from tumble.calibrations.core.verdict import Judgement, Outcome
 from tumble.calibrations.core.view import Quantity
 from tumble.calibrations.report.bars import limit_bar
 from tumble.calibrations.report.document import Front
@@ -38,19 +39,26 @@ def values(front: Front) -> Iterator[Value]:
     checks = {check.name: check for check in front.limits}
     for name, parameter in front.parameters.items():
         quantity = front.quantities.get(name) or Quantity(symbol=name, words="")
-        check, judgement = checks.get(name), front.verdict.of(name)
-        limited = check is not None and judgement is not None
         yield Value(
             symbol=quantity.symbol,
             words=quantity.words,
             value=Message("not identifiable") if parameter.value is None else stated(parameter),
             coverage=coverage(parameter),
             note=parameter.reason if parameter.value is None else parameter.condition,
-            limits=format_limits(check.minimum, check.maximum, parameter.unit) if check else "",
-            bar=limit_bar(parameter, check, judgement.outcome) if check and judgement else "",
-            decided=decided(parameter, check, judgement) if check and judgement else "",
-            outcome=str(judgement.outcome if limited and judgement else Outcome.NO_LIMITS),
+            **_against(parameter, checks.get(name), front.verdict.of(name)),
         )
+
+
+def _against(parameter: Parameter, check: LimitCheck | None, judgement: Judgement | None) -> dict[str, str]:
+    """How it stands against its limits; empty where it has none."""
+    if check is None or judgement is None:
+        return {"limits": "", "bar": "", "decided": "", "outcome": str(Outcome.NO_LIMITS)}
+    return {
+        "limits": format_limits(check.minimum, check.maximum, parameter.unit),
+        "bar": limit_bar(parameter, check, judgement.outcome),
+        "decided": decided(parameter, check, judgement),
+        "outcome": str(judgement.outcome),
+    }
 
 
 def stated(parameter: Parameter) -> str:

@@ -92,8 +92,6 @@ def calibration_report(
         calibration=calibration,
         provenance=provenance,
         limits=tuple(limits),
-        record_id=record_id,
-        revision=revision,
         loop=loop,
         chain=chain,
         contradictions=tuple(contradictions),
