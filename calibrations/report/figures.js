@@ -18,10 +18,15 @@
   };
 
   class Axis {
-    constructor(text, length, upwards) {
-      const [low, high, kind] = text.split(" ");
-      Object.assign(this, { kind, length, upwards, whole: [this.inner(low, kind), this.inner(high, kind)] });
-      this.ends = [...this.whole];
+    constructor(group, name, size) {
+      const [low, high, kind] = group.dataset[name].split(" ");
+      const upwards = name === "y";
+      const whole = [this.inner(low, kind), this.inner(high, kind)];
+      const [numbers, rules] = ["numbers", "rules"].map((part) => group.querySelector(`.${part}.${name}`));
+      Object.assign(this, { kind, upwards, whole, numbers, rules, size, length: size[upwards ? 1 : 0] });
+      this.free = kind !== "names";
+      this.ends = [...whole];
+      this.still = [numbers.innerHTML, rules.getAttribute("d")];
     }
     inner(text, kind) { return kind === "log" ? Math.log10(Number(text)) : Number(text); }
     part(place) { return this.upwards ? 1 - place / this.length : place / this.length; }
@@ -31,7 +36,7 @@
       return (this.upwards ? 1 - part : part) * this.length;
     }
     moved(place) { return this.place(this.at(place, this.whole)); }
-    shown(value) { return this.kind === "log" ? 10 ** value : value; }
+    width(ends) { return Math.abs(ends[1] - ends[0]); }
     digits(span) { return Math.min(9, Math.max(0, 1 - Math.floor(Math.log10(Math.abs(span) || 1)))); }
     text(value) {
       if (this.kind === "log") return written(10 ** value, this.digits(10 ** value / 10));
@@ -47,18 +52,34 @@
       const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
       return places.map((value) => [value, this.kind === "log" ? this.text(value) : written(value, digits)]);
     }
+    draw() {
+      const [width, height] = this.size;
+      let drawn = "";
+      this.numbers.replaceChildren();
+      for (const [value, text] of this.ticks()) {
+        const place = this.place(value);
+        const where = this.upwards ? { x: -5, y: place + 4 } : { x: place, y: height + 14 };
+        element("text", { ...where, "text-anchor": this.upwards ? "end" : "middle" }, this.numbers).textContent = text;
+        drawn += this.upwards ? `M0 ${place}H${width}` : `M${place} 0V${height}`;
+      }
+      this.rules.setAttribute("d", drawn);
+    }
+    reset() {
+      this.ends = [...this.whole];
+      this.numbers.innerHTML = this.still[0];
+      this.rules.setAttribute("d", this.still[1]);
+    }
   }
 
   class Panel {
     constructor(group, number) {
       const [width, height] = group.dataset.size.split(" ").map(Number);
       Object.assign(this, { group, width, height, svg: group.ownerSVGElement });
-      this.x = new Axis(group.dataset.x, width, false);
-      this.y = new Axis(group.dataset.y, height, true);
+      this.axes = ["x", "y"].map((name) => new Axis(group, name, [width, height]));
+      [this.x, this.y] = this.axes;
       this.paths = [...group.querySelectorAll(".plot path:not(.whole)")].map((path) => [path, path.getAttribute("d")]);
       this.points = [...group.querySelectorAll(".plot path.marks")].flatMap((path) =>
         [...path.getAttribute("d").matchAll(/M(-?[\d.]+) (-?[\d.]+)/g)].map((found) => [+found[1], +found[2]]));
-      this.still = [group.querySelector(".numbers").innerHTML, group.querySelector(".rules").innerHTML];
       const clip = element("clipPath", { id: `${this.svg.id}-clip-${number}` }, group);
       element("rect", { x: -4, y: -4, width: width + 8, height: height + 8 }, clip);
       group.querySelector(".plot").setAttribute("clip-path", `url(#${clip.id})`);
@@ -72,10 +93,9 @@
       this.listen();
     }
     listen() {
-      const free = this.x.kind !== "names" || this.y.kind !== "names";
       this.glass.addEventListener("pointermove", (event) => this.move(event));
       this.glass.addEventListener("pointerleave", () => this.cursor.setAttribute("visibility", "hidden"));
-      if (!free) return;
+      if (!this.axes.some((axis) => axis.free)) return;
       this.glass.style.cursor = "crosshair";
       this.glass.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
       this.glass.addEventListener("pointerdown", (event) => this.press(event));
@@ -91,12 +111,12 @@
       event.preventDefault();
       const places = this.where(event);
       const factor = event.deltaY > 0 ? 1.25 : 0.8;
-      [this.x, this.y].forEach((axis, which) => {
-        if (axis.kind === "names") return;
+      this.axes.forEach((axis, which) => {
+        if (!axis.free) return;
         const centre = axis.at(places[which]);
         axis.ends = axis.ends.map((end) => centre + (end - centre) * factor);
       });
-      if (this.x.ends[1] - this.x.ends[0] >= this.x.whole[1] - this.x.whole[0]) this.reset();
+      if (this.axes.every((axis) => !axis.free || axis.width(axis.ends) >= axis.width(axis.whole))) this.reset();
       else this.draw();
     }
     press(event) {
@@ -108,8 +128,8 @@
       this.begun = null;
       this.frame.setAttribute("d", "");
       if (!begun || Math.abs(begun[0] - ended[0]) < 6 || Math.abs(begun[1] - ended[1]) < 6) return;
-      [this.x, this.y].forEach((axis, which) => {
-        if (axis.kind === "names") return;
+      this.axes.forEach((axis, which) => {
+        if (!axis.free) return;
         const places = [begun[which], ended[which]].sort((a, b) => (axis.upwards ? b - a : a - b));
         axis.ends = places.map((place) => axis.at(place));
       });
@@ -129,7 +149,7 @@
         if (far < 400 && (!best || far < best[0])) best = [far, mx, my];
       }
       const [cx, cy] = best ? best.slice(1) : [x, y];
-      const texts = [[this.x, cx], [this.y, cy]].filter(([axis]) => axis.kind !== "names")
+      const texts = [[this.x, cx], [this.y, cy]].filter(([axis]) => axis.free)
         .map(([axis, place]) => axis.text(axis.at(place)));
       this.line.setAttribute("d", `M${cx} 0V${this.height}M0 ${cy}H${this.width}`);
       this.label.textContent = texts.join("; ");
@@ -141,34 +161,18 @@
       this.cursor.setAttribute("visibility", "visible");
     }
     reset() {
-      [this.x, this.y].forEach((axis) => { axis.ends = [...axis.whole]; });
       this.zoomed = false;
+      for (const axis of this.axes) axis.reset();
       for (const [path, whole] of this.paths) path.setAttribute("d", whole);
-      [this.group.querySelector(".numbers").innerHTML, this.group.querySelector(".rules").innerHTML] = this.still;
       this.changed();
     }
     draw() {
       this.zoomed = true;
+      for (const axis of this.axes.filter((each) => each.free)) axis.draw();
       for (const [path, whole] of this.paths) {
         path.setAttribute("d", whole.replace(/([ML])(-?[\d.]+) (-?[\d.]+)/g, (_, pen, px, py) =>
           `${pen}${this.x.moved(+px).toFixed(2)} ${this.y.moved(+py).toFixed(2)}`));
       }
-      const [numbers, rules] = [this.group.querySelector(".numbers"), this.group.querySelector(".rules")];
-      if (this.x.kind === "names" || this.y.kind === "names") { this.changed(); return; }
-      numbers.replaceChildren();
-      let drawn = "";
-      for (const [value, text] of this.x.ticks()) {
-        const place = this.x.place(value);
-        element("text", { x: place, y: this.height + 14, "text-anchor": "middle" }, numbers).textContent = text;
-        drawn += `M${place} 0V${this.height}`;
-      }
-      for (const [value, text] of this.y.ticks()) {
-        const place = this.y.place(value);
-        element("text", { x: -5, y: place + 4, "text-anchor": "end" }, numbers).textContent = text;
-        drawn += `M0 ${place}H${this.width}`;
-      }
-      rules.replaceChildren();
-      element("path", { d: drawn, fill: "none", stroke: "#e4e6ea" }, rules);
       this.changed();
     }
     changed() { this.svg.dispatchEvent(new CustomEvent("zoomed")); }

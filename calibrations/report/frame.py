@@ -81,21 +81,29 @@ class Frame:
             f'<g class="panel" transform="translate({self.left + self.before:.1f} {self.top + self.above:.1f})" '
             f'data-size="{self.width:.1f} {self.height:.1f}" data-x="{_data(self.panel.x, self.ends[0])}" '
             f'data-y="{_data(self.panel.y, self.ends[1])}">'
-            f'<g class="rules">{"".join(self._rules(x, y))}</g><g class="plot">{layers}</g>'
+            f'{self._rules(x, y)}<g class="plot">{layers}</g>'
             f'<path d="M0 0V{self.height:.1f}H{self.width:.1f}" fill="none" stroke="{_FRAME}" stroke-width="0.8"/>'
-            f'<g class="numbers">{"".join(self._numbers(x, y))}</g>{"".join(self._labels())}</g>'
+            f"{self._numbers(x, y)}{''.join(self._labels())}</g>"
         )
 
-    def _rules(self, x: Place, y: Place) -> Iterator[str]:
+    def _rules(self, x: Place, y: Place) -> str:
         across = "".join(f"M{at:.1f} 0V{self.height:.1f}" for at in x(_places(self.x_ticks)))
         along = "".join(f"M0 {at:.1f}H{self.width:.1f}" for at in y(_places(self.y_ticks)))
-        yield f'<path d="{across}{along}" fill="none" stroke="{_RULE}" stroke-width="0.8"/>'
+        return "".join(
+            f'<path class="rules {axis}" d="{path}" fill="none" stroke="{_RULE}" stroke-width="0.8"/>'
+            for axis, path in (("x", across), ("y", along))
+        )
 
-    def _numbers(self, x: Place, y: Place) -> Iterator[str]:
-        for at, (_, text) in zip(x(_places(self.x_ticks)), self.x_ticks, strict=True):
-            yield text_at(at, self.height + SIZE + 3.0, text, "middle")
-        for at, (_, text) in zip(y(_places(self.y_ticks)), self.y_ticks, strict=True):
-            yield text_at(-5.0, at + 4.0, text, "end")
+    def _numbers(self, x: Place, y: Place) -> str:
+        below = "".join(
+            text_at(at, self.height + SIZE + 3.0, text, "middle")
+            for at, (_, text) in zip(x(_places(self.x_ticks)), self.x_ticks, strict=True)
+        )
+        beside = "".join(
+            text_at(-5.0, at + 4.0, text, "end")
+            for at, (_, text) in zip(y(_places(self.y_ticks)), self.y_ticks, strict=True)
+        )
+        return f'<g class="numbers x">{below}</g><g class="numbers y">{beside}</g>'
 
     def _labels(self) -> Iterator[str]:
         if self.panel.title:
