@@ -6,6 +6,7 @@ from typing import Final, TypeAlias
 
 import numpy as np
 
+from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.quantities import fixed
 from tumble.calibrations.report.layers import Area, Axis, Boxes, Cells, Line, Marks, Panel, Shades, Span
 
@@ -17,8 +18,8 @@ _MARGIN: Final = 0.05
 def extent(panel: Panel) -> tuple[Ends, Ends]:
     """Ends of both axes of a panel."""
     return (
-        panel.x.ends or _around([x for layer in panel.layers for x in _reach(layer, 0)], panel.x),
-        panel.y.ends or _around([y for layer in panel.layers for y in _reach(layer, 1)], panel.y),
+        panel.x.ends or _around([each for layer in panel.layers for each in _reach(layer, 0)], panel.x),
+        panel.y.ends or _around([each for layer in panel.layers for each in _reach(layer, 1)], panel.y),
     )
 
 
@@ -68,9 +69,10 @@ def _decades(low: float, high: float) -> list[float]:
     return [place for place in places if low * (1 - 1e-9) <= place <= high * (1 + 1e-9)]
 
 
-def _around(values: Sequence[float], axis: Axis) -> Ends:
-    """Ends a little outside of all values."""
-    known = np.asarray([value for value in values if math.isfinite(value) and (value > 0 or not axis.logarithmic)])
+def _around(columns: Sequence[FloatArray], axis: Axis) -> Ends:
+    """Ends a little outside of all numbers."""
+    numbers = np.concatenate([np.zeros(0), *(np.asarray(column, dtype=float) for column in columns)])
+    known = numbers[np.isfinite(numbers) & ((numbers > 0.0) | (not axis.logarithmic))]
     if not len(known):
         return (1.0, 10.0) if axis.logarithmic else (0.0, 1.0)
     low, high = float(known.min()), float(known.max())
@@ -81,22 +83,19 @@ def _around(values: Sequence[float], axis: Axis) -> Ends:
     return low - room, high + room
 
 
-def _reach(layer: object, axis: int) -> Iterator[float]:
+def _reach(layer: object, axis: int) -> Iterator[FloatArray]:
     """The numbers that a layer needs room for, along x (0) or y (1)."""
     match layer:
         case Marks():
-            ends = (layer.x_ends, layer.y_ends)[axis] or ()
-            for column in ((layer.x, layer.y)[axis], *ends):
-                yield from np.asarray(column, dtype=float).tolist()
+            yield (layer.x, layer.y)[axis]
+            yield from (layer.x_ends, layer.y_ends)[axis] or ()
         case Line() | Shades():
-            yield from np.asarray((layer.x, layer.y)[axis], dtype=float).tolist()
+            yield (layer.x, layer.y)[axis]
         case Area():
-            for column in (layer.x,) if axis == 0 else (layer.low, layer.high):
-                yield from np.asarray(column, dtype=float).tolist()
+            yield from ((layer.x,), (layer.low, layer.high))[axis]
         case Span():
-            yield from () if axis == 0 else (layer.low, layer.high)
+            yield np.array(() if axis == 0 else (layer.low, layer.high))
         case Boxes():
-            values = [-0.5, len(layer.groups) - 0.5] if axis == 0 else np.concatenate(layer.groups).tolist()
-            yield from values
+            yield np.array([-0.5, len(layer.groups) - 0.5]) if axis == 0 else np.concatenate(layer.groups)
         case Cells():
-            yield from (-0.5, layer.values.shape[1 - axis] - 0.5)
+            yield np.array([-0.5, layer.values.shape[1 - axis] - 0.5])

@@ -13,6 +13,7 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.report.language import say
 from tumble.calibrations.report.layers import INK, Area, Boxes, Cells, Layer, Line, Marks, Shades, Shape, Span
+from tumble.calibrations.report.thinning import seen_line, seen_marks
 
 Place: TypeAlias = Callable[[FloatArray], FloatArray]
 """From numbers of an axis to units of the page."""
@@ -32,7 +33,9 @@ def _elements(layer: Layer, x: Place, y: Place, width: float) -> Iterator[str]:
             yield _marks(layer, x, y)
         case Line():
             dashes = ' stroke-dasharray="6 4"' if layer.dashed else ""
-            yield _stroke(_polyline(x(layer.x), y(layer.y)), layer.colour, layer.width, dashes)
+            across, up = x(layer.x), y(layer.y)
+            seen = seen_line(across, up)
+            yield _stroke(_polyline(across[seen], up[seen]), layer.colour, layer.width, dashes)
         case Area():
             around = np.concatenate([layer.x, layer.x[::-1]]), np.concatenate([layer.high, layer.low[::-1]])
             yield _fill(f"{_polyline(x(around[0]), y(around[1]))}z", layer.colour, layer.opacity)
@@ -72,7 +75,7 @@ def _marks(layer: Marks, x: Place, y: Place) -> str:
 def _symbols(layer: Marks, across: FloatArray, up: FloatArray, size: float) -> str:
     if not size:
         return ""
-    seen = np.isfinite(across) & np.isfinite(up)
+    seen = seen_marks(across, up)
     points = zip(across[seen].tolist(), up[seen].tolist(), strict=True)
     opacity = "" if layer.opacity == 1.0 else f' opacity="{layer.opacity:g}"'
     if layer.shape in ("circle", "dot") and not layer.hollow:

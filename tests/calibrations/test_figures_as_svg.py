@@ -165,3 +165,30 @@ def test_many_correlations_are_colours_alone():
 def test_a_shade_says_a_number():
     svg = drawn(Shades(x=ONE_TO_THREE, y=ONE_TO_THREE, values=np.array([-2.0, 0.0, 2.0]), most=2.0))
     assert re.findall('class="marks"[^>]*fill="(#[0-9a-f]+)"', svg) == ["#0072b2", "#ffffff", "#d55e00"]
+
+
+def test_of_very_many_marks_those_are_drawn_that_can_be_seen():
+    rng = np.random.default_rng(5)
+    marks = Marks(x=rng.normal(size=100_000), y=rng.normal(size=100_000), shape="dot", size=1.7)
+    svg = drawn(marks)
+    assert len(svg) < 100_000
+    assert extent(Panel(layers=(marks,)))[0][1] > 4.0  # the outermost one counts all the same
+
+
+def test_few_marks_are_all_drawn():
+    (path,) = paths(drawn(Marks(x=np.arange(3000.0), y=np.zeros(3000))))
+    assert path.count("M") == 3000
+
+
+def test_a_line_of_very_many_points_keeps_its_peaks():
+    wave = np.zeros(200_000)
+    wave[123_456] = 1.0
+    (path,) = paths(drawn(Line(x=np.arange(200_000.0), y=wave), y=Axis(ends=(0.0, 1.0))))
+    assert " 0L" in path
+    assert len(path) < 100_000
+
+
+def test_a_line_that_doubles_back_is_drawn_whole():
+    turn = np.linspace(0.0, 2.0 * np.pi, 5000)
+    (path,) = paths(drawn(Line(x=np.cos(turn), y=np.sin(turn))))
+    assert path.count("M") + path.count("L") == 5000
