@@ -3,15 +3,14 @@
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Protocol, Self
 
-from markupsafe import Markup
-
 from tumble.app.measurement import Measurement
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.provenance import LimitCheck, Provenance
 from tumble.calibrations.core.rows import Rows
 from tumble.calibrations.core.verdict import Model, Verdict
-from tumble.calibrations.core.view import Section
+from tumble.calibrations.core.view import Drawn, Section
 from tumble.calibrations.records.entry import Entry
+from tumble.calibrations.report.document import Report
 from tumble.calibrations.tracing.chain import Chain, ClosedLoop
 from tumble.calibrations.tracing.experiments import Experiment
 
@@ -70,8 +69,8 @@ class Analysed(Protocol):
         """The same one by one: rows, noise, adequacy, what the experiment supports."""
         ...
 
-    def figure(self) -> Markup:
-        """What the model leaves, as SVG."""
+    def figure(self) -> Drawn | None:
+        """What the model leaves; None of a method that draws nothing."""
         ...
 
     def as_json(self) -> dict[str, Any]:
@@ -128,6 +127,6 @@ class Traced(Analysed, Protocol):
         """The same with another fit of the same rows."""
         ...
 
-    def report(self, record_id: str, revision: int, chain: Chain[Any] | None, contradictions: Sequence[str]) -> str:
-        """The report, one HTML page; with the experiments that closed the loop, where there were any."""
+    def report(self, record_id: str, revision: int, chain: Chain[Any] | None, contradictions: Sequence[str]) -> Report:
+        """What is reported of it; with the experiments that closed the loop, where there were any."""
         ...

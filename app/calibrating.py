@@ -5,12 +5,13 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from tumble.app import reports
 from tumble.app.adopted_effects import FOLDER, adopted_json, read_kept, with_what_is_known
 from tumble.app.analysed import Traced
 from tumble.app.analysing import fit, trace
 from tumble.app.exits import Exit, JobError
-from tumble.app.files import write_text
 from tumble.app.jobs import find_job
+from tumble.app.kept_reports import keep, report_path
 from tumble.app.learning import Learned, contradictions_of, learn
 from tumble.app.measurements import read_measurement
 from tumble.app.running import Job, failure, recording_path, run
@@ -18,7 +19,6 @@ from tumble.app.wiring import Connected
 from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.records.errors import StoreError
 from tumble.calibrations.records.record import Record
-from tumble.calibrations.report.language import written_in
 from tumble.calibrations.tracing.chain import Chain
 from tumble.messages import Language, Message
 from tumble.procedures.announcer import Listener
@@ -61,27 +61,24 @@ def make_ready(folder: Path) -> None:
         raise JobError(sentence, Exit.STORAGE) from error
 
 
-def report_path(folder: Path, record: Record) -> Path:
-    """Where the report of a record lies."""
-    return folder / "reports" / f"{record.id}.html"
-
-
 def has_report(path: Path) -> bool:
     """Whether a report is there to its end."""
     return path.is_file() and path.read_bytes().rstrip().endswith(b"</html>")
 
 
-def write_report(
-    traced: Traced, path: Path, language: Language, record: Record | None = None, chain: Chain[Any] | None = None
-) -> None:
-    """Write the HTML report in a language, with the experiments that closed the loop where there were any.
+def write_report(traced: Traced, path: Path, language: Language, chain: Chain[Any] | None = None) -> None:
+    """Write the report in a language, with the experiments that closed the loop where there were any.
 
-    `record` is the one that was made of the result. Raises `JobError`.
+    Raises `JobError`.
     """
-    record_id, revision = (record.id, record.revision) if record else ("", 1)
-    with written_in(language):
-        page = traced.report(record_id, revision, chain, contradictions_of(traced))
-    write_text(path, page)
+    reports.write(traced.report("", 1, chain, contradictions_of(traced)), path, language)
+
+
+def report_record(traced: Traced, record: Record, folder: Path, path: Path, language: Language) -> None:
+    """Write the report of a record in a language, and keep in its store what it says. Raises `JobError`."""
+    report = traced.report(record.id, record.revision, None, contradictions_of(traced))
+    keep(report, record, folder)
+    reports.write(report, path, language)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -166,7 +163,7 @@ def conclude(
     tell("reporting")
     report = report_path(folder, record)
     try:
-        write_report(traced, report, language, record)
+        report_record(traced, record, folder, report, language)
     except JobError as error:
         raise JobError(
             Message(

@@ -6,7 +6,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 from tumble.app.files import RECORDING_SUFFIX
-from tumble.app.recall import open_store
+from tumble.app.opening import open_store
 from tumble.app.resuming import find, is_set_aside
 from tumble.calibrations.records.errors import StoreError
 from tumble.procedures.errors import InputError

@@ -7,7 +7,6 @@ from tumble.calibrations.records.errors import RecordError, StoreError
 from tumble.drivers.errors import DeviceError
 from tumble.messages import Message
 from tumble.procedures.errors import InputError, StorageError
-from tumble.procedures.events import FinishReason
 from tumble.system_errors import reason
 
 
@@ -32,17 +31,6 @@ class JobError(Exception):
     def __init__(self, message: str, status: Exit) -> None:
         super().__init__(message)
         self.status = status
-
-
-FINISHED = {
-    FinishReason.COMPLETED: Exit.GOOD,
-    FinishReason.STOPPED: Exit.STOPPED,
-    FinishReason.UNANSWERED: Exit.BAD_INPUT,
-    FinishReason.DEVICE_FAULT: Exit.DEVICE_FAULT,
-    FinishReason.STORAGE: Exit.STORAGE,
-    FinishReason.INTERNAL: Exit.INTERNAL,
-}
-"""Exit status of a run by the reason why it ended."""
 
 
 _NO_ROOM = {errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EFBIG, errno.EIO}

@@ -13,7 +13,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from tumble.app.exits import Exit, JobError, status_of
-from tumble.app.kinds import BEGINNING_BYTES, Kind, kind_of
+from tumble.app.kinds import BEGINNING_BYTES, Kind, kind_of, kind_of_file
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.recording.file import synchronise_folder
@@ -107,7 +107,7 @@ def _check_earlier(path: Path, place: Path, there: os.stat_result, kind: Kind | 
     """Refuse to write over what is there, but for an earlier result of the same kind, or nothing at all in a file."""
     if not stat.S_ISREG(there.st_mode):
         raise InputError(Message("{path}: is no file but a folder or a device; name a file to be written", path=path))
-    if there.st_size and (kind is None or _kind_of_file(place) is not kind):
+    if there.st_size and (kind is None or kind_of_file(place) is not kind):
         written = Message("a {kind}", kind=kind.words) if kind else Message("this")
         raise InputError(
             Message(
@@ -140,11 +140,6 @@ def _place(path: Path) -> Path:
         return path.resolve()
     except RuntimeError as error:
         raise OSError(0, Message("links that lead in a circle")) from error
-
-
-def _kind_of_file(path: Path) -> Kind | None:
-    with path.open("rb") as file:
-        return kind_of(file.read(BEGINNING_BYTES))
 
 
 def _check_folder(path: Path, folder: Path) -> None:

@@ -6,7 +6,7 @@ from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
-_PACKAGES = ("numpy", "scipy", "pydantic", "SQLAlchemy", "mcap", "orjson", "matplotlib", "jinja2")
+_PACKAGES = ("numpy", "scipy", "pydantic", "SQLAlchemy", "mcap", "orjson", "jinja2")
 _ROOT = Path(__file__).resolve().parents[1]
 
 

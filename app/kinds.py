@@ -2,10 +2,10 @@
 
 import re
 from enum import StrEnum
+from pathlib import Path
 from typing import Final
 
 from tumble.messages import Message
-from tumble.procedures.registry import usable_methods
 
 BEGINNING_BYTES: Final = 4096
 """So much of a file says what it is."""
@@ -42,6 +42,8 @@ _PAGE: Final = (
     rb'(<meta name="generator" content="tumble">\n'
     rb'|<meta name="viewport" content="width=device-width, initial-scale=1">\n<title>Calibration of )'  # of version 0.1
 )
+_KEYWORD: Final = b"/Keywords(tumble)"
+"""In a PDF; those of version 0.2 and before name their creator at the beginning."""
 _CREATOR: Final = re.escape("tumble".encode("utf-16-be"))
 _BEGINNINGS: Final = {
     Kind.RECORD: rb'\{"content_sha256":"[0-9a-f]{64}"|\{\s*"schema":\s*"tumble\.record/',
@@ -53,6 +55,11 @@ _BEGINNINGS: Final = {
 """Of two that fit, the first counts."""
 
 
+def report_kind(path: Path) -> Kind:
+    """As what a report is written there, by the name of the file."""
+    return Kind.PDF if path.suffix.lower() == ".pdf" else Kind.REPORT
+
+
 def kind_of(beginning: bytes) -> Kind | None:
     """Which result it is that begins so; None for anything else."""
     for kind, pattern in _BEGINNINGS.items():
@@ -61,8 +68,19 @@ def kind_of(beginning: bytes) -> Kind | None:
     return Kind.TABLE if _exported(beginning) else None
 
 
+def kind_of_file(path: Path) -> Kind | None:
+    """The same of a file; a PDF says at its end whose it is."""
+    with path.open("rb") as file:
+        beginning = file.read(BEGINNING_BYTES)
+        if beginning.startswith(b"%PDF-") and _KEYWORD in beginning + file.read():
+            return Kind.PDF
+    return kind_of(beginning)
+
+
 def _exported(beginning: bytes) -> bool:
     """Whether a table has all columns that a recording gives, in its order, and none besides."""
+    from tumble.procedures.registry import usable_methods  # what is no table need not wait for every method
+
     line, end, _ = beginning.partition(b"\n")
     columns = line.decode("utf-8", "replace").split(",")
     known = (method.procedure_part.exported for method in usable_methods()) if end and len(columns) > 1 else ()

@@ -9,8 +9,6 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, ClassVar, Self
 
-from markupsafe import Markup
-
 from tumble.app.measurement import Measurement
 from tumble.app.section_report import section_report
 from tumble.calibrations.core.documents import rows_json
@@ -19,8 +17,9 @@ from tumble.calibrations.core.parameter import ModelFit, Parameter
 from tumble.calibrations.core.provenance import LimitCheck, Provenance
 from tumble.calibrations.core.rows import Rows
 from tumble.calibrations.core.verdict import Model, Verdict
-from tumble.calibrations.core.view import Section
+from tumble.calibrations.core.view import Drawn, Section
 from tumble.calibrations.records.entry import NOT_JUDGED, Entry
+from tumble.calibrations.report.document import Report
 from tumble.calibrations.tracing.chain import Chain
 from tumble.calibrations.tracing.document import SCHEMA, effect_json, experiment_json
 from tumble.calibrations.tracing.experiments import Experiment
@@ -74,9 +73,9 @@ class LinearAnalysed(ABC):
     def details(self) -> Sequence[str]:
         """The same one by one."""
 
-    def figure(self) -> Markup:
+    def figure(self) -> Drawn | None:
         """Nothing is drawn unless the method does it."""
-        return Markup("")
+        return None
 
     def as_json(self) -> dict[str, Any]:
         """The result as `tumble.fit/1`."""
@@ -151,12 +150,6 @@ class LinearTraced(LinearAnalysed):
         """The same: another fit of the same rows gives the same."""
         return self
 
-    def report(
-        self,
-        record_id: str,
-        revision: int,  # noqa: ARG002  # the page says which record it is of
-        chain: Chain[Any] | None,
-        contradictions: Sequence[str],
-    ) -> str:
-        """The report, one HTML page."""
-        return section_report(self.method.title, self, record_id, chain, contradictions)
+    def report(self, record_id: str, revision: int, chain: Chain[Any] | None, contradictions: Sequence[str]) -> Report:
+        """What is reported of it."""
+        return section_report(self.method, self, record_id, revision, chain, contradictions)

@@ -231,7 +231,8 @@ def _path(place: Place | None) -> Path | None:
 
 def _of(analysed: Analysed) -> Result:
     def draw() -> Picture:
-        return Picture(str(analysed.figure()))
+        figure = analysed.figure()
+        return Picture(figure.__html__() if figure else "")
 
     return Result(name=analysed.provenance.serial_number, document=analysed.as_json(), draw=draw)
 
@@ -243,7 +244,7 @@ def _of_method(method: Method, paths: Sequence[Path]) -> Result:
         figures = [section for section in closed.sections() if section.figure]
         first = next((section for section in figures if section.brief), figures[0])
         assert first.figure is not None
-        return Picture(str(first.figure()))
+        return Picture(first.figure().__html__())
 
     return Result(name=paths[-1].stem, document=closed.document(), draw=draw)
 

@@ -7,40 +7,26 @@ from typing import TYPE_CHECKING, Any
 
 from tumble.app.adopted_effects import as_offered
 from tumble.app.analysing import fit, trace
-from tumble.app.calibrating import report_path, write_report
 from tumble.app.files import is_recording
 from tumble.app.identity import program_identity
 from tumble.app.jobs import measured_at_stand
 from tumble.app.joining import read_together
 from tumble.app.measurement import Measurement
 from tumble.app.methods import methods
+from tumble.app.opening import open_store
 from tumble.app.stand_records import corrected_by
 from tumble.calibrations.core.method import Method
-from tumble.calibrations.records import DATABASE
 from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.records.errors import RecordError, StoreError
 from tumble.calibrations.records.raw import file_sha256
 from tumble.calibrations.records.record import Record
 from tumble.calibrations.records.verify import Verification, verify
-from tumble.messages import Language, Message
-from tumble.procedures.errors import InputError
+from tumble.messages import Message
 from tumble.procedures.recording.errors import RecordingError
 from tumble.procedures.recording.header import Header
 
 if TYPE_CHECKING:
     from tumble.calibrations.records.store import Store
-
-
-def open_store(folder: Path) -> "Store":
-    """Open a store for reading. Raises `InputError` where there is none, `StoreError` where it cannot be used."""
-    from tumble.calibrations.records.store import Store  # takes half a second, which many a command need not wait for
-
-    try:
-        return Store.existing(folder)
-    except StoreError as error:
-        if (folder / DATABASE).exists():
-            raise
-        raise InputError(str(error)) from error
 
 
 def recall(folder: Path, record_id: str) -> tuple[Record, Measurement]:
@@ -67,15 +53,6 @@ def record_of(recording: Path, header: Header, folder: Path) -> Record | None:
         return Store.existing(folder).of_files(header.serial_number, header.method, [file_sha256(recording)])
     except StoreError:
         return None
-
-
-def report_again(folder: Path, record_id: str, language: Language, path: Path | None = None) -> Path:
-    """Write the report of a record anew from its raw file, in a language. Raises as `recall`, and `JobError`."""
-    record, measurement = recall(folder, record_id)
-    page = path or report_path(folder, record)
-    analysed = fit(measurement, record.provenance.serial_number, folder=folder)
-    write_report(trace(analysed), page, language, record)
-    return page
 
 
 def verify_record(store: "Store", record: Record) -> Verification:

@@ -13,9 +13,9 @@ from datetime import UTC, datetime
 from hashlib import sha256
 from pathlib import Path
 from types import FrameType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
-from tumble.app.exits import FINISHED, Exit, JobError
+from tumble.app.exits import Exit, JobError
 from tumble.app.identity import program_identity
 from tumble.app.signals import handled_by
 from tumble.app.stand import LoadedStand, WrittenStand
@@ -28,7 +28,7 @@ from tumble.messages import Message
 from tumble.procedures.acquisition import Acquisition
 from tumble.procedures.announcer import Announcer, Listener
 from tumble.procedures.engine import Engine
-from tumble.procedures.events import State, WarningRaised
+from tumble.procedures.events import FinishReason, State, WarningRaised
 from tumble.procedures.outcome import Outcome
 from tumble.procedures.plan import REQUEST_S, Plan, plan
 from tumble.procedures.plan_checks import check_cable, check_condition, check_limits, check_temperatures
@@ -47,6 +47,16 @@ if TYPE_CHECKING:
 _LONGEST_NAME = 60
 _RESERVED = {"CON", "PRN", "AUX", "NUL", *(f"{port}{n}" for port in ("COM", "LPT") for n in range(10))}
 """Names of devices on Windows."""
+
+_FINISHED: Final = {
+    FinishReason.COMPLETED: Exit.GOOD,
+    FinishReason.STOPPED: Exit.STOPPED,
+    FinishReason.UNANSWERED: Exit.BAD_INPUT,
+    FinishReason.DEVICE_FAULT: Exit.DEVICE_FAULT,
+    FinishReason.STORAGE: Exit.STORAGE,
+    FinishReason.INTERNAL: Exit.INTERNAL,
+}
+"""Exit status of a run by the reason why it ended."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -182,7 +192,7 @@ def _warn_of_what_is_due(job: Job, clock: Clock, announcer: Announcer) -> None:
 
 def failure(outcome: Outcome, recording: Path) -> JobError | None:
     """The error of a run that was not completed: what happened, what was kept, what to do; None after a whole run."""
-    status = FINISHED[outcome.reason]
+    status = _FINISHED[outcome.reason]
     if status is Exit.GOOD:
         return None
     kept = Message.counted(

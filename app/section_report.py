@@ -1,11 +1,19 @@
 """The report of a result that is shown by its sections."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
 from typing import Any, Protocol
 
 from tumble.app.measurement import Measurement
-from tumble.calibrations.core.provenance import Provenance
-from tumble.calibrations.core.view import Section
+from tumble.calibrations.core.method import Method, Result, Worded
+from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.core.provenance import LimitCheck, Provenance
+from tumble.calibrations.core.verdict import Verdict
+from tumble.calibrations.core.view import Chapter, Quantity, Section
+from tumble.calibrations.records.entry import NOT_JUDGED
+from tumble.calibrations.report.document import Front, Picture, Report
+from tumble.calibrations.report.origin import origin
 from tumble.calibrations.tracing.chain import Chain
 from tumble.calibrations.tracing.chain_sections import chain_section
 from tumble.messages import Message
@@ -25,6 +33,21 @@ class Shown(Protocol):
         ...
 
     @property
+    def parameters(self) -> Mapping[str, Parameter]:
+        """The values to use, by name."""
+        ...
+
+    @property
+    def limits(self) -> tuple[LimitCheck, ...]:
+        """Those values held against the limits of the programme."""
+        ...
+
+    @property
+    def verdict(self) -> Verdict:
+        """How the unit stands against them."""
+        ...
+
+    @property
     def warnings(self) -> tuple[str, ...]:
         """What was odd in the rows."""
         ...
@@ -40,14 +63,76 @@ class Shown(Protocol):
 
 
 def section_report(
-    title: str, traced: Shown, record_id: str, chain: Chain[Any] | None, contradictions: Sequence[str]
-) -> str:
-    """One HTML page, with the experiments that closed the loop; `title` says what was calibrated."""
-    from tumble.calibrations.report.sections import page  # jinja2 takes time
-
-    record = Message("record {name}", name=record_id) if record_id else ""
+    method: Method,
+    traced: Shown,
+    record_id: str,
+    revision: int,
+    chain: Chain[Any] | None,
+    contradictions: Sequence[str],
+) -> Report:
+    """What is reported of a unit, with the experiments that closed the loop."""
     stand_record = traced.measurement.stand_record
-    applied = stand_record.applied if stand_record else ""
-    notices = [*filter(None, [record, applied]), *traced.warnings, *traced.loop_warnings, *contradictions]
-    sections = [*traced.sections(), *([chain_section(chain)] if chain else [])]
-    return page(title, traced.provenance.serial_number, sections, notices)
+    applied = [stand_record.applied] if stand_record else []
+    sections = [*traced.sections(), *([replace(chain_section(chain), brief=True)] if chain else [])]
+    picture, others = _with_picture(sections)
+    return Report(
+        kind=method.title,
+        title=traced.provenance.serial_number,
+        front=Front(
+            provenance=traced.provenance,
+            parameters=traced.parameters,
+            verdict=traced.verdict,
+            quantities=quantities(method),
+            limits=traced.limits,
+            record_id=record_id,
+            revision=revision,
+            picture=picture,
+        ),
+        notices=list(dict.fromkeys([*applied, *traced.warnings, *traced.loop_warnings, *contradictions])),
+        chapters=tuple(_chapters(others, traced.provenance)),
+    )
+
+
+def table_report(method: Method, result: Result, provenance: Provenance, name: str, record_id: str = "") -> Report:
+    """What is reported of tables that were measured elsewhere; `name` is that of the last file."""
+    picture, others = _with_picture(result.sections())
+    return Report(
+        kind=method.title,
+        title=Path(name).name,
+        front=Front(
+            provenance=provenance,
+            parameters=result.parameters,
+            verdict=NOT_JUDGED,
+            quantities=quantities(method),
+            record_id=record_id,
+            picture=picture,
+        ),
+        notices=list(dict.fromkeys(result.warnings)),
+        chapters=tuple(_chapters(others, provenance)),
+    )
+
+
+def quantities(method: Method) -> Mapping[str, Quantity]:
+    """What the parameters of a method are called; none where it does not say."""
+    return method.quantities if isinstance(method, Worded) else {}
+
+
+def _with_picture(sections: Sequence[Section]) -> tuple[Picture | None, Sequence[Section]]:
+    """The figure of the answer, or else the first one, for the first page; and the sections without it."""
+    drawn = [section for section in sections if section.figure]
+    chosen = next((section for section in drawn if section.brief), drawn[0] if drawn else None)
+    if chosen is None or chosen.figure is None:
+        return None, sections
+    caption = (
+        Message("{title}. {caption}", title=chosen.title, caption=chosen.caption) if chosen.caption else chosen.title
+    )
+    picture = Picture(figure=chosen.figure(), caption=caption)
+    return picture, [replace(each, figure=None, caption="") if each is chosen else each for each in sections]
+
+
+def _chapters(sections: Sequence[Section], provenance: Provenance) -> Iterator[Chapter]:
+    answers = tuple(section for section in sections if section.brief)
+    details = tuple(section for section in sections if not section.brief)
+    yield Chapter(anchor="analysis", title=Message("Analysis"), sections=answers)
+    yield Chapter(anchor="details", title=Message("Details"), sections=details)
+    yield origin(provenance)

@@ -10,7 +10,7 @@ from pydantic import BaseModel, ConfigDict, Field, create_model, model_validator
 from tumble.app.instrument_tables import POSITIONERS, SAMPLERS, Tables, tables_of
 from tumble.calibrations.core.gravity import Gravity, normal_gravity
 from tumble.drivers.driver import SIMULATED
-from tumble.drivers.names import GivenName
+from tumble.drivers.names import GivenName, Name
 from tumble.drivers.simulated.table import SimulatedTable
 from tumble.drivers.tables import CHAMBER, DAQ, HEAD, ChamberTable, DaqTable, HeadTable
 from tumble.drivers.text import check_name
@@ -18,6 +18,15 @@ from tumble.messages import Message
 from tumble.procedures.errors import InputError
 
 _STRICT = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+
+class Laboratory(BaseModel):
+    """Whose stand it is, as the first page of a report says."""
+
+    model_config = _STRICT
+
+    name: Name = ""
+    address: Name = ""
 
 
 class Site(BaseModel):
@@ -62,6 +71,7 @@ class StandFile(BaseModel):
     model_config = _STRICT
 
     name: GivenName
+    laboratory: Laboratory = Laboratory()
     site: Site = Site()
     head_table: HeadTable | None = Field(default=None, alias=HEAD)
     daq_table: DaqTable | None = Field(default=None, alias=DAQ)

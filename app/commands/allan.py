@@ -4,15 +4,17 @@ from pathlib import Path
 
 import click
 
+from tumble.app import reports
 from tumble.app.commands import options
 from tumble.app.console import warn
-from tumble.app.files import write_new, write_text
+from tumble.app.files import write_new
 from tumble.app.sections import show_sections
 from tumble.app.terminal import language, say
 from tumble.calibrations.allan.recording import StillRecording, read_still
 from tumble.calibrations.allan.result import AllanResult, allan
 from tumble.calibrations.allan.sections import sections
 from tumble.calibrations.core.cells import TableError
+from tumble.calibrations.report.document import page_of_sections
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.programmes import load_programme, with_dwell
@@ -68,10 +70,10 @@ def _read(file: Path, rate_hz: float | None) -> StillRecording:
 
 
 def _write_page(result: AllanResult, page: Path) -> None:
-    from tumble.calibrations.report.sections import page as page_of  # jinja2 takes time
-
     name = Path(result.recording.source).name
-    write_text(page, page_of(Message("Allan deviation"), name, list(sections(result)), result.warnings, language()))
+    reports.write(
+        page_of_sections(Message("Allan deviation"), name, list(sections(result)), result.warnings), page, language()
+    )
     say(Message("report {page}", page=page), err=True)
 
 

@@ -8,6 +8,7 @@ from typing import Any
 
 import click
 
+from tumble.app import reports
 from tumble.app.acting import AtStand, measure
 from tumble.app.adopted_effects import adopted_json, with_what_is_known
 from tumble.app.analysed import Traced
@@ -18,7 +19,7 @@ from tumble.app.commands import options
 from tumble.app.commands.leaving import leave_by
 from tumble.app.commands.measuring import Wanted, may_measure
 from tumble.app.console import messages, parameter_table, results, run_display, show_verdict, warn
-from tumble.app.files import is_recording, write_text
+from tumble.app.files import is_recording
 from tumble.app.jobs import find_job, measured_at_stand
 from tumble.app.joining import read_together
 from tumble.app.learning import contradictions_of, learn
@@ -27,9 +28,10 @@ from tumble.app.measurements import read_measurement
 from tumble.app.methods import close_loop, method_of
 from tumble.app.row_sentences import row_lines
 from tumble.app.running import Job
+from tumble.app.section_report import table_report
 from tumble.app.sections import show_sections
 from tumble.app.stand import read_stand
-from tumble.app.storing import record_tables
+from tumble.app.storing import origin_of_tables, record_tables
 from tumble.app.terminal import language, say
 from tumble.calibrations.core.method import Method
 from tumble.calibrations.core.rows import Rows
@@ -118,9 +120,9 @@ def _tell_tables(
     say(*(Message("record {name}", name=name) for name in recorded.values()), err=True)
     options.write_json(result.document() | recorded, json_path)
     if page is not None:
-        from tumble.calibrations.report.sections import page as page_of  # jinja2 takes time
-
-        write_text(page, page_of(method.title, files[-1].name, result.sections(), result.warnings, language()))
+        origin = origin_of_tables(files, folder)
+        report = table_report(method, result, origin, files[-1].name, recorded.get("record", ""))
+        reports.write(report, page, language())
 
 
 def _traced(files: tuple[Path, ...], wanted: Wanted, known: options.Known, *, budget: bool) -> Traced:

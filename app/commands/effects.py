@@ -7,12 +7,13 @@ from typing import Any, Final
 import click
 from rich.table import Table
 
+from tumble.app import reports
 from tumble.app.adopted_effects import FOLDER, read_kept
 from tumble.app.adopting import adopt
 from tumble.app.adoption_wish import Wish, check_wish
 from tumble.app.commands import options
 from tumble.app.console import results
-from tumble.app.files import write_new, write_text
+from tumble.app.files import write_new
 from tumble.app.kept_with import kept_with
 from tumble.app.named_runs import measured, units_of
 from tumble.app.sections import show_sections
@@ -22,6 +23,7 @@ from tumble.calibrations.adopted.document import document
 from tumble.calibrations.adopted.folder import RETIRED_SUFFIX, SUFFIX, Kept, Retired
 from tumble.calibrations.adopted.sections import depends, sections, size_text, spread_text, status
 from tumble.calibrations.records.times import utc_now
+from tumble.calibrations.report.document import page_of_sections
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
 
@@ -113,9 +115,7 @@ def show(name: str, folder: Path, json_path: Path | None, page: Path | None) -> 
         show_sections(shown)
     options.write_json(_document(kept), json_path)
     if page is not None:
-        from tumble.calibrations.report.sections import page as page_of  # jinja2 takes time
-
-        write_text(page, page_of(Message("Adopted effect"), kept.effect.name, shown, (), language()))
+        reports.write(page_of_sections(Message("Adopted effect"), kept.effect.name, shown), page, language())
 
 
 @command.command("retire")

@@ -4,14 +4,14 @@ import math
 import os
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import wraps
+from functools import partial, wraps
 from pathlib import Path
 from typing import Any
 
 import click
 
 from tumble.app.files import check_result, write_text
-from tumble.app.kinds import Kind
+from tumble.app.kinds import Kind, report_kind
 from tumble.app.terminal import as_json, say_document
 from tumble.drivers.text import check_name
 from tumble.messages import Message
@@ -21,7 +21,7 @@ from tumble.procedures.errors import InputError
 class Output(click.Path):
     """A file to be written: refused before anything is done for it where it may not be. See `tumble.app.files`."""
 
-    def __init__(self, kind: Kind) -> None:
+    def __init__(self, kind: Callable[[Path], Kind]) -> None:
         super().__init__(path_type=Path)
         self._kind = kind
 
@@ -30,15 +30,20 @@ class Output(click.Path):
         path = Path(os.fsdecode(super().convert(value, param, ctx)))
         if str(path) == "-":
             return path
-        check_result(path, self._kind)
+        check_result(path, self._kind(path))
         others = ctx.meta.setdefault(__name__, {}) if ctx else {}
         if others.setdefault(path.resolve(), param) is not param:
             self.fail(Message("{path} is wanted for another result of this command too.", path=path), param, ctx)
         return path
 
 
+def _always(kind: Kind, _path: Path) -> Kind:
+    return kind
+
+
 EXISTING = click.Path(path_type=Path)
-RESULT, RECORD, REPORT, TABLE = (Output(kind) for kind in (Kind.RESULT, Kind.RECORD, Kind.REPORT, Kind.TABLE))
+RESULT, RECORD, TABLE = (Output(partial(_always, kind)) for kind in (Kind.RESULT, Kind.RECORD, Kind.TABLE))
+REPORT = Output(report_kind)
 STORE = Path("tumble-store")
 
 stand = click.option("--stand", "stand_path", type=EXISTING, help="Stand file; the built-in simulated stand without.")

@@ -7,12 +7,13 @@ from typing import Any, Final
 
 import click
 
+from tumble.app import reports
 from tumble.app.commands import options
-from tumble.app.files import write_text
 from tumble.app.jobs import find_job
 from tumble.app.running import Outline
 from tumble.app.stand import read_stand
 from tumble.app.terminal import language, say
+from tumble.calibrations.report.document import page_of_sections
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.layout import Layout
@@ -46,7 +47,6 @@ def command(
 def _write_pictures(planned: Plan, page: Path) -> None:
     """Write the page with pictures. Raises `InputError` where the method draws none."""
     from tumble.app.job_part import Pictured
-    from tumble.calibrations.report.sections import page as page_of  # jinja2 takes time
 
     part = find_job(planned.programme.method)
     if not isinstance(part, Pictured):
@@ -55,7 +55,9 @@ def _write_pictures(planned: Plan, page: Path) -> None:
         )
     dwells = [each.step for each in planned.steps if isinstance(each.step, Dwell)]
     sections = part.pictures([dwell.targets_deg for dwell in dwells])
-    write_text(page, page_of(Message("Positions of a programme"), planned.programme.name, sections, (), language()))
+    reports.write(
+        page_of_sections(Message("Positions of a programme"), planned.programme.name, sections), page, language()
+    )
     say(Message("pictures {page}", page=page), err=True)
 
 

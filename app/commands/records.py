@@ -9,7 +9,8 @@ import click
 from tumble.app.commands import options
 from tumble.app.console import results
 from tumble.app.exits import Exit
-from tumble.app.recall import open_store, unprotected
+from tumble.app.opening import open_store
+from tumble.app.recall import unprotected
 from tumble.app.record_console import effects_of, listing, show_parameters
 from tumble.app.terminal import labelled, say
 from tumble.app.verifying import Finding, Judgement, leftovers, verified_record

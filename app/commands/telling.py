@@ -3,11 +3,12 @@
 from pathlib import Path
 
 from tumble.app.adopted_effects import adopted_json
-from tumble.app.calibrating import Calibrated, has_report, report_path
+from tumble.app.calibrating import Calibrated, has_report
 from tumble.app.commands.leaving import leave_by
 from tumble.app.commands.options import write_json
 from tumble.app.console import show_result, show_verdict, warn
-from tumble.app.recall import report_again
+from tumble.app.kept_reports import report_path
+from tumble.app.reporting import report_again
 from tumble.app.sections import show_sections
 from tumble.app.terminal import labelled, language, say
 from tumble.calibrations.records.record import Record

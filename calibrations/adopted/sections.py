@@ -4,9 +4,9 @@ from collections.abc import Iterator
 from typing import Final
 
 import numpy as np
-from markupsafe import Markup
 
 from tumble.calibrations.adopted.effect import AdoptedEffect
+from tumble.calibrations.adopted.figures import course_figure
 from tumble.calibrations.adopted.folder import Kept
 from tumble.calibrations.core.quantities import format_concise, format_number
 from tumble.calibrations.core.sentences import series
@@ -24,7 +24,7 @@ def sections(kept: Kept) -> tuple[Section, ...]:
         Section(title=effect.name, lines=tuple(_said(kept)), brief=True),
         Section(
             title=Message("Course"),
-            figure=lambda: _figure(effect),
+            figure=lambda: course_figure(effect, _headed(Message("variable"), effect.variable_unit)),
             caption=Message("The course in units of mean size, with its expanded uncertainty (k = 2)."),
             headings=(
                 _headed(Message("variable"), effect.variable_unit),
@@ -122,9 +122,3 @@ def _headings(effect: AdoptedEffect) -> Iterator[Message]:
 
 def _headed(word: Message, unit: str) -> Message:
     return Message("{word} ({unit})", word=word, unit=unit) if unit else word
-
-
-def _figure(effect: AdoptedEffect) -> Markup:
-    from tumble.calibrations.adopted.figures import course_figure  # matplotlib takes half a second
-
-    return course_figure(effect, _headed(Message("variable"), effect.variable_unit))

@@ -1,49 +1,38 @@
 """The Allan deviation drawn."""
 
+from collections.abc import Iterator
+
 import numpy as np
-from markupsafe import Markup
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
-from matplotlib.ticker import FuncFormatter
 
 from tumble.calibrations.allan.result import AllanResult, OutputNoise
-from tumble.calibrations.report.drawing import COLOURS, MARKERS, WIDE_IN, styled, to_svg
+from tumble.calibrations.report.figure import COLOURS, SHAPES, Axis, Figure, Layer, Line, Marks, Panel
 from tumble.messages import Message
 
 
-@styled
-def allan_figure(result: AllanResult) -> Markup:
+def allan_figure(result: AllanResult) -> Figure:
     """Deviations of all outputs with their intervals, the fitted noise and the best averaging times."""
-    figure = Figure(figsize=(WIDE_IN, 3.6), layout="constrained")
-    axes = figure.subplots()
-    for number, (name, output) in enumerate(result.outputs.items()):
-        _draw(axes, number % len(COLOURS), name, output)
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-    for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-    axes.set_xlabel(Message("averaging time τ (s)"))
+    layers = [
+        layer
+        for number, (name, output) in enumerate(result.outputs.items())
+        for layer in _layers(COLOURS[number % len(COLOURS)], number, name, output)
+    ]
     units = dict.fromkeys(output.unit for output in result.outputs.values())
-    axes.set_ylabel(Message("Allan deviation ({unit})", unit=", ".join(units)))
-    axes.legend()
-    return to_svg(figure, "allan", Message("Allan deviation over averaging time"))
+    x = Axis(label=Message("averaging time τ (s)"), logarithmic=True)
+    y = Axis(label=Message("Allan deviation ({unit})", unit=", ".join(units)), logarithmic=True)
+    return Figure(
+        name="allan",
+        description=Message("Allan deviation over averaging time"),
+        panels=(Panel(layers=tuple(layers), x=x, y=y),),
+        height=290.0,
+    )
 
 
-def _draw(axes: Axes, number: int, name: str, output: OutputNoise) -> None:
+def _layers(colour: str, number: int, name: str, output: OutputNoise) -> Iterator[Layer]:
     """One output; where its minimum may lie is a bar at its height."""
-    colour, best = COLOURS[number], output.best
+    best = output.best
     tau_s = np.array([each.tau_s for each in output.deviations])
     value, low, high = np.array([(each.value, each.low, each.high) for each in output.deviations]).T
-    axes.plot(best.curve_tau_s, best.curve, color=colour, linewidth=0.8, alpha=0.6)
-    axes.errorbar(
-        tau_s,
-        value,
-        (value - low, high - value),
-        fmt=MARKERS[number],
-        markersize=3,
-        linewidth=0.8,
-        color=colour,
-        label=name,
-    )
-    axes.plot(best.curve_tau_s, output.model.deviation(best.curve_tau_s), "--", color=colour, linewidth=0.8)
-    axes.plot([best.low_s, best.high_s], [best.deviation] * 2, color=colour, linewidth=4, alpha=0.3)
+    yield Line(x=best.curve_tau_s, y=best.curve, colour=colour, width=0.6)
+    yield Marks(x=tau_s, y=value, y_ends=(low, high), colour=colour, shape=SHAPES[number % len(SHAPES)], label=name)
+    yield Line(x=best.curve_tau_s, y=output.model.deviation(best.curve_tau_s), colour=colour, width=0.8, dashed=True)
+    yield Line(x=np.array([best.low_s, best.high_s]), y=np.full(2, best.deviation), colour=colour, width=3.0)

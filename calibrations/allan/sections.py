@@ -2,10 +2,9 @@
 
 from collections.abc import Iterator
 
-from markupsafe import Markup
-
 from tumble.calibrations.allan.averaging import BestTime
 from tumble.calibrations.allan.coefficients import Coefficient
+from tumble.calibrations.allan.figures import allan_figure
 from tumble.calibrations.allan.result import AllanResult, OutputNoise
 from tumble.calibrations.core.quantities import format_concise, format_interval, format_number
 from tumble.calibrations.core.view import Section
@@ -40,7 +39,7 @@ def sections(result: AllanResult) -> Iterator[Section]:
     )
     yield Section(
         title=Message("Allan deviation"),
-        figure=lambda: _figure(result),
+        figure=lambda: allan_figure(result),
         caption=Message(
             "Overlapping, with 95% intervals at averaging times that double; the line is N, B and K together."
         ),
@@ -94,9 +93,3 @@ def _one_by_one(name: str, output: OutputNoise) -> Section:
             for each in output.deviations
         ],
     )
-
-
-def _figure(result: AllanResult) -> Markup:
-    from tumble.calibrations.allan.figures import allan_figure  # matplotlib takes half a second
-
-    return allan_figure(result)

@@ -5,10 +5,10 @@ A method is registered by an entry point of the group `tumble.methods`; nothing 
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
 
 from tumble.calibrations.core.parameter import Parameter
-from tumble.calibrations.core.view import Section
+from tumble.calibrations.core.view import Quantity, Section
 
 if TYPE_CHECKING:
     from tumble.calibrations.records.entry import Entry
@@ -89,4 +89,14 @@ class Method(Protocol):
         ValueError
             More tables than it takes, or rows that it cannot analyse: one sentence.
         """
+        ...
+
+
+@runtime_checkable
+class Worded(Protocol):
+    """A method that says what its parameters are called where people read them."""
+
+    @property
+    def quantities(self) -> Mapping[str, Quantity]:
+        """Symbol and words of each parameter, by name."""
         ...

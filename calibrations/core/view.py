@@ -2,8 +2,15 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Protocol
 
-from markupsafe import Markup
+
+class Drawn(Protocol):
+    """A figure that can be drawn: one described (`tumble.calibrations.report.figure`), or SVG as it is (`Markup`)."""
+
+    def __html__(self) -> str:
+        """The figure as an SVG element, in the language of the page that is written."""
+        ...
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -12,9 +19,10 @@ class Section:
 
     title: str
     lines: Sequence[str] = ()
-    figure: Callable[[], Markup] | None = None
-    """Draws it as SVG; asked only where it is shown."""
+    figure: Callable[[], Drawn] | None = None
+    """Asked only where it is shown."""
     caption: str = ""
+    """Of the figure, or without one of the table."""
     headings: Sequence[str] = ()
     rows: Sequence[Sequence[str]] = ()
     brief: bool = False
@@ -24,3 +32,21 @@ class Section:
     def empty(self) -> bool:
         """Whether there is nothing in it."""
         return not (self.lines or self.rows or self.figure)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Chapter:
+    """A part of a report: sections under one heading, their own titles below it."""
+
+    anchor: str
+    """By which a link finds it."""
+    title: str
+    sections: Sequence[Section]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Quantity:
+    """What a parameter is called where people read it."""
+
+    symbol: str
+    words: str

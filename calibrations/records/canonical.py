@@ -7,8 +7,6 @@ from collections.abc import Mapping
 from datetime import date
 from typing import Any
 
-import numpy as np
-
 from tumble.messages import Message
 
 
@@ -37,6 +35,8 @@ def _plain(value: object) -> object:
         return [_plain(entry) for entry in value]
     if isinstance(value, date):
         return value.isoformat()
+    import numpy as np  # takes time, and what was read from a store holds none of its numbers
+
     if isinstance(value, np.generic):
         return _plain(value.item())
     raise TypeError(Message("a record cannot hold {value!r} of type {kind}", value=value, kind=type(value).__name__))

@@ -7,7 +7,7 @@ from contextlib import ExitStack, contextmanager, redirect_stderr, redirect_stdo
 from dataclasses import dataclass, replace
 from unittest.mock import patch
 
-from matplotlib.figure import Figure
+from markupsafe import Markup
 
 from tumble.app.cli import main
 from tumble.calibrations.methods.dividing_head import analysis
@@ -86,11 +86,7 @@ def cheaply(blank="report"):
     with ExitStack() as stack:
         stack.enter_context(patch.object(analysis, "monte_carlo", few_trials_of(analysis.monte_carlo)))
         if blank == "report":
-            stack.enter_context(
-                patch(
-                    "tumble.calibrations.methods.dividing_head.report.render_report", lambda *_, **__: "<html></html>"
-                )
-            )
+            stack.enter_context(patch("tumble.calibrations.report.page.html", lambda _: "<html></html>"))
         else:
             stack.enter_context(blank_figures())
         yield
@@ -99,10 +95,7 @@ def cheaply(blank="report"):
 @contextmanager
 def blank_figures():
     """Figures are made, but not drawn, which takes most of the time of a report."""
-    with (
-        patch("tumble.calibrations.report.drawing._lay_out", lambda _: None),
-        patch.object(Figure, "savefig", lambda _, file, **__: file.write("<svg ></svg>")),
-    ):
+    with patch("tumble.calibrations.report.figure.drawn", lambda _: Markup("<svg></svg>")):
         yield
 
 

@@ -104,6 +104,4 @@ def tiny_recording(tmp_path_factory):
 @pytest.fixture
 def no_report(monkeypatch):
     """Drawing takes two seconds; a test of something else does without."""
-    monkeypatch.setattr(
-        "tumble.calibrations.methods.dividing_head.report.render_report", lambda *_, **__: "<html></html>"
-    )
+    monkeypatch.setattr("tumble.calibrations.report.page.html", lambda _: "<html></html>")

@@ -14,7 +14,7 @@ from app_jobs import at_call, raiser, tumble
 
 from tumble.app.exits import Exit, JobError
 from tumble.app.files import check_result, replacing, write_text
-from tumble.app.kinds import Kind, kind_of
+from tumble.app.kinds import Kind, kind_of, kind_of_file
 from tumble.drivers.simulated.head import SimulatedHead
 from tumble.procedures.errors import InputError
 
@@ -93,12 +93,14 @@ def test_an_earlier_result_is_replaced(table, write, before):
 
 def test_a_result_is_known_again_by_every_command(tiny_recording, tmp_path):
     page, exported, planned = tmp_path / "page.html", tmp_path / "x.csv", tmp_path / "plan.json"
+    paper = tmp_path / "page.pdf"
     for _ in range(2):
         assert tumble("export", tiny_recording, "--out", exported).status == 0
         assert tumble("plan", "quick", "--json", planned).status == 0
         assert tumble("report", tiny_recording, "--out", page).status == 0
-    assert [kind_of(path.read_bytes()[:4096]) for path in (page, exported, planned)] == [
-        Kind.REPORT, Kind.TABLE, Kind.RESULT,
+        assert tumble("report", tiny_recording, "--out", paper).status == 0
+    assert [kind_of_file(path) for path in (page, paper, exported, planned)] == [
+        Kind.REPORT, Kind.PDF, Kind.TABLE, Kind.RESULT,
     ]  # fmt: skip
 
 

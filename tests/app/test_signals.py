@@ -53,7 +53,7 @@ PHASES = {
         ["calibrate", *RUN[1:], "--store", "s"],
     ),
     "storing": ("tumble.app.calibrating.store", ["calibrate", *RUN[1:], "--store", "s"]),
-    "reporting": ("tumble.app.commands.report.write_report", ["report", "t.csv", "--store", "s"]),
+    "reporting": ("tumble.app.calibrating.write_report", ["report", "t.csv", "--store", "s"]),
     "writing a result": ("tumble.app.commands.options.write_text", ["plan", "quick", "--json", "p.json"]),
     "exporting": ("tumble.app.commands.export.write_table", ["export", "RECORDING", "--out", "o.csv"]),
     "serving": ("tumble.app.commands.emulate.time.sleep", ["emulate", "--head-port", "0", "--daq-port", "0"]),

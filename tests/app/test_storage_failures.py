@@ -102,7 +102,7 @@ def test_a_report_that_cannot_be_written_leaves_record_and_recording(tiny, tmp_p
     def full(path, _text):
         raise JobError(f"{path}: cannot be written (No space left on device)", Exit.STORAGE)
 
-    monkeypatch.setattr("tumble.app.calibrating.write_text", full)
+    monkeypatch.setattr("tumble.app.reports.write_text", full)
     ran = tumble("calibrate", "--programme", tiny, "--serial", "A", "--store", tmp_path / "s")
 
     (recording,) = (tmp_path / "s").glob("recordings/A/*.mcap")

@@ -29,7 +29,7 @@ def said_in(sections):
 
 def texts(page):
     """The texts of a page without its style, and what is read out of figures and lists."""
-    body = re.sub(r"<style>.*?</style>", "", page, flags=re.DOTALL)
+    body = re.sub(r"<style>.*?</style>|<script>.*?</script>", "", page, flags=re.DOTALL)
     labels = re.findall(r'aria-label="([^"]*)"', body)
     shown = re.sub(r"<svg.*?</svg>", "", body, flags=re.DOTALL)
     return {unescape(text).strip() for text in [*labels, *re.split(r"<[^>]*>", shown)]}

@@ -10,7 +10,13 @@ from tumble.calibrations.methods.dividing_head.analysis import analyse
 from tumble.calibrations.methods.dividing_head.budget import StandUncertainty
 from tumble.calibrations.methods.dividing_head.geometry import projections
 from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.calibrations.methods.dividing_head.report import calibration_report
+from tumble.calibrations.methods.dividing_head.report.page import PARTS
 from tumble.calibrations.methods.dividing_head.result import Calibration
+from tumble.calibrations.report.document import Report
+from tumble.calibrations.report.origin import origin
+from tumble.calibrations.report.page import html
+from tumble.calibrations.report.written import written
 
 SWEEP_DEG = np.arange(0.0, 400.0, 10.0)
 STAND = StandUncertainty(
@@ -79,3 +85,15 @@ def provenance(**changes) -> Provenance:
         "packages": {"numpy": "2.2.1"},
     }
     return Provenance(**{**texts, **changes})
+
+
+def page_of(calibration, origin, **more) -> str:
+    """The report as HTML."""
+    return html(written(calibration_report(calibration, origin, **more)))
+
+
+def chapter(anchor, subject) -> str:
+    """One chapter of the page, without its heading."""
+    chapters = {part.anchor: part.chapter for part in PARTS} | {"origin": lambda shown: origin(shown.provenance)}
+    page = html(written(Report(kind="", title="", chapters=[chapters[anchor](subject)])))
+    return page.split("</h2>\n")[1].split("</section>")[0]

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from loop_examples import clean, misread, timed, with_k_xx
-from report_examples import FACE_UP, FLIPS, dwells, face_up, flips_only, provenance, reversed_
+from report_examples import FACE_UP, FLIPS, dwells, face_up, flips_only, page_of, provenance, reversed_
 
 from tumble.calibrations.core.provenance import LimitCheck
 from tumble.calibrations.methods.dividing_head.effects.unnamed import unnamed
@@ -19,7 +19,6 @@ from tumble.calibrations.methods.dividing_head.loop.table import dividing_head_t
 from tumble.calibrations.methods.dividing_head.method import METHOD
 from tumble.calibrations.methods.dividing_head.probes import PROBES
 from tumble.calibrations.methods.dividing_head.questions import questioned
-from tumble.calibrations.methods.dividing_head.report import render_report
 from tumble.calibrations.methods.dividing_head.significance import closure_sentence, statements
 from tumble.calibrations.report.language import written_in
 from tumble.messages import Language, Message
@@ -134,7 +133,7 @@ def test_the_method_and_what_its_probes_do():
 
 def spoken_of(page):
     """What a reader sees or hears of a page."""
-    body = re.sub(r"<style>.*?</style>|<defs>.*?</defs>|<code>.*?</code>", " ", page, flags=re.DOTALL)
+    body = re.sub(r"<style>.*?</style>|<script>.*?</script>", " ", page, flags=re.DOTALL)
     labels = re.findall(r'aria-label="([^"]*)"', body)
     return [*labels, *filter(str.strip, re.findall(r">([^<]*)<", body))]
 
@@ -146,19 +145,19 @@ def test_a_page(calibration):
         LimitCheck(name="kxy", minimum=0.0, maximum=1.0, inside=True),
     )
     with written_in(Language.GERMAN):
-        page = render_report(calibration(), provenance(), limits=limits)
+        page = page_of(calibration(), provenance(), limits=limits)
     assert '<html lang="de">' in page
     assert [text for text in spoken_of(page) if ENGLISH.search(text)] == []
 
 
 def test_a_page_with_a_closed_loop():
     with written_in(Language.GERMAN):
-        page = render_report(with_k_xx().declared, provenance(), loop=with_k_xx())
+        page = page_of(with_k_xx().declared, provenance(), loop=with_k_xx())
     assert [text for text in spoken_of(page) if ENGLISH.search(text)] == []
     assert "Was das Modell unerklärt lässt" in page
 
 
 def test_a_page_is_english_unless_a_language_is_asked_for():
-    page = render_report(reversed_(), provenance())
+    page = page_of(reversed_(), provenance())
     assert '<html lang="en">' in page
     assert "Uncertainty budget" in page

@@ -239,6 +239,6 @@ def test_an_open_end_of_the_interval_is_said(two_outputs):
 
 
 def test_the_curve_is_drawn(two_outputs):
-    (drawn,) = [each.figure() for each in sections(two_outputs) if each.figure]
+    (drawn,) = [each.figure().__html__() for each in sections(two_outputs) if each.figure]
 
     assert drawn.startswith("<svg")

@@ -7,17 +7,18 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from loop_examples import clean, found, misread, timed, with_k_xx
-from report_examples import provenance
+from report_examples import chapter, provenance
 from test_report_page import parsed, text_of
 
 from tumble.calibrations.methods.dividing_head.effects import CATALOGUE
 from tumble.calibrations.methods.dividing_head.loop.table import scene_of
-from tumble.calibrations.methods.dividing_head.report import outlooks, traces
+from tumble.calibrations.methods.dividing_head.report import traces
 from tumble.calibrations.methods.dividing_head.report.abscissa import BY_EFFECT, BY_VARIABLE
-from tumble.calibrations.methods.dividing_head.report.page import SECTIONS
+from tumble.calibrations.methods.dividing_head.report.outlooks import outlook_figure
 from tumble.calibrations.methods.dividing_head.report.results import notices
 from tumble.calibrations.methods.dividing_head.report.subject import Subject
 from tumble.calibrations.methods.dividing_head.report.traces import MOST_FIGURES, abscissae, trace_figure
+from tumble.calibrations.report.figure import Marks
 from tumble.calibrations.tracing.chain import Chain, Link, Stage
 from tumble.calibrations.tracing.experiments import Experiment
 from tumble.calibrations.tracing.findings import Unexplained
@@ -31,8 +32,7 @@ def subject(loop):
 
 
 def section(loop):
-    (content,) = [section for section in SECTIONS if section.anchor == "loop"]
-    return content.render(subject(loop))
+    return chapter("loop", subject(loop))
 
 
 @pytest.fixture(scope="module")
@@ -129,22 +129,17 @@ def test_where_no_programme_helps_the_page_says_so_without_a_plot():
 
 
 @pytest.mark.parametrize(("left_v", "drawn", "label"), [(5e-4, 500.0, "(µV)"), (-2e-3, -2.0, "(mV)")])
-def test_only_the_rows_of_the_probe_are_drawn_beside_two_standard_deviations(monkeypatch, left_v, drawn, label):
-    kept = []
-    monkeypatch.setattr(outlooks, "to_svg", lambda figure, *_: kept.append(figure))
-    outlooks.outlook_figure(experiment(left_v).outlook, "next")
-    (panel,) = kept[0].axes
-    y = panel.lines[-1].get_ydata()
-    assert y[~np.isnan(y)] == pytest.approx([drawn] * 54)
-    assert np.isnan(y).any()  # from one sweep to the next there is no line
-    low, high = panel.patches[0].get_extents().transformed(panel.transData.inverted()).intervaly
-    assert (high - low) / abs(drawn) == pytest.approx(4e-4 / abs(left_v))
-    assert panel.get_ylabel().endswith(label)
+def test_only_the_rows_of_the_probe_are_drawn_beside_two_standard_deviations(left_v, drawn, label):
+    (panel,) = outlook_figure(experiment(left_v).outlook, "next").panels
+    band, _, line, _ = panel.layers
+    assert line.y[~np.isnan(line.y)] == pytest.approx([drawn] * 54)
+    assert np.isnan(line.y).any()  # from one sweep to the next there is no line
+    assert (band.high - band.low) / abs(drawn) == pytest.approx(4e-4 / abs(left_v))
+    assert panel.y.label.endswith(label)
 
 
 def with_chain(chain):
-    (content,) = [section for section in SECTIONS if section.anchor == "loop"]
-    return content.render(replace(subject(with_k_xx()), chain=chain))
+    return chapter("loop", replace(subject(with_k_xx()), chain=chain))
 
 
 def test_every_experiment_stands_with_its_rivals_its_decision_and_the_error_before_and_after():
@@ -191,7 +186,7 @@ EVERY = {abscissa.name: abscissa for abscissa in (*BY_EFFECT.values(), *BY_VARIA
 @pytest.mark.parametrize("name", sorted(set(EVERY) - {"ay-az"}))
 def test_every_variable_can_be_drawn(name):
     figure = trace_figure({"declared model": timed(clean()).declared}, EVERY[name])
-    element = ET.fromstring(figure)
+    element = ET.fromstring(figure.__html__())
     assert element.get("aria-label") == f"Residual against {EVERY[name].label}: declared model"
 
 
@@ -207,14 +202,13 @@ def test_an_error_of_the_angle_needs_a_slope():
     assert trace_figure({"x": replace(clean().declared, parameters=parameters)}, EVERY["angle"]) is None
 
 
-def test_an_error_of_the_angle_stands_in_seconds_of_arc(monkeypatch):
+def test_an_error_of_the_angle_stands_in_seconds_of_arc():
     """0.01° on every row is 36 seconds of arc, whatever the slope there."""
-    drawn = []
-    monkeypatch.setattr(traces, "mark_residuals", lambda _panel, _x, residuals, *_: drawn.extend(residuals))
     rows = clean().declared.observations
     slope_v_per_deg = np.deg2rad(1.0) * -np.cos(np.deg2rad(rows.angle_deg + 0.1121))
     shifted = replace(clean().declared, residual_v=0.01 * slope_v_per_deg)
-    trace_figure({"declared model": shifted}, EVERY["angle"])
+    (panel,) = trace_figure({"declared model": shifted}, EVERY["angle"]).panels
+    drawn = next(layer.y for layer in panel.layers if isinstance(layer, Marks))
     assert drawn == pytest.approx([36.0] * len(drawn), rel=0.05)
     assert len(rows) / 2 < len(drawn) < len(rows)
 

@@ -2,6 +2,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from report_examples import page_of
 from stand_examples import ANOTHER, PARTS, UNIT, UP, rows, run_on
 from stand_record_examples import FOUND, learned, record_of
 
@@ -9,7 +10,6 @@ from tumble.calibrations.core.provenance import Provenance
 from tumble.calibrations.methods.dividing_head.analysis import analyse
 from tumble.calibrations.methods.dividing_head.budget import StandUncertainty
 from tumble.calibrations.methods.dividing_head.loop.loop import close_loop
-from tumble.calibrations.methods.dividing_head.report import render_report
 from tumble.calibrations.methods.dividing_head.stand.applying import contradictions, corrected
 from tumble.calibrations.stand_records.corrections import Corrections
 from tumble.calibrations.stand_records.terms import Term
@@ -133,7 +133,7 @@ def test_a_report_shows_the_map_and_what_contradicts_it():
     calibration = analyse(corrected_table, StandUncertainty(record=record), trials=0)
     origin = Provenance(serial_number="SN 3", stand={}, sources=(), program_version="", packages={})
 
-    page = render_report(calibration, origin, loop=close_loop(corrected_table), contradictions=["It moved"])
+    page = page_of(calibration, origin, loop=close_loop(corrected_table), contradictions=["It moved"])
 
     assert "corrected by stand record 3 of bench-1" in page
     assert "rests on SN 1 and SN 2; the units agree (p = 0.41)" in page
@@ -145,4 +145,4 @@ def test_a_report_shows_the_map_and_what_contradicts_it():
 def test_a_report_without_a_record_says_so():
     origin = Provenance(serial_number="SN 3", stand={}, sources=(), program_version="", packages={})
 
-    assert "No stand record was applied." in render_report(analyse(rows(), trials=0), origin)
+    assert "No stand record was applied." in page_of(analyse(rows(), trials=0), origin)

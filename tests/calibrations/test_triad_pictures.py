@@ -81,7 +81,7 @@ def test_positions_are_listed_in_the_order_in_which_they_were_taken(square):
 def test_each_picture_is_an_svg(square, title):
     (shown,) = [each for each in picture_sections(square) if each.title == title]
 
-    assert shown.figure().startswith("<svg")
+    assert shown.figure().__html__().startswith("<svg")
 
 
 def test_beside_the_values_before_and_after_one_by_one_are_details(square):

@@ -58,9 +58,7 @@ def figures():
 def no_report():
     """Drawing takes two seconds; a test of something else does without, whatever else it undoes."""
     with pytest.MonkeyPatch.context() as patched:
-        patched.setattr(
-            "tumble.calibrations.methods.dividing_head.report.render_report", lambda *_, **__: "<html></html>"
-        )
+        patched.setattr("tumble.calibrations.report.page.html", lambda _: "<html></html>")
         yield
 
 

@@ -9,7 +9,6 @@ from PySide6.QtCore import Qt, QTimer
 
 from tumble.drivers.simulated.head import SimulatedHead
 from tumble.procedures.events import WarningRaised
-from tumble.window.work import printing
 
 FAULT = "A fault of the program; the head was told to stop."
 
@@ -74,12 +73,6 @@ def test_an_exception_in_the_thread_of_the_analysis_is_shown(driver):
     still_works(driver)
 
 
-def test_a_fault_of_printing_is_the_reason_that_is_told(tmp_path, qapp, monkeypatch):
-    monkeypatch.setattr(printing, "_print", lambda *_: 1 / 0)
-    with pytest.raises(ZeroDivisionError):
-        printing.print_page("<p>x</p>", tmp_path / "x.pdf")
-
-
 @pytest.mark.parametrize("where", ["timer", "other thread", "destructor"])
 def test_what_nobody_catches_is_shown_once_however_often_it_comes(driver, where, monkeypatch):
     for name in ("excepthook", "unraisablehook"):
@@ -133,7 +126,6 @@ def test_every_thread_and_timer_is_known_here():
     assert found == {
         ("work/order_thread.py", "Thread"),
         ("work/background.py", "ThreadPoolExecutor"),
-        ("work/printing.py", "QThread"),
         ("screens/run_view.py", "QTimer"),
         ("start.py", "QTimer"),
     }

@@ -17,9 +17,7 @@ def two_records(request, shared_window, driver_of, tmp_path_factory):
     shared_window.window.stand.simulation.speed.setCurrentIndex(0)
     driver = driver_of(QtBot(request), shared_window)
     with pytest.MonkeyPatch.context() as patched:
-        patched.setattr(
-            "tumble.calibrations.methods.dividing_head.report.render_report", lambda *_, **__: "<html></html>"
-        )
+        patched.setattr("tumble.calibrations.report.page.html", lambda _: "<html></html>")
         for serial in ("A-1", "B-2"):
             driver.start(programme, serial)
             driver.wait_for_result()

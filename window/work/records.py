@@ -7,7 +7,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
 from tumble.app.exits import Exit, JobError
@@ -55,7 +54,7 @@ def search(folder: Path, wanted: Search) -> Found:
     """Look for records and for runs that came to none; a store that is not there holds nothing."""
     from tumble.app.cut_off import cut_off_runs
     from tumble.app.methods import methods
-    from tumble.app.recall import open_store
+    from tumble.app.opening import open_store
     from tumble.app.stand_records import list_stand_records
     from tumble.calibrations.records.store import DATABASE
 
@@ -78,7 +77,7 @@ def search(folder: Path, wanted: Search) -> Found:
 def open_record(folder: Path, record_id: str) -> Concluded:
     """Read the raw file of a record and work out everything that the screen Result shows."""
     from tumble.app.analysing import fit, trace
-    from tumble.app.calibrating import report_path
+    from tumble.app.kept_reports import report_path
     from tumble.app.recall import recall
 
     record, measurement = recall(folder, record_id)
@@ -95,18 +94,19 @@ def open_record(folder: Path, record_id: str) -> Concluded:
 
 def analyse_again(folder: Path, record_id: str) -> Concluded:
     """Analyse the raw file of a record anew and store what comes of it as a further revision."""
-    from tumble.app.calibrating import report_path, store, write_report
+    from tumble.app.calibrating import report_record, store
+    from tumble.app.kept_reports import report_path
 
     concluded = open_record(folder, record_id)
     record = store(concluded.traced, folder)
     page = report_path(folder, record)
-    write_report(concluded.traced, page, spoken(), record)
+    report_record(concluded.traced, record, folder, page, spoken())
     return replace(concluded, record_id=record.id, report=page)
 
 
 def differences(folder: Path, first: str, second: str) -> "tuple[Difference, ...]":
     """Compare two records."""
-    from tumble.app.recall import open_store
+    from tumble.app.opening import open_store
     from tumble.calibrations.records.compare import compare
 
     records = open_store(folder)
@@ -115,7 +115,8 @@ def differences(folder: Path, first: str, second: str) -> "tuple[Difference, ...
 
 def verify_all(folder: Path, record_ids: Sequence[str]) -> "tuple[Verification, ...]":
     """Verify records."""
-    from tumble.app.recall import open_store, verify_record
+    from tumble.app.opening import open_store
+    from tumble.app.recall import verify_record
 
     records = open_store(folder)
     return tuple(verify_record(records, records.get(record_id)) for record_id in record_ids)
@@ -140,18 +141,17 @@ def resumption(folder: Path, path: Path) -> Resumption:
 
 def export(folder: Path, record_id: str, path: Path) -> Path:
     """Write a record in the format that the name of the file ends in: JSON, HTML, CSV or PDF. Raises `JobError`."""
-    from tumble.app.recall import open_store, report_again
+    from tumble.app.opening import open_store
+    from tumble.app.reporting import report_again
     from tumble.calibrations.records.export import document_text
 
     match path.suffix.lower():
         case ".json":
             write_text(path, document_text(open_store(folder).get(record_id)))
-        case ".html":
+        case ".html" | ".pdf":
             report_again(folder, record_id, spoken(), path)
         case ".csv":
             _write_rows(folder, record_id, path)
-        case ".pdf":
-            _write_pdf(folder, record_id, path)
         case suffix:
             raise JobError(
                 f"{path}: {suffix or 'no ending'} is no format; end it in .json, .html, .csv or .pdf", Exit.BAD_INPUT
@@ -167,13 +167,3 @@ def _write_rows(folder: Path, record_id: str, path: Path) -> None:
     _, measurement = recall(folder, record_id)
     with replacing(path, Kind.TABLE) as begun:
         write_table(measurement.observations, begun)
-
-
-def _write_pdf(folder: Path, record_id: str, path: Path) -> None:
-    from tumble.app.recall import report_again
-    from tumble.window.work.printing import print_page
-
-    check_result(path, Kind.PDF)
-    with TemporaryDirectory() as aside, replacing(path, Kind.PDF) as begun:
-        page = report_again(folder, record_id, spoken(), Path(aside) / "report.html")
-        print_page(page.read_text(encoding="utf-8"), begun)

@@ -5,15 +5,13 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Self
 
-from markupsafe import Markup
-
 from tumble.app.measurement import Measurement
 from tumble.app.measurements import check_limits
 from tumble.app.methods.dividing_head.summary import details, in_short
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.provenance import LimitCheck, Provenance
 from tumble.calibrations.core.verdict import Model, Verdict
-from tumble.calibrations.core.view import Section
+from tumble.calibrations.core.view import Drawn, Section
 from tumble.calibrations.methods.dividing_head.document import document, result_document
 from tumble.calibrations.methods.dividing_head.entry import entry
 from tumble.calibrations.methods.dividing_head.judging import judge
@@ -26,6 +24,7 @@ from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.calibrations.methods.dividing_head.significance import Kind
 from tumble.calibrations.methods.dividing_head.usable import Usable, usable
 from tumble.calibrations.records.entry import Entry
+from tumble.calibrations.report.document import Report
 from tumble.calibrations.tracing.chain import Chain
 from tumble.calibrations.tracing.experiments import Experiment
 
@@ -80,9 +79,9 @@ class DividingHeadAnalysed:
         """Rows, noise, adequacy, and what the experiment supports."""
         return tuple(details(self.usable.calibration))
 
-    def figure(self) -> Markup:
+    def figure(self) -> Drawn:
         """Residuals against the angle."""
-        from tumble.calibrations.methods.dividing_head.report.residuals import angle_figure  # matplotlib takes time
+        from tumble.calibrations.methods.dividing_head.report.residuals import angle_figure
 
         return angle_figure(self.usable.calibration)
 
@@ -158,11 +157,11 @@ class DividingHeadTraced(DividingHeadAnalysed):
         """The same with another fit of the same rows."""
         return replace(self, calibration=analysed.calibration)
 
-    def report(self, record_id: str, revision: int, chain: Chain[Any] | None, contradictions: Sequence[str]) -> str:
-        """The report, one HTML page."""
-        from tumble.calibrations.methods.dividing_head.report import render_report  # matplotlib takes half a second
+    def report(self, record_id: str, revision: int, chain: Chain[Any] | None, contradictions: Sequence[str]) -> Report:
+        """What is reported of it."""
+        from tumble.calibrations.methods.dividing_head.report import calibration_report
 
-        return render_report(
+        return calibration_report(
             self.calibration,
             self.provenance,
             limits=self.limits,

@@ -85,15 +85,8 @@ def assess(
 def _doubts(fitted: Joint) -> tuple[str, ...]:
     """What the test of lack of fit says beyond its p: that the model fails, or that repeats differ as a whole."""
     p_value, source = fitted.lack.p_value, fitted.observations.source
-    if p_value is not None and p_value < LACK_OF_FIT_P:
-        return (
-            Message(
-                "{source}: the declared model does not describe the poses (lack of fit, p = {p_value:.2g}); "
-                "uncertainties rest on that disagreement",
-                source=source,
-                p_value=p_value,
-            ),
-        )
+    if misfit := lack_of_fit_warning(source, p_value):
+        return (misfit,)
     if p_value is not None and p_value > 1 - LACK_OF_FIT_P / 10:
         return (
             Message(
@@ -104,6 +97,18 @@ def _doubts(fitted: Joint) -> tuple[str, ...]:
             ),
         )
     return ()
+
+
+def lack_of_fit_warning(source: str, p_value: float | None) -> str:
+    """That the declared model fails; empty where it does not, or where there was no test."""
+    if p_value is None or p_value >= LACK_OF_FIT_P:
+        return ""
+    return Message(
+        "{source}: the declared model does not describe the poses (lack of fit, p = {p_value:.2g}); "
+        "uncertainties rest on that disagreement",
+        source=source,
+        p_value=p_value,
+    )
 
 
 def _spread(fitted: Joint, source: Source) -> FloatArray:

@@ -1,19 +1,20 @@
 """The method `dividing_head`: an accelerometer on a dividing head in the gravity field."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from tumble.calibrations.core.joining import joined
 from tumble.calibrations.core.known_tables import misspelt
 from tumble.calibrations.core.parameter import Parameter
-from tumble.calibrations.core.view import Section
+from tumble.calibrations.core.view import Quantity, Section
 from tumble.calibrations.methods.dividing_head.document import document
 from tumble.calibrations.methods.dividing_head.entry import VERSION, entry
 from tumble.calibrations.methods.dividing_head.loop.loop import Loop, close_loop
 from tumble.calibrations.methods.dividing_head.loop.sections import sections
 from tumble.calibrations.methods.dividing_head.observations import Observations
+from tumble.calibrations.methods.dividing_head.quantities import QUANTITIES
 from tumble.calibrations.methods.dividing_head.table import read_table
 from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.tracing.sentences import set_aside_section
@@ -60,6 +61,7 @@ class DividingHead:
     title: str = Message("An accelerometer on a dividing head")
     columns: str = Message("an accelerometer on a head (angle_deg, voltage_V)")
     headline: str = "kx"
+    quantities: Mapping[str, Quantity] = field(default_factory=lambda: QUANTITIES)
 
     def reads(self, header: Sequence[str], numbers: Sequence[str] | None) -> bool:  # noqa: ARG002  # by names alone
         """Whether a table holds angles of a head and the output of a unit."""

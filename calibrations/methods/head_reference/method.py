@@ -1,14 +1,14 @@
 """The method `head_reference`: a dividing head measured against a reference."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 from tumble.calibrations.core.known_tables import misspelt
 from tumble.calibrations.core.parameter import Parameter
-from tumble.calibrations.core.view import Section
+from tumble.calibrations.core.view import Quantity, Section
 from tumble.calibrations.methods.head_reference.changes import Comparison, compare
 from tumble.calibrations.methods.head_reference.comparison_document import comparison_json
 from tumble.calibrations.methods.head_reference.document import document
@@ -21,6 +21,7 @@ from tumble.calibrations.tracing.sentences import set_aside_section
 from tumble.messages import Message
 
 _MOST_COMPARED = 2
+_QUANTITIES = {"offset": Quantity(symbol="o", words=Message("offset of the reference against the head"))}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -77,6 +78,7 @@ class HeadReference:
     title: str = Message("A dividing head measured against a reference")
     columns: str = Message("a head against a reference (angle_deg, reference_deg)")
     headline: str = ""
+    quantities: Mapping[str, Quantity] = field(default_factory=lambda: _QUANTITIES)
 
     def reads(self, header: Sequence[str], numbers: Sequence[str] | None) -> bool:  # noqa: ARG002  # by names alone
         """Whether a table holds angles of a head and of a reference, and no output of a unit."""

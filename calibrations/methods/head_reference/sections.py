@@ -1,16 +1,13 @@
 """What is shown of a head that is measured against a reference."""
 
 from collections.abc import Iterator, Sequence
-from typing import Literal
 
-from markupsafe import Markup
-
-from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.parameter import ModelFit
 from tumble.calibrations.core.quantities import format_concise, format_number
 from tumble.calibrations.core.sentences import series
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.head_reference.changes import Comparison
+from tumble.calibrations.methods.head_reference.figures import before_and_after, residual_figure
 from tumble.calibrations.methods.head_reference.head_map import head_map
 from tumble.calibrations.methods.head_reference.loop import ReferenceLoop
 from tumble.calibrations.methods.head_reference.sentences import (
@@ -24,7 +21,7 @@ from tumble.calibrations.methods.head_reference.sentences import (
     sentences,
     setting_rows,
 )
-from tumble.calibrations.stand_records.head_map import HeadMap
+from tumble.calibrations.report.maps import head_map_figure
 from tumble.calibrations.tracing.experiments import Experiment
 from tumble.calibrations.tracing.sentences import Finding, findings, unexplained_sentence
 from tumble.messages import Message
@@ -60,7 +57,7 @@ def sections(loop: ReferenceLoop) -> Iterator[Section]:
     if not loop.not_traced and (found := head_map(loop)):
         yield Section(
             title=Message("Head map"),
-            figure=lambda: _head_map_figure(found),
+            figure=lambda: head_map_figure(found),
             caption=Message(
                 "True minus reported angle by the harmonics and the backlash that were found, with two standard "
                 "uncertainties. Latency and what adds up from turn to turn are no part of it."
@@ -94,15 +91,18 @@ def difference(comparison: Comparison, first: str, second: str) -> Iterator[Sect
 def _before_and_after(loop: ReferenceLoop) -> Iterator[Section]:
     yield Section(
         title=Message("What a constant offset leaves"),
-        figure=lambda: residual_figure(loop, loop.explanation.before_deg, "before"),
+        figure=lambda: residual_figure(loop, loop.explanation.before_deg),
         caption=Message(
             "Reference minus head, mean taken off, against the angle of the head; each way in its own colour."
         ),
     )
     yield Section(
         title=Message("Before and after"),
-        figure=lambda: residual_figure(loop, loop.explanation.residual_deg, "after"),
-        caption=Message("What is left once everything that was found is taken off."),
+        figure=lambda: before_and_after(loop),
+        caption=Message(
+            "Reference minus head against the angle of the head: what a constant offset leaves, and what is left once "
+            "everything that was found is taken off."
+        ),
         headings=("", Message("Constant offset"), Message("With what was found")),
         rows=list(_comparison(loop)),
         brief=True,
@@ -153,16 +153,3 @@ def _offset(model: ModelFit) -> str:
 
 def _deg(value: float | None) -> str:
     return Message("none") if value is None else format_number(value, "deg")
-
-
-def residual_figure(loop: ReferenceLoop, residual_deg: FloatArray, name: Literal["before", "after"]) -> Markup:
-    """A residual, shape (dwells,), against the angle of the head, each way and rests apart."""
-    from tumble.calibrations.methods.head_reference import figures  # matplotlib takes half a second
-
-    return figures.residual_figure(loop, residual_deg, name)
-
-
-def _head_map_figure(found: HeadMap) -> Markup:
-    from tumble.calibrations.report.maps import head_map_figure  # matplotlib takes half a second
-
-    return head_map_figure(found)

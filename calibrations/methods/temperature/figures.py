@@ -1,32 +1,38 @@
 """Figures of parameters against temperature."""
 
 import numpy as np
-from markupsafe import Markup
-from matplotlib.figure import Figure
 
-from tumble.calibrations.methods.temperature.loop import TemperatureLoop
-from tumble.calibrations.report.drawing import COLOURS, INK, MARKERS, WIDE_IN, styled, to_svg
+from tumble.calibrations.methods.temperature.loop import ParameterLoop, TemperatureLoop
+from tumble.calibrations.report.figure import COLOURS, INK, SHAPES, Axis, Figure, Layer, Line, Marks, Panel, Span
 from tumble.messages import Message
 
 _COLUMNS = 3
 
 
-@styled
-def left_figure(loop: TemperatureLoop) -> Markup:
+def left_figure(loop: TemperatureLoop) -> Figure:
     """A small panel for each parameter."""
-    rows = -(-len(loop.parameters) // _COLUMNS)
-    figure = Figure(figsize=(WIDE_IN, 1.7 * rows), layout="constrained")
-    panels = figure.subplots(rows, _COLUMNS, squeeze=False, sharex=True).flat
+    count = len(loop.parameters)
+    label = f"{loop.runs.temperature_name.removesuffix('_degC')} (°C)"
+    return Figure(
+        name="left",
+        description=Message("What is left of each parameter against temperature"),
+        panels=tuple(
+            _panel(loop, parameter, label if count - number <= _COLUMNS else "")
+            for number, parameter in enumerate(loop.parameters)
+        ),
+        columns=min(_COLUMNS, count),
+        height=150.0,
+    )
+
+
+def _panel(loop: TemperatureLoop, parameter: ParameterLoop, label: str) -> Panel:
     temperature_degc = loop.runs.temperature_degc
-    for panel, parameter in zip(panels, loop.parameters, strict=False):
-        values = loop.runs.parameters[parameter.name]
-        cubic = np.polynomial.Polynomial.fit(temperature_degc, values, parameter.polynomials[-1].power)
-        panel.axhline(0.0, color=INK, linewidth=0.6)
-        for number, left in enumerate((values - cubic(temperature_degc), parameter.residual)):
-            marker = MARKERS[2 * number]
-            panel.plot(temperature_degc, left, marker=marker, markersize=3, linewidth=0.7, color=COLOURS[number])
-        panel.set_title(parameter.name, fontsize=8)
-    for panel in list(panels)[len(loop.parameters) :]:
-        panel.set_visible(False)
-    figure.supxlabel(f"{loop.runs.temperature_name.removesuffix('_degC')} (°C)", fontsize=8)
-    return to_svg(figure, "left", Message("What is left of each parameter against temperature"))
+    values = loop.runs.parameters[parameter.name]
+    cubic = np.polynomial.Polynomial.fit(temperature_degc, values, parameter.polynomials[-1].power)
+    layers: list[Layer] = [Span(low=0.0, high=0.0, colour=INK, opacity=1.0)]
+    for number, left in enumerate((values - cubic(temperature_degc), parameter.residual)):
+        layers += [
+            Line(x=temperature_degc, y=left, colour=COLOURS[number], width=0.7),
+            Marks(x=temperature_degc, y=left, colour=COLOURS[number], shape=SHAPES[2 * number]),
+        ]
+    return Panel(layers=tuple(layers), title=parameter.name, x=Axis(label=label))

@@ -2,10 +2,9 @@
 
 from collections.abc import Iterator, Sequence
 
-from markupsafe import Markup
-
 from tumble.calibrations.core.quantities import format_number
 from tumble.calibrations.core.view import Section
+from tumble.calibrations.methods.temperature.figures import left_figure
 from tumble.calibrations.methods.temperature.loop import ParameterLoop, TemperatureLoop
 from tumble.calibrations.methods.temperature.shared import shared_sentence
 from tumble.calibrations.tracing.sentences import findings, nothing_looked_for
@@ -72,10 +71,3 @@ def _found(parameter: ParameterLoop) -> Iterator[Sequence[str]]:
     for each in findings(parameter.effects):
         also_possible = each.also_possible or Message("distinguished")
         yield parameter.name, each.name, also_possible, each.coefficients, each.p_value
-
-
-def left_figure(loop: TemperatureLoop) -> Markup:
-    """What is left of each parameter, a small panel for each."""
-    from tumble.calibrations.methods.temperature import figures  # matplotlib takes half a second
-
-    return figures.left_figure(loop)

@@ -3,91 +3,72 @@
 from typing import Final
 
 import numpy as np
-from markupsafe import Markup
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.triad.loop import TriadLoop
 from tumble.calibrations.methods.triad.mismatch import dwell_mismatch, position_mismatch
 from tumble.calibrations.methods.triad.model import NAMES
-from tumble.calibrations.report.drawing import COLOURS, INK, MARKERS, WIDE_IN, sheet, styled, to_svg
+from tumble.calibrations.report.correlation import correlation_picture
+from tumble.calibrations.report.figure import COLOURS, INK, SHAPES, Axis, Figure, Marks, Panel, Shades, Span
 from tumble.messages import Message
 
-_DIVERGING: Final = "RdBu_r"
-_EIGHTHS: Final = np.arange(-180, 181, 90)
+_QUARTERS: Final = tuple(np.arange(-180.0, 181.0, 90.0).tolist())
+_TURN: Final = (-200.0, 200.0)
+_MISMATCH: Final = "|a| - 1 (″)"
 
 
-@styled
-def mismatch_figure(loop: TriadLoop) -> Markup:
+def mismatch_figure(loop: TriadLoop) -> Figure:
     """|a| - 1 of each dwell in the order of the positions, before and after."""
-    figure = Figure(figsize=(WIDE_IN, 2.2), layout="constrained")
-    axes = figure.subplots()
     order = np.argsort(loop.observations.positions, kind="stable")
-    axes.axhline(0.0, color=INK, linewidth=0.6)
-    for number, mismatch in enumerate(dwell_mismatch(loop)):
-        axes.plot(
-            np.arange(len(order)),
-            mismatch[order],
-            MARKERS[2 * number],
-            markersize=3,
-            linestyle="none",
-            color=COLOURS[number],
-        )
-    axes.set_xlabel(Message("dwell, by position"))
-    axes.set_ylabel("|a| - 1 (″)")
-    return to_svg(figure, "mismatch", Message("Mismatch of each dwell before and after"))
+    marks = tuple(
+        Marks(x=np.arange(len(order), dtype=float), y=mismatch[order], colour=COLOURS[number], shape=SHAPES[2 * number])
+        for number, mismatch in enumerate(dwell_mismatch(loop))
+    )
+    panel = Panel(
+        layers=(Span(low=0.0, high=0.0, colour=INK, opacity=1.0), *marks),
+        x=Axis(label=Message("dwell, by position"), whole=True),
+        y=Axis(label=_MISMATCH),
+    )
+    return Figure(
+        name="mismatch", description=Message("Mismatch of each dwell before and after"), panels=(panel,), height=180.0
+    )
 
 
-@styled
-def mismatch_map(loop: TriadLoop) -> Markup:
+def mismatch_map(loop: TriadLoop) -> Figure:
     """Where both axes stood, each position in the colour of its mean mismatch, before and after in one scale."""
     found = position_mismatch(loop)
-    figure, panels = sheet(WIDE_IN, 3.4, columns=2)
     most = max(float(np.abs(each).max()) for each in (found.before_arcsec, found.after_arcsec)) or 1.0
-    for panel, title, mismatch in (
-        (panels[0], Message("declared model"), found.before_arcsec),
-        (panels[1], Message("with what was found"), found.after_arcsec),
-    ):
-        drawn = panel.scatter(
-            _within_turn(found.inner_deg),
-            _within_turn(found.outer_deg),
-            c=mismatch,
-            s=90,
-            cmap=_DIVERGING,
-            vmin=-most,
-            vmax=most,
-            edgecolors=INK,
-            linewidths=0.5,
+    inner, outer = _within_turn(found.inner_deg), _within_turn(found.outer_deg)
+    titled = {
+        Message("declared model"): found.before_arcsec,
+        Message("with what was found"): found.after_arcsec,
+    }
+    panels = tuple(
+        Panel(
+            layers=(Shades(x=inner, y=outer, values=mismatch, most=most),),
+            title=title,
+            x=Axis(label=Message("inner angle (°)"), ticks=_QUARTERS, ends=_TURN),
+            y=Axis(label=Message("outer angle (°)"), ticks=_QUARTERS, ends=_TURN),
         )
-        panel.set_title(title)
-        panel.set_xlabel(Message("inner angle (°)"))
-        panel.set_xticks(_EIGHTHS)
-    panels[0].set_yticks(_EIGHTHS)
-    panels[0].set_ylabel(Message("outer angle (°)"))
-    figure.colorbar(drawn, ax=panels, label="|a| - 1 (″)")
-    return to_svg(figure, "mismatch-map", Message("Mismatch over the angles of both axes before and after"))
+        for title, mismatch in titled.items()
+    )
+    return Figure(
+        name="mismatch-map",
+        description=Message("Mismatch over the angles of both axes before and after"),
+        panels=panels,
+        columns=2,
+        height=270.0,
+        scale=(_MISMATCH, most),
+    )
 
 
-@styled
-def correlation_figure(loop: TriadLoop) -> Markup:
+def correlation_figure(loop: TriadLoop) -> Figure:
     """Correlation of the parameters that the positions tell, with what was found in the model."""
     fit = loop.best
     told = np.flatnonzero(fit.identified)
     covariance = fit.parameter_covariance[np.ix_(told, told)]
     deviation = np.sqrt(np.diag(covariance))
-    figure = Figure(figsize=(WIDE_IN * 0.62, WIDE_IN * 0.5), layout="constrained")
-    axes = figure.subplots()
-    image = axes.imshow(covariance / np.outer(deviation, deviation), cmap=_DIVERGING, vmin=-1.0, vmax=1.0)
-    _name(axes, [NAMES[index] for index in told])
-    figure.colorbar(image, ax=axes, label=Message("correlation coefficient"))
-    return to_svg(figure, "correlation", Message("Correlation of the parameters"))
-
-
-def _name(axes: Axes, names: list[str]) -> None:
-    axes.set_xticks(range(len(names)), names, rotation=60, ha="right")
-    axes.set_yticks(range(len(names)), names)
-    axes.grid(visible=False)
+    return correlation_picture([NAMES[index] for index in told], covariance / np.outer(deviation, deviation))
 
 
 def _within_turn(angle_deg: FloatArray) -> FloatArray:

@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +11,7 @@ from tumble.calibrations.core.joining import joined
 from tumble.calibrations.core.known_tables import misspelt
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.sentences import series
-from tumble.calibrations.core.view import Section
+from tumble.calibrations.core.view import Quantity, Section
 from tumble.calibrations.methods.triad.at_the_stand import loop_at
 from tumble.calibrations.methods.triad.budget import TwoAxisUncertainty
 from tumble.calibrations.methods.triad.document import document
@@ -20,6 +20,7 @@ from tumble.calibrations.methods.triad.hand.log import output_names, read_log
 from tumble.calibrations.methods.triad.hand.result import HandResult, calibrated_by_hand
 from tumble.calibrations.methods.triad.loop import TriadLoop, asked_next, close_triad_loop
 from tumble.calibrations.methods.triad.observations import TriadObservations, read_triad_table
+from tumble.calibrations.methods.triad.quantities import QUANTITIES
 from tumble.calibrations.methods.triad.sections import sections
 from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.tracing.sentences import set_aside_section
@@ -71,6 +72,7 @@ class TriadMethod:
         "a triad on a two-axis stand (outer_deg, inner_deg, u_x_V, u_y_V, u_z_V), or its log by hand (u_x_…)"
     )
     headline: str = ""
+    quantities: Mapping[str, Quantity] = field(default_factory=lambda: QUANTITIES)
 
     def reads(self, header: Sequence[str], numbers: Sequence[str] | None) -> bool:  # noqa: ARG002  # by names alone
         """Whether a table holds three outputs, and both angles or none."""

@@ -2,10 +2,9 @@
 
 from collections.abc import Iterator, Sequence
 
-from markupsafe import Markup
-
 from tumble.calibrations.core.quantities import fixed
 from tumble.calibrations.core.view import Section
+from tumble.calibrations.methods.triad.figures import correlation_figure, mismatch_figure, mismatch_map
 from tumble.calibrations.methods.triad.loop import TriadLoop
 from tumble.calibrations.methods.triad.mismatch import PositionMismatch, position_mismatch
 from tumble.calibrations.methods.triad.pose_picture import MOST, pose_pictures
@@ -17,7 +16,7 @@ def picture_sections(loop: TriadLoop) -> Iterator[Section]:
     found = position_mismatch(loop)
     yield Section(
         title=Message("Mismatch over the poses"),
-        figure=lambda: _map(loop),
+        figure=lambda: mismatch_map(loop),
         caption=Message(
             "|a| - 1 of each position, mean of its dwells, by the vector fit; a turn of the unit against the stand "
             "does not show in it."
@@ -25,7 +24,7 @@ def picture_sections(loop: TriadLoop) -> Iterator[Section]:
     )
     yield Section(
         title=Message("Mismatch by position"),
-        figure=lambda: _by_dwell(loop),
+        figure=lambda: mismatch_figure(loop),
         caption=Message("|a| - 1 of each dwell, before (circles) and with what was found (triangles)."),
         headings=(
             "",
@@ -39,7 +38,7 @@ def picture_sections(loop: TriadLoop) -> Iterator[Section]:
     )
     yield Section(
         title=Message("Correlation"),
-        figure=lambda: _correlation(loop),
+        figure=lambda: correlation_figure(loop),
         caption=Message("Of the parameters that these positions tell, with what was found."),
     )
     yield position_section(list(zip(found.outer_deg.tolist(), found.inner_deg.tolist(), strict=True)))
@@ -66,21 +65,3 @@ def _rows(found: PositionMismatch) -> list[tuple[str, ...]]:
             zip(*(column.tolist() for column in columns), strict=True), start=1
         )
     ]
-
-
-def _map(loop: TriadLoop) -> Markup:
-    from tumble.calibrations.methods.triad import figures  # matplotlib takes half a second
-
-    return figures.mismatch_map(loop)
-
-
-def _by_dwell(loop: TriadLoop) -> Markup:
-    from tumble.calibrations.methods.triad import figures
-
-    return figures.mismatch_figure(loop)
-
-
-def _correlation(loop: TriadLoop) -> Markup:
-    from tumble.calibrations.methods.triad import figures
-
-    return figures.correlation_figure(loop)

@@ -41,4 +41,4 @@ def present(concluded: Concluded) -> TriadPresentation:
 
 def _drawn(section: Section) -> Drawn:
     assert section.figure is not None, "it has one"
-    return Drawn(title=section.title, svg=section.figure(), caption=section.caption)
+    return Drawn(title=section.title, svg=section.figure().__html__(), caption=section.caption)

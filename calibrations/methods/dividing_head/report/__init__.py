@@ -1,5 +1,5 @@
-"""The report: a calibration as one self-contained HTML page that prints on A4."""
+"""The report on an accelerometer: what it says, for page and paper."""
 
-from tumble.calibrations.methods.dividing_head.report.page import render_report
+from tumble.calibrations.methods.dividing_head.report.page import calibration_report
 
-__all__ = ["render_report"]
+__all__ = ["calibration_report"]

@@ -1,73 +1,140 @@
 """The middle of the report: significance and identifiability, fit, residuals, flips, noise and rows."""
 
-from typing import Any
+from collections.abc import Iterator
+from typing import Final
 
 from tumble.calibrations.core.quantities import format_concise, format_number
 from tumble.calibrations.core.sentences import equals
+from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.dividing_head.joint import LACK_OF_FIT_P
 from tumble.calibrations.methods.dividing_head.report.figures import closure_figure, fit_figure, model_curve
-from tumble.calibrations.methods.dividing_head.report.residuals import angle_figure, covariate_figures, normal_figure
+from tumble.calibrations.methods.dividing_head.report.residuals import angle_figure, covariate_figure
 from tumble.calibrations.methods.dividing_head.report.subject import Subject, mounts_of
 from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.calibrations.methods.dividing_head.significance import closure_sentence, statements
+from tumble.calibrations.report.document import Picture
 from tumble.messages import Message
 
 LISTED_ROWS = 50
 """Of the rows set aside so many are listed, the rest counted."""
 
 
-def significance(subject: Subject) -> dict[str, Any]:
+def significance_sections(subject: Subject) -> Iterator[Section]:
     """The statements, each with the names it is about."""
-    return {"statements": statements(subject.use.calibration)}
+    yield Section(title="", lines=[statement.text for statement in statements(subject.use.calibration)])
 
 
-def fit(subject: Subject) -> dict[str, Any]:
-    """Output against angle; whether the model's curve could be drawn."""
-    calibration = subject.calibration
-    mounts = mounts_of(calibration.observations)
-    return {"figure": fit_figure(calibration), "drawn": model_curve(calibration, mounts[0]) is not None}
+def fit_picture(calibration: Calibration) -> Picture:
+    """Output against angle, with the curve of the model where it could be drawn."""
+    drawn = model_curve(calibration, mounts_of(calibration.observations)[0]) is not None
+    return Picture(figure=fit_figure(calibration), caption=_DRAWN if drawn else _NOT_DRAWN)
 
 
-def residuals(subject: Subject) -> dict[str, Any]:
+_DRAWN: Final = Message("Every dwell that was used, with the declared model at the fitted parameters (line).")
+_NOT_DRAWN: Final = Message(
+    "Every dwell that was used, with no curve: the data fixes combinations of the parameters that no single parameter "
+    "states."
+)
+
+
+def residual_sections(subject: Subject) -> Iterator[Section]:
     """Residual plots; what the band is and whether rows are weighted."""
     calibration = subject.calibration
+    yield Section(
+        title="",
+        lines=[Message.joined(" ", [_measured_minus_fitted(calibration), _band(calibration), _GREY])],
+        figure=lambda: angle_figure(calibration),
+        caption=Message("Against the head angle within one turn. Each coloured mark is the mean of one repeated pose."),
+    )
+    yield Section(
+        title="",
+        figure=lambda: covariate_figure(calibration),
+        caption=Message("The last: normal probability plot; the line is normal scatter of the same size."),
+    )
+
+
+def _measured_minus_fitted(calibration: Calibration) -> Message:
+    if calibration.weights.max() > calibration.weights.min():
+        return Message("Measured minus fitted, times the root of the weight of the row.")
+    return Message("Measured minus fitted.")
+
+
+def _band(calibration: Calibration) -> Message:
     noise = calibration.noise
-    return {
-        "angle": angle_figure(calibration),
-        "covariates": list(covariate_figures(calibration).values()),
-        "normal": normal_figure(calibration),
-        "band": format_number(noise.used_v if noise.pure_error_v is None else noise.pure_error_v, "V"),
-        "from_repeats": noise.pure_error_v is not None,
-        "weighted": bool(calibration.weights.max() > calibration.weights.min()),
-    }
+    if noise.pure_error_v is not None:
+        band = format_number(noise.pure_error_v, "V")
+        return Message("The band is ± {band}, the scatter of one dwell between repeats of its pose.", band=band)
+    band = format_number(noise.used_v, "V")
+    return Message("The band is ± {band}, the scatter about the fit; no pose was repeated.", band=band)
 
 
-def closure(subject: Subject) -> dict[str, Any]:
+_GREY: Final = Message(
+    "Grey: single dwells. Coloured: means of groups of rows, with twice their standard uncertainty from the band."
+)
+
+
+def closure_sections(subject: Subject) -> Iterator[Section]:
     """u0 of the flips; without flips there is no figure."""
     found = subject.calibration.closure
     if found is None:
-        return {"figure": None}
-    return {
-        "figure": closure_figure(found),
-        "sentence": closure_sentence(found),
-        "axes": [
+        yield Section(
+            title="",
+            lines=[
+                Message(
+                    "The table holds no complete 180° flip: a term such as k_xx, which sweeps alone cannot show, stays "
+                    "unseen."
+                )
+            ],
+        )
+        return
+    yield Section(
+        title="",
+        lines=[closure_sentence(found)],
+        figure=lambda: closure_figure(found),
+        caption=Message(
+            "u0 as each flip alone gives it, with one (thick) and two (thin) standard uncertainties of the scatter of "
+            "repeats."
+        ),
+        headings=(Message("Flip"), Message("u0 (standard uncertainty)"), Message("minus joint fit")),
+        rows=[
             (axis, format_concise(mean.u0_v, mean.standard_uncertainty_v, "V"),
              format_number(mean.u0_v - mean.expected_v, "V", 2))
             for axis, mean in found.axes.items()
         ],
-    }  # fmt: skip
+    )  # fmt: skip
 
 
-def quality(subject: Subject) -> dict[str, Any]:
+def quality_sections(subject: Subject) -> Iterator[Section]:
     """Noise, lack of fit and held-out error with an explanation each; the rows that were set aside."""
     observations = subject.calibration.observations
-    return {
-        "figures": _quality_figures(subject.calibration),
-        "read": observations.rows_read,
-        "used": len(observations),
-        "set_aside": observations.set_aside[:LISTED_ROWS],
-        "set_aside_count": len(observations.set_aside),
-    }
+    yield Section(
+        title="",
+        headings=(Message("Quantity"), Message("Size"), Message("What it says")),
+        rows=_quality_figures(subject.calibration),
+    )
+    set_aside = observations.set_aside
+    yield Section(
+        title="",
+        lines=[
+            Message(
+                "{read} rows read, {used} used, {set_aside} set aside.",
+                read=observations.rows_read,
+                used=len(observations),
+                set_aside=len(set_aside),
+            )
+        ],
+    )
+    if not set_aside:
+        return
+    listed = set_aside[:LISTED_ROWS]
+    title = Message("Rows set aside")
+    if len(set_aside) > len(listed):
+        title = Message("Rows set aside, the first {listed} of {count}", listed=len(listed), count=len(set_aside))
+    rows = [Message("row {row}: {reason}", row=entry.row, reason=entry.reason) for entry in listed]
+    yield Section(
+        title=title,
+        lines=[Message("Row 1 is the first data row."), Message("{rows}.", rows=Message.joined("; ", rows))],
+    )
 
 
 def _quality_figures(calibration: Calibration) -> list[tuple[str, str, str]]:

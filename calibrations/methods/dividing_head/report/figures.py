@@ -1,7 +1,8 @@
 """Plots of the fit itself and of the flips."""
 
+from collections.abc import Iterator
+
 import numpy as np
-from markupsafe import Markup
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.dividing_head.flips import FlipClosure
@@ -9,38 +10,63 @@ from tumble.calibrations.methods.dividing_head.model import PARAMETERS, basis, c
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.report.subject import mounts_of
 from tumble.calibrations.methods.dividing_head.result import Calibration
-from tumble.calibrations.report.drawing import COLOURS, HALF_IN, MICRO, PALE, WIDE_IN, cloud, sheet, styled, to_svg
+from tumble.calibrations.report.figure import (
+    COLOURS,
+    MICRO,
+    PALE,
+    SHAPES,
+    Axis,
+    Figure,
+    Layer,
+    Line,
+    Marks,
+    Panel,
+    on_one_scale,
+)
 from tumble.messages import Message, with_wording
 
+_IN_ROW = 3
+"""So many mounts stand beside each other; more in two rows."""
 
-@styled
-def fit_figure(calibration: Calibration) -> Markup:
+
+def fit_figure(calibration: Calibration) -> Figure:
     """Output against head angle, one panel a mount, with the model where its parameters draw it."""
-    observations = calibration.observations
-    mounts = mounts_of(observations)
-    columns = min(len(mounts), 2)
-    rows = -(-len(mounts) // columns)
-    figure, axes = sheet(WIDE_IN, 0.5 + 2.4 * rows, rows, columns)
-    for unused in axes[len(mounts) :]:
-        unused.remove()
-    for index, (panel, mount) in enumerate(zip(axes, mounts, strict=False)):
-        at = observations.mounts == mount
-        cloud(panel, observations.angle_deg[at], observations.output_v[at], index, strong=True)
-        curve = model_curve(calibration, mount)
-        if curve is not None:
-            panel.plot(*curve, color=PALE, linewidth=1.1, zorder=1.5)
-        panel.set_title(Message("{mount} ({dwells} dwells)", mount=with_wording(mount), dwells=np.count_nonzero(at)))
-        panel.set_xlabel(Message("head angle as reported (°)"))
-        panel.xaxis.set_tick_params(labelbottom=True)
-    for panel in axes[: len(mounts) : columns]:
-        panel.set_ylabel(Message("output (V)"))
-    return to_svg(
-        figure,
-        "fit",
-        Message(
+    mounts = mounts_of(calibration.observations)
+    columns = len(mounts) if len(mounts) <= _IN_ROW else -(-len(mounts) // 2)
+    panels = [_fitted(calibration, index, mount, index % columns == 0) for index, mount in enumerate(mounts)]
+    return Figure(
+        name="fit",
+        description=Message(
             "Output against head angle with the fitted model, for {mounts}",
             mounts=Message.joined(", ", map(with_wording, mounts)),
         ),
+        panels=on_one_scale(panels),
+        columns=columns,
+        height=190.0 if len(mounts) <= _IN_ROW else 150.0,
+    )
+
+
+def _fitted(calibration: Calibration, index: int, mount: str, first: bool) -> Panel:
+    observations = calibration.observations
+    at = observations.mounts == mount
+    layers: list[Layer] = []
+    curve = model_curve(calibration, mount)
+    if curve is not None:
+        layers.append(Line(x=curve[0], y=curve[1], colour=PALE))
+    layers.append(
+        Marks(
+            x=observations.angle_deg[at],
+            y=observations.output_v[at],
+            colour=COLOURS[index % len(COLOURS)],
+            shape=SHAPES[index % len(SHAPES)],
+            opacity=0.8,
+        )
+    )
+    return Panel(
+        layers=tuple(layers),
+        title=Message("{mount} ({dwells} dwells)", mount=with_wording(mount), dwells=np.count_nonzero(at)),
+        x=Axis(label=Message("head angle as reported (°)")),
+        y=Axis(label=Message("output (V)") if first else ""),
     )
 
 
@@ -61,22 +87,37 @@ def model_curve(calibration: Calibration, mount: str) -> tuple[FloatArray, Float
     return grid, np.asarray(basis(shown) @ coefficients(theta))
 
 
-@styled
-def closure_figure(closure: FlipClosure) -> Markup:
+def closure_figure(closure: FlipClosure) -> Figure:
     """u0 of every flip about their mean, with one and two standard uncertainties, and what the joint fit expects."""
     names = list(closure.axes)
-    means = [closure.axes[name] for name in names]
-    centre_v = float(np.mean([mean.u0_v for mean in means]))
-    figure, (panel,) = sheet(HALF_IN + 1.5, 0.75 + 0.42 * len(names))
-    for place, mean in enumerate(means):
-        offset, spread = (mean.u0_v - centre_v) * MICRO, mean.standard_uncertainty_v * MICRO
-        panel.errorbar(offset, place, xerr=2 * spread, color=COLOURS[0], linewidth=0.9)
-        panel.errorbar(offset, place, xerr=spread, color=COLOURS[0], linewidth=3.2)
-        panel.plot(offset, place, "o", color=COLOURS[0], markersize=6, label=Message("flip") if not place else None)
-        panel.plot((mean.expected_v - centre_v) * MICRO, place, "D", color=COLOURS[1], markersize=5,
-                   markerfacecolor="white", label=Message("joint fit") if not place else None)  # fmt: skip
-    panel.set_yticks(range(len(names)), [Message("{axis} flip", axis=name) for name in names])
-    panel.set_ylim(len(names) - 0.5, -0.5)
-    panel.set_xlabel(Message("u0 of the flip - mean of the flips (µV)"))
-    panel.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
-    return to_svg(figure, "closure", Message("u0 from each flip with its uncertainty, and what the joint fit expects"))
+    places = np.arange(float(len(names)))
+    panel = Panel(
+        layers=tuple(_flips(closure, places)),
+        x=Axis(label=Message("u0 of the flip - mean of the flips (µV)")),
+        y=Axis(
+            ticks=places.tolist(),
+            names=[Message("{axis} flip", axis=name) for name in names],
+            ends=(len(names) - 0.5, -0.5),
+        ),
+    )
+    return Figure(
+        name="closure",
+        description=Message("u0 from each flip with its uncertainty, and what the joint fit expects"),
+        panels=(panel,),
+        height=50.0 + 34.0 * len(names),
+        width=560.0,
+    )
+
+
+def _flips(closure: FlipClosure, places: FloatArray) -> Iterator[Layer]:
+    means = list(closure.axes.values())
+    u0_v = np.array([mean.u0_v for mean in means])
+    centre_v = float(u0_v.mean())
+    offset = (u0_v - centre_v) * MICRO
+    spread = np.array([mean.standard_uncertainty_v for mean in means]) * MICRO
+    expected = (np.array([mean.expected_v for mean in means]) - centre_v) * MICRO
+    yield Marks(x=offset, y=places, x_ends=(offset - 2 * spread, offset + 2 * spread), size=0.0, bar=0.9)
+    yield Marks(x=offset, y=places, x_ends=(offset - spread, offset + spread), size=6.0, bar=3.2, label=Message("flip"))
+    yield Marks(
+        x=expected, y=places, colour=COLOURS[1], shape="diamond", size=5.0, hollow=True, label=Message("joint fit")
+    )

@@ -1,58 +1,62 @@
-"""Puts the sections together into one page."""
+"""Puts the chapters together into one report."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from typing import Any
-
-from markupsafe import Markup
+from typing import Final
 
 from tumble.calibrations.core.provenance import LimitCheck, Provenance
+from tumble.calibrations.core.view import Chapter, Section
 from tumble.calibrations.methods.dividing_head.loop.loop import Loop
+from tumble.calibrations.methods.dividing_head.quantities import QUANTITIES
 from tumble.calibrations.methods.dividing_head.report import evidence, uncertainty
-from tumble.calibrations.methods.dividing_head.report.loop import closed_loop
-from tumble.calibrations.methods.dividing_head.report.origin import origin
-from tumble.calibrations.methods.dividing_head.report.results import header, results
-from tumble.calibrations.methods.dividing_head.report.stand import corrections_of_the_stand
+from tumble.calibrations.methods.dividing_head.report.loop import loop_sections
+from tumble.calibrations.methods.dividing_head.report.results import notices, result_sections
+from tumble.calibrations.methods.dividing_head.report.stand import stand_sections
 from tumble.calibrations.methods.dividing_head.report.subject import Subject
 from tumble.calibrations.methods.dividing_head.result import Calibration
-from tumble.calibrations.report.templates import templates
+from tumble.calibrations.report.document import Front, Report
+from tumble.calibrations.report.origin import origin
 from tumble.calibrations.tracing.chain import Chain
 from tumble.messages import Message
 
-_PACKAGE = "tumble.calibrations.methods.dividing_head"
-
 
 @dataclass(frozen=True, kw_only=True)
-class Section:
-    """One section of the page."""
+class Part:
+    """What a chapter is made of."""
 
     anchor: str
     title: str
-    content: Callable[[Subject], Mapping[str, Any]]
+    sections: Callable[[Subject], Iterable[Section]]
 
-    def render(self, subject: Subject) -> Markup:
-        """The section without its heading: the template `<anchor>.html.j2` with what `content` gives."""
-        return Markup(templates(_PACKAGE).get_template(f"{self.anchor}.html.j2").render(self.content(subject)))
+    def chapter(self, subject: Subject) -> Chapter:
+        """The chapter of one report."""
+        return Chapter(anchor=self.anchor, title=self.title, sections=tuple(self.sections(subject)))
 
 
-SECTIONS = (
-    Section(anchor="results", title=Message("Results"), content=results),
-    Section(anchor="significance", title=Message("Significance and identifiability"), content=evidence.significance),
-    Section(anchor="loop", title=Message("What the model left unexplained"), content=closed_loop),
-    Section(anchor="stand", title=Message("Corrections of the stand"), content=corrections_of_the_stand),
-    Section(anchor="fit", title=Message("Fit"), content=evidence.fit),
-    Section(anchor="residuals", title=Message("Residuals"), content=evidence.residuals),
-    Section(anchor="closure", title=Message("Closure of the flips"), content=evidence.closure),
-    Section(anchor="quality", title=Message("Noise, lack of fit and rows"), content=evidence.quality),
-    Section(anchor="budget", title=Message("Uncertainty budget"), content=uncertainty.budget),
-    Section(anchor="correlation", title=Message("Correlation"), content=uncertainty.correlation),
-    Section(anchor="published", title=Message("Comparison with the published method"), content=uncertainty.published),
-    Section(anchor="origin", title=Message("Provenance"), content=origin),
+PARTS: Final = (
+    Part(anchor="results", title=Message("Results"), sections=result_sections),
+    Part(
+        anchor="significance",
+        title=Message("Significance and identifiability"),
+        sections=evidence.significance_sections,
+    ),
+    Part(anchor="loop", title=Message("What the model left unexplained"), sections=loop_sections),
+    Part(anchor="stand", title=Message("Corrections of the stand"), sections=stand_sections),
+    Part(anchor="residuals", title=Message("Residuals"), sections=evidence.residual_sections),
+    Part(anchor="closure", title=Message("Closure of the flips"), sections=evidence.closure_sections),
+    Part(anchor="quality", title=Message("Noise, lack of fit and rows"), sections=evidence.quality_sections),
+    Part(anchor="budget", title=Message("Uncertainty budget"), sections=uncertainty.budget_sections),
+    Part(anchor="correlation", title=Message("Correlation"), sections=uncertainty.correlation_sections),
+    Part(
+        anchor="published",
+        title=Message("Comparison with the published method"),
+        sections=uncertainty.published_sections,
+    ),
 )
-"""The sections of the page in their order."""
+"""The chapters after the first page, in their order; provenance follows."""
 
 
-def render_report(
+def calibration_report(
     calibration: Calibration,
     provenance: Provenance,
     *,
@@ -62,10 +66,8 @@ def render_report(
     loop: Loop | None = None,
     chain: Chain[Loop] | None = None,
     contradictions: Sequence[str] = (),
-) -> str:
-    """One HTML page that needs nothing else: style and plots are inside, there is no script.
-
-    The same input gives the same text; within `written_in` it is in that language.
+) -> Report:
+    """What is reported of a calibration.
 
     Parameters
     ----------
@@ -90,11 +92,23 @@ def render_report(
         calibration=calibration,
         provenance=provenance,
         limits=tuple(limits),
-        record_id=record_id,
-        revision=revision,
         loop=loop,
         chain=chain,
         contradictions=tuple(contradictions),
     )
-    bodies = [(section, section.render(subject)) for section in SECTIONS]
-    return templates(_PACKAGE).get_template("page.html.j2").render(subject=subject, sections=bodies, **header(subject))
+    return Report(
+        kind=Message("Calibration of an accelerometer on a dividing head"),
+        title=provenance.serial_number,
+        front=Front(
+            provenance=provenance,
+            parameters=subject.use.calibration.parameters,
+            verdict=subject.verdict,
+            quantities=QUANTITIES,
+            limits=subject.limits,
+            record_id=record_id,
+            revision=revision,
+            picture=evidence.fit_picture(calibration),
+        ),
+        notices=notices(subject),
+        chapters=(*(part.chapter(subject) for part in PARTS), origin(provenance)),
+    )

@@ -1,9 +1,8 @@
 """Plots of the residuals: measured minus fitted, against everything that the table says of a row."""
 
+from collections.abc import Iterator
+
 import numpy as np
-from markupsafe import Markup
-from matplotlib.axes import Axes
-from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 from scipy.special import ndtri
 
@@ -11,86 +10,103 @@ from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.dividing_head.poses import pose_groups
 from tumble.calibrations.methods.dividing_head.report.subject import mounts_of
 from tumble.calibrations.methods.dividing_head.result import Calibration
-from tumble.calibrations.report.drawing import (
-    BAND,
+from tumble.calibrations.report.figure import (
     COLOURS,
-    CURVE,
-    HALF_IN,
     INK,
-    MARKERS,
     MICRO,
-    WIDE_IN,
-    cloud,
-    sheet,
-    styled,
-    to_svg,
+    PALE,
+    SHAPES,
+    Axis,
+    Figure,
+    Layer,
+    Line,
+    Marks,
+    Panel,
+    on_one_scale,
+    residual_line,
 )
 from tumble.messages import Message, with_wording
 
 BINS = 30
 """Groups of equally many rows whose means are shown against a quantity that never repeats."""
+_QUARTERS = tuple(range(0, 361, 45))
 
 
-@styled
-def angle_figure(calibration: Calibration) -> Markup:
+def angle_figure(calibration: Calibration) -> Figure:
     """Residual against head angle within one turn, one strip a mount, with the means of repeated poses."""
     observations = calibration.observations
     mounts = mounts_of(observations)
-    figure, axes = sheet(WIDE_IN, 0.6 + min(1.6, 8.0 / len(mounts)) * len(mounts), len(mounts), 1)
     residual_uv, angles = weighted_uv(calibration), np.mod(observations.angle_deg, 360.0)
-    poses = pose_groups(observations)
-    for index, (panel, mount) in enumerate(zip(axes, mounts, strict=True)):
+    poses, scatter = pose_groups(observations), scatter_uv(calibration)
+    panels = []
+    for index, mount in enumerate(mounts):
         at = observations.mounts == mount
-        band(panel, scatter_uv(calibration))
-        mark_residuals(panel, angles[at], residual_uv[at], poses[at], scatter_uv(calibration), index)
-        panel.set_title(with_wording(mount))
-        panel.set_ylabel(Message("residual (µV)"))
-    axes[-1].set_xlabel(Message("head angle within the turn (°)"))
-    axes[-1].set_xticks(range(0, 361, 45))
-    return to_svg(figure, "by-angle", Message("Residual against head angle, by mount, with means of repeated poses"))
+        marks = residual_marks(angles[at], residual_uv[at], poses[at], scatter, index)
+        label = Message("head angle within the turn (°)") if index == len(mounts) - 1 else ""
+        panels.append(
+            Panel(
+                layers=(*residual_line(scatter), *marks),
+                title=with_wording(mount),
+                x=Axis(label=label, ticks=_QUARTERS),
+                y=Axis(label=Message("residual (µV)")),
+            )
+        )
+    return Figure(
+        name="by-angle",
+        description=Message("Residual against head angle, by mount, with means of repeated poses"),
+        panels=on_one_scale(panels),
+        height=min(140.0, 660.0 / len(mounts)),
+    )
 
 
-@styled
-def covariate_figures(calibration: Calibration) -> dict[str, Markup]:
-    """Residual against time, temperature and realisation, those that the table has, by name."""
+def covariate_figure(calibration: Calibration) -> Figure:
+    """Residual against time, temperature and realisation, those that the table has, and how normal it is."""
+    panels = [*_covariates(calibration), _normal(calibration)]
+    labels = Message.joined(", ", [panel.x.label for panel in panels])
+    return Figure(
+        name="by-covariate",
+        description=Message("Residual against {variable}", variable=labels),
+        panels=tuple(panels),
+        columns=min(len(panels), 2),
+        height=200.0,
+    )
+
+
+def _covariates(calibration: Calibration) -> Iterator[Panel]:
     observations = calibration.observations
-    columns: dict[str, tuple[FloatArray | NDArray[np.int64] | None, str]] = {
-        "time": (observations.time_s, Message("time (s)")),
-        "temperature": (observations.temperature_degc, Message("temperature (°C)")),
-        "realisation": (observations.realisation, Message("realisation")),
+    columns: dict[str, FloatArray | NDArray[np.int64] | None] = {
+        Message("time (s)"): observations.time_s,
+        Message("temperature (°C)"): observations.temperature_degc,
+        Message("realisation"): observations.realisation,
     }
-    return {
-        name: _covariate_figure(calibration, np.asarray(values, dtype=float), name, label)
-        for name, (values, label) in columns.items()
-        if values is not None and np.isfinite(values).all() and np.ptp(values) > 0
-    }
+    scatter = scatter_uv(calibration)
+    for label, column in columns.items():
+        if column is None:
+            continue
+        values = np.asarray(column, dtype=float)
+        if np.isfinite(values).all() and np.ptp(values) > 0:
+            marks = residual_marks(values, weighted_uv(calibration), groups_of(values), scatter, 0)
+            yield Panel(
+                layers=(*residual_line(scatter), *marks),
+                x=Axis(label=label, whole=column is observations.realisation),
+                y=Axis(label=Message("residual (µV)")),
+            )
 
 
-def _covariate_figure(calibration: Calibration, values: FloatArray, name: str, label: str) -> Markup:
-    figure, (panel,) = sheet(HALF_IN, 2.8)
-    groups = groups_of(values)
-    band(panel, scatter_uv(calibration))
-    mark_residuals(panel, values, weighted_uv(calibration), groups, scatter_uv(calibration), 0)
-    panel.set_xlabel(label)
-    panel.set_ylabel(Message("residual (µV)"))
-    if name == "realisation":
-        panel.xaxis.set_major_locator(MaxNLocator(integer=True))
-    return to_svg(figure, f"by-{name}", Message("Residual against {variable}", variable=label))
-
-
-@styled
-def normal_figure(calibration: Calibration) -> Markup:
+def _normal(calibration: Calibration) -> Panel:
     """Ordered residuals against normal quantiles (Blom's positions), with the line of normal scatter of their size."""
     residual_uv = np.sort(weighted_uv(calibration))
     count = len(residual_uv)
     quantiles = ndtri((np.arange(1, count + 1) - 0.375) / (count + 0.25))
-    figure, (panel,) = sheet(HALF_IN, 2.8)
     line = np.array([quantiles[0], quantiles[-1]])
-    panel.plot(line, line * np.std(residual_uv), color=CURVE, linewidth=0.9)
-    cloud(panel, quantiles, residual_uv, 0, strong=True)
-    panel.set_xlabel(Message("normal quantile"))
-    panel.set_ylabel(Message("residual (µV)"))
-    return to_svg(figure, "normal", Message("Normal probability plot of the residuals"))
+    return Panel(
+        layers=(
+            Line(x=line, y=line * np.std(residual_uv), colour=INK, width=0.9),
+            Marks(x=quantiles, y=residual_uv, opacity=0.8),
+        ),
+        x=Axis(label=Message("normal quantile")),
+        y=Axis(label=Message("residual (µV)")),
+    )
 
 
 def weighted_uv(calibration: Calibration) -> FloatArray:
@@ -112,27 +128,22 @@ def groups_of(values: FloatArray, bins: int = BINS) -> NDArray[np.int64]:
     return np.asarray(groups, dtype=np.int64)
 
 
-def band(panel: Axes, scatter: float) -> None:
-    """The line of zero with the scatter of a row on both sides."""
-    panel.axhspan(-scatter, scatter, color=BAND, alpha=0.18, linewidth=0)
-    panel.axhline(0.0, color=INK, linewidth=0.7)
-
-
-def mark_residuals(
-    panel: Axes, values: FloatArray, residuals: FloatArray, groups: NDArray[np.int64], scatter: float, colour: int
-) -> None:
-    """Mark the rows, and the means of groups with twice their standard uncertainty."""
-    cloud(panel, values, residuals, colour, strong=False)
+def residual_marks(
+    values: FloatArray, residuals: FloatArray, groups: NDArray[np.int64], scatter: float, number: int, label: str = ""
+) -> Iterator[Layer]:
+    """The rows, pale, and the means of groups with twice their standard uncertainty, in colour and shape `number`."""
+    yield Marks(x=values, y=residuals, colour=PALE, shape="dot", size=1.7, opacity=0.6)
     _, group = np.unique(groups, return_inverse=True)
     count = np.bincount(group)
-    if count.max() < 2:
+    if count.max() < 2 and not label:
         return
-    panel.errorbar(
-        np.bincount(group, values) / count,
-        np.bincount(group, residuals) / count,
-        yerr=2 * scatter / np.sqrt(count),
-        fmt=MARKERS[colour % len(MARKERS)],
-        color=COLOURS[colour % len(COLOURS)],
-        markersize=3,
-        linewidth=0.7,
+    mean, reach = np.bincount(group, residuals) / count, 2 * scatter / np.sqrt(count)
+    yield Marks(
+        x=np.bincount(group, values) / count,
+        y=mean,
+        y_ends=(mean - reach, mean + reach),
+        colour=COLOURS[number % len(COLOURS)],
+        shape=SHAPES[number % len(SHAPES)],
+        bar=0.7,
+        label=label,
     )

@@ -1,9 +1,9 @@
-"""The front of the report: verdict, what the reader must know first, and the table of results."""
+"""What the reader must know first, and the table of results."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Final
 
-from tumble.calibrations.core.coverage import coverage_factor
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.provenance import LimitCheck
 from tumble.calibrations.core.quantities import (
@@ -12,14 +12,16 @@ from tumble.calibrations.core.quantities import (
     format_interval,
     format_limits,
     format_number,
-    format_quantity,
-    rounded,
 )
 from tumble.calibrations.core.sentences import equals, series
-from tumble.calibrations.core.verdict import Judgement, Model, Outcome, Verdict
+from tumble.calibrations.core.verdict import Judgement, Model, Outcome
+from tumble.calibrations.core.view import Section
+from tumble.calibrations.methods.dividing_head.analysis import lack_of_fit_warning
 from tumble.calibrations.methods.dividing_head.joint import LACK_OF_FIT_P
 from tumble.calibrations.methods.dividing_head.loop.sentences import found_sentences
 from tumble.calibrations.methods.dividing_head.report.subject import Subject
+from tumble.calibrations.report.values import coverage, expanded
+from tumble.calibrations.report.verdicts import decided
 from tumble.messages import Message
 
 
@@ -44,49 +46,14 @@ class ResultRow:
     outcome: Outcome = Outcome.NO_LIMITS
 
 
-def header(subject: Subject) -> dict[str, Any]:
-    """Verdict and notices, for the head of the page."""
-    verdict = subject.verdict
-    return {
-        "verdict": headline(verdict),
-        "mark": _MARKS.get(verdict.outcome, ""),
-        "outcome": str(verdict.outcome),
-        "judged": _JUDGED[verdict.judged],
-        "decided": [judgement.sentence for judgement in verdict.parameters],
-        "notices": notices(subject),
-    }
-
-
-_JUDGED = {
-    Model.DECLARED: Message("Judged: the declared model, by simple acceptance."),
-    Model.AUGMENTED: Message("Judged: the augmented model, by simple acceptance."),
-}
-_MARKS = {Outcome.PASS: "✓", Outcome.FAIL: "✗", Outcome.NOT_DECIDED: "?"}
-
-
-def headline(verdict: Verdict) -> str:
-    """What is decided, in a few words; empty where there are no limits."""
-    outside, undecided = verdict.named(Outcome.FAIL), verdict.named(Outcome.NOT_DECIDED)
-    if verdict.outcome is Outcome.PASS:
-        return Message("Inside the limits")
-    if outside and undecided:
-        return Message(
-            "Outside the limits: {outside}; not decided: {undecided}",
-            outside=series(outside),
-            undecided=series(undecided),
-        )
-    if outside:
-        return Message("Outside the limits: {outside}", outside=series(outside))
-    return Message("Not decided: {undecided}", undecided=series(undecided)) if undecided else ""
-
-
 def notices(subject: Subject) -> list[str]:
     """What the reader must know before the numbers, one sentence each."""
     calibration = subject.calibration
     found: list[str] = []
     if not calibration.observations.complete:
         found.append(Message("The recording is incomplete: the result rests on the rows before it was cut off."))
-    found.extend(dict.fromkeys(calibration.warnings))
+    said_below = lack_of_fit_warning(calibration.observations.source, calibration.lack_of_fit_p)
+    found.extend(each for each in dict.fromkeys(calibration.warnings) if each != said_below)
     lacking = [name for name, parameter in subject.use.calibration.parameters.items() if parameter.value is None]
     if lacking:
         found.append(
@@ -128,11 +95,68 @@ def results(subject: Subject) -> dict[str, Any]:
     }
 
 
+def result_sections(subject: Subject) -> Iterator[Section]:
+    """The values with their intervals and degrees of freedom, and why a parameter has none."""
+    found = results(subject)
+    rows: list[ResultRow] = found["rows"]
+    limited = (Message("Limits"), Message("Verdict")) if found["has_limits"] else ()
+    yield Section(
+        title="",
+        lines=[
+            *([_AUGMENTED] if found["augmented"] else []),
+            *map(_why_none, (row for row in rows if row.reason)),
+            *(each.sentence for each in subject.verdict.parameters if each.remedy),
+        ],
+        caption=Message(
+            "± is the expanded uncertainty for a coverage probability of 95%, k times the standard uncertainty u, or "
+            "for alpha0 the interval of its likelihood profile; ν are the effective degrees of freedom. g is local "
+            "gravity."
+        ),
+        headings=(
+            Message("Parameter"),
+            Message("Value ± U"),
+            Message("95% interval"),
+            "k",
+            "u",
+            "ν",
+            Message("Condition"),
+            *limited,
+        ),
+        rows=[(*_cells(row), *((row.limits, row.verdict) if limited else ())) for row in rows],
+    )
+    yield Section(
+        title="",
+        caption=Message(
+            "The same coefficients per m/s² with their standard uncertainty, that of local gravity included."
+        ),
+        headings=(Message("Parameter"), Message("Value (standard uncertainty)")),
+        rows=found["per_acceleration"],
+    )
+
+
+_AUGMENTED: Final = Message(
+    "These are the values with what was found taken into account. Those of the declared model alone, which does not "
+    "describe these data, stand under: What the model left unexplained."
+)
+
+
+def _why_none(row: ResultRow) -> Message:
+    reason = Message("{name} is not identifiable: {reason}.", name=row.name, reason=row.reason)
+    if not row.remedy:
+        return reason
+    return Message("{said} A sweep in {mounts} would settle it.", said=reason, mounts=row.remedy)
+
+
+def _cells(row: ResultRow) -> tuple[str, ...]:
+    value = Message("not identifiable") if row.reason else row.value
+    return row.name, value, row.interval, row.coverage, row.standard, row.freedom, row.note
+
+
 def _row(parameter: Parameter, check: LimitCheck | None, judgement: Judgement | None) -> ResultRow:
     cells: dict[str, Any] = {}
     if check and judgement:
         limits = format_limits(check.minimum, check.maximum, parameter.unit)
-        cells = {"limits": limits, "verdict": _decided(parameter, check, judgement), "outcome": judgement.outcome}
+        cells = {"limits": limits, "verdict": decided(parameter, check, judgement), "outcome": judgement.outcome}
     if parameter.value is None or parameter.interval_95 is None or parameter.standard_uncertainty is None:
         return ResultRow(
             name=parameter.name,
@@ -150,7 +174,7 @@ def _row(parameter: Parameter, check: LimitCheck | None, judgement: Judgement | 
         name=parameter.name,
         value=expanded(parameter.value, parameter.interval_95, parameter.unit),
         interval=format_interval(*parameter.interval_95, parameter.unit),
-        coverage=_coverage(parameter.degrees_of_freedom),
+        coverage=coverage(parameter),
         standard=_alone(parameter.standard_uncertainty, parameter.unit),
         freedom=freedom(parameter.degrees_of_freedom),
         note=_note(parameter),
@@ -158,23 +182,9 @@ def _row(parameter: Parameter, check: LimitCheck | None, judgement: Judgement | 
     )
 
 
-def expanded(value: float, interval: tuple[float, float], unit: str) -> str:
-    """Value and expanded uncertainty; with both sides where they differ in the digits shown."""
-    low, high = interval
-    text = rounded(value, (high - low) / 2, unit)
-    below, above = (rounded(value, side, unit) for side in (value - low, high - value))
-    if not text.uncertainty or below.uncertainty == above.uncertainty:
-        return format_quantity(value, (high - low) / 2, unit)
-    return f"{text.value} (+{above.uncertainty} / -{below.uncertainty}) {text.unit}"
-
-
 def freedom(degrees_of_freedom: float | None) -> str:
     """Degrees of freedom with the sign for no end, which paper has and a terminal may not."""
     return format_freedom(degrees_of_freedom).replace("inf", "∞")
-
-
-def _coverage(degrees_of_freedom: float | None) -> str:
-    return "" if degrees_of_freedom is None else f"{coverage_factor(degrees_of_freedom):.2f}"
 
 
 def _alone(uncertainty: float, unit: str) -> str:
@@ -185,15 +195,3 @@ def _note(parameter: Parameter) -> str:
     if parameter.given:
         return parameter.condition
     return Message("rests on {name}", name=parameter.rests_on) if parameter.rests_on else ""
-
-
-def _decided(parameter: Parameter, check: LimitCheck, judgement: Judgement) -> str:
-    """Inside or outside, and whether the 95% interval reaches over the limit; or that it is not decided."""
-    if judgement.outcome is Outcome.NOT_DECIDED or parameter.interval_95 is None:
-        return Message("not decided: no value") if parameter.value is None else Message("not decided")
-    low, high = parameter.interval_95
-    wholly = (check.minimum is None or low >= check.minimum) and (check.maximum is None or high <= check.maximum)
-    beyond = (check.minimum is not None and high < check.minimum) or (check.maximum is not None and low > check.maximum)
-    if judgement.outcome is Outcome.PASS:
-        return Message("inside") if wholly else Message("inside, but the interval reaches out")
-    return Message("outside") if beyond else Message("outside, but the interval reaches in")

@@ -1,29 +1,45 @@
 """The section on the stand record that was applied: what was corrected, how well it is known, what contradicts it."""
 
 from collections.abc import Iterator, Sequence
-from typing import Any, Final
+from typing import Final
 
 from tumble.calibrations.core.sentences import equals, series
+from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.dividing_head.report.subject import Subject
 from tumble.calibrations.report.maps import head_map_figure
 from tumble.calibrations.stand_records.record import StandRecord
 from tumble.messages import Message
 
 
-def corrections_of_the_stand(subject: Subject) -> dict[str, Any]:
+def stand_sections(subject: Subject) -> Iterator[Section]:
     """The record with its terms, each as the units say it, and the head map."""
     record = subject.calibration.stand_record
     if record is None:
-        return {"record": None}
-    head_map = record.corrections.head_map
-    return {
-        "record": record,
-        "applied": _applied(record),
-        "terms": [record.corrections.text(term) for term in record.corrections.terms],
-        "contradictions": subject.contradictions,
-        "validity": _validity(record),
-        "figure": head_map_figure(head_map) if head_map else None,
-    }
+        yield Section(title="", lines=[Message("No stand record was applied.")])
+        return
+    yield Section(
+        title="",
+        lines=[
+            Message("{applied} What it does not know is a line of the budget.", applied=_applied(record)),
+            *(Message("{contradiction}.", contradiction=each) for each in subject.contradictions),
+            *(record.corrections.text(term) for term in record.corrections.terms),
+            Message(
+                "Known for {validity}. Identifier {identifier}, SHA-256 {content_sha256}.",
+                validity=_validity(record),
+                identifier=record.id,
+                content_sha256=record.content_sha256,
+            ),
+        ],
+    )
+    if head_map := record.corrections.head_map:
+        yield Section(
+            title="",
+            figure=lambda: head_map_figure(head_map),
+            caption=Message(
+                "What the head map adds to the reported angle. The band is twice its standard uncertainty. A mean "
+                "error is no part of it: that is alpha0's."
+            ),
+        )
 
 
 def _applied(record: StandRecord) -> Message:

@@ -22,9 +22,6 @@ class Subject:
     """The fit of the declared model."""
     provenance: Provenance
     limits: tuple[LimitCheck, ...] = ()
-    record_id: str = ""
-    """Empty where the result is in no store."""
-    revision: int = 1
     loop: Loop | None = None
     """None where the loop was not closed."""
     chain: Chain[Loop] | None = None

@@ -1,12 +1,9 @@
 """Plots of what the residual was traced to: the residual against what explains it, before and after."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from markupsafe import Markup
-from matplotlib.axes import Axes
-from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from tumble.calibrations.core.arrays import FloatArray
@@ -16,16 +13,15 @@ from tumble.calibrations.methods.dividing_head.loop.loop import Loop
 from tumble.calibrations.methods.dividing_head.loop.table import scene_of
 from tumble.calibrations.methods.dividing_head.report.abscissa import BY_EFFECT, BY_VARIABLE, Abscissa, Column
 from tumble.calibrations.methods.dividing_head.report.residuals import (
-    band,
     groups_of,
-    mark_residuals,
+    residual_marks,
     scatter_uv,
     weighted_uv,
 )
 from tumble.calibrations.methods.dividing_head.result import Calibration
-from tumble.calibrations.report.drawing import COLOURS, HALF_IN, INK, sheet, styled, to_svg
+from tumble.calibrations.report.figure import Axis, Boxes, Figure, Layer, Panel, on_one_scale, residual_line
 from tumble.calibrations.tracing.findings import EffectFound
-from tumble.messages import Message
+from tumble.messages import Message, with_wording
 
 MOST_FIGURES = 4
 _ARCSEC_PER_DEG = 3600.0
@@ -63,26 +59,35 @@ def _abscissa(effect: EffectFound) -> Abscissa | None:
     return BY_EFFECT.get(effect.name) or by_variable.get(effect.name) or depends_on
 
 
-@styled
-def trace_figure(models: Mapping[str, Calibration], abscissa: Abscissa) -> Markup | None:
+def trace_figure(models: Mapping[str, Calibration], abscissa: Abscissa) -> Figure | None:
     """Residual of each model, by its title, side by side; None where the table does not say what explains it."""
-    figure, axes = sheet(max(len(models) * HALF_IN + 0.2, HALF_IN + 1.5), 2.9, 1, len(models))
-    for panel, (title, calibration) in zip(axes, models.items(), strict=True):
+    panels = []
+    for title, calibration in models.items():
         points = _points(calibration, abscissa)
         if points is None:
             return None
-        band(panel, points.scatter)
-        draw = _boxes if abscissa.levels else _marks
-        draw(panel, points, abscissa)
-        panel.set_title(title)
-        panel.set_xlabel(abscissa.label)
-    if axes[-1].get_legend_handles_labels()[0]:
-        axes[-1].legend(loc="upper right", ncols=2)
-    axes[0].set_ylabel(Message("residual as an angle (″)") if abscissa.as_angle else Message("residual (µV)"))
+        panels.append(_panel(points, abscissa, title))
     title = Message(
         "Residual against {variable}: {models}", variable=abscissa.label, models=Message.joined(", ", models)
     )
-    return to_svg(figure, f"trace-{abscissa.name}", title)
+    return Figure(
+        name=f"trace-{abscissa.name}",
+        description=title,
+        panels=on_one_scale(panels),
+        columns=len(panels),
+        height=220.0,
+    )
+
+
+def _panel(points: Points, abscissa: Abscissa, title: str) -> Panel:
+    ticks, names = _levels(points.x) if abscissa.levels else ((), ())
+    marks = _boxes(points) if abscissa.levels else _marks(points, abscissa)
+    return Panel(
+        layers=(*residual_line(points.scatter), *marks),
+        title=title,
+        x=Axis(label=abscissa.label, ticks=ticks, names=names),
+        y=Axis(label=Message("residual as an angle (″)") if abscissa.as_angle else Message("residual (µV)")),
+    )
 
 
 def _points(calibration: Calibration, abscissa: Abscissa) -> Points | None:
@@ -111,31 +116,23 @@ def _as_angle(points: Points, scene: Scene) -> Points | None:
     )
 
 
-def _marks(panel: Axes, points: Points, abscissa: Abscissa) -> None:
+def _marks(points: Points, abscissa: Abscissa) -> Iterator[Layer]:
     below = points.below
     if abscissa.sides is None or not below.any() or below.all():
-        mark_residuals(panel, points.x, points.y, groups_of(points.x, abscissa.bins), points.scatter, 0)
+        yield from residual_marks(points.x, points.y, groups_of(points.x, abscissa.bins), points.scatter, 0)
         return
-    for colour, (inside, label) in enumerate(zip((~below, below), abscissa.sides.labels, strict=True)):
+    for number, (inside, label) in enumerate(zip((~below, below), abscissa.sides.labels, strict=True)):
         x, y = points.x[inside], points.y[inside]
-        mark_residuals(panel, x, y, groups_of(x, abscissa.bins), points.scatter, colour)
-        panel.plot([], [], "o", color=COLOURS[colour], markersize=4, label=label)
+        yield from residual_marks(x, y, groups_of(x, abscissa.bins), points.scatter, number, label)
 
 
-def _boxes(panel: Axes, points: Points, abscissa: Abscissa) -> None:  # noqa: ARG001  # drawn like `_marks`
-    """Median, quartiles, and whiskers to the last row within 1.5 times their distance (Tukey)."""
+def _boxes(points: Points) -> Iterator[Layer]:
     levels, group = np.unique(points.x, return_inverse=True)
-    panel.boxplot(
-        [points.y[group == number] for number in range(len(levels))],
-        positions=range(len(levels)),
-        widths=0.55,
-        patch_artist=True,
-        boxprops={"facecolor": "white", "edgecolor": COLOURS[0]},
-        medianprops={"color": COLOURS[1], "linewidth": 1.6},
-        whiskerprops={"color": COLOURS[0]},
-        capprops={"color": COLOURS[0]},
-        flierprops={"marker": ".", "markersize": 3, "markeredgecolor": INK},
-    )
+    yield Boxes(groups=[points.y[group == number] for number in range(len(levels))])
+
+
+def _levels(values: Column) -> tuple[list[float], list[str]]:
+    """Places of the names of levels, and these; of many some."""
+    levels = np.unique(values)
     step = -(-len(levels) // _NAMED_LEVELS)
-    panel.set_xticks(range(0, len(levels), step), [str(level) for level in levels[::step]])
-    panel.yaxis.set_major_locator(MaxNLocator())
+    return [float(place) for place in range(0, len(levels), step)], [with_wording(str(each)) for each in levels[::step]]

@@ -1,59 +1,119 @@
 """The back of the report: budget, check by propagation of distributions, correlation, comparison with the paper."""
 
 import math
-from typing import Any
+from collections.abc import Iterator
+
+import numpy as np
 
 from tumble.calibrations.core.parameter import Parameter
-from tumble.calibrations.core.quantities import (
-    format_concise,
-    format_correlation,
-    format_number,
-)
+from tumble.calibrations.core.quantities import format_concise, format_number
+from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.dividing_head.report.results import freedom
 from tumble.calibrations.methods.dividing_head.report.subject import Subject
 from tumble.calibrations.report.budget import Column, compared, reasons
+from tumble.calibrations.report.correlation import correlation_picture
 from tumble.messages import Message
 
 
-def budget(subject: Subject) -> dict[str, Any]:
+def budget_sections(subject: Subject) -> Iterator[Section]:
     """Sources by parameters, what they come to, and the Monte Carlo check beside it."""
     calibration, stated = subject.use.calibration, subject.stated
+    if not stated:
+        yield _no_value()
+        return
     columns = [Column(parameter) for parameter in stated]
-    checks = compared(stated, calibration.monte_carlo)
-    return {
-        "heads": [(column.parameter.name, column.unit) for column in columns],
-        "lines": [
-            (line.name, line.kind, line.symbol, freedom(line.degrees_of_freedom),
-             [column.cell(line.contributions.get(column.parameter.name, 0.0)) for column in columns])
-            for line in calibration.budget
-        ],
-        "combined": [column.cell(column.combined) for column in columns],
-        "freedom": [freedom(parameter.degrees_of_freedom) for parameter in stated],
-        "coverage": [column.coverage for column in columns],
-        "expanded": [column.cell(column.expanded) for column in columns],
-        "monte_carlo": checks,
-        "reasons": reasons(checks),
-    }  # fmt: skip
-
-
-def correlation(subject: Subject) -> dict[str, Any]:
-    """The lower triangle of the correlation matrix of the parameters that have a value."""
-    names = list(subject.use.calibration.parameters)
-    stated = [names.index(parameter.name) for parameter in subject.stated]
-    matrix = subject.use.calibration.correlation
-    rows = [
-        (names[i], [(format_correlation(float(matrix[i, j])), bool(abs(matrix[i, j]) > 0.9 and i != j))
-                    for j in stated[: place + 1]])
-        for place, i in enumerate(stated)
+    sources = [
+        (line.name, line.kind, line.symbol, freedom(line.degrees_of_freedom),
+         *(column.cell(line.contributions.get(column.parameter.name, 0.0)) for column in columns))
+        for line in calibration.budget
     ]  # fmt: skip
-    return {"names": [names[i] for i in stated], "rows": rows}
+    sums: dict[str, list[str]] = {
+        Message("Combined u"): [column.cell(column.combined) for column in columns],
+        Message("Effective ν"): [freedom(parameter.degrees_of_freedom) for parameter in stated],
+        Message("k for 95%"): [column.coverage for column in columns],
+        Message("Expanded U"): [column.cell(column.expanded) for column in columns],
+    }
+    yield Section(
+        title="",
+        caption=Message(
+            "Standard uncertainty from each source, in the unit at the head of the column (GUM 5.1.2). Type A comes "
+            "from the data, type B from the stand file."
+        ),
+        headings=(
+            Message("Source"),
+            Message("Type"),
+            Message("Size"),
+            "ν",
+            *(f"{column.parameter.name} {column.unit}" for column in columns),
+        ),
+        rows=[*sources, *((name, "", "", "", *cells) for name, cells in sums.items())],
+    )
+    checks = compared(stated, calibration.monte_carlo)
+    yield Section(
+        title=Message("Check by propagation of distributions") if checks else "",
+        lines=reasons(checks),
+        caption=Message(
+            "The budget against simulated calibrations (JCGM 101). The intervals agree where their ends differ by no "
+            "more than half a unit of the first digit of u (8.1) or than the trials resolve."
+        ),
+        headings=(
+            Message("Parameter"),
+            Message("u, budget"),
+            Message("u, simulated"),
+            Message("95% interval, budget"),
+            Message("95% interval, simulated"),
+            Message("ends differ by"),
+            Message("allowed"),
+            Message("Verdict"),
+        ),
+        rows=[
+            tuple(
+                check[key]
+                for key in ("name", "standard", "simulated", "interval", "simulated_interval", "difference",
+                            "tolerance", "verdict")
+            )
+            for check in checks
+        ],
+    )  # fmt: skip
 
 
-def published(subject: Subject) -> dict[str, Any]:
+def correlation_sections(subject: Subject) -> Iterator[Section]:
+    """Correlation of the parameters that have a value."""
+    calibration, stated = subject.use.calibration, [parameter.name for parameter in subject.stated]
+    if not stated:
+        yield _no_value()
+        return
+    places = [list(calibration.parameters).index(name) for name in stated]
+    yield Section(
+        title="",
+        figure=lambda: correlation_picture(stated, calibration.correlation[np.ix_(places, places)]),
+        caption=Message("Correlation coefficients of the combined uncertainty, types A and B."),
+    )
+
+
+def _no_value() -> Section:
+    return Section(title="", lines=[Message("No parameter has a value.")])
+
+
+def published_sections(subject: Subject) -> Iterator[Section]:
     """Both methods side by side, and what the z flip of the published one leaves out."""
     calibration = subject.use.calibration
-    return {
-        "rows": [
+    flips = _what_flips_leave_out(subject)
+    yield Section(
+        title="",
+        lines=[
+            Message(
+                "The same rows by the equations of Avrutov, Bondar and Meleshko (2008), (4) to (18), realisation by "
+                "realisation."
+            ),
+            *([flips] if flips else []),
+        ],
+        caption=Message(
+            "Standard uncertainties in brackets; those of the published method come from the spread between "
+            "realisations alone."
+        ),
+        headings=(Message("Parameter"), Message("This analysis"), Message("Published method"), Message("Difference")),
+        rows=[
             (
                 parameter.name,
                 Message("not identifiable") if parameter.value is None
@@ -65,8 +125,7 @@ def published(subject: Subject) -> dict[str, Any]:
             for parameter in calibration.parameters.values()
             if (other := calibration.published.get(parameter.name))
         ],
-        "flips": _what_flips_leave_out(subject),
-    }  # fmt: skip
+    )  # fmt: skip
 
 
 def _difference(parameter: Parameter, other: float | None) -> str:

@@ -1,15 +1,20 @@
-"""The last section: from which file, by which program, on which stand."""
+"""The last chapter: from which file, by which program, on which stand."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from tumble.calibrations.methods.dividing_head.report.subject import Subject
+from tumble.calibrations.core.provenance import Provenance
+from tumble.calibrations.core.view import Chapter, Section
 from tumble.messages import Message
 
 
-def origin(subject: Subject) -> dict[str, Any]:
+def origin(provenance: Provenance) -> Chapter:
     """Hashes, versions, packages and the stand file as tables of names and texts."""
-    provenance = subject.provenance
+    return Chapter(anchor="origin", title=Message("Provenance"), sections=tuple(origin_sections(provenance)))
+
+
+def origin_sections(provenance: Provenance) -> Iterator[Section]:
+    """The tables of it."""
     commit = provenance.git_commit
     if provenance.git_dirty:
         commit = Message("{commit} with uncommitted changes", commit=commit)
@@ -23,11 +28,21 @@ def origin(subject: Subject) -> dict[str, Any]:
         Message("Version of tumble"): provenance.program_version,
         Message("Commit"): commit,
     }
-    return {
-        "facts": [(name, text) for name, text in facts.items() if text],
-        "packages": sorted(provenance.packages.items()),
-        "stand": list(flattened(provenance.stand)),
-    }
+    yield Section(
+        title="",
+        caption=Message("From the raw file to the numbers"),
+        rows=[(name, text) for name, text in facts.items() if text],
+    )
+    yield Section(
+        title="",
+        caption=Message("Stand file, without what is simulated"),
+        rows=list(flattened(provenance.stand)),
+    )
+    yield Section(
+        title="",
+        caption=Message("Packages that took part in the analysis"),
+        rows=sorted(provenance.packages.items()),
+    )
 
 
 def flattened(data: Mapping[str, Any], path: str = "") -> Iterator[tuple[str, str]]:

@@ -1,0 +1,34 @@
+"""The report of a record, written again: by what was kept of it, or else from its raw files."""
+
+from pathlib import Path
+
+from tumble.app import reports
+from tumble.app.kept_reports import kept, report_path
+from tumble.app.opening import open_store
+from tumble.messages import Language
+
+
+def report_again(folder: Path, record_id: str, language: Language, path: Path | None = None) -> Path:
+    """Write the report of a record, by the beginning of its id, in a language; its place.
+
+    Raises
+    ------
+    InputError, RecordError, StoreError
+        There is no such record, or its raw files cannot be analysed.
+    JobError
+        The report cannot be written.
+    """
+    store = open_store(folder)
+    record = store.get(record_id)
+    place = path or report_path(folder, record)
+    if content := kept(store, record, language):
+        reports.put(content, place)
+        return place
+    from tumble.app.analysing import fit, trace  # what is kept needs no analysis
+    from tumble.app.calibrating import report_record
+    from tumble.app.recall import recall
+
+    record, measurement = recall(folder, record_id)
+    analysed = fit(measurement, record.provenance.serial_number, folder=folder)
+    report_record(trace(analysed), record, folder, place, language)
+    return place

@@ -1,0 +1,57 @@
+"""What a report says, whatever it is written as."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.core.provenance import LimitCheck, Provenance
+from tumble.calibrations.core.verdict import Verdict
+from tumble.calibrations.core.view import Chapter, Drawn, Quantity, Section
+
+
+@dataclass(frozen=True, kw_only=True)
+class Picture:
+    """The one figure of the first page."""
+
+    figure: Drawn
+    caption: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Front:
+    """The page for the customer."""
+
+    provenance: Provenance
+    parameters: Mapping[str, Parameter]
+    """The values to use, by name."""
+    verdict: Verdict
+    quantities: Mapping[str, Quantity] = field(default_factory=dict)
+    """What the parameters are called; one that is not among them is called by its name."""
+    limits: Sequence[LimitCheck] = ()
+    record_id: str = ""
+    """Empty where the result is in no store."""
+    revision: int = 1
+    picture: Picture | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Report:
+    """A report; one without a front is a page of sections."""
+
+    kind: str
+    """What was calibrated, in words."""
+    title: str
+    """Serial number of the unit, or what else the page is about."""
+    front: Front | None = None
+    notices: Sequence[str] = ()
+    """What the reader must know before the numbers, a sentence each."""
+    chapters: Sequence[Chapter] = ()
+
+
+def page_of_sections(kind: str, title: str, sections: Sequence[Section], notices: Sequence[str] = ()) -> Report:
+    """A page without a front, its sections one after the other."""
+    chapters = [
+        Chapter(anchor=f"s{number}", title=section.title, sections=(replace(section, title=""),))
+        for number, section in enumerate(sections, start=1)
+    ]
+    return Report(kind=kind, title=title, notices=notices, chapters=chapters)

@@ -1,0 +1,85 @@
+"""The table of the values to use: a line for each parameter, every cell as text."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from tumble.calibrations.core.coverage import coverage_factor
+from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.core.provenance import LimitCheck
+from tumble.calibrations.core.quantities import format_limits, format_quantity, rounded
+from tumble.calibrations.core.verdict import Judgement, Outcome
+from tumble.calibrations.core.view import Quantity
+from tumble.calibrations.report.bars import limit_bar
+from tumble.calibrations.report.document import Front
+from tumble.calibrations.report.verdicts import decided
+from tumble.messages import Message
+
+
+@dataclass(frozen=True, kw_only=True)
+class Value:
+    """One line."""
+
+    symbol: str
+    words: str
+    value: str
+    """Value and expanded uncertainty with the unit; that there is none where it is not identifiable."""
+    coverage: str
+    """The factor k."""
+    note: str
+    """The condition under which the value stands, or why there is none."""
+    limits: str
+    bar: str
+    """SVG; empty without limits."""
+    decided: str
+    outcome: str
+
+
+def values(front: Front) -> Iterator[Value]:
+    """The lines of a front page."""
+    checks = {check.name: check for check in front.limits}
+    for name, parameter in front.parameters.items():
+        quantity = front.quantities.get(name) or Quantity(symbol=name, words="")
+        yield Value(
+            symbol=quantity.symbol,
+            words=quantity.words,
+            value=Message("not identifiable") if parameter.value is None else stated(parameter),
+            coverage=coverage(parameter),
+            note=parameter.reason if parameter.value is None else parameter.condition,
+            **_against(parameter, checks.get(name), front.verdict.of(name)),
+        )
+
+
+def _against(parameter: Parameter, check: LimitCheck | None, judgement: Judgement | None) -> dict[str, str]:
+    """How it stands against its limits; empty where it has none."""
+    if check is None or judgement is None:
+        return {"limits": "", "bar": "", "decided": "", "outcome": str(Outcome.NO_LIMITS)}
+    return {
+        "limits": format_limits(check.minimum, check.maximum, parameter.unit),
+        "bar": limit_bar(parameter, check, judgement.outcome),
+        "decided": decided(parameter, check, judgement),
+        "outcome": str(judgement.outcome),
+    }
+
+
+def stated(parameter: Parameter) -> str:
+    """Value and expanded uncertainty; the value alone where no interval is known."""
+    assert parameter.value is not None, "asked of a parameter that has a value"
+    if parameter.interval_95 is None:
+        return format_quantity(parameter.value, parameter.standard_uncertainty, parameter.unit)
+    return expanded(parameter.value, parameter.interval_95, parameter.unit)
+
+
+def expanded(value: float, interval: tuple[float, float], unit: str) -> str:
+    """Value and expanded uncertainty; with both sides where they differ in the digits shown."""
+    low, high = interval
+    text = rounded(value, (high - low) / 2, unit)
+    below, above = (rounded(value, side, unit) for side in (value - low, high - value))
+    if not text.uncertainty or below.uncertainty == above.uncertainty:
+        return format_quantity(value, (high - low) / 2, unit)
+    return f"{text.value} (+{above.uncertainty} / -{below.uncertainty}) {text.unit}"
+
+
+def coverage(parameter: Parameter) -> str:
+    """The factor k for 95%; empty where the degrees of freedom are not known."""
+    freedom = parameter.degrees_of_freedom
+    return "" if freedom is None or parameter.value is None else f"{coverage_factor(freedom):.2f}"

@@ -1,0 +1,169 @@
+"""A report in words: every text in one language, every figure as SVG, ready for a page or for paper."""
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+from datetime import date
+from typing import Any, Final
+
+from tumble.calibrations.core.verdict import Outcome
+from tumble.calibrations.core.view import Chapter, Section
+from tumble.calibrations.report.dates import dated, day_of
+from tumble.calibrations.report.document import Front, Report
+from tumble.calibrations.report.instruments import Instrument, instruments, laboratory
+from tumble.calibrations.report.language import language, say
+from tumble.calibrations.report.values import values
+from tumble.calibrations.report.verdicts import JUDGED, MARKS, headline
+from tumble.messages import Message, translate
+from tumble.numerals import localised
+
+_NUMERIC: Final = re.compile(r"[<>≈×]?\s*[-+−(]?\d")
+"""How a cell begins that is set to the right."""
+_LABELS: Final = {
+    "read_first": Message("Read this first"),
+    "sections": Message("Sections"),
+    "values": Message("Values to use"),
+    "quantity": Message("Quantity"),
+    "value": Message("Value ± U"),
+    "limits": Message("Limits"),
+    "verdict": Message("Verdict"),
+    "instruments": Message("Instruments"),
+    "page": Message("page {page} of {pages}", page="{page}", pages="{pages}"),
+    "reset": Message("whole figure"),
+    "hint": Message(
+        "Drag, or wheel with Ctrl: zoom. Double click: whole figure. The nearest value stands at the pointer."
+    ),
+    "issued": Message("Place and date"),
+    "authorised": Message("Name and signature"),
+}
+"""What stands in every report."""
+
+
+def written(report: Report) -> dict[str, Any]:
+    """All that a report says, in the language of the page that is written; figures and bars are SVG."""
+    front = report.front
+    return {
+        "language": str(language()),
+        "labels": {name: say(text) for name, text in _LABELS.items()},
+        "kind": say(report.kind),
+        "title": report.title,
+        "front": _front(front) if front else None,
+        "notices": list(dict.fromkeys(map(_without_path, report.notices))),
+        "chapters": [_chapter(each) for each in report.chapters if any(not part.empty for part in each.sections)],
+    }
+
+
+def _front(front: Front) -> dict[str, Any]:
+    outcome = front.verdict.outcome
+    name, address = laboratory(front.provenance.stand)
+    return {
+        "record": front.record_id,
+        "laboratory": name,
+        "address": address,
+        "outcome": str(outcome),
+        "word": say(outcome.words).upper(),
+        "headline": " ".join(filter(None, [MARKS[outcome], say(headline(front.verdict))])),
+        "judged": "" if outcome is Outcome.NO_LIMITS else say(JUDGED[front.verdict.judged]),
+        "decided": [
+            say(replace(each, remedy="").sentence)
+            for each in front.verdict.parameters
+            if each.outcome is not Outcome.PASS
+        ],
+        "facts": [(say(name), text) for name, text in _facts(front).items() if text],
+        "values": [
+            {name: text if name == "bar" else say(text) for name, text in vars(each).items()} for each in values(front)
+        ],
+        "limited": bool(front.limits),
+        "picture": front.picture
+        and {"svg": str(front.picture.figure.__html__()), "caption": say(front.picture.caption)},
+        "instruments": _instruments(front),
+        "statements": [say(each) for each in _STATEMENTS],
+    }
+
+
+def _facts(front: Front) -> dict[str, str]:
+    provenance = front.provenance
+    return {
+        Message("Measured"): dated(provenance.measured_at, language()),
+        Message("Operator"): provenance.operator,
+        Message("Programme"): provenance.programme_name,
+        Message("Stand"): provenance.stand_name,
+        Message("Record"): front.record_id,
+        Message("Revision"): str(front.revision) if front.record_id else "",
+    }
+
+
+_STATEMENTS: Final = (
+    Message(
+        "U is the expanded uncertainty for a coverage probability of 95%, k times the standard uncertainty; where both "
+        "sides differ, each is stated. g is local gravity."
+    ),
+    Message("The results relate only to the unit named above, as it was when it was measured."),
+)
+
+
+def _instruments(front: Front) -> dict[str, Any] | None:
+    """The table of the instruments; columns in which nothing is stated are left out."""
+    found = list(instruments(front.provenance.stand))
+    columns = {
+        Message("Instrument"): [say(each.name) for each in found],
+        Message("Driver"): [each.driver for each in found],
+        Message("Serial number"): [each.serial for each in found],
+        Message("Certificate"): [each.certificate for each in found],
+        Message("Calibration due"): [_due(each, day_of(front.provenance.measured_at)) for each in found],
+    }
+    shown = {say(name): cells for name, cells in columns.items() if any(cells)}
+    return {"headings": list(shown), "rows": list(zip(*shown.values(), strict=True))} if found else None
+
+
+def _due(instrument: Instrument, measured: date | None) -> str:
+    """By when it was to be calibrated, and whether that day was past when the unit was measured."""
+    due = dated(instrument.due, language())
+    return say(Message("{date}, overdue", date=due)) if measured and instrument.overdue(measured) else due
+
+
+def _without_path(notice: str) -> str:
+    """A notice without the file that it begins with: that stands under provenance."""
+    source = notice.fields.get("source") if isinstance(notice, Message) else None
+    said = translate(notice, language()) if isinstance(notice, Message) else notice
+    if not source or not said.startswith(f"{source}: "):
+        return say(notice)
+    rest = said.removeprefix(f"{source}: ")
+    return localised(rest[:1].upper() + rest[1:], language())
+
+
+def _chapter(chapter: Chapter) -> dict[str, Any]:
+    shown = [section for section in chapter.sections if not section.empty]
+    return {
+        "anchor": chapter.anchor,
+        "title": say(chapter.title),
+        "sections": [written_section(each) for each in shown],
+    }
+
+
+def written_section(section: Section) -> dict[str, Any]:
+    """A section in the language of the page that is written."""
+    rows = [[say(cell) for cell in row] for row in section.rows]
+    return {
+        "title": say(section.title),
+        "lines": [say(line) for line in section.lines],
+        "svg": str(section.figure().__html__()) if section.figure else "",
+        "caption": say(section.caption),
+        "headings": [say(heading) for heading in section.headings],
+        "rows": rows,
+        "right": _set_right(rows),
+    }
+
+
+def _set_right(rows: Sequence[Sequence[str]]) -> list[bool]:
+    """Which columns hold numbers in most of their cells, the empty ones not counted; the first names the line."""
+    columns = [[row[place] for row in rows if place < len(row) and row[place]] for place in range(_widest(rows))]
+    return [place > 0 and _mostly_numbers(cells) for place, cells in enumerate(columns)]
+
+
+def _widest(rows: Sequence[Sequence[str]]) -> int:
+    return max(map(len, rows), default=0)
+
+
+def _mostly_numbers(cells: Sequence[str]) -> bool:
+    return 2 * sum(bool(_NUMERIC.match(cell)) for cell in cells) > len(cells)

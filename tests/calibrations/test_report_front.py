@@ -1,0 +1,157 @@
+"""The first page of a report: for the customer, in every language, on the page as on paper."""
+
+import re
+from dataclasses import replace
+
+import pytest
+from report_examples import face_up, flips_only, page_of, provenance, reversed_
+from test_report_page import text_of
+
+from tumble.calibrations.core.provenance import LimitCheck
+from tumble.calibrations.core.verdict import Outcome
+from tumble.calibrations.methods.dividing_head.report import calibration_report
+from tumble.calibrations.methods.triad.model import NAMES
+from tumble.calibrations.methods.triad.quantities import QUANTITIES
+from tumble.calibrations.report.bars import limit_bar
+from tumble.calibrations.report.dates import dated
+from tumble.calibrations.report.instruments import instruments
+from tumble.calibrations.report.language import written_in
+from tumble.calibrations.report.paper import pdf
+from tumble.calibrations.report.written import written
+from tumble.messages import Language, Message
+
+STAND = {
+    "name": "bench-1",
+    "laboratory": {"name": "Sensor Laboratory", "address": "12 Harbour Road"},
+    "head": {"driver": "zaber", "serial": "ODH-117", "certificate": "PTB-118", "calibration_due": "2027-01-31"},
+    "daq": {"driver": "scpi", "calibration_due": "2026-10-01"},
+    "samplers": {"second": {"driver": "scpi"}},
+}
+LIMITS = [
+    LimitCheck(name="kx", minimum=0.95, maximum=1.05, inside=True),
+    LimitCheck(name="ky", minimum=0.02, maximum=0.03, inside=False),
+]
+
+
+def content_of(calibration, limits=(), language=Language.ENGLISH, **changes):
+    with written_in(language):
+        return written(calibration_report(calibration, provenance(**changes), limits=limits, record_id="R-17"))
+
+
+def front_of(calibration, limits=(), language=Language.ENGLISH, **changes):
+    return content_of(calibration, limits, language, **changes)["front"]
+
+
+def test_it_says_whose_it_is_what_was_decided_and_with_what():
+    front = front_of(reversed_(), LIMITS, stand=STAND)
+    assert (front["laboratory"], front["address"]) == ("Sensor Laboratory", "12 Harbour Road")
+    assert (front["word"], front["headline"]) == ("FAIL", "✗ Outside the limits: ky")
+    headings = ["Instrument", "Driver", "Serial number", "Certificate", "Calibration due"]
+    assert front["instruments"]["headings"] == headings
+    assert front["instruments"]["rows"][0] == ("dividing head", "zaber", "ODH-117", "PTB-118", "2027-01-31")
+
+
+def test_each_value_has_its_symbol_its_words_and_k():
+    kx = front_of(reversed_())["values"][1]
+    assert (kx["symbol"], kx["words"]) == ("k_x", "scale factor")
+    assert re.fullmatch(r"\([\d.]+ ± [\d.]+\) m?V/g", kx["value"])
+    assert kx["coverage"].startswith("1.9")
+
+
+def test_a_value_that_there_is_not_says_why():
+    (alpha0,) = [each for each in front_of(flips_only())["values"] if each["symbol"] == "α_0"]
+    assert alpha0["value"] == "not identifiable"
+    assert alpha0["note"].endswith("kxy is not identifiable")
+
+
+def test_only_limited_values_have_a_bar():
+    bars = {each["symbol"]: bool(each["bar"]) for each in front_of(reversed_(), LIMITS)["values"]}
+    assert bars == {"u_0": False, "k_x": True, "k_y": True, "k_z": False, "k_xy": False, "α_0": False}
+
+
+@pytest.mark.parametrize(
+    ("value", "minimum", "maximum", "part"),
+    [(1.0, 0.9, 1.1, 0.5), (0.9, 0.9, 1.1, 0.18), (1.1, 0.9, 1.1, 0.82), (9.0, 0.9, 1.1, 0.97), (-9.0, 0.9, 1.1, 0.03)],
+)
+def test_a_bar_puts_the_value_between_its_limits(value, minimum, maximum, part):
+    parameter = replace(reversed_().parameters["kx"], value=value, interval_95=(value, value))
+    bar = limit_bar(parameter, LimitCheck(name="kx", minimum=minimum, maximum=maximum, inside=True), Outcome.PASS)
+    assert float(re.search(r'cx="([\d.]+)"', bar)[1]) == pytest.approx(120.0 * part, abs=0.5)
+
+
+@pytest.mark.parametrize(("minimum", "maximum"), [(0.9, None), (None, 1.1), (1.0, 1.0)])
+def test_a_bar_may_be_open_or_have_no_width(minimum, maximum):
+    check = LimitCheck(name="kx", minimum=minimum, maximum=maximum, inside=True)
+    assert "<circle" in limit_bar(reversed_().parameters["kx"], check, Outcome.PASS)
+
+
+def test_an_instrument_whose_calibration_was_overdue_is_marked():
+    assert [each.name for each in instruments(STAND)] == ["dividing head", "DAQ", "second"]
+    assert "2026-10-01, overdue" in front_of(reversed_(), stand=STAND)["instruments"]["rows"][1]
+
+
+def test_a_calibration_that_ends_on_the_day_itself_is_not_overdue():
+    stand = {"daq": {"driver": "scpi", "calibration_due": "2026-11-03"}}
+    assert front_of(reversed_(), stand=stand)["instruments"]["rows"] == [("DAQ", "scpi", "2026-11-03")]
+
+
+def test_a_bare_table_has_no_instruments():
+    assert front_of(reversed_(), stand={})["instruments"] is None
+
+
+def test_no_notice_begins_with_a_path():
+    warning = Message("{source}: realisation numbers no passes", source="/data/run 1.mcap")
+    content = content_of(replace(reversed_(), warnings=(warning,)))
+    assert content["notices"] == ["Realisation numbers no passes"]
+
+
+def test_what_is_wrong_is_said_once():
+    content = content_of(replace(reversed_(), warnings=("The disk was slow.", "The disk was slow.")))
+    assert content["notices"] == ["The disk was slow."]
+
+
+def test_neither_paths_nor_commands_nor_likelihoods_stand_on_the_first_page():
+    page = text_of(page_of(flips_only(), provenance(), limits=LIMITS).split("<header>")[1].split("</header>")[0])
+    for unwanted in (".mcap", ".csv", "tumble ", "ln L"):
+        assert unwanted not in page
+
+
+@pytest.mark.parametrize(
+    ("language", "expected"),
+    [
+        (Language.ENGLISH, "2026-11-03 10:15 UTC+02:00"),
+        (Language.GERMAN, "03.11.2026 10:15 UTC+02:00"),
+        (Language.UKRAINIAN, "03.11.2026 10:15 UTC+02:00"),
+    ],
+)
+def test_the_time_is_written_as_the_language_does(language, expected):
+    assert dated("2026-11-03T10:15:00+02:00", language) == expected
+
+
+def test_what_is_no_date_stays_as_it_is():
+    assert dated("spring 2026", Language.GERMAN) == "spring 2026"
+
+
+def test_every_parameter_of_a_triad_has_a_name_in_words():
+    assert set(QUANTITIES) == set(NAMES)
+
+
+def pages_of(document):
+    return int(re.search(rb"<xmpTPg:NPages>(\d+)<", document)[1])
+
+
+@pytest.mark.parametrize("language", list(Language))
+def test_on_paper_it_is_a_few_pages_in_every_language(language):
+    document = pdf(content_of(reversed_(), LIMITS, language, stand=STAND))
+    assert document.startswith(b"%PDF-")
+    assert f"<rdf:li>{language}</rdf:li>".encode() in document
+    assert 3 <= pages_of(document) <= 12
+
+
+def test_figures_on_paper_are_vectors():
+    assert b"/Subtype/Image" not in pdf(content_of(face_up())).replace(b" ", b"")
+
+
+def test_the_same_content_gives_the_same_bytes():
+    content = content_of(face_up())
+    assert pdf(content) == pdf(content)
