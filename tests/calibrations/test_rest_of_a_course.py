@@ -43,9 +43,9 @@ def test_what_has_nothing_to_do_with_it_is_as_certain_as_before(stopped):
 
 @pytest.fixture(scope="module")
 def contact():
-    """A contact that comes and goes every 200 s."""
-    level = {True: 8e-4, False: -8e-4}
-    return close_loop(runs(RUN, extra_v=lambda columns: [level[t % 400.0 < 200.0] for t in columns["time_s"]]))
+    """A contact that comes and goes, six times."""
+    jumps_s = [150.0, 420.0, 560.0, 900.0, 1150.0, 1500.0]
+    return close_loop(runs(RUN, extra_v=lambda columns: 8e-4 * (-1.0) ** np.searchsorted(jumps_s, columns["time_s"])))
 
 
 @pytest.mark.parametrize("rest_v", [-8e-4, 8e-4])
