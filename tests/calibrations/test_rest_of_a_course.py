@@ -1,0 +1,54 @@
+"""What no row shows of structure without a name: where it is at rest."""
+
+import numpy as np
+import pytest
+from tables import UNIT
+from tracing_runs import FLIPS, SWEEP, programme, runs
+
+from tumble.calibrations.methods.dividing_head.loop.loop import close_loop
+
+RUN = programme(FLIPS, SWEEP.format("face-up", "up"), SWEEP.format("face-down", "up"), realisations=3)
+STEEPNESS = 4e-3
+"""Change of the scale factor, V/g."""
+
+
+def ax_g(columns):
+    """Along the input axis in both mounts of the sweeps; alpha0 and the other mounts' rows are left out of account."""
+    return -np.sin(np.deg2rad(columns["angle_deg"]))
+
+
+def inside(parameter, value):
+    low, high = parameter.interval_95
+    return low <= value <= high
+
+
+@pytest.fixture(scope="module")
+def stopped():
+    """A stop that is touched from 0.5 g on, or one that is left there."""
+    return close_loop(runs(RUN, extra_v=lambda columns: STEEPNESS * np.maximum(ax_g(columns) - 0.5, 0.0)))
+
+
+def test_a_slope_from_a_place_on_is_found_along_the_acceleration(stopped):
+    assert stopped.unexplained.depends_on == "acceleration"
+
+
+@pytest.mark.parametrize("kx", [UNIT["kx"], UNIT["kx"] + STEEPNESS])
+def test_it_may_as_well_end_there_so_that_both_scale_factors_are_possible(stopped, kx):
+    assert inside(stopped.augmented.parameters["kx"], kx)
+
+
+def test_what_has_nothing_to_do_with_it_is_as_certain_as_before(stopped):
+    assert stopped.augmented.parameters["kxy"].standard_uncertainty < 1e-4
+
+
+@pytest.fixture(scope="module")
+def contact():
+    """A contact that comes and goes, six times."""
+    jumps_s = [150.0, 420.0, 560.0, 900.0, 1150.0, 1500.0]
+    return close_loop(runs(RUN, extra_v=lambda columns: 8e-4 * (-1.0) ** np.searchsorted(jumps_s, columns["time_s"])))
+
+
+@pytest.mark.parametrize("rest_v", [-8e-4, 8e-4])
+def test_any_level_of_a_contact_that_comes_and_goes_may_be_that_of_rest(contact, rest_v):
+    assert contact.unexplained.variable == "time"
+    assert inside(contact.augmented.parameters["u0"], UNIT["u0"] + rest_v)
