@@ -14,7 +14,7 @@ from tumble.calibrations.core.solutions import pseudo_inverse
 from tumble.calibrations.methods.vibration.effects.curved import CURVED, Curved
 from tumble.calibrations.methods.vibration.model import COEFFICIENTS, NAMES, SUMS, UNIT, name_of
 from tumble.calibrations.methods.vibration.scene import Point
-from tumble.calibrations.methods.vibration.table import VibrationTable
+from tumble.calibrations.methods.vibration.table import VibrationTable, best_point
 from tumble.calibrations.tracing.noise import Whitening
 from tumble.calibrations.tracing.quantified import Quantified, slices, tangent
 from tumble.calibrations.tracing.trace import Found, Trace
@@ -99,7 +99,7 @@ def fit_vibration(table: VibrationTable, trace: Trace) -> VibrationFit:
     whitening = table.memory.whitening(trace.noise)
     problem = _Problem(table, trace.found, whitening)
     linear = table.fit(trace.forms, trace.noise).theta
-    theta = problem.solved(problem.allowed(linear))
+    theta = problem.solved(problem.start(linear))
     return _stated(problem, trace, theta)
 
 
@@ -118,6 +118,19 @@ class _Problem:
         for item, place in zip(self.found, self.places, strict=True):
             if (curved := CURVED.get(str(item.effect.name))) is not None:
                 yield curved, self.size + place.start
+
+    def start(self, theta: FloatArray) -> FloatArray:
+        """Parameters of the linear fit, with each value that is not linear where it is best beside the others."""
+        theta = theta.copy()
+        for curved, at in self.curved:
+            others = [
+                item.form.columns
+                for item, place in zip(self.found, self.places, strict=True)
+                if self.size + place.start != at
+            ]
+            if (point := best_point(self.table, curved, others)) is not None:
+                theta[at], theta[:COEFFICIENTS] = point.value, point.coefficients
+        return self.allowed(theta)
 
     def allowed(self, theta: FloatArray) -> FloatArray:
         """Parameters with values that mean something."""

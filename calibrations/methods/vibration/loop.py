@@ -1,12 +1,11 @@
 """Closing the loop on vibrated dwells: what the declared model leaves, traced; coefficients before and after."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
 
-from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.blas_threads import one_blas_thread
 from tumble.calibrations.core.parameter import ModelFit
 from tumble.calibrations.core.repeats import PureError, pure_error
@@ -15,6 +14,7 @@ from tumble.calibrations.methods.vibration.fit import VibrationFit, fit_vibratio
 from tumble.calibrations.methods.vibration.gross import gross_errors
 from tumble.calibrations.methods.vibration.models import augmented, declared_model
 from tumble.calibrations.methods.vibration.observations import VibrationObservations
+from tumble.calibrations.methods.vibration.readmitted import still_gross
 from tumble.calibrations.methods.vibration.table import (
     VibrationTable,
     points_beside,
@@ -144,9 +144,17 @@ def _check(observations: VibrationObservations) -> None:
 def close_vibration_loop(
     observations: VibrationObservations, reference_temperature_degc: float = 23.0
 ) -> VibrationLoop:
-    """Trace what the five coefficients leave of a table. Raises `ValueError` where there are too few dwells."""
+    """Trace what the five coefficients leave of a table. Raises `ValueError` where there are too few dwells.
+
+    What was found may explain dwells that were set aside as gross errors: then all is traced again with these.
+    """
     before = declared_fit(observations, reference_temperature_degc)
     explained = explained_rows(before.table)
+    gross = [each for each in before.observations.set_aside if each not in observations.set_aside]
+    left = still_gross(observations, gross, explained) if gross else gross
+    if len(left) < len(gross):
+        before = _declared(observations, left, reference_temperature_degc)
+        explained = explained_rows(before.table)
     setting = settings(before.table.scene)
     return VibrationLoop(
         before=before,

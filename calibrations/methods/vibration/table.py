@@ -25,6 +25,10 @@ from tumble.calibrations.tracing.table import Extensible, View, memory_of
 _GRAIN: Final = 2
 """Decimals of products and levels by which settings are told apart, in g² and g."""
 
+_REFINED: Final = 3
+_BETWEEN: Final = 9
+"""Values of an effect that is not linear, between the neighbours of the best one so far."""
+
 
 @dataclass(frozen=True, kw_only=True)
 class VibrationTable(Extensible):
@@ -105,18 +109,31 @@ def vibration_table(
 
 def points_beside(table: VibrationTable, columns: Sequence[FloatArray]) -> dict[str, Point]:
     """Where each effect that is not linear fits best as the only one beside columns, of those that the rows can show."""
-    return {curved.name: point for curved in CURVED.values() if (point := _best(table, curved, columns)) is not None}
+    return {
+        curved.name: point for curved in CURVED.values() if (point := best_point(table, curved, columns)) is not None
+    }
 
 
-def _best(table: VibrationTable, curved: Curved, columns: Sequence[FloatArray]) -> Point | None:
-    tried = sorted(_tried(table, curved, columns), key=lambda each: each[0])
-    return tried[0][1] if tried else None
+def best_point(table: VibrationTable, curved: Curved, columns: Sequence[FloatArray]) -> Point | None:
+    """Of the values that are tried, and what is between the neighbours of the best one, the one that fits best."""
+    values = sorted(curved.tried(table.scene))
+    for _ in range(_REFINED):
+        tried = list(_tried(table, curved, values, columns))
+        if not tried:
+            return None
+        best = min(range(len(tried)), key=lambda place: tried[place][0])
+        around = values[max(best - 1, 0) : best + 2]
+        values = np.linspace(around[0], around[-1], _BETWEEN).tolist()
+        values = [value for value in values if value != 0.0]
+    return tried[best][1]
 
 
-def _tried(table: VibrationTable, curved: Curved, columns: Sequence[FloatArray]) -> Iterator[tuple[float, Point]]:
-    """Every value that is tried with the coefficients beside it, and what that leaves."""
+def _tried(
+    table: VibrationTable, curved: Curved, values: Sequence[float], columns: Sequence[FloatArray]
+) -> Iterator[tuple[float, Point]]:
+    """Every value with the coefficients beside it, and what that leaves."""
     root = np.sqrt(table.weights)
-    for value in curved.tried(table.scene):
+    for value in values:
         shares = curved.shares(table.scene, value)
         model = table.declared.copy()
         model[:, :COEFFICIENTS] += shares.matrix
