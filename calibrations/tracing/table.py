@@ -186,8 +186,11 @@ class Extensible(Table, ABC):
         return ()
 
 
-def memory_of(effects: Sequence[Effect[Any]], scene: View, weights: FloatArray) -> Memory:
-    """Along what noise can be correlated over in a table: its time, and the levels of the effects that draw some."""
+def memory_of(effects: Sequence[Effect[Any]], scene: View, weights: FloatArray, part: float = 0.25) -> Memory:
+    """Along what noise can be correlated over in a table: its time, and the levels of the effects that draw some.
+
+    In time by `part` as many cosines as rows, see `noise.slow_modes`.
+    """
     drawn = {effect.name: forms[0].columns for effect in effects if effect.random and (forms := effect.forms(scene))}
     levels = {name: scaled_levels(columns, weights) for name, columns in drawn.items()}
-    return Memory(modes=slow_modes(scene.hours, weights), levels=levels)
+    return Memory(modes=slow_modes(scene.hours, weights, part), levels=levels)

@@ -155,9 +155,8 @@ def close_vibration_loop(
     before = declared_fit(observations, reference_temperature_degc)
     explained = explained_rows(before.table)
     gross = [each for each in before.observations.set_aside if each not in observations.set_aside]
-    left = still_gross(observations, gross, explained) if gross else gross
-    if len(left) < len(gross):
-        before = _declared(observations, left, reference_temperature_degc)
+    if gross and (fewer := _fewer(observations, gross, explained, reference_temperature_degc)) is not None:
+        before = _declared(observations, fewer, reference_temperature_degc)
         explained = explained_rows(before.table)
     setting = settings(before.table.scene)
     return VibrationLoop(
@@ -166,6 +165,23 @@ def close_vibration_loop(
         augmented=augmented(explained),
         pure_error=pure_error(before.observations.output_ug, setting, before.table.weights),
     )
+
+
+def _fewer(
+    observations: VibrationObservations,
+    gross: Sequence[SetAside],
+    explained: Explained[VibrationTable, VibrationFit],
+    reference_temperature_degc: float,
+) -> tuple[SetAside, ...] | None:
+    """The gross errors that are left by what was found without them, or with all of them; None where all are left.
+
+    What was found without them may explain them; or they are what shows an effect in the first place.
+    """
+    left = still_gross(observations, gross, explained)
+    if len(left) == len(gross) > 1:
+        everything = explained_rows(vibration_table(observations, observations, reference_temperature_degc))
+        left = still_gross(observations, gross, everything)
+    return left if len(left) < len(gross) else None
 
 
 def asked_next(loop: VibrationLoop) -> VibrationLoop:
