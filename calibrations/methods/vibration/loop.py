@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from functools import reduce
 from typing import Final
 
 import numpy as np
@@ -11,6 +12,7 @@ from tumble.calibrations.core.parameter import ModelFit
 from tumble.calibrations.core.repeats import PureError, pure_error
 from tumble.calibrations.core.rows import SetAside
 from tumble.calibrations.methods.vibration.budget import Budget
+from tumble.calibrations.methods.vibration.effects import OF_THE_LEVEL
 from tumble.calibrations.methods.vibration.experiments import next_experiments
 from tumble.calibrations.methods.vibration.fit import VibrationFit, fit_vibration, points_of
 from tumble.calibrations.methods.vibration.gross import gross_errors
@@ -35,12 +37,16 @@ from tumble.calibrations.tracing.findings import (
 )
 from tumble.calibrations.tracing.judged import Judged, judged
 from tumble.calibrations.tracing.noise import NoiseModel
-from tumble.calibrations.tracing.trace import Trace
+from tumble.calibrations.tracing.trace import Trace, penalised_deviance
 from tumble.messages import Message
 
 FEWEST_VIBRATED: Final = 2
-_RELINEARISED: Final = 3
-"""How often a table is traced again with its nonlinear effects linearised where they were found."""
+_RELINEARISED: Final = 5
+"""How often a table is traced at most, its nonlinear effects linearised each time where they were found."""
+_LOST: Final = 9.0
+"""Rise of -2 ln L from the secant of a nonlinear effect to the effect in full from which on it is none."""
+_FORCED: Final = 8.0
+"""By so much two names may be ahead of one course without a name in -2 ln L, penalties counted, and be forced on it."""
 _MOVED: Final = 0.02
 """Relative change of a point from which on that is worth it."""
 
@@ -190,15 +196,51 @@ def asked_next(loop: VibrationLoop) -> VibrationLoop:
 
 
 def explained_rows(table: VibrationTable) -> Explained[VibrationTable, VibrationFit]:
-    """What a table is traced to, nonlinear effects linearised where they came to lie beside everything else."""
+    """What a table is traced to; structure without a name where several names would stand for one course of the level.
+
+    Of a few levels of one drive any two effects that follow the level alone make up almost any course of it: where one
+    without a name explains about as much, the names are forced upon it.
+    """
+    named = _explained(table)
+    found = [str(name) for name in named.trace.names if name in OF_THE_LEVEL]
+    if len(found) < 2:
+        return named
+    unnamed = _explained(reduce(lambda left, name: left.without(name), OF_THE_LEVEL, table))
+    courses = [each for each in unnamed.trace.components if each.depends_on == "amplitude"]
+    forced = penalised_deviance(unnamed.trace) < penalised_deviance(named.trace) + _FORCED
+    return unnamed if courses and forced else named
+
+
+def _explained(table: VibrationTable) -> Explained[VibrationTable, VibrationFit]:
+    """What a table is traced to, nonlinear effects linearised where they came to lie beside everything else.
+
+    One that only its secant with a size of its own explains, and not the effect in full, is not looked for any more.
+    """
     for _ in range(_RELINEARISED):
         found = judged(table)
         fit = fit_vibration(found.tracer.table, found.trace)
         moved = _relinearised(table, found, fit)
-        if moved is None:
+        if moved is not None:
+            table = moved
+        elif name := _contradicted(found, fit):
+            table = table.without(name)
+        else:
             break
-        table = moved
     return Explained(judged=found, best=fit)
+
+
+def _contradicted(found: Judged[VibrationTable], fit: VibrationFit) -> str:
+    """The nonlinear effect that in full explains the rows worse than its secant does; empty where none does."""
+    linear = found.tracer.table.fit(found.trace.forms, found.trace.noise)
+    own = {name: point.value for name, point in points_of(fit).items()}
+    lost = found.tracer.table.rows * float(np.log(fit.squares / linear.squares))
+    if not own or lost < _LOST:
+        return ""
+    by_secant = {
+        str(item.effect.name): float(linear.theta[linear.parameters :][place.start])
+        for item, place in zip(fit.found, fit.columns, strict=True)
+    }
+    return max(own, key=lambda name: abs(by_secant[name] / own[name] - 1.0))
 
 
 def _relinearised(table: VibrationTable, found: Judged[VibrationTable], fit: VibrationFit) -> VibrationTable | None:

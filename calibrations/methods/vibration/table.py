@@ -68,7 +68,11 @@ class VibrationTable(Extensible):
 
     def at(self, points: Mapping[str, Point]) -> "VibrationTable":
         """The same with effects that are not linear linearised elsewhere."""
-        return traceable(replace(self.scene, points=points))
+        return replace(traceable(replace(self.scene, points=points)), effects=self.effects)
+
+    def without(self, name: str) -> "VibrationTable":
+        """The same in which an effect is not looked for."""
+        return replace(self, effects=tuple(effect for effect in self.effects if effect.name != name))
 
     def with_room(self, mountings: int) -> "VibrationTable":
         """The same with room for so many mountings more, of which it has no row."""
