@@ -96,7 +96,7 @@ def visible(made: Made) -> float:
     return float(np.linalg.norm(_left(made)))
 
 
-def _left(made: Made):  # type: ignore[no-untyped-def]  # noqa: ANN202
+def _left(made: Made):  # type: ignore[no-untyped-def]
     table = vibration_table(*(2 * [read(made)]))
     white = made.effect_ug / made.noise_ug
     columns = table.declared / made.noise_ug[:, None]

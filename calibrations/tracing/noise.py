@@ -224,8 +224,8 @@ def _independent(columns: FloatArray) -> tuple[FloatArray, FloatArray]:
 def slow_modes(hours: FloatArray | None, weights: FloatArray, part: float = 0.25) -> FloatArray:
     """A constant and cosines over the run, weighted, shape (rows, 1 + modes); none without time or with few rows.
 
-    The constant is what flicker slower than the run leaves: of the octave below, the power is h ln 2. There are `part` as
-    many cosines as rows: more of them where the declared model follows the slowest ones.
+    The constant is what flicker slower than the run leaves: of the octave below, the power is h ln 2. There are `part`
+    as many cosines as rows: more of them where the declared model follows the slowest ones.
     """
     rows = len(weights)
     count = min(MODES, int(part * rows))

@@ -250,7 +250,9 @@ def _unseen(table: VibrationTable, seen: FloatArray) -> FloatArray:
     _, values, vectors = np.linalg.svd(seen / scale, full_matrices=True)
     rank = int(np.sum(values > _SEEN * values[0]))
     unseen = vectors[rank:, :COEFFICIENTS]
-    left, sizes, right = np.linalg.svd(unseen, full_matrices=False) if len(unseen) else (unseen, np.empty(0), unseen)
+    if not len(unseen):
+        return np.asarray(unseen)
+    _, sizes, right = np.linalg.svd(unseen, full_matrices=False)
     return np.asarray(right[sizes > _SEEN] * sizes[sizes > _SEEN, None])
 
 

@@ -126,7 +126,7 @@ def vibration_table(
 
 
 def points_beside(table: VibrationTable, columns: Sequence[FloatArray]) -> dict[str, Point]:
-    """Where each effect that is not linear fits best as the only one beside columns, of those that the rows can show."""
+    """Where each effect that is not linear fits best as the only one beside columns, if the rows can show it."""
     return {
         curved.name: point for curved in CURVED.values() if (point := best_point(table, curved, columns)) is not None
     }
