@@ -12,7 +12,7 @@ import click
 import numpy as np
 
 from benchmarks.vibration.designs import DESIGNS
-from benchmarks.vibration.effects import CATALOGUE, NOVEL
+from benchmarks.vibration.effects import CATALOGUE, NOT_SHOWN, NOVEL
 from benchmarks.vibration.world import Effect, Made, make
 from tumble.calibrations.methods.vibration.loop import VibrationLoop, close_vibration_loop
 from tumble.calibrations.methods.vibration.model import NAMES
@@ -61,6 +61,8 @@ def drawn(kind: str, seed: int) -> tuple[tuple[str, ...], Made, str]:
             chosen = rng.choice(len(CATALOGUE), size=1 if kind == "single" else 2, replace=False)
             names = tuple(list(CATALOGUE)[place] for place in chosen.tolist())
         known = {**CATALOGUE, **{name: each[:2] for name, each in NOVEL.items()}}
+        if where in NOT_SHOWN.get(names[0], ()):
+            continue
         sized = {name: _sized(seed, where, name, known[name], float(rng.choice(UNITS))) for name in names}
         if all(sized.values()):
             effects: Mapping[str, tuple[Effect, float]] = {name: each for name, each in sized.items() if each}

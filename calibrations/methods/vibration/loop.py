@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from functools import reduce
 from typing import Final
 
 import numpy as np
@@ -28,6 +27,7 @@ from tumble.calibrations.methods.vibration.table import (
 from tumble.calibrations.tracing.experiments import Experiment
 from tumble.calibrations.tracing.explained import Explained
 from tumble.calibrations.tracing.findings import (
+    SHAPELESS_P,
     EffectFound,
     Unexplained,
     Withheld,
@@ -131,8 +131,10 @@ def _declared(
 ) -> VibrationDeclared:
     used = observations.without(tuple(gross))
     table = vibration_table(used, observations, reference_temperature_degc)
-    fit = fit_vibration(table, _nothing(table))
-    return VibrationDeclared(observations=used, table=table, fit=fit, model=declared_model(table, fit, _nothing(table)))
+    fit = fit_vibration(table, nothing_found(table))
+    return VibrationDeclared(
+        observations=used, table=table, fit=fit, model=declared_model(table, fit, nothing_found(table))
+    )
 
 
 def _check(observations: VibrationObservations) -> None:
@@ -199,16 +201,25 @@ def explained_rows(table: VibrationTable) -> Explained[VibrationTable, Vibration
     """What a table is traced to; structure without a name where several names would stand for one course of the level.
 
     Of a few levels of one drive any two effects that follow the level alone make up almost any course of it: where one
-    without a name explains about as much, the names are forced upon it.
+    without a name explains about as much, the names are forced upon it. And where effects fell that stood for
+    something, it is looked for once more without them.
     """
     named = _explained(table)
-    found = [str(name) for name in named.trace.names if name in OF_THE_LEVEL]
-    if len(found) < 2:
+    forced = tuple(str(name) for name in named.trace.names if name in OF_THE_LEVEL)
+    fallen = tuple(each.name for each in named.judged.withheld if not each.unnamed)
+    if len(forced) < 2 and not (fallen and _differs(named)):
         return named
-    unnamed = _explained(reduce(lambda left, name: left.without(name), OF_THE_LEVEL, table))
+    unnamed = _explained(table.without(*(OF_THE_LEVEL if len(forced) > 1 else fallen)))
+    if len(forced) < 2:
+        return unnamed if unnamed.trace.components else named
     courses = [each for each in unnamed.trace.components if each.depends_on == "amplitude"]
-    forced = penalised_deviance(unnamed.trace) < penalised_deviance(named.trace) + _FORCED
-    return unnamed if courses and forced else named
+    near = penalised_deviance(unnamed.trace) < penalised_deviance(named.trace) + _FORCED
+    return unnamed if courses and near else named
+
+
+def _differs(named: Explained[VibrationTable, VibrationFit]) -> bool:
+    """Whether settings differ in no shape beyond everything that was found: what fell stood for something."""
+    return not named.trace.components and named.judged.lack.alike < SHAPELESS_P
 
 
 def _explained(table: VibrationTable) -> Explained[VibrationTable, VibrationFit]:
@@ -259,6 +270,6 @@ def _relinearised(table: VibrationTable, found: Judged[VibrationTable], fit: Vib
     return table.at(points) if far else None
 
 
-def _nothing(table: VibrationTable) -> Trace:
+def nothing_found(table: VibrationTable) -> Trace:
     """The declared model alone."""
     return Trace(found=(), noise=NoiseModel(), deviance=table.deviance((), NoiseModel()))

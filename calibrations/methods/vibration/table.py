@@ -70,9 +70,9 @@ class VibrationTable(Extensible):
         """The same with effects that are not linear linearised elsewhere."""
         return replace(traceable(replace(self.scene, points=points)), effects=self.effects)
 
-    def without(self, name: str) -> "VibrationTable":
-        """The same in which an effect is not looked for."""
-        return replace(self, effects=tuple(effect for effect in self.effects if effect.name != name))
+    def without(self, *names: str) -> "VibrationTable":
+        """The same in which some effects are not looked for."""
+        return replace(self, effects=tuple(effect for effect in self.effects if str(effect.name) not in names))
 
     def with_room(self, mountings: int) -> "VibrationTable":
         """The same with room for so many mountings more, of which it has no row."""
