@@ -2,9 +2,10 @@
 
 import numpy as np
 import pytest
-from vibration_tables import FIXTURES, dwells, measured
+from vibration_tables import FIXTURES, HALF, dwells, measured
 
 from tumble.calibrations.methods.vibration.effects.curved import CROSS, magnification
+from tumble.calibrations.methods.vibration.probes import shaken
 from tumble.calibrations.methods.vibration.scene import VibrationScene
 from tumble.calibrations.methods.vibration.table import best_point, vibration_table
 
@@ -14,7 +15,7 @@ SMALL = np.array([38.0, 3.7, 0.3, -1.5, -4.9])
 
 @pytest.mark.parametrize("ratio", [0.23, -0.37, 0.06])
 def test_sideways_motion_starts_in_the_right_minimum(ratio):
-    rows = dwells(*FIXTURES)
+    rows = dwells(*FIXTURES, shaken((1.0, 0.0, 0.0), (0.0, 0.0, 1.0)), shaken((HALF, 0.0, HALF), (0.0, 1.0, 0.0)))
     shares = CROSS.shares(VibrationScene(observations=rows, history=rows), ratio)
     rows = measured(rows, shares.added(SMALL), k=SMALL)
     point = best_point(vibration_table(rows, rows), CROSS, ())
