@@ -7,16 +7,12 @@ import click
 from tumble.app.commands import options
 from tumble.app.console import warn
 from tumble.app.files import write_text
-from tumble.app.methods import methods
+from tumble.app.reducing import reduced_file
 from tumble.app.sections import show_sections
 from tumble.app.terminal import language, say
-from tumble.calibrations.core.bounded import check_bounded
-from tumble.calibrations.core.cells import TableError
-from tumble.calibrations.core.files import read_header
-from tumble.calibrations.core.reducing import Reduced, Reduces
+from tumble.calibrations.core.reducing import Reduced
 from tumble.calibrations.core.table import write_table
 from tumble.messages import Message
-from tumble.procedures.errors import InputError
 
 
 @click.command("reduce")
@@ -36,7 +32,7 @@ def command(
     Missing samples, cut periods and a drive off its nominal frequency do no harm. A dwell that is clipped, or in which
     the drive is locked to the sampling clock, has no mean, and it is said why.
     """
-    found = _reduced(file)
+    found = reduced_file(file)
     warn(found.warnings)
     if str(json_path) != "-":
         show_sections(found.sections(), verbose=verbose)
@@ -46,31 +42,6 @@ def command(
         say(Message("table {path}", path=table), err=True)
     if page is not None:
         _write_page(found, file, page)
-
-
-def _reduced(file: Path) -> Reduced:
-    """Reduce a file by the method whose samples it holds. Raises `InputError`."""
-    try:
-        check_bounded(file)
-        header = read_header(file)
-        for method in methods():
-            if isinstance(method, Reduces) and method.are_samples(header):
-                return method.reduced(file)
-    except OSError as error:
-        raise InputError(
-            Message(
-                "{path}: cannot be read ({reason}); check the name and the rights", path=file, reason=error.strerror
-            )
-        ) from error
-    except (TableError, ValueError) as error:
-        raise InputError(str(error)) from error
-    raise InputError(
-        Message(
-            "{path}, line 1: no samples of dwells (dwell, time_s, kind, output_g); its columns are {columns}",
-            path=file,
-            columns=", ".join(header),
-        )
-    )
 
 
 def _write_page(found: Reduced, file: Path, page: Path) -> None:

@@ -1,6 +1,6 @@
 """The coefficients beside what was found, by generalised least squares; effects that are not linear in full."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Final
@@ -14,7 +14,7 @@ from tumble.calibrations.core.solutions import pseudo_inverse
 from tumble.calibrations.methods.vibration.effects.curved import CURVED, Curved
 from tumble.calibrations.methods.vibration.model import COEFFICIENTS, NAMES, SUMS, UNIT, name_of
 from tumble.calibrations.methods.vibration.scene import Point
-from tumble.calibrations.methods.vibration.table import VibrationTable, best_point
+from tumble.calibrations.methods.vibration.table import VibrationTable, best_point, other_minima
 from tumble.calibrations.tracing.noise import Whitening
 from tumble.calibrations.tracing.quantified import Quantified, slices, tangent
 from tumble.calibrations.tracing.trace import Found, Trace
@@ -101,13 +101,16 @@ class VibrationFit(Quantified):
         return Message("these dwells do not tell it: its product does not vary by itself")
 
 
-def fit_vibration(table: VibrationTable, trace: Trace) -> VibrationFit:
-    """Fit the declared model with what was found, by Gauss and Newton where an effect is not linear."""
+def fit_vibration(table: VibrationTable, trace: Trace, starts: Mapping[str, Point] | None = None) -> VibrationFit:
+    """Fit the declared model with what was found, by Gauss and Newton where an effect is not linear.
+
+    `starts` are the points from which these effects start, by name, where that is not the best one.
+    """
     table = table.with_components(trace.components)
     whitening = table.memory.whitening(trace.noise)
     problem = _Problem(table, trace.found, whitening)
     linear = table.fit(trace.forms, trace.noise).theta
-    theta = problem.solved(problem.start(linear))
+    theta = problem.solved(problem.start(linear, starts or {}))
     return _stated(problem, trace, theta)
 
 
@@ -127,18 +130,22 @@ class _Problem:
             if (curved := CURVED.get(str(item.effect.name))) is not None:
                 yield curved, self.size + place.start
 
-    def start(self, theta: FloatArray) -> FloatArray:
+    def start(self, theta: FloatArray, starts: Mapping[str, Point]) -> FloatArray:
         """Parameters of the linear fit, with each value that is not linear where it is best beside the others."""
         theta = theta.copy()
         for curved, at in self.curved:
-            others = [
-                item.form.columns
-                for item, place in zip(self.found, self.places, strict=True)
-                if self.size + place.start != at
-            ]
-            if (point := best_point(self.table, curved, others)) is not None:
+            point = starts.get(curved.name) or best_point(self.table, curved, self.beside(at))
+            if point is not None:
                 theta[at], theta[:COEFFICIENTS] = point.value, point.coefficients
         return self.allowed(theta)
+
+    def beside(self, at: int) -> list[FloatArray]:
+        """Columns of everything that was found but the effect whose value has a place among the parameters."""
+        return [
+            item.form.columns
+            for item, place in zip(self.found, self.places, strict=True)
+            if self.size + place.start != at
+        ]
 
     def allowed(self, theta: FloatArray) -> FloatArray:
         """Parameters with values that mean something."""
@@ -260,6 +267,17 @@ def _unseen(table: VibrationTable, seen: FloatArray) -> FloatArray:
         return np.asarray(unseen)
     _, sizes, right = np.linalg.svd(unseen, full_matrices=False)
     return np.asarray(right[sizes > _SEEN] * sizes[sizes > _SEEN, None])
+
+
+def second_fits(table: VibrationTable, trace: Trace, fit: VibrationFit, within: float) -> list[VibrationFit]:
+    """Fits in which an effect that is not linear has another value that explains the rows nearly as well."""
+    problem = _Problem(table, trace.found, table.memory.whitening(trace.noise))
+    found = []
+    for curved, at in problem.curved:
+        value = float(fit.coefficients[at - problem.size])
+        for point in other_minima(table, curved, problem.beside(at), value, within):
+            found.append(fit_vibration(table, trace, {curved.name: point}))
+    return [each for each in found if table.rows * float(np.log(each.squares / fit.squares)) < within]
 
 
 def points_of(fit: VibrationFit) -> dict[str, Point]:

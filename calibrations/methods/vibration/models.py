@@ -7,11 +7,12 @@ import numpy as np
 
 from tumble.calibrations.core.arrays import BoolArray
 from tumble.calibrations.core.parameter import ModelFit, Parameter
-from tumble.calibrations.methods.vibration.fit import VibrationFit, fit_vibration
+from tumble.calibrations.methods.vibration.fit import VibrationFit, fit_vibration, second_fits
 from tumble.calibrations.methods.vibration.observations import SHAKER
 from tumble.calibrations.methods.vibration.table import VibrationTable
 from tumble.calibrations.tracing.explained import RIVALS_APART, Explained
 from tumble.calibrations.tracing.held_out import held_out_rms
+from tumble.calibrations.tracing.penalties import NEAR
 from tumble.calibrations.tracing.trace import Trace, Tracer
 from tumble.messages import Message
 
@@ -69,6 +70,12 @@ def _with_rivals(explained: Explained[VibrationTable, VibrationFit]) -> dict[str
             other = fit_vibration(explained.table, rival.trace).parameters()
             for key, parameter in own.items():
                 parameters[key] = _unless_apart(parameters[key], parameter, other.get(key), name, rival.name)
+    for number, second in enumerate(second_fits(explained.table, explained.trace, explained.best, NEAR), start=2):
+        other, told = second.parameters(), [str(item.effect.name) for item in second.found]
+        for key, parameter in own.items():
+            parameters[key] = _unless_apart(
+                parameters[key], parameter, other.get(key), told[0], f"{told[0]} ({number})"
+            )
     return parameters
 
 

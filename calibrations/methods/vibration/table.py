@@ -29,6 +29,7 @@ _GRAIN: Final = 2
 _MODES: Final = 0.6
 """Cosines over the run for each row: the rest outputs of the mountings take the slowest ones of a wandering."""
 _REFINED: Final = 3
+_FINER: Final = 25
 _BETWEEN: Final = 9
 """Values of an effect that is not linear, between the neighbours of the best one so far."""
 
@@ -144,6 +145,26 @@ def best_point(table: VibrationTable, curved: Curved, columns: Sequence[FloatArr
         values = np.linspace(around[0], around[-1], _BETWEEN).tolist()
         values = [value for value in values if value != 0.0]
     return tried[best][1]
+
+
+def other_minima(
+    table: VibrationTable, curved: Curved, columns: Sequence[FloatArray], value: float, within: float
+) -> list[Point]:
+    """Other values at which an effect that is not linear fits nearly as well: -2 ln L is at most `within` more.
+
+    Each lies in a valley of its own, away from `value`.
+    """
+    tried = list(_tried(table, curved, sorted(curved.tried(table.scene)), columns))
+    left = np.array([each for each, _ in tried])
+    valleys = [place for place in range(1, len(left) - 1) if left[place] <= min(left[place - 1], left[place + 1])]
+    found = []
+    for place in valleys:
+        low, high = tried[place - 1][1].value, tried[place + 1][1].value
+        if not low <= value <= high:
+            finer = np.linspace(low, high, _FINER)
+            found.append(min(_tried(table, curved, finer[finer != 0.0].tolist(), columns), key=lambda each: each[0]))
+    (best, _), *_ = _tried(table, curved, [value], columns)
+    return [point for squares, point in found if table.rows * np.log(squares / best) < within]
 
 
 def _tried(
