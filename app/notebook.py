@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
     from tumble.calibrations.allan.result import AllanResult
+    from tumble.calibrations.core.reducing import Reduced
     from tumble.calibrations.records.store import Store
 
 _HEADINGS: Final = (Message("parameter"), Message("value (standard uncertainty)"), Message("remark"))
@@ -133,6 +134,22 @@ def allan(path: Place, *, rate_hz: float | None = None) -> "AllanResult":
         return noise_of(read_still(Path(path), rate_hz))
     except TableError as error:
         raise InputError(str(error)) from error
+
+
+def reduce(path: Place) -> "Reduced":
+    """Samples of dwells at rest and under vibration (CSV), reduced.
+
+    What it has: `document()` with means, mean products and rectification; `rows(mounting)`, the table that `close_loop`
+    reads; `sections()`.
+
+    Raises
+    ------
+    InputError
+        Unreadable or malformed, or no samples of dwells.
+    """
+    from tumble.app.reducing import reduced_file
+
+    return reduced_file(Path(path))
 
 
 def close_loop(path: Place, *further: Place, stand: Place | None = None, serial_number: str = "") -> Result:

@@ -2,8 +2,9 @@
 
 What a notebook or a script uses is here; it is loaded when it is first asked for:
 
-- `fit`, `close_loop`: what a recording or a table says; `allan`: the noise of a long still one; `plan`, `run`,
-  `calibrate`: at a stand, the built-in simulated one unless told; `records`: what was stored.
+- `fit`, `close_loop`: what a recording or a table says; `allan`: the noise of a long still one; `reduce`: samples of
+  vibrated dwells; `plan`, `run`, `calibrate`: at a stand, the built-in simulated one unless told; `records`: what was
+  stored.
 - `Result` shows itself in a notebook, and has `values`, `to_dict`, `to_dataframe` and `plot`, which gives a `Picture`.
 
 Packages: `calibrations` is the analysis; `procedures` are programmes, the engine and recordings; `drivers` are
@@ -14,9 +15,9 @@ and the command line; `window` is the operator's window.
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from tumble.app.notebook import Picture, Result, allan, calibrate, close_loop, fit, plan, records, run
+    from tumble.app.notebook import Picture, Result, allan, calibrate, close_loop, fit, plan, records, reduce, run
 
-__all__ = ["Picture", "Result", "allan", "calibrate", "close_loop", "fit", "plan", "records", "run"]
+__all__ = ["Picture", "Result", "allan", "calibrate", "close_loop", "fit", "plan", "records", "reduce", "run"]
 
 
 def __getattr__(name: str) -> object:
