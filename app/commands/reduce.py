@@ -4,14 +4,15 @@ from pathlib import Path
 
 import click
 
+from tumble.app import reports
 from tumble.app.commands import options
 from tumble.app.console import warn
-from tumble.app.files import write_text
 from tumble.app.reducing import reduced_file
 from tumble.app.sections import show_sections
 from tumble.app.terminal import language, say
 from tumble.calibrations.core.reducing import Reduced
 from tumble.calibrations.core.table import write_table
+from tumble.calibrations.report.document import page_of_sections
 from tumble.messages import Message
 
 
@@ -45,7 +46,6 @@ def command(
 
 
 def _write_page(found: Reduced, file: Path, page: Path) -> None:
-    from tumble.calibrations.report.sections import page as page_of  # jinja2 takes time
-
-    write_text(page, page_of(found.title, file.name, list(found.sections()), found.warnings, language()))
+    content = page_of_sections(found.title, file.name, list(found.sections()), found.warnings)
+    reports.write(content, page, language())
     say(Message("report {page}", page=page), err=True)

@@ -4,8 +4,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Self
 
-from markupsafe import Markup
-
 from tumble.app.measurement import Measurement
 from tumble.app.section_report import section_report
 from tumble.calibrations.core.parameter import Parameter
@@ -13,7 +11,7 @@ from tumble.calibrations.core.provenance import LimitCheck, Provenance
 from tumble.calibrations.core.quantities import format_number
 from tumble.calibrations.core.sentences import series
 from tumble.calibrations.core.verdict import Judgement, Model, Outcome, Verdict
-from tumble.calibrations.core.view import Section
+from tumble.calibrations.core.view import Drawn, Section
 from tumble.calibrations.methods.vibration.document import document, fit_document
 from tumble.calibrations.methods.vibration.entry import VERSION, entry
 from tumble.calibrations.methods.vibration.fit import VibrationFit
@@ -23,6 +21,7 @@ from tumble.calibrations.methods.vibration.observations import VibrationObservat
 from tumble.calibrations.methods.vibration.sections import sections_beside_values
 from tumble.calibrations.methods.vibration.table import VibrationTable
 from tumble.calibrations.records.entry import Entry
+from tumble.calibrations.report.document import Report
 from tumble.calibrations.tracing.chain import Chain
 from tumble.calibrations.tracing.experiments import Experiment
 from tumble.calibrations.tracing.explained import Explained
@@ -87,9 +86,9 @@ class VibrationAnalysed:
         told = Message("not told by these dwells: {names}", names=series(unseen)) if unseen else ""
         return tuple(filter(None, [*self.in_short(), told]))
 
-    def figure(self) -> Markup:
+    def figure(self) -> Drawn | None:
         """Nothing is drawn of the declared model alone."""
-        return Markup("")
+        return None
 
     def as_json(self) -> dict[str, Any]:
         """The result as `tumble.fit/1`, with the verdict."""
@@ -168,12 +167,6 @@ class VibrationTraced(VibrationAnalysed):
         """The same: another fit of the same rows gives the same."""
         return self
 
-    def report(
-        self,
-        record_id: str,
-        revision: int,  # noqa: ARG002  # the page says which record it is of
-        chain: Chain[Any] | None,
-        contradictions: Sequence[str],
-    ) -> str:
-        """The report, one HTML page."""
-        return section_report(METHOD.title, self, record_id, chain, contradictions)
+    def report(self, record_id: str, revision: int, chain: Chain[Any] | None, contradictions: Sequence[str]) -> Report:
+        """What is reported of it."""
+        return section_report(METHOD, self, record_id, revision, chain, contradictions)

@@ -3,8 +3,6 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from markupsafe import Markup
-
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.quantities import format_concise, format_number
 from tumble.calibrations.core.view import Section
@@ -12,6 +10,7 @@ from tumble.calibrations.methods.vibration.budget_sections import budget_section
 from tumble.calibrations.methods.vibration.line import Line
 from tumble.calibrations.methods.vibration.loop import VibrationLoop
 from tumble.calibrations.methods.vibration.shown import Shown, shown
+from tumble.calibrations.report.figure import Figure
 from tumble.calibrations.tracing.sentences import findings, unexplained_sentence
 from tumble.messages import Message
 
@@ -102,8 +101,8 @@ def _ug(value: float | None) -> str:
 def _lines(beside: Shown) -> Section:
     """The line of each axis; its intercept and curvature are those that vibration rectified by K_ii would not have."""
 
-    def draw() -> Markup:
-        from tumble.calibrations.methods.vibration import figures  # matplotlib takes half a second
+    def draw() -> Figure:
+        from tumble.calibrations.methods.vibration import figures
 
         return figures.line_figure(beside.lines)
 
@@ -134,7 +133,7 @@ def _line_row(line: Line) -> Sequence[str]:
 
 
 def _bands(beside: Shown) -> Section:
-    def draw() -> Markup:
+    def draw() -> Figure:
         from tumble.calibrations.methods.vibration import figures
 
         return figures.band_figure(beside.bands)

@@ -5,13 +5,12 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any, Final
 
-from markupsafe import Markup
-
 from tumble.calibrations.core.quantities import format_concise
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.vibration.dwells.reduction import Estimate, ReducedDwell, Reduction
 from tumble.calibrations.methods.vibration.dwells.rows import rows_of
 from tumble.calibrations.methods.vibration.observations import VibrationObservations
+from tumble.calibrations.report.figure import Figure
 from tumble.messages import Message
 
 _DRAWN: Final = 6
@@ -85,7 +84,7 @@ def _picture(dwell: ReducedDwell) -> Section:
     )
 
 
-def _draw(dwell: ReducedDwell) -> Markup:
-    from tumble.calibrations.methods.vibration.figures import dwell_figure  # matplotlib takes half a second
+def _draw(dwell: ReducedDwell) -> Figure:
+    from tumble.calibrations.methods.vibration.figures import dwell_figure
 
     return dwell_figure(dwell)
