@@ -29,6 +29,7 @@ DESIGNS = (
 )
 MANY = (DESIGNS[1], DESIGNS[3])
 """Designs in which structure without a name can be told."""
+FAR = 2.2
 UNITS = (20.0, 30.0, 40.0)
 _ALL = (*UNIT, *STAND)
 _IN_TILTS = ("tilt_bias",)
@@ -53,6 +54,8 @@ def main(kind: str, seeds: str, tables: int, first: int, *, verbose: bool) -> No
         counted.update(_inside(loop, made))
         if verbose and not right:
             _tell(number, loop, names)
+        if verbose:
+            _tell_outside(number, loop, made, names)
     print(
         f"{kind}: {counted['right']} of {tables} right; {counted['inside']} of {counted['stated']} stated parameters "
         f"inside their intervals, {counted['withheld']} withheld"
@@ -63,6 +66,15 @@ def _tell(number: int, loop: GyrocompassLoop, names: Sequence[str]) -> None:
     said = {effect.name: effect.also_possible for effect in loop.effects}
     unexplained = loop.unexplained and (loop.unexplained.depends_on, loop.unexplained.description)
     print(number, names, "->", said, unexplained, [(each.name, each.reason) for each in loop.withheld])
+
+
+def _tell_outside(number: int, loop: GyrocompassLoop, made: Made, names: Sequence[str]) -> None:
+    truth = {"alpha0": made.platform.alpha0_deg, "drift": made.platform.drift_deg_h}
+    for name, parameter in loop.augmented.parameters.items():
+        if parameter.value is not None and parameter.standard_uncertainty:
+            off = ((parameter.value - truth[name] + 180.0) % 360.0 - 180.0) / parameter.standard_uncertainty
+            if abs(off) > FAR:
+                print(f"{number} {names} {name} off by {off:.1f} standard uncertainties", [e.name for e in loop.effects])
 
 
 def _drawn(kind: str, number: int, rng: np.random.Generator) -> tuple[Sequence[str], str, Made]:

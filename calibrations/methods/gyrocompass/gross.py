@@ -41,7 +41,8 @@ def robust_fit(observations: GyrocompassObservations) -> RobustFit:
     )
     root = 1.0 / np.sqrt(rate_variances(observations))
     white, output = design * root[:, None], observations.rate_deg_h * root
-    robust, coefficients, residual = np.ones(len(output)), np.zeros(_UNKNOWNS), output
+    residual, robust = output, np.ones(len(output))
+    coefficients: FloatArray = np.zeros(_UNKNOWNS)
     for _ in range(_ROUNDS):
         each = np.sqrt(robust)
         coefficients = np.linalg.lstsq(white * each[:, None], output * each, rcond=1e-9)[0]

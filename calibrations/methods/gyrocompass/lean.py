@@ -54,8 +54,9 @@ def _fitted(delta_rad: FloatArray, sin_tilt: FloatArray) -> FloatArray:
     columns = [np.cos(delta_rad), np.sin(delta_rad)]
     if len(np.unique(np.round(np.rad2deg(delta_rad) % 360.0, 2) % 360.0)) > len(columns):
         columns.append(np.ones(len(delta_rad)))
-    design, root = np.column_stack(columns), np.ones(len(delta_rad))
-    found = np.zeros(design.shape[1])
+    design = np.column_stack(columns)
+    root: FloatArray = np.ones(len(delta_rad))
+    found: FloatArray = np.zeros(design.shape[1])
     for _ in range(_ROUNDS):
         found = np.linalg.lstsq(design * root[:, None], sin_tilt * root, rcond=1e-9)[0]
         size = np.abs(sin_tilt - design @ found)

@@ -10,6 +10,7 @@ from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.compression import compress
 from tumble.calibrations.core.repeats import labels, visits
 from tumble.calibrations.methods.gyrocompass.effects import GYROCOMPASS_EFFECTS
+from tumble.calibrations.methods.gyrocompass.effects.drift import WALK
 from tumble.calibrations.methods.gyrocompass.effects.unnamed import unnamed
 from tumble.calibrations.methods.gyrocompass.geometry import heading_functions
 from tumble.calibrations.methods.gyrocompass.lean import Lean, leans
@@ -19,7 +20,7 @@ from tumble.calibrations.methods.gyrocompass.scene import GyrocompassScene
 from tumble.calibrations.methods.gyrocompass.weights import rate_variance, rate_variances, tilt_variance
 from tumble.calibrations.tracing.components import Axis
 from tumble.calibrations.tracing.effect import Variable
-from tumble.calibrations.tracing.noise import Memory, scaled_levels
+from tumble.calibrations.tracing.noise import Memory, scaled_levels, slow_modes
 from tumble.calibrations.tracing.table import Extensible, View
 
 _MANY_POSITIONS: Final = 8
@@ -40,7 +41,7 @@ class GyrocompassTable(Extensible):
     @property
     def rates(self) -> NDArray[np.bool_]:
         """Which rows are rates, shape (rows,)."""
-        return np.arange(self.rows) % self.scene.outputs == 0
+        return np.asarray(np.arange(self.rows) % self.scene.outputs == 0)
 
     def view(self, rows: GyrocompassObservations, theta: FloatArray) -> GyrocompassScene:
         """Dwells as effects see them with these parameters; a base that this table has leans as it does here."""
@@ -138,8 +139,15 @@ def seen_from(scene: GyrocompassScene, weights: FloatArray) -> GyrocompassTable:
         effects=GYROCOMPASS_EFFECTS,
         structures=(),
         axes=unnamed(scene),
+        walk=WALK,
         memory=Memory(
-            modes=np.empty((len(weights), 0)),
+            modes=_modes(scene, weights),
             levels={name: scaled_levels(columns, weights) for name, columns in drawn.items()},
         ),
     )
+
+
+def _modes(scene: GyrocompassScene, weights: FloatArray) -> FloatArray:
+    """Along what the drift wanders; a tilt does not."""
+    rates = scene.in_rows(np.ones(scene.dwells))
+    return np.asarray(slow_modes(scene.hours, weights) * rates[:, None])

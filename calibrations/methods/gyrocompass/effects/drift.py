@@ -9,8 +9,8 @@ from tumble.calibrations.methods.gyrocompass.scene import GyrocompassScene
 from tumble.calibrations.tracing.effect import Effect, Form, contrasts, plain, scan, single, spread, with_scanned
 from tumble.messages import Message
 
-_MODES: Final = 30
-_FEWEST_MODES: Final = 4
+WALK: Final = Message.named("drift_random_walk", "random walk of the drift")
+"""Drift that wanders: noise to a fit (IEEE Std 952, rate random walk)."""
 
 
 def _ramp(scene: GyrocompassScene) -> Sequence[Form]:
@@ -42,21 +42,6 @@ def _temperature(scene: GyrocompassScene) -> Sequence[Form]:
 def _realisations(scene: GyrocompassScene) -> Sequence[Form]:
     levels = int(scene.realisation.max(initial=0)) + 1
     return () if levels < 2 else (Form(columns=scene.in_rows(contrasts(levels)[scene.realisation])),)
-
-
-def _walk(scene: GyrocompassScene) -> Sequence[Form]:
-    """Cosines over the run with variances falling as 1/k² (Karhunen-Loève).
-
-    The coefficients are scaled so that each has the variance rate² · 1 h, whatever the length of the run.
-    """
-    hours = scene.dwell_hours
-    count = min(_MODES, scene.dwells // 3)
-    if hours is None or not np.ptp(hours) > 0 or count < _FEWEST_MODES:
-        return ()
-    order = np.arange(1, count + 1)
-    run_h = float(np.ptp(hours))
-    phase = np.pi * np.outer((hours - hours[0]) / run_h, order)
-    return (Form(columns=scene.in_rows(np.sqrt(2.0 * run_h) / np.pi * np.cos(phase) / order)),)
 
 
 DRIFT_EFFECTS: Final[tuple[Effect[GyrocompassScene], ...]] = (
@@ -97,16 +82,6 @@ DRIFT_EFFECTS: Final[tuple[Effect[GyrocompassScene], ...]] = (
         source="IEEE Std 528, turn-on to turn-on repeatability",
         forms=_realisations,
         report=spread("realisation_drift", "°/h"),
-        random=True,
-    ),
-    Effect(
-        name=Message.named("drift_random_walk", "random walk of the drift"),
-        belongs_to="unit",
-        depends_on="time",
-        symbol="ω(t)",
-        source="IEEE Std 952, rate random walk; Karhunen-Loève expansion of the centred Wiener process",
-        forms=_walk,
-        report=spread("drift_random_walk", "°/h/√h"),
         random=True,
     ),
 )
