@@ -74,7 +74,9 @@ def _tell_outside(number: int, loop: GyrocompassLoop, made: Made, names: Sequenc
         if parameter.value is not None and parameter.standard_uncertainty:
             off = ((parameter.value - truth[name] + 180.0) % 360.0 - 180.0) / parameter.standard_uncertainty
             if abs(off) > FAR:
-                print(f"{number} {names} {name} off by {off:.1f} standard uncertainties", [e.name for e in loop.effects])
+                print(
+                    f"{number} {names} {name} off by {off:.1f} standard uncertainties", [e.name for e in loop.effects]
+                )
 
 
 def _drawn(kind: str, number: int, rng: np.random.Generator) -> tuple[Sequence[str], str, Made]:

@@ -15,8 +15,9 @@ from tumble.calibrations.methods.gyrocompass.fit import GyrocompassFit, fit_gyro
 from tumble.calibrations.methods.gyrocompass.gross import gross_errors
 from tumble.calibrations.methods.gyrocompass.headings import possible_headings_deg
 from tumble.calibrations.methods.gyrocompass.misreading import Misreading, as_effect, misreadings
-from tumble.calibrations.methods.gyrocompass.model import ALPHA0, NAMES
+from tumble.calibrations.methods.gyrocompass.model import ALPHA0
 from tumble.calibrations.methods.gyrocompass.models import augmented, held_out_declared, modelled, silent, with_headings
+from tumble.calibrations.methods.gyrocompass.nonlinear import beyond_first_order, lean_of
 from tumble.calibrations.methods.gyrocompass.observations import GyrocompassObservations
 from tumble.calibrations.methods.gyrocompass.table import GyrocompassTable, gyrocompass_table, seen_from
 from tumble.calibrations.tracing.experiments import Experiment
@@ -40,6 +41,10 @@ _UNEVEN_P: Final = 0.01
 """Below this rates and tilts scatter otherwise than was taken, and are weighed anew."""
 _NEAR_RAD: Final = 5e-3
 """An anchor this near the heading that was found is good to 1e-5 of the earth rate."""
+_ROUNDS: Final = 3
+"""So often a table is traced anew from where it was found to be."""
+_BENT: Final = 1.0
+"""Length beyond which what is of second order in the azimuth matters, in variances of a dwell."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -172,7 +177,10 @@ def close_gyrocompass_loop(
     """Trace what heading and drift leave of a table. Raises `ValueError` where there is one position only."""
     before = declared_fit(observations, reference_temperature_degc)
     explained = _explained(before)
-    if (table := _seen_anew(explained)) is not None and not before.doubts:
+    for _ in range(_ROUNDS):
+        table = _seen_anew(explained)
+        if table is None or before.doubts:
+            break
         before = _declared(before.observations, table)
         explained = _explained(before)
     return _loop(observations, before, explained)
@@ -190,11 +198,12 @@ def _seen_anew(explained: Explained[GyrocompassTable, GyrocompassFit]) -> Gyroco
     """The table anchored and weighed by what was found, where that makes a difference; None where it makes none."""
     table, fit = explained.table, explained.best
     tilts = _weight_of_tilts(table, fit)
-    if abs(float(fit.theta[ALPHA0] - table.scene.theta[ALPHA0])) < _NEAR_RAD and tilts == 1.0:
+    anchored = abs(float(fit.theta[ALPHA0] - table.scene.theta[ALPHA0])) < _NEAR_RAD
+    scene = replace(table.scene, theta=fit.theta, lean=lean_of(table.scene, fit))
+    bent = beyond_first_order(scene, fit)
+    if anchored and tilts == 1.0 and np.sum(table.weights * (bent - table.known) ** 2) < _BENT * fit.dwell**2:
         return None
-    theta = np.concatenate([fit.theta[: len(NAMES)], table.scene.theta[len(NAMES) :]])
-    weights = np.where(table.rates, table.weights, tilts * table.weights)
-    return seen_from(replace(table.scene, theta=theta), weights)
+    return seen_from(scene, np.where(table.rates, table.weights, tilts * table.weights), bent)
 
 
 def _weight_of_tilts(table: GyrocompassTable, fit: GyrocompassFit) -> float:

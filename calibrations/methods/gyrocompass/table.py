@@ -32,6 +32,8 @@ class GyrocompassTable(Extensible):
     """Rows are the rate and, where that is used, the sine of the tilt of each dwell in turn."""
 
     scene: GyrocompassScene
+    known: FloatArray
+    """What is taken off the output beside the earth rate at the anchor, shape (rows,)."""
 
     @property
     def observations(self) -> GyrocompassObservations:
@@ -112,7 +114,7 @@ def gyrocompass_table(
     weights = blank.in_rows(1.0 / rate_variances(observations), np.full(blank.dwells, ratio))
     model = Gyrocompass(functions=functions(blank))
     theta = model.fitted(compress(model.functions, measured(blank), weights))
-    return seen_from(replace(blank, theta=theta), weights)
+    return seen_from(replace(blank, theta=theta), weights, np.zeros(blank.rows))
 
 
 def measured(scene: GyrocompassScene) -> FloatArray:
@@ -123,8 +125,8 @@ def measured(scene: GyrocompassScene) -> FloatArray:
     return scene.in_rows(rows.rate_deg_h, np.sin(np.deg2rad(rows.tilt_gamma_deg)))
 
 
-def seen_from(scene: GyrocompassScene, weights: FloatArray) -> GyrocompassTable:
-    """Dwells as a table that is anchored at the α0 of a scene."""
+def seen_from(scene: GyrocompassScene, weights: FloatArray, known: FloatArray) -> GyrocompassTable:
+    """Dwells as a table that is anchored at the α0 of a scene, with what is known of the rows taken off."""
     anchor_rad = float(scene.theta[ALPHA0])
     model = Gyrocompass(functions=functions(scene), anchor_rad=anchor_rad)
     drawn = {
@@ -132,10 +134,11 @@ def seen_from(scene: GyrocompassScene, weights: FloatArray) -> GyrocompassTable:
     }
     return GyrocompassTable(
         model=model,
-        output=measured(scene) - model.functions[:, :HEADING] @ direction(anchor_rad),
+        output=measured(scene) - model.functions[:, :HEADING] @ direction(anchor_rad) - known,
         unit="°/h",
         weights=weights,
         scene=scene,
+        known=known,
         effects=GYROCOMPASS_EFFECTS,
         structures=(),
         axes=unnamed(scene),
