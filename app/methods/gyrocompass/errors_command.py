@@ -54,8 +54,17 @@ def command(target_deg: float, runs: int, seed: int, json_path: Path | None, **g
     """
     latitude_deg, dwell_s, turn_s = (given[name] for name in ("latitude_deg", "dwell_s", "turn_s"))
     noise = DriftNoise(**{each.name: given[each.name] for each in fields(DriftNoise)})
+    if not any((noise.gauss_markov_deg_h, noise.angle_random_walk_deg_sqrt_h, noise.bias_instability_deg_h)):
+        raise click.UsageError(
+            Message("a gyro has noise: give --gauss-markov, --angle-random-walk or --bias-instability a size above 0")
+        )
     conditions = replace(
-        PUBLISHED, **{each.name: given[each.name] for each in fields(Conditions) if each.name in given}
+        PUBLISHED,
+        latitude_deg=latitude_deg,
+        dwell_s=dwell_s,
+        turn_s=turn_s,
+        gauss_markov_deg_h=noise.gauss_markov_deg_h,
+        correlation_s=noise.correlation_s,
     )
     costs = error_table(conditions, runs, seed)
     ways = [each for order in ORDERS if (each := way(order, dwell_s, turn_s, latitude_deg, noise)) is not None]

@@ -1,6 +1,7 @@
 """Closing the loop on a gyrocompass: what heading and drift leave, traced; both before and after."""
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Final
 
 import numpy as np
@@ -10,6 +11,10 @@ from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.blas_threads import one_blas_thread
 from tumble.calibrations.core.parameter import ModelFit
 from tumble.calibrations.core.repeats import PureError, pure_error
+from tumble.calibrations.methods.gyrocompass.azimuth_channel import AzimuthDrift, azimuth_drift
+from tumble.calibrations.methods.gyrocompass.azimuth_mark import MarkCheck, mark_check
+from tumble.calibrations.methods.gyrocompass.baseline import Baseline, baseline_of
+from tumble.calibrations.methods.gyrocompass.closure import Closure, closure_of
 from tumble.calibrations.methods.gyrocompass.doubts import doubts
 from tumble.calibrations.methods.gyrocompass.fit import GyrocompassFit, fit_gyrocompass
 from tumble.calibrations.methods.gyrocompass.gross import gross_errors
@@ -127,6 +132,28 @@ class GyrocompassLoop:
     def unexplained(self) -> Unexplained | None:
         """The largest structure that no effect of the catalogue explains; None where there is none."""
         return None if self.doubts else unexplained(self.explained.trace, self.explained.alike)
+
+    @cached_property
+    def closure(self) -> Closure | None:
+        """Whether the earth rate has the size that the latitude says; None where that is not told."""
+        if self.doubts or len(self.declared_fit.headings_deg) > 1:
+            return None
+        return closure_of(self.explained.table, self.explained.trace, self.best)
+
+    @cached_property
+    def baseline(self) -> Baseline | None:
+        """The published formula on three of the positions; None where there are fewer."""
+        return None if self.doubts else baseline_of(self.observations)
+
+    @cached_property
+    def azimuth_drift(self) -> AzimuthDrift | None:
+        """Drift of the azimuth channel; None where the table has no rate of it."""
+        return None if self.doubts else azimuth_drift(self.explained.table, self.best)
+
+    @cached_property
+    def mark(self) -> MarkCheck | None:
+        """The heading against an azimuth mark; None where the table has none."""
+        return None if self.doubts else mark_check(self.explained.table, self.best)
 
     @property
     def drawn_deg_h(self) -> FloatArray:

@@ -20,11 +20,14 @@ from tumble.calibrations.methods.gyrocompass.scene import GyrocompassScene
 from tumble.calibrations.methods.gyrocompass.weights import rate_variance, rate_variances, tilt_variance
 from tumble.calibrations.tracing.components import Axis
 from tumble.calibrations.tracing.effect import Variable
-from tumble.calibrations.tracing.noise import Memory, scaled_levels, slow_modes
+from tumble.calibrations.tracing.noise import MODES, Memory, scaled_levels
 from tumble.calibrations.tracing.table import Extensible, View
 
 _MANY_POSITIONS: Final = 8
 """From so many positions of a base on a shape must hold among positions; of fewer every dwell counts by itself."""
+
+_SPARE_MODES: Final = 4
+"""So many fewer modes of a wandering drift than dwells there are, and not fewer than so many."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -151,6 +154,13 @@ def seen_from(scene: GyrocompassScene, weights: FloatArray, known: FloatArray) -
 
 
 def _modes(scene: GyrocompassScene, weights: FloatArray) -> FloatArray:
-    """Along what the drift wanders; a tilt does not."""
-    rates = scene.in_rows(np.ones(scene.dwells))
-    return np.asarray(slow_modes(scene.hours, weights) * rates[:, None])
+    """A constant and cosines over the run, along which the drift wanders and a tilt does not, shape (rows, n).
+
+    There are nearly as many as dwells, lest the steps of a strong walk from dwell to dwell pass for white noise.
+    """
+    hours, count = scene.dwell_hours, min(MODES, scene.dwells - _SPARE_MODES)
+    if hours is None or count < _SPARE_MODES or not np.ptp(hours) > 0:
+        return np.empty((scene.rows, 0))
+    phase = np.pi * np.outer((hours - hours.min()) / np.ptp(hours), np.arange(1, count + 1))
+    waves = np.column_stack([np.ones(scene.dwells), np.sqrt(2.0) * np.cos(phase)])
+    return scene.in_rows(waves) * np.sqrt(weights)[:, None]
