@@ -16,6 +16,7 @@ from tumble.calibrations.methods.gyrocompass.azimuth_mark import MarkCheck, mark
 from tumble.calibrations.methods.gyrocompass.baseline import Baseline, baseline_of
 from tumble.calibrations.methods.gyrocompass.closure import Closure, closure_of
 from tumble.calibrations.methods.gyrocompass.doubts import doubts
+from tumble.calibrations.methods.gyrocompass.experiments import next_experiments
 from tumble.calibrations.methods.gyrocompass.fit import GyrocompassFit, fit_gyrocompass
 from tumble.calibrations.methods.gyrocompass.gross import gross_errors
 from tumble.calibrations.methods.gyrocompass.headings import possible_headings_deg
@@ -132,6 +133,13 @@ class GyrocompassLoop:
     def unexplained(self) -> Unexplained | None:
         """The largest structure that no effect of the catalogue explains; None where there is none."""
         return None if self.doubts else unexplained(self.explained.trace, self.explained.alike)
+
+    @property
+    def not_traced(self) -> str:
+        """Why nothing was looked for; empty where it was."""
+        if len(self.declared_fit.headings_deg) > 1:
+            return Message("several headings are possible")
+        return self.explained.table.not_traced
 
     @cached_property
     def closure(self) -> Closure | None:
@@ -261,6 +269,13 @@ def _loop(
         misread=() if before.doubts else misreadings(whole, explained.table, explained.best),
         pure_error=pure_error(used.rate_deg_h, used.positions, np.ones(len(used))),
     )
+
+
+def asked_next(loop: GyrocompassLoop) -> GyrocompassLoop:
+    """The same with what to measure next."""
+    if loop.doubts:
+        return loop
+    return replace(loop, experiments=next_experiments(loop.explained, loop.declared_fit.headings_deg))
 
 
 def _nothing(table: GyrocompassTable) -> Trace:

@@ -12,7 +12,7 @@ from tumble.calibrations.core.sentences import series
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.gyrocompass.document import document
 from tumble.calibrations.methods.gyrocompass.entry import VERSION, entry
-from tumble.calibrations.methods.gyrocompass.loop import GyrocompassLoop, close_gyrocompass_loop
+from tumble.calibrations.methods.gyrocompass.loop import GyrocompassLoop, asked_next, close_gyrocompass_loop
 from tumble.calibrations.methods.gyrocompass.observations import GyrocompassObservations, read_gyrocompass_table
 from tumble.calibrations.methods.gyrocompass.sections import sections
 from tumble.calibrations.records.entry import Entry
@@ -82,7 +82,7 @@ class GyrocompassMethod:
     def close_loop(self, paths: Sequence[Path]) -> GyrocompassResult:
         """Trace tables of one platform, taken together. Raises `TableError`, `ValueError`."""
         rows = joined([read_gyrocompass_table(path) for path in paths], [None] * len(paths))
-        return GyrocompassResult(loop=close_gyrocompass_loop(rows))
+        return GyrocompassResult(loop=asked_next(close_gyrocompass_loop(rows)))
 
 
 METHOD = GyrocompassMethod()

@@ -8,7 +8,7 @@ from tumble.calibrations.core.quantities import format_concise, format_number
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.gyrocompass.loop import GyrocompassLoop
 from tumble.calibrations.methods.gyrocompass.misreading import MISREADING, misread_text
-from tumble.calibrations.tracing.sentences import Finding, findings, unexplained_sentence
+from tumble.calibrations.tracing.sentences import Finding, findings, nothing_looked_for, unexplained_sentence
 from tumble.messages import Message
 
 
@@ -54,6 +54,8 @@ def _traced(loop: GyrocompassLoop) -> Section:
     lines = []
     if unexplained := loop.unexplained:
         lines.append(unexplained_sentence(unexplained))
+    if reason := loop.not_traced:
+        lines.append(nothing_looked_for(reason))
     if not (loop.effects or lines):
         lines.append(Message("Nothing is left that the scatter of the data does not explain."))
     return Section(

@@ -44,6 +44,11 @@ class GyrocompassTable(Extensible):
         return self.scene.observations
 
     @property
+    def bases(self) -> int:
+        """On how many bases the platform stood."""
+        return _bases(self.scene)
+
+    @property
     def rates(self) -> NDArray[np.bool_]:
         """Which rows are rates, shape (rows,)."""
         return np.asarray(np.arange(self.rows) % self.scene.outputs == 0)
@@ -64,7 +69,7 @@ class GyrocompassTable(Extensible):
     def functions(self, view: View) -> FloatArray:
         """The functions of the declared model, shape (rows, functions)."""
         assert isinstance(view, GyrocompassScene), "it is a view of this table"
-        return functions(view)
+        return functions(view, self.bases)
 
     def axes_in(self, view: View) -> tuple[Axis, ...]:
         """Channels, each with every variable that varies in the view."""
@@ -89,16 +94,22 @@ class GyrocompassTable(Extensible):
         return labels(np.repeat(positions, outputs), np.tile(np.arange(outputs), scene.dwells))
 
 
-def functions(scene: GyrocompassScene) -> FloatArray:
-    """Of each row what sin α0, cos α0 and the drift are multiplied by, then A and B of each base, shape (rows, n)."""
+def functions(scene: GyrocompassScene, bases: int) -> FloatArray:
+    """Of each row what sin α0, cos α0 and the drift are multiplied by, then A and B of so many bases, shape (rows, n).
+
+    The lean of any further base is taken as given.
+    """
     heading = heading_functions(scene.delta_rad, scene.observations.latitude_deg, scene.lean)
     rates = scene.in_rows(np.column_stack([heading, np.ones(scene.dwells)]))
     if not scene.with_tilts:
         return rates
-    base = scene.observations.bases
-    its = base[:, None] == np.arange(base.max() + 1)
+    its = scene.observations.bases[:, None] == np.arange(bases)
     tilts = np.column_stack([its * np.cos(scene.delta_rad)[:, None], its * np.sin(scene.delta_rad)[:, None]])
     return np.column_stack([rates, scene.in_rows(np.zeros_like(tilts), tilts)])
+
+
+def _bases(scene: GyrocompassScene) -> int:
+    return int(scene.observations.bases.max(initial=0)) + 1
 
 
 def gyrocompass_table(
@@ -115,7 +126,7 @@ def gyrocompass_table(
     )
     ratio = rate / tilt if rate is not None and tilt is not None else 1.0
     weights = blank.in_rows(1.0 / rate_variances(observations), np.full(blank.dwells, ratio))
-    model = Gyrocompass(functions=functions(blank))
+    model = Gyrocompass(functions=functions(blank, _bases(blank)))
     theta = model.fitted(compress(model.functions, measured(blank), weights))
     return seen_from(replace(blank, theta=theta), weights, np.zeros(blank.rows))
 
@@ -131,7 +142,7 @@ def measured(scene: GyrocompassScene) -> FloatArray:
 def seen_from(scene: GyrocompassScene, weights: FloatArray, known: FloatArray) -> GyrocompassTable:
     """Dwells as a table that is anchored at the α0 of a scene, with what is known of the rows taken off."""
     anchor_rad = float(scene.theta[ALPHA0])
-    model = Gyrocompass(functions=functions(scene), anchor_rad=anchor_rad)
+    model = Gyrocompass(functions=functions(scene, _bases(scene)), anchor_rad=anchor_rad)
     drawn = {
         each.name: forms[0].columns for each in GYROCOMPASS_EFFECTS if each.random and (forms := each.forms(scene))
     }
