@@ -19,7 +19,7 @@ from tumble.calibrations.methods.gyrocompass.closure import Closure, closure_of
 from tumble.calibrations.methods.gyrocompass.doubts import doubts
 from tumble.calibrations.methods.gyrocompass.experiments import next_experiments
 from tumble.calibrations.methods.gyrocompass.fit import GyrocompassFit, fit_gyrocompass
-from tumble.calibrations.methods.gyrocompass.gross import gross_errors
+from tumble.calibrations.methods.gyrocompass.gross import gross_errors, left_gross
 from tumble.calibrations.methods.gyrocompass.headings import possible_headings_deg
 from tumble.calibrations.methods.gyrocompass.misreading import Misreading, as_effect, misreadings
 from tumble.calibrations.methods.gyrocompass.model import ALPHA0
@@ -215,16 +215,24 @@ def close_gyrocompass_loop(
 ) -> GyrocompassLoop:
     """Trace what heading and drift leave of a table. Raises `ValueError` where there is one position only.
 
-    What was found may explain dwells that were set aside as gross errors: then all is traced again with these.
+    What was found may explain dwells that were set aside as gross errors: then all is traced again with these, as it is
+    without others that an effect had hidden.
     """
     before = declared_fit(observations, reference_temperature_degc)
     before, explained = _closed(before)
     gross = [each for each in before.observations.set_aside if each not in observations.set_aside]
     left = still_gross(observations, explained)
-    if len(left) < len(gross):
-        used = observations.without(left)
+    further = left_gross(before.observations, _left(explained)) if explained.trace.names else ()
+    if len(left) < len(gross) or further:
+        used = observations.without((*left, *further))
         before, explained = _closed(_declared(used, gyrocompass_table(used, reference_temperature_degc)))
     return _loop(observations, before, explained)
+
+
+def _left(explained: Explained[GyrocompassTable, GyrocompassFit]) -> FloatArray:
+    """What is left of each dwell's rows, weighted, shape (dwells, outputs)."""
+    table = explained.table
+    return np.asarray((explained.best.residual * np.sqrt(table.weights)).reshape(table.scene.dwells, -1))
 
 
 def _closed(
