@@ -47,7 +47,7 @@ ROUND_AMOUNTS_DEG: Final = _round_amounts_deg()
 
 
 def misreadings(whole: GyrocompassObservations, table: GyrocompassTable, fit: GyrocompassFit) -> tuple[Misreading, ...]:
-    """Which of the gross errors that were set aside of `whole` are wrong angles, with what was found taken into account."""
+    """Which of the gross errors that were set aside of `whole` are wrong angles, beside what was found."""
     aside = [entry.row for entry in table.observations.set_aside if entry.gross]
     found = (_look(whole, dwell, table, fit) for dwell in np.flatnonzero(np.isin(whole.row, aside)).tolist())
     return tuple(each for each in found if each is not None)
