@@ -7,6 +7,7 @@ import pytest
 from click.testing import CliRunner
 
 from benchmarks.gyrocompass.__main__ import write
+from benchmarks.gyrocompass.effects import UNIT
 from benchmarks.gyrocompass.world import Design, make
 from tumble.app.cli import cli
 
@@ -43,3 +44,16 @@ def test_a_table_is_closed_with_the_keys_of_its_method(tmp_path):
     assert told["method"] == "gyrocompass"
     assert told["augmented"].keys() >= {"parameters", "residual_rms_deg_h", "held_out_rms_deg_h"}
     assert told["effects"] == []
+
+
+def test_a_record_whose_heading_is_withheld_between_effects_verifies(tmp_path):
+    design = Design(angles_deg=(0.0, 90.0, 180.0, 270.0), passes=3, lean_deg=3.0)
+    made = make(np.random.default_rng(3), design, unit=[(UNIT["g_unbalance"], 1.5)])
+    table, store = tmp_path / "table.csv", tmp_path / "store"
+    write(table, made.columns)
+
+    recorded = CliRunner().invoke(cli, ["close-loop", str(table), "--record", "--store", str(store), "--json", "-"])
+    verified = CliRunner().invoke(cli, ["records", "verify", "--store", str(store)])
+
+    assert json.loads(recorded.stdout)["augmented"]["parameters"]["alpha0"]["value"] is None
+    assert verified.exit_code == 0, verified.output

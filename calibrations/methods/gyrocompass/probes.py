@@ -120,7 +120,7 @@ PROBES: Final = (
     ),
     GyrocompassProbe(
         programme=Message("another lean of the base"),
-        does=Message("lets the base lean by some degrees otherwise: what turns with the base then turns otherwise"),
+        does=Message("changes the tilts by some degrees: what turns with the base then turns otherwise"),
         azimuths_deg=_back(_FOUR),
         comes_along=False,
         leans=True,
