@@ -16,7 +16,6 @@ from tumble.plugins import warn_once
 _Answer = TypeVar("_Answer", bool, str)
 
 _FOREIGN: Final[tuple[tuple[str, tuple[str, ...]], ...]] = (
-    (Message("a gyro"), ("rate_deg_h",)),
     (Message("a gyro"), ("rate_deg_s",)),
     (Message("vibration rectification"), ("output_ug", "ai_g")),
     (Message("vibrated dwells"), ("drive_Hz", "output_g")),
