@@ -11,7 +11,16 @@ from tumble.messages import Message
 
 Owner: TypeAlias = Literal["unit", "stand", "daq", "reference"]
 Variable: TypeAlias = Literal[
-    "angle", "acceleration", "amplitude", "frequency", "time", "temperature", "direction", "realisation", "order"
+    "angle",
+    "acceleration",
+    "rate",
+    "amplitude",
+    "frequency",
+    "time",
+    "temperature",
+    "direction",
+    "realisation",
+    "order",
 ]
 """On what an effect, or structure without a name, may depend."""
 OWNER_WORDS: Final[Mapping[str, Message]] = {
