@@ -1,0 +1,3 @@
+"""A closed loop on a gyrocompass, as the store takes it."""
+
+VERSION = 1
