@@ -64,7 +64,7 @@ class EmulatedLines:
             return
         fault = self._faults.take("nan", "overload", "frames_lost", "stale", "other_unit", *_SPOILT)
         kind = fault.kind if fault else ""
-        if kind != "stale":
+        if kind != "stale" or not self._values:
             self._count = (self._count + 1) % self.table.counter_modulus
             self._values = values
         told = {
