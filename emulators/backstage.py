@@ -39,9 +39,9 @@ _TURNING: Final = "turning"
 class BackstageSession:
     """Hears one thing that a person does, a line each, and answers `done`, or what is wrong. Fits `Session`.
 
-    `seat MOUNT`, or `set CONDITION VALUE` for any condition of the world; `switch on`; `turn ANGLE`, which begins to turn
-    the head, `turn off`, which leaves it where it is; `look`, which is answered `turning` as long as it turns. Another
-    positioner is named: `turn outer 45`, `look outer`.
+    `seat MOUNT`, or `set CONDITION VALUE` for any condition of the world; `switch on`; `turn ANGLE`, which begins to
+    turn the head, `turn off`, which leaves it where it is; `look`, which is answered `turning` as long as it turns.
+    Another positioner is named: `turn outer 45`, `look outer`.
 
     The fault `not_seated` has it answer so without having seated the unit.
     """

@@ -1,5 +1,7 @@
 """Samples from an instrument that tells them in lines of text."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Final, Protocol
 
@@ -77,10 +79,8 @@ class LineSampler:
     def reconnect(self) -> None:
         """Open the line anew. Raises `LinkLostError` while nobody sends there."""
         self._link.reopen()
-        try:
+        with _silence_as_loss():
             self.identify()
-        except NoReplyError as error:
-            raise LinkLostError(error.device, error.happened, error.remedy) from error
 
     def remarks(self) -> tuple[str, ...]:
         """What was dropped."""
@@ -108,14 +108,13 @@ class LineSampler:
         ------
         DeviceError
             Lines came to harm both times, it sends at another rate, or tells a channel in another unit.
-        NoReplyError
-            Lines do not come.
         LinkLostError
-            The line is gone.
+            The line is gone, or no more lines come.
         """
         complaint = ""
         for _ in range(2):
-            gathered = self._gathered(samples, rate_hz)
+            with _silence_as_loss():
+                gathered = self._gathered(samples, rate_hz)
             complaint = gathered.complaint(self._modulus)
             if not complaint:
                 self._check_rate(gathered, rate_hz)
@@ -198,3 +197,12 @@ class LineSampler:
                 ),
                 Message("write the rate at which it sends as rate_hz into the stand file"),
             )
+
+
+@contextmanager
+def _silence_as_loss() -> Iterator[None]:
+    """Tell silence as a lost link: what sends by itself and falls silent has lost its power, and may come back."""
+    try:
+        yield
+    except NoReplyError as error:
+        raise LinkLostError(error.device, error.happened, error.remedy) from error

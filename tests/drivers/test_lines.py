@@ -7,7 +7,7 @@ import pytest
 from pydantic import ValidationError
 
 from tumble.drivers.clock import VirtualClock
-from tumble.drivers.errors import DeviceError, NoReplyError
+from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
 from tumble.drivers.lines.declaration import LinesTable
 from tumble.drivers.lines.form import SpoiltLineError
 from tumble.drivers.lines.sampler import LineSampler, Requests
@@ -174,9 +174,9 @@ def test_lines_that_come_to_harm_again_and_again_end_it(lines, sentence):
         made.acquire(10, 10.0)
 
 
-def test_silence_is_told():
+def test_silence_is_a_lost_link():
     made, _, _ = sampler(counted(range(5)))
-    with pytest.raises(NoReplyError):
+    with pytest.raises(LinkLostError, match="gave no answer"):
         made.acquire(10, 10.0)
 
 
