@@ -10,10 +10,11 @@ from scipy.special import chdtrc
 from tumble.calibrations.tracing.courses import Course
 from tumble.calibrations.tracing.effect import Quantity, Variable
 from tumble.calibrations.tracing.judged import Judged
+from tumble.calibrations.tracing.noise import WALK
 from tumble.calibrations.tracing.quantified import Quantified, level_quantities
 from tumble.calibrations.tracing.rivals import Rival
 from tumble.calibrations.tracing.table import Table
-from tumble.calibrations.tracing.trace import WALK, Trace
+from tumble.calibrations.tracing.trace import Trace
 from tumble.calibrations.tracing.variables import VARIABLE_WORDS
 
 
@@ -117,6 +118,8 @@ def withheld(table: Table, found: Judged[Any]) -> tuple[Withheld, ...]:
 
 def _word(table: Table, name: str) -> str:
     """How an effect is called in a result."""
+    if name == WALK:
+        return table.walk
     return next((effect.word for effect in table.effects if effect.name == name), name)
 
 
@@ -141,4 +144,4 @@ def _walk(table: Table, trace: Trace, best: Quantified) -> Mapping[str, Quantity
     hours = table.scene.hours
     span_h = float(np.ptp(hours)) if hours is not None else 1.0
     rate = float(best.dwell * np.pi * np.sqrt(trace.noise.walk / span_h))
-    return {WALK: Quantity(value=rate, standard_uncertainty=None, unit=f"{table.unit}/√h")}
+    return {table.walk: Quantity(value=rate, standard_uncertainty=None, unit=f"{table.unit}/√h")}

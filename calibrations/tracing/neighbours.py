@@ -20,9 +20,10 @@ from tumble.calibrations.tracing.effect import Structure
 from tumble.calibrations.tracing.family import Family
 from tumble.calibrations.tracing.fitting_noise import best_level
 from tumble.calibrations.tracing.gains import seen_beside
+from tumble.calibrations.tracing.noise import WALK
 from tumble.calibrations.tracing.penalties import FALSE_ALARM, NOT_FOUND
 from tumble.calibrations.tracing.rivals import Rival
-from tumble.calibrations.tracing.trace import WALK, Trace, Tracer, found, penalised_deviance
+from tumble.calibrations.tracing.trace import Trace, Tracer, found, penalised_deviance
 
 _ALLOWED: Final = 2.0 * float(np.log(NOT_FOUND / FALSE_ALARM))
 """By so much less an effect is penalised here than in the search."""

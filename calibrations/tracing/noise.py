@@ -13,8 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tumble.calibrations.core.arrays import FloatArray
+from tumble.messages import Message
 
 MODES = 100
+WALK = Message.named("bias_random_walk", "random walk of the bias")
+"""The effect that a walk is; a method may call it otherwise in its results."""
 _NOTHING = 1e-12
 """Part of a direction's variance below which noise leaves it as it is."""
 _DEPENDENT = 1e-7

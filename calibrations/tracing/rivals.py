@@ -6,9 +6,10 @@ from typing import Any
 
 from tumble.calibrations.tracing.effect import Structure
 from tumble.calibrations.tracing.fitting_noise import best_level, best_walk
+from tumble.calibrations.tracing.noise import WALK
 from tumble.calibrations.tracing.penalties import NEAR, SIMPLER, WALK_NAMED
 from tumble.calibrations.tracing.problem import Problem
-from tumble.calibrations.tracing.trace import WALK, Found, Trace, Tracer, found, penalised_deviance, refined_one
+from tumble.calibrations.tracing.trace import Found, Trace, Tracer, found, penalised_deviance, refined_one
 
 _EQUAL = 1e-3
 """Deviances closer than this are equal: the effects are the same in this table."""

@@ -13,7 +13,7 @@ from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.tracing.components import Axis, Component
 from tumble.calibrations.tracing.declared import Declared
 from tumble.calibrations.tracing.effect import Effect, Form, Structure, Variable
-from tumble.calibrations.tracing.noise import WHITE, Memory, NoiseModel, scaled_levels, slow_modes
+from tumble.calibrations.tracing.noise import WALK, WHITE, Memory, NoiseModel, scaled_levels, slow_modes
 from tumble.calibrations.tracing.sample import Sample, sample
 from tumble.calibrations.tracing.variables import counted_blocks
 from tumble.calibrations.tracing.whitened import Fitted
@@ -55,6 +55,8 @@ class Table:
     memory: Memory
     axes: tuple[Axis, ...] = ()
     """Along what there may be components without a name."""
+    walk: str = WALK
+    """What a random walk of the output is called in a result."""
     most_effects: int = 5
     """How many are looked for at most."""
 

@@ -16,15 +16,13 @@ from tumble.calibrations.tracing.fitting_noise import (
     is_slow,
     noise_penalty,
 )
-from tumble.calibrations.tracing.noise import WHITE, NoiseModel
+from tumble.calibrations.tracing.noise import WALK, WHITE, NoiseModel
 from tumble.calibrations.tracing.penalties import UNNAMED
 from tumble.calibrations.tracing.problem import Explanation, Problem
 from tumble.calibrations.tracing.search import penalties, search, settled
 from tumble.calibrations.tracing.table import Table
-from tumble.messages import Message
 
 _NOTICED = 3.84
-WALK = Message.named("bias_random_walk", "random walk of the bias")
 
 
 @dataclass(frozen=True, kw_only=True)

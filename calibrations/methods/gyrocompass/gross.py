@@ -1,0 +1,81 @@
+"""Gross errors of a gyrocompass: dwells that neither the earth rate nor their repeats explain, and wrong angles."""
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.gross import gross_sigmas
+from tumble.calibrations.core.rows import SetAside
+from tumble.calibrations.methods.gyrocompass.geometry import heading_functions
+from tumble.calibrations.methods.gyrocompass.lean import leans
+from tumble.calibrations.methods.gyrocompass.observations import GyrocompassObservations
+from tumble.calibrations.methods.gyrocompass.weights import rate_variances
+from tumble.messages import Message
+
+_HUBER: Final = 1.345
+"""Tuning of Huber's weights: 95% efficient on normal noise (Huber and Ronchetti, Robust Statistics, 4.5)."""
+_ROUNDS = 40
+_UNKNOWNS = 3
+
+
+@dataclass(frozen=True, kw_only=True)
+class RobustFit:
+    """Coefficients of sin α0, cos α0 and the drift, unbound to each other, that few rows cannot pull."""
+
+    coefficients: FloatArray
+    residual: FloatArray
+    """Weighted, shape (rows,), in °/h."""
+    scale: float
+    """Robust standard deviation of the residual."""
+
+
+def robust_fit(observations: GyrocompassObservations) -> RobustFit:
+    """Huber's M-estimate."""
+    design = np.column_stack(
+        [
+            heading_functions(np.deg2rad(observations.azimuth_deg), observations.latitude_deg, leans(observations)),
+            np.ones(len(observations)),
+        ]
+    )
+    root = 1.0 / np.sqrt(rate_variances(observations))
+    white, output = design * root[:, None], observations.rate_deg_h * root
+    residual, robust = output, np.ones(len(output))
+    coefficients: FloatArray = np.zeros(_UNKNOWNS)
+    for _ in range(_ROUNDS):
+        each = np.sqrt(robust)
+        coefficients = np.linalg.lstsq(white * each[:, None], output * each, rcond=1e-9)[0]
+        residual = output - white @ coefficients
+        limit = _HUBER * max(float(1.4826 * np.median(np.abs(residual))), 1e-12)
+        robust = np.minimum(1.0, limit / np.maximum(np.abs(residual), limit))
+    spare = max(len(output) - _UNKNOWNS, 1)
+    scale = float(1.4826 * np.median(np.abs(residual)) * np.sqrt(len(output) / spare))
+    return RobustFit(coefficients=coefficients, residual=residual, scale=max(scale, 1e-12))
+
+
+def gross_errors(observations: GyrocompassObservations) -> tuple[SetAside, ...]:
+    """Dwells to set aside.
+
+    Where a position was visited more than once, a dwell must also differ as much from the median of the other visits:
+    what comes back at every visit is no gross error but structure.
+    """
+    fit = robust_fit(observations)
+    limit = gross_sigmas(len(observations) - _UNKNOWNS) * fit.scale
+    return tuple(
+        SetAside(
+            row=int(observations.row[dwell]),
+            reason=Message("gross error: {sigmas:.0f} sigma", sigmas=abs(fit.residual[dwell]) / fit.scale),
+            gross=True,
+        )
+        for dwell in np.flatnonzero(np.abs(fit.residual) > limit).tolist()
+        if _differs_from_repeats(observations, fit.residual, dwell, limit)
+    )
+
+
+def _differs_from_repeats(
+    observations: GyrocompassObservations, residual: FloatArray, dwell: int, limit: float
+) -> bool:
+    others = np.flatnonzero(observations.positions == observations.positions[dwell])
+    others = others[others != dwell]
+    return not len(others) or abs(float(residual[dwell] - np.median(residual[others]))) > limit

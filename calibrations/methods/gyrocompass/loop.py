@@ -1,0 +1,237 @@
+"""Closing the loop on a gyrocompass: what heading and drift leave, traced; both before and after."""
+
+from dataclasses import dataclass, replace
+from typing import Final
+
+import numpy as np
+from scipy.special import fdtrc
+
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.blas_threads import one_blas_thread
+from tumble.calibrations.core.parameter import ModelFit
+from tumble.calibrations.core.repeats import PureError, pure_error
+from tumble.calibrations.methods.gyrocompass.doubts import doubts
+from tumble.calibrations.methods.gyrocompass.fit import GyrocompassFit, fit_gyrocompass
+from tumble.calibrations.methods.gyrocompass.gross import gross_errors
+from tumble.calibrations.methods.gyrocompass.headings import possible_headings_deg
+from tumble.calibrations.methods.gyrocompass.misreading import Misreading, as_effect, misreadings
+from tumble.calibrations.methods.gyrocompass.model import ALPHA0, NAMES
+from tumble.calibrations.methods.gyrocompass.models import augmented, held_out_declared, modelled, silent, with_headings
+from tumble.calibrations.methods.gyrocompass.observations import GyrocompassObservations
+from tumble.calibrations.methods.gyrocompass.table import GyrocompassTable, gyrocompass_table, seen_from
+from tumble.calibrations.tracing.experiments import Experiment
+from tumble.calibrations.tracing.explained import Explained
+from tumble.calibrations.tracing.findings import (
+    EffectFound,
+    Unexplained,
+    Withheld,
+    effects_found,
+    unexplained,
+    withheld,
+)
+from tumble.calibrations.tracing.judged import Judged, judged
+from tumble.calibrations.tracing.noise import NoiseModel
+from tumble.calibrations.tracing.trace import Trace, Tracer
+from tumble.messages import Message
+
+FEWEST_POSITIONS: Final = 2
+"""One position tells neither heading nor drift."""
+_UNEVEN_P: Final = 0.01
+"""Below this rates and tilts scatter otherwise than was taken, and are weighed anew."""
+_NEAR_RAD: Final = 5e-3
+"""An anchor this near the heading that was found is good to 1e-5 of the earth rate."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class GyrocompassDeclared:
+    """Heading and drift fitted to a table."""
+
+    observations: GyrocompassObservations
+    """Rows in use."""
+    table: GyrocompassTable
+    fit: GyrocompassFit
+    headings_deg: tuple[float, ...]
+    """Every α0 that the rates allow, the best first."""
+    doubts: tuple[str, ...]
+    """Questions about the table; where there are any, nothing is stated."""
+    model: ModelFit
+
+
+@dataclass(frozen=True, kw_only=True)
+class GyrocompassLoop:
+    """The loop closed on a table of a gyrocompass."""
+
+    declared_fit: GyrocompassDeclared
+    explained: Explained[GyrocompassTable, GyrocompassFit]
+    augmented: ModelFit
+    misread: tuple[Misreading, ...]
+    pure_error: PureError
+    """Scatter of a mean rate between repeats of a position."""
+    experiments: tuple[Experiment, ...] = ()
+    """What to measure next, where that was asked."""
+
+    @property
+    def observations(self) -> GyrocompassObservations:
+        """Rows in use; those that are not stand in its `set_aside`."""
+        return self.declared_fit.observations
+
+    @property
+    def doubts(self) -> tuple[str, ...]:
+        """Questions about the table; where there are any, nothing is stated."""
+        return self.declared_fit.doubts
+
+    @property
+    def declared(self) -> ModelFit:
+        """Heading and drift without what was found."""
+        return self.declared_fit.model
+
+    @property
+    def before(self) -> GyrocompassFit:
+        """The fit without what was found."""
+        return self.declared_fit.fit
+
+    @property
+    def best(self) -> GyrocompassFit:
+        """The fit with what was found."""
+        return self.explained.best
+
+    @property
+    def unit(self) -> str:
+        """Of the rates, as keys end in it."""
+        return "deg_h"
+
+    @property
+    def held_out_rms(self) -> float | None:
+        """Error of rates that are held out, with what was found, in °/h."""
+        return self.augmented.held_out_rms
+
+    @property
+    def effects(self) -> tuple[EffectFound, ...]:
+        """What was found, in the order of the evidence; nothing of a table in doubt."""
+        if self.doubts:
+            return ()
+        found = effects_found(self.explained.table, self.explained.judged, self.best, self.explained.close)
+        return tuple(sorted((*found, *as_effect(self.misread)), key=lambda effect: effect.p_value))
+
+    @property
+    def withheld(self) -> tuple[Withheld, ...]:
+        """What would fit the rows and is not stated."""
+        return () if self.doubts else withheld(self.explained.table, self.explained.judged)
+
+    @property
+    def unexplained(self) -> Unexplained | None:
+        """The largest structure that no effect of the catalogue explains; None where there is none."""
+        return None if self.doubts else unexplained(self.explained.trace, self.explained.alike)
+
+    @property
+    def drawn_deg_h(self) -> FloatArray:
+        """What was found in the rates, shape (dwells,)."""
+        shares = [
+            item.form.columns @ self.best.coefficients[columns]
+            for item, columns in zip(self.best.found, self.best.columns, strict=True)
+        ]
+        return np.asarray(sum(shares, self.best.drawn)[self.explained.table.rates])
+
+
+@one_blas_thread
+def declared_fit(
+    observations: GyrocompassObservations, reference_temperature_degc: float = 23.0
+) -> GyrocompassDeclared:
+    """Fit heading and drift to a table. Raises `ValueError` where there is one position only."""
+    _check_positions(observations)
+    used = observations.without(gross_errors(observations))
+    return _declared(used, gyrocompass_table(used, reference_temperature_degc))
+
+
+def _declared(used: GyrocompassObservations, table: GyrocompassTable) -> GyrocompassDeclared:
+    nothing = _nothing(table)
+    fit = fit_gyrocompass(table, nothing)
+    asked = doubts(table, fit)
+    headings_deg = possible_headings_deg(table, fit.dwell)
+    stated = with_headings(fit.parameters(), headings_deg)
+    model = silent(asked[0]) if asked else modelled(table, fit, stated, held_out_declared(table, nothing))
+    return GyrocompassDeclared(
+        observations=used, table=table, fit=fit, headings_deg=headings_deg, doubts=asked, model=model
+    )
+
+
+def _check_positions(observations: GyrocompassObservations) -> None:
+    if len(np.unique(observations.positions)) < FEWEST_POSITIONS:
+        raise ValueError(
+            Message(
+                "{source}: one position tells neither heading nor drift; turn the platform to two others at least",
+                source=observations.source or "table",
+            )
+        )
+
+
+@one_blas_thread
+def close_gyrocompass_loop(
+    observations: GyrocompassObservations, reference_temperature_degc: float = 23.0
+) -> GyrocompassLoop:
+    """Trace what heading and drift leave of a table. Raises `ValueError` where there is one position only."""
+    before = declared_fit(observations, reference_temperature_degc)
+    explained = _explained(before)
+    if (table := _seen_anew(explained)) is not None and not before.doubts:
+        before = _declared(before.observations, table)
+        explained = _explained(before)
+    return _loop(observations, before, explained)
+
+
+def _explained(before: GyrocompassDeclared) -> Explained[GyrocompassTable, GyrocompassFit]:
+    """What a table was traced to; nothing where it is in doubt, or where several headings are possible."""
+    if before.doubts or len(before.headings_deg) > 1:
+        return Explained(judged=_untraced(before.table), best=before.fit)
+    found = judged(before.table)
+    return Explained(judged=found, best=fit_gyrocompass(before.table, found.trace))
+
+
+def _seen_anew(explained: Explained[GyrocompassTable, GyrocompassFit]) -> GyrocompassTable | None:
+    """The table anchored and weighed by what was found, where that makes a difference; None where it makes none."""
+    table, fit = explained.table, explained.best
+    tilts = _weight_of_tilts(table, fit)
+    if abs(float(fit.theta[ALPHA0] - table.scene.theta[ALPHA0])) < _NEAR_RAD and tilts == 1.0:
+        return None
+    theta = np.concatenate([fit.theta[: len(NAMES)], table.scene.theta[len(NAMES) :]])
+    weights = np.where(table.rates, table.weights, tilts * table.weights)
+    return seen_from(replace(table.scene, theta=theta), weights)
+
+
+def _weight_of_tilts(table: GyrocompassTable, fit: GyrocompassFit) -> float:
+    """By how much more tilts should weigh beside rates, by what is left of both; 1 where they weigh as they should."""
+    if not table.scene.with_tilts:
+        return 1.0
+    squares = table.weights * fit.residual**2
+    rate, tilt = (float(np.mean(squares[its])) for its in (table.rates, ~table.rates))
+    freedom = max(table.rows - len(fit.theta) - len(fit.coefficients), 2) / 2.0
+    ratio = rate / max(tilt, 1e-300)
+    chance = 2.0 * float(fdtrc(freedom, freedom, max(ratio, 1.0 / ratio)))
+    return ratio if chance < _UNEVEN_P else 1.0
+
+
+def _loop(
+    whole: GyrocompassObservations,
+    before: GyrocompassDeclared,
+    explained: Explained[GyrocompassTable, GyrocompassFit],
+) -> GyrocompassLoop:
+    used = before.observations
+    model = before.model
+    if not before.doubts and len(before.headings_deg) < FEWEST_POSITIONS:
+        model = augmented(explained)
+    return GyrocompassLoop(
+        declared_fit=before,
+        explained=explained,
+        augmented=model,
+        misread=() if before.doubts else misreadings(whole, explained.table, explained.best),
+        pure_error=pure_error(used.rate_deg_h, used.positions, np.ones(len(used))),
+    )
+
+
+def _nothing(table: GyrocompassTable) -> Trace:
+    """The declared model alone."""
+    return Trace(found=(), noise=NoiseModel(), deviance=table.deviance((), NoiseModel()))
+
+
+def _untraced(table: GyrocompassTable) -> Judged[GyrocompassTable]:
+    """What a table in doubt is traced to: nothing is looked for where nothing would be stated."""
+    return Judged(tracer=Tracer(table), trace=_nothing(table), near={}, evidence={}, withheld=())
