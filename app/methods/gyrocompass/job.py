@@ -1,0 +1,75 @@
+"""The job of gyrocompassing, as the entry point group `tumble.jobs` names it."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from tumble.app.available import Available
+from tumble.app.job_part import JobPart
+from tumble.app.measurement import Measurement
+from tumble.app.measurements import check_limits
+from tumble.app.methods.gyrocompass.analysed import GyrocompassAnalysed, GyrocompassTraced
+from tumble.app.stand import LoadedStand, WrittenStand
+from tumble.calibrations.core.provenance import Provenance
+from tumble.calibrations.methods.gyrocompass.loop import close_gyrocompass_loop, declared_fit
+from tumble.calibrations.methods.gyrocompass.observations import GyrocompassObservations, read_gyrocompass_table
+from tumble.calibrations.tracing.experiments import Experiment
+
+if TYPE_CHECKING:
+    from tumble.app.methods.gyrocompass.expectation import Expectation
+    from tumble.procedures.plan import Plan
+
+
+@dataclass(frozen=True)
+class GyrocompassJob:
+    """Fits `JobPart` and `Promising`."""
+
+    experiments: frozenset[str] = frozenset()
+    stand: None = None
+
+    def read_table(self, path: Path) -> GyrocompassObservations:
+        """Read the table of a gyrocompass. Raises `TableError`."""
+        return read_gyrocompass_table(path)
+
+    def answered(self, rows: GyrocompassObservations) -> GyrocompassObservations:
+        """The rows as they are: what is in doubt is asked once they are fitted."""
+        return rows
+
+    def fit(self, measurement: Measurement, origin: Provenance, trials: int | None) -> GyrocompassAnalysed:  # noqa: ARG002  # nothing is drawn
+        """Fit heading and drift. Raises `ValueError`, `InputError`."""
+        declared = declared_fit(_rows(measurement), measurement.reference_temperature_degc)
+        return GyrocompassAnalysed(
+            measurement=measurement,
+            provenance=origin,
+            declared=declared,
+            limits=check_limits(declared.model.parameters, measurement.programme),
+        )
+
+    def trace(self, analysed: GyrocompassAnalysed) -> GyrocompassTraced:
+        """Close the loop."""
+        measurement = analysed.measurement
+        loop = close_gyrocompass_loop(_rows(measurement), measurement.reference_temperature_degc)
+        limits = check_limits(loop.augmented.parameters, measurement.programme)
+        return GyrocompassTraced(**{**vars(analysed), "limits": limits}, loop=loop)
+
+    def suggested(self, traced: GyrocompassTraced) -> tuple[Experiment, ...]:
+        """What to measure next."""
+        return traced.loop.experiments
+
+    def available(self, stand: LoadedStand, rows: GyrocompassObservations, attended: bool) -> Available:  # noqa: ARG002  # none yet
+        """Which experiments a stand can run."""
+        return Available()
+
+    def promise(self, planned: "Plan", stand: WrittenStand) -> "Expectation | None":
+        """How uncertain the heading will be, where the programme says how the gyro wanders."""
+        from tumble.app.methods.gyrocompass.expectation import expectation  # the engine comes with it
+
+        return expectation(planned, stand)
+
+
+def _rows(measurement: Measurement) -> GyrocompassObservations:
+    assert isinstance(measurement.observations, GyrocompassObservations), "its own table"
+    return measurement.observations
+
+
+JOB: Final[JobPart] = GyrocompassJob()
