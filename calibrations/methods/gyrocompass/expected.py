@@ -60,7 +60,7 @@ class DriftNoise:
         return np.asarray(self.rate_random_walk_deg_h_sqrt_h**2 * both)
 
     def _flicker(self, starts: FloatArray, ends: FloatArray) -> FloatArray:
-        """-B²/(2π) ln |s - t|, averaged over both dwells: the covariance of a spectral density B²/(2πf)."""
+        """-B²/π ln |s - t|, averaged over both dwells: the covariance of a spectral density B²/(2πf), two-sided."""
         total = (
             _twice_integrated(ends - starts[:, None])
             - _twice_integrated(ends - ends[:, None])
@@ -69,7 +69,7 @@ class DriftNoise:
         )
         length = ends - starts
         reach = np.log(10.0 * max(float(ends.max() - starts.min()), 1e-9))
-        return np.asarray(self.bias_instability_deg_h**2 / (2.0 * np.pi) * (reach - total / np.outer(length, length)))
+        return np.asarray(self.bias_instability_deg_h**2 / np.pi * (reach - total / np.outer(length, length)))
 
 
 def _twice_integrated(u: FloatArray) -> FloatArray:
