@@ -144,8 +144,8 @@ def test_a_run_that_was_cut_off_anywhere_goes_on_to_the_same_bits(programme):
 @pytest.mark.parametrize(
     ("positions", "said"),
     [
-        ("0/90/180", "In 0.8 min the heading is told to 0.16°"),
-        ("0/180/90/270", "In 1.5 min the heading is told to 0.12°"),
+        ("0/90/180", "In 0.8 min the heading is told to 0.1"),
+        ("0/180/90/270", "In 1.5 min the heading is told to 0.1"),
         ("0/0", "The heading is not told by these positions."),
     ],
 )
