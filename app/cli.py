@@ -7,6 +7,7 @@ from importlib import import_module
 
 import click
 
+from tumble import plugins
 from tumble.app.signals import interrupting
 from tumble.app.terminal import LONGEST_COMPLAINT, flush, lead_nowhere, prepare_streams, say, shown, speak
 from tumble.drivers.errors import Interrupted
@@ -34,13 +35,20 @@ Each is `tumble.app.commands.NAME:command`, with `_` for `-`.
 """
 _ABOVE = {"gui": "tumble.window.command"}
 """A command that lives above the application: it is known by name only."""
+_OF_METHODS = "tumble.commands"
+"""Entry points of further commands, which methods bring along."""
+
+_BROUGHT = "Of a method; its own --help says what it does."
 
 
 class _Commands(click.Group):
     def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002
-        return list(_COMMANDS)
+        return [*_COMMANDS, *_of_methods()]
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:  # noqa: ARG002
+        if cmd_name in _of_methods():
+            brought: click.Command = plugins.load(_OF_METHODS, cmd_name, click.Command)
+            return brought
         if cmd_name not in _COMMANDS:
             return None
         place = _ABOVE.get(cmd_name, f"tumble.app.commands.{cmd_name.replace('-', '_')}")
@@ -49,7 +57,12 @@ class _Commands(click.Group):
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002
         with formatter.section("Commands"):
-            formatter.write_dl(list(_COMMANDS.items()))
+            formatter.write_dl([*_COMMANDS.items(), *((name, _BROUGHT) for name in _of_methods())])
+
+
+def _of_methods() -> list[str]:
+    """Commands that methods bring along; those of the program itself go first."""
+    return [name for name in plugins.names(_OF_METHODS) if name not in _COMMANDS]
 
 
 @click.group(cls=_Commands, context_settings={"help_option_names": ["-h", "--help"]})

@@ -69,12 +69,14 @@ def _tell(number: int, loop: GyrocompassLoop, names: Sequence[str]) -> None:
 
 
 def _tell_outside(number: int, loop: GyrocompassLoop, made: Made, names: Sequence[str]) -> None:
-    truth = {"alpha0": made.platform.alpha0_deg, "drift": made.platform.drift_deg_h}
+    truth = {"alpha0": made.platform.alpha0_deg, "drift": made.drift_deg_h}
     for name, parameter in loop.augmented.parameters.items():
         if parameter.value is not None and parameter.standard_uncertainty:
             off = ((parameter.value - truth[name] + 180.0) % 360.0 - 180.0) / parameter.standard_uncertainty
             if abs(off) > FAR:
-                print(f"{number} {names} {name} off by {off:.1f} standard uncertainties", [e.name for e in loop.effects])
+                print(
+                    f"{number} {names} {name} off by {off:.1f} standard uncertainties", [e.name for e in loop.effects]
+                )
 
 
 def _drawn(kind: str, number: int, rng: np.random.Generator) -> tuple[Sequence[str], str, Made]:
@@ -116,6 +118,7 @@ def _made(seed: int, design: Design, sizes: Mapping[str, float]) -> Made:
         [(stands[name], size) for name, size in sizes.items() if name in stands],
         [(units[name], size) for name, size in sizes.items() if name in units],
         warm,
+        reported=1.0 + sizes.get("torquer_scale", 0.0),
     )
 
 
@@ -167,7 +170,7 @@ def _right(loop: GyrocompassLoop, names: Sequence[str], wanted: str) -> bool:
 
 def _inside(loop: GyrocompassLoop, made: Made) -> dict[str, int]:
     """How many stated parameters hold the truth in their intervals."""
-    truth = {"alpha0": made.platform.alpha0_deg, "drift": made.platform.drift_deg_h}
+    truth = {"alpha0": made.platform.alpha0_deg, "drift": made.drift_deg_h}
     counted = {"inside": 0, "stated": 0, "withheld": 0}
     for name, parameter in loop.augmented.parameters.items():
         if parameter.interval_95 is None or parameter.value is None:

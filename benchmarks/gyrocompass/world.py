@@ -89,6 +89,8 @@ class Made:
     clean_deg_h: Array
     effect_deg_h: Array
     noise_deg_h: float
+    drift_deg_h: float
+    """As it is reported."""
 
 
 def axis(dwells: Dwells, platform: Platform) -> Array:
@@ -165,8 +167,9 @@ def make(
     unit: Sequence[tuple[Unit, float]] = (),
     warm_k: float = 0.0,
     noise_deg_h: float = 0.01,
+    reported: float = 1.0,
 ) -> Made:
-    """A table of a platform, with effects of given sizes."""
+    """A table of a platform, with effects of given sizes; `reported` is the torquer's factor, which the drift keeps."""
     platform = draw_platform(rng, design)
     dwells = dwells_of(rng, design, warm_k)
     clean, _, _ = rates(dwells, platform)
@@ -192,4 +195,11 @@ def make(
         "samples": np.full(len(clean), float(SAMPLES)),
     }
     effect = turned + added - clean
-    return Made(columns=columns, platform=platform, clean_deg_h=clean, effect_deg_h=effect, noise_deg_h=noise_deg_h)
+    return Made(
+        columns=columns,
+        platform=platform,
+        clean_deg_h=clean,
+        effect_deg_h=effect,
+        noise_deg_h=noise_deg_h,
+        drift_deg_h=reported * platform.drift_deg_h,
+    )

@@ -27,6 +27,7 @@ def document(loop: GyrocompassLoop) -> dict[str, Any]:
         "withheld": [{"name": each.name, "reason": each.reason} for each in loop.withheld],
         "unexplained": unexplained_json(loop.unexplained),
         "augmented": _model(loop.augmented),
+        **_beside(loop),
         "next_experiment": [experiment_json(each) for each in loop.experiments],
     }
 
@@ -39,6 +40,19 @@ def fit_document(declared: GyrocompassDeclared) -> dict[str, Any]:
         "rows": rows_json(declared.observations),
         "warnings": [*declared.doubts, *declared.observations.warnings],
         **_model(declared.model),
+    }
+
+
+def _beside(loop: GyrocompassLoop) -> dict[str, Any]:
+    """What else the rows say: other headings, closure, the published formula, the azimuth channel, an azimuth mark."""
+    closure, baseline, drift, mark = loop.closure, loop.baseline, loop.azimuth_drift, loop.mark
+    u_deg = loop.augmented.parameters["alpha0"].standard_uncertainty
+    return {
+        "headings_deg": list(loop.declared_fit.headings_deg),
+        "closure": closure.as_json() if closure else None,
+        "baseline": baseline.as_json() if baseline else None,
+        "azimuth_drift": drift.as_json(u_deg or 0.0) if drift else None,
+        "azimuth_mark": mark.as_json() if mark else None,
     }
 
 

@@ -15,6 +15,7 @@ from tumble.calibrations.core.solutions import pseudo_inverse
 from tumble.calibrations.methods.gyrocompass.geometry import wrapped_deg
 from tumble.calibrations.methods.gyrocompass.model import NAMES, UNITS
 from tumble.calibrations.methods.gyrocompass.table import GyrocompassTable
+from tumble.calibrations.methods.gyrocompass.weights import variance_by_samples
 from tumble.calibrations.tracing.effect import Form
 from tumble.calibrations.tracing.quantified import Quantified, slices, tangent
 from tumble.calibrations.tracing.trace import Trace
@@ -22,6 +23,8 @@ from tumble.messages import Message
 
 STATED: Final = len(NAMES)
 """Parameters that are stated; the others are the leans."""
+_FEW: Final = 8
+"""Degrees of freedom below which the samples within dwells are asked for the noise."""
 _SEEN: Final = 1e-6
 """A parameter that shares more than this with directions that no row sees is not identifiable."""
 
@@ -102,8 +105,7 @@ def _solved(
     slopes = table.model.slopes(theta)
     jacobian = whiten(np.column_stack([table.declared @ slopes, *columns]) * root[:, None])
     inverse, _ = pseudo_inverse(jacobian)
-    freedom = max(table.rows - jacobian.shape[1], 1)
-    variance = float(np.sum(whiten(misfit * root) ** 2)) / freedom
+    variance, freedom = _ruler(table, float(np.sum(whiten(misfit * root) ** 2)), table.rows - jacobian.shape[1])
     together = variance * inverse @ inverse.T
     numbers = iter(range(places[-1].stop if places else 0, len(theta) - size))
     to_degrees = np.array([np.rad2deg(1.0), 1.0])
@@ -123,6 +125,19 @@ def _solved(
         inverse=pseudo_inverse(_stepped(compressed.r, slopes))[0],
         drawn=misfit - residual,
     )
+
+
+def _ruler(table: GyrocompassTable, squares: float, freedom: int) -> tuple[float, int]:
+    """Variance of a row of weight 1 with its degrees of freedom: by what is left, or by the samples of the dwells.
+
+    Few rows are a poor ruler; what is within their dwells may be less than what is between them, and never says more.
+    """
+    left = squares / max(freedom, 1)
+    known = variance_by_samples(table.observations) if freedom < _FEW else None
+    if known is None or known < left:
+        return left, max(freedom, 1)
+    samples = table.observations.samples
+    return known, freedom if samples is None else int(np.sum(samples - 1))
 
 
 def _stepped(r: FloatArray, slopes: FloatArray) -> FloatArray:

@@ -52,3 +52,15 @@ def _functions(cosine: FloatArray, sine: FloatArray, latitude_deg: FloatArray, l
 def wrapped_deg(angle_deg: float) -> float:
     """An angle in (-180°, 180°]."""
     return -((-angle_deg + 180.0) % 360.0 - 180.0)
+
+
+def platform_azimuth_rad(alpha0_rad: float, delta_rad: FloatArray, lean: Lean) -> FloatArray:
+    """α of the platform's axis at pickoff angles on a base that leans, in radians, shape (rows,).
+
+    Where the base leans it is not α0 + δ: up to 26′ off at leans of 5° about both axes.
+    """
+    cos_tilt = np.sqrt(1.0 - lean.cosine**2)
+    sin_kappa = -lean.sine / cos_tilt
+    cos_kappa = np.sqrt(np.clip(1.0 - sin_kappa**2, 0.0, 1.0))
+    along = cos_tilt * np.cos(delta_rad) + lean.cosine * sin_kappa * np.sin(delta_rad)
+    return np.asarray(alpha0_rad + np.arctan2(cos_kappa * np.sin(delta_rad), along))

@@ -45,7 +45,7 @@ def robust_fit(observations: GyrocompassObservations) -> RobustFit:
     coefficients: FloatArray = np.zeros(_UNKNOWNS)
     for _ in range(_ROUNDS):
         each = np.sqrt(robust)
-        coefficients = np.linalg.lstsq(white * each[:, None], output * each, rcond=1e-9)[0]
+        coefficients = np.asarray(np.linalg.lstsq(white * each[:, None], output * each, rcond=1e-9)[0])
         residual = output - white @ coefficients
         limit = _HUBER * max(float(1.4826 * np.median(np.abs(residual))), 1e-12)
         robust = np.minimum(1.0, limit / np.maximum(np.abs(residual), limit))

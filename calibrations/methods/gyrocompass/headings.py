@@ -8,9 +8,12 @@ from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.gyrocompass.geometry import wrapped_deg
 from tumble.calibrations.methods.gyrocompass.model import HEADING, beside, best_angle
 from tumble.calibrations.methods.gyrocompass.table import GyrocompassTable
+from tumble.calibrations.methods.gyrocompass.weights import rate_variance
 
 _ALIKE: Final = 9.0
 """Two headings whose -2 ln L differ by less are both possible, as in `penalties.NEAR`."""
+_LEAST_DEG_H: Final = 1e-6
+"""No rate is known better than this."""
 _CIRCLE: Final = np.linspace(0.0, 2.0 * np.pi, 720, endpoint=False)
 
 
@@ -27,7 +30,8 @@ def possible_headings_deg(table: GyrocompassTable, dwell_deg_h: float) -> tuple[
     lowest = np.flatnonzero((misfit < np.roll(misfit, 1)) & (misfit <= np.roll(misfit, -1)))
     found_rad = np.array([best_angle(f, z, float(_CIRCLE[place])) for place in lowest])
     depth = _misfits(f, z, found_rad)
-    near = [place for place in np.argsort(depth) if depth[place] - depth.min() < _ALIKE * dwell_deg_h**2]
+    ruler = max(dwell_deg_h, np.sqrt(rate_variance(table.observations) or 0.0), _LEAST_DEG_H)
+    near = [place for place in np.argsort(depth) if depth[place] - depth.min() < _ALIKE * ruler**2]
     return tuple(dict.fromkeys(round(wrapped_deg(float(np.rad2deg(found_rad[place]))), 9) for place in near))
 
 

@@ -58,8 +58,8 @@ def _fitted(delta_rad: FloatArray, sin_tilt: FloatArray) -> FloatArray:
     root: FloatArray = np.ones(len(delta_rad))
     found: FloatArray = np.zeros(design.shape[1])
     for _ in range(_ROUNDS):
-        found = np.linalg.lstsq(design * root[:, None], sin_tilt * root, rcond=1e-9)[0]
+        found = np.asarray(np.linalg.lstsq(design * root[:, None], sin_tilt * root, rcond=1e-9)[0])
         size = np.abs(sin_tilt - design @ found)
         limit = _HUBER * max(float(1.4826 * np.median(size)), 1e-12)
-        root = np.sqrt(np.minimum(1.0, limit / np.maximum(size, limit)))
+        root = np.asarray(np.sqrt(np.minimum(1.0, limit / np.maximum(size, limit))))
     return np.asarray(found[:2])

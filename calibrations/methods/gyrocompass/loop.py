@@ -1,6 +1,7 @@
 """Closing the loop on a gyrocompass: what heading and drift leave, traced; both before and after."""
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Final
 
 import numpy as np
@@ -10,13 +11,19 @@ from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.blas_threads import one_blas_thread
 from tumble.calibrations.core.parameter import ModelFit
 from tumble.calibrations.core.repeats import PureError, pure_error
+from tumble.calibrations.methods.gyrocompass.azimuth_channel import AzimuthDrift, azimuth_drift
+from tumble.calibrations.methods.gyrocompass.azimuth_mark import MarkCheck, mark_check
+from tumble.calibrations.methods.gyrocompass.baseline import Baseline, baseline_of
+from tumble.calibrations.methods.gyrocompass.closure import Closure, closure_of
 from tumble.calibrations.methods.gyrocompass.doubts import doubts
+from tumble.calibrations.methods.gyrocompass.experiments import next_experiments
 from tumble.calibrations.methods.gyrocompass.fit import GyrocompassFit, fit_gyrocompass
 from tumble.calibrations.methods.gyrocompass.gross import gross_errors
 from tumble.calibrations.methods.gyrocompass.headings import possible_headings_deg
 from tumble.calibrations.methods.gyrocompass.misreading import Misreading, as_effect, misreadings
-from tumble.calibrations.methods.gyrocompass.model import ALPHA0, NAMES
+from tumble.calibrations.methods.gyrocompass.model import ALPHA0
 from tumble.calibrations.methods.gyrocompass.models import augmented, held_out_declared, modelled, silent, with_headings
+from tumble.calibrations.methods.gyrocompass.nonlinear import beyond_first_order, lean_of
 from tumble.calibrations.methods.gyrocompass.observations import GyrocompassObservations
 from tumble.calibrations.methods.gyrocompass.table import GyrocompassTable, gyrocompass_table, seen_from
 from tumble.calibrations.tracing.experiments import Experiment
@@ -40,6 +47,10 @@ _UNEVEN_P: Final = 0.01
 """Below this rates and tilts scatter otherwise than was taken, and are weighed anew."""
 _NEAR_RAD: Final = 5e-3
 """An anchor this near the heading that was found is good to 1e-5 of the earth rate."""
+_ROUNDS: Final = 3
+"""So often a table is traced anew from where it was found to be."""
+_BENT: Final = 1.0
+"""Length beyond which what is of second order in the azimuth matters, in variances of a dwell."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -124,6 +135,35 @@ class GyrocompassLoop:
         return None if self.doubts else unexplained(self.explained.trace, self.explained.alike)
 
     @property
+    def not_traced(self) -> str:
+        """Why nothing was looked for; empty where it was."""
+        if len(self.declared_fit.headings_deg) > 1:
+            return Message("several headings are possible")
+        return self.explained.table.not_traced
+
+    @cached_property
+    def closure(self) -> Closure | None:
+        """Whether the earth rate has the size that the latitude says; None where that is not told."""
+        if self.doubts or len(self.declared_fit.headings_deg) > 1:
+            return None
+        return closure_of(self.explained.table, self.explained.trace, self.best)
+
+    @cached_property
+    def baseline(self) -> Baseline | None:
+        """The published formula on three of the positions; None where there are fewer."""
+        return None if self.doubts else baseline_of(self.observations)
+
+    @cached_property
+    def azimuth_drift(self) -> AzimuthDrift | None:
+        """Drift of the azimuth channel; None where the table has no rate of it."""
+        return None if self.doubts else azimuth_drift(self.explained.table, self.best)
+
+    @cached_property
+    def mark(self) -> MarkCheck | None:
+        """The heading against an azimuth mark; None where the table has none."""
+        return None if self.doubts else mark_check(self.explained.table, self.best)
+
+    @property
     def drawn_deg_h(self) -> FloatArray:
         """What was found in the rates, shape (dwells,)."""
         shares = [
@@ -172,7 +212,10 @@ def close_gyrocompass_loop(
     """Trace what heading and drift leave of a table. Raises `ValueError` where there is one position only."""
     before = declared_fit(observations, reference_temperature_degc)
     explained = _explained(before)
-    if (table := _seen_anew(explained)) is not None and not before.doubts:
+    for _ in range(_ROUNDS):
+        table = _seen_anew(explained)
+        if table is None or before.doubts:
+            break
         before = _declared(before.observations, table)
         explained = _explained(before)
     return _loop(observations, before, explained)
@@ -190,11 +233,12 @@ def _seen_anew(explained: Explained[GyrocompassTable, GyrocompassFit]) -> Gyroco
     """The table anchored and weighed by what was found, where that makes a difference; None where it makes none."""
     table, fit = explained.table, explained.best
     tilts = _weight_of_tilts(table, fit)
-    if abs(float(fit.theta[ALPHA0] - table.scene.theta[ALPHA0])) < _NEAR_RAD and tilts == 1.0:
+    anchored = abs(float(fit.theta[ALPHA0] - table.scene.theta[ALPHA0])) < _NEAR_RAD
+    scene = replace(table.scene, theta=fit.theta, lean=lean_of(table.scene, fit))
+    bent = beyond_first_order(scene, fit)
+    if anchored and tilts == 1.0 and np.sum(table.weights * (bent - table.known) ** 2) < _BENT * fit.dwell**2:
         return None
-    theta = np.concatenate([fit.theta[: len(NAMES)], table.scene.theta[len(NAMES) :]])
-    weights = np.where(table.rates, table.weights, tilts * table.weights)
-    return seen_from(replace(table.scene, theta=theta), weights)
+    return seen_from(scene, np.where(table.rates, table.weights, tilts * table.weights), bent)
 
 
 def _weight_of_tilts(table: GyrocompassTable, fit: GyrocompassFit) -> float:
@@ -225,6 +269,13 @@ def _loop(
         misread=() if before.doubts else misreadings(whole, explained.table, explained.best),
         pure_error=pure_error(used.rate_deg_h, used.positions, np.ones(len(used))),
     )
+
+
+def asked_next(loop: GyrocompassLoop) -> GyrocompassLoop:
+    """The same with what to measure next."""
+    if loop.doubts:
+        return loop
+    return replace(loop, experiments=next_experiments(loop.explained, loop.declared_fit.headings_deg))
 
 
 def _nothing(table: GyrocompassTable) -> Trace:

@@ -1,19 +1,57 @@
 """The method `gyrocompass`: heading and drift of a gyro platform on an azimuth turntable."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
+from tumble.calibrations.core.joining import joined
 from tumble.calibrations.core.known_tables import misspelt
-from tumble.calibrations.core.method import Result
+from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.sentences import series
-from tumble.calibrations.methods.gyrocompass.entry import VERSION
+from tumble.calibrations.core.view import Section
+from tumble.calibrations.methods.gyrocompass.document import document
+from tumble.calibrations.methods.gyrocompass.entry import VERSION, entry
+from tumble.calibrations.methods.gyrocompass.loop import GyrocompassLoop, asked_next, close_gyrocompass_loop
 from tumble.calibrations.methods.gyrocompass.observations import GyrocompassObservations, read_gyrocompass_table
+from tumble.calibrations.methods.gyrocompass.sections import sections
+from tumble.calibrations.records.entry import Entry
+from tumble.calibrations.tracing.sentences import set_aside_section
 from tumble.messages import Message
 
 NEEDED = ("azimuth_deg", "rate_deg_h")
 """Columns by which a table is one of gyrocompassing."""
 _ASKED = (*NEEDED, "latitude_deg")
+
+
+@dataclass(frozen=True, kw_only=True)
+class GyrocompassResult:
+    """Tables of one platform, taken together."""
+
+    loop: GyrocompassLoop
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What is to be asked of the table, and what was odd in it."""
+        return (*self.loop.doubts, *self.loop.observations.warnings)
+
+    @property
+    def parameters(self) -> Mapping[str, Parameter]:
+        """With what was found."""
+        return self.loop.augmented.parameters
+
+    def document(self) -> dict[str, Any]:
+        """The result as `tumble.loop/1`."""
+        return document(self.loop)
+
+    def entry(self) -> Entry:
+        """The result as the store takes it."""
+        return entry(self.loop)
+
+    def sections(self) -> Sequence[Section]:
+        """What is shown."""
+        rows = self.loop.observations
+        return [*sections(self.loop), set_aside_section(rows.source, rows.set_aside)]
 
 
 @dataclass(frozen=True)
@@ -41,11 +79,10 @@ class GyrocompassMethod:
             missing=series([name for name in _ASKED if name not in header]),
         )
 
-    def close_loop(self, paths: Sequence[Path]) -> Result:
+    def close_loop(self, paths: Sequence[Path]) -> GyrocompassResult:
         """Trace tables of one platform, taken together. Raises `TableError`, `ValueError`."""
-        raise ValueError(
-            Message("{path}: heading and drift are not worked out yet", path=read_gyrocompass_table(paths[0]).source)
-        )
+        rows = joined([read_gyrocompass_table(path) for path in paths], [None] * len(paths))
+        return GyrocompassResult(loop=asked_next(close_gyrocompass_loop(rows)))
 
 
 METHOD = GyrocompassMethod()

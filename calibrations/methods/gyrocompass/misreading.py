@@ -7,6 +7,7 @@ from typing import Any, Final
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.sentences import series
 from tumble.calibrations.methods.gyrocompass.fit import GyrocompassFit
 from tumble.calibrations.methods.gyrocompass.geometry import heading_functions
 from tumble.calibrations.methods.gyrocompass.lean import Lean
@@ -104,3 +105,10 @@ def as_effect(misread: Sequence[Misreading]) -> tuple[EffectFound, ...]:
 def misread_json(misread: Sequence[Misreading]) -> dict[str, Any]:
     """Which rows were misread, and what has to be added to their angles to have the true ones."""
     return {"rows": [entry.row for entry in misread], "error_deg": [entry.error_deg for entry in misread]}
+
+
+def misread_text(misread: Sequence[Misreading]) -> str:
+    """The same in words."""
+    if not misread:
+        return ""
+    return series([Message("row {row} by {error_deg:g}°", row=each.row, error_deg=each.error_deg) for each in misread])

@@ -74,7 +74,7 @@ class GyrocompassScene:
         """The same with the drift: the rate that the torquer had to make, shape (dwells,)."""
         return np.asarray(self.earth_deg_h + self.theta[DRIFT])
 
-    @cached_property
+    @property
     def rate_slope(self) -> FloatArray:
         """Change of the rate with the pickoff angle, in °/h per radian, shape (dwells,)."""
         return heading_slopes(self.delta_rad, self.observations.latitude_deg, self.lean) @ self._heading

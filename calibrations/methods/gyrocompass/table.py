@@ -20,11 +20,14 @@ from tumble.calibrations.methods.gyrocompass.scene import GyrocompassScene
 from tumble.calibrations.methods.gyrocompass.weights import rate_variance, rate_variances, tilt_variance
 from tumble.calibrations.tracing.components import Axis
 from tumble.calibrations.tracing.effect import Variable
-from tumble.calibrations.tracing.noise import Memory, scaled_levels, slow_modes
+from tumble.calibrations.tracing.noise import MODES, Memory, scaled_levels
 from tumble.calibrations.tracing.table import Extensible, View
 
 _MANY_POSITIONS: Final = 8
 """From so many positions of a base on a shape must hold among positions; of fewer every dwell counts by itself."""
+
+_SPARE_MODES: Final = 4
+"""So many fewer modes of a wandering drift than dwells there are, and not fewer than so many."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -32,11 +35,18 @@ class GyrocompassTable(Extensible):
     """Rows are the rate and, where that is used, the sine of the tilt of each dwell in turn."""
 
     scene: GyrocompassScene
+    known: FloatArray
+    """What is taken off the output beside the earth rate at the anchor, shape (rows,)."""
 
     @property
     def observations(self) -> GyrocompassObservations:
         """The dwells in use."""
         return self.scene.observations
+
+    @property
+    def bases(self) -> int:
+        """On how many bases the platform stood."""
+        return _bases(self.scene)
 
     @property
     def rates(self) -> NDArray[np.bool_]:
@@ -59,7 +69,7 @@ class GyrocompassTable(Extensible):
     def functions(self, view: View) -> FloatArray:
         """The functions of the declared model, shape (rows, functions)."""
         assert isinstance(view, GyrocompassScene), "it is a view of this table"
-        return functions(view)
+        return functions(view, self.bases)
 
     def axes_in(self, view: View) -> tuple[Axis, ...]:
         """Channels, each with every variable that varies in the view."""
@@ -84,16 +94,22 @@ class GyrocompassTable(Extensible):
         return labels(np.repeat(positions, outputs), np.tile(np.arange(outputs), scene.dwells))
 
 
-def functions(scene: GyrocompassScene) -> FloatArray:
-    """Of each row what sin α0, cos α0 and the drift are multiplied by, then A and B of each base, shape (rows, n)."""
+def functions(scene: GyrocompassScene, bases: int) -> FloatArray:
+    """Of each row what sin α0, cos α0 and the drift are multiplied by, then A and B of so many bases, shape (rows, n).
+
+    The lean of any further base is taken as given.
+    """
     heading = heading_functions(scene.delta_rad, scene.observations.latitude_deg, scene.lean)
     rates = scene.in_rows(np.column_stack([heading, np.ones(scene.dwells)]))
     if not scene.with_tilts:
         return rates
-    base = scene.observations.bases
-    its = base[:, None] == np.arange(base.max() + 1)
+    its = scene.observations.bases[:, None] == np.arange(bases)
     tilts = np.column_stack([its * np.cos(scene.delta_rad)[:, None], its * np.sin(scene.delta_rad)[:, None]])
     return np.column_stack([rates, scene.in_rows(np.zeros_like(tilts), tilts)])
+
+
+def _bases(scene: GyrocompassScene) -> int:
+    return int(scene.observations.bases.max(initial=0)) + 1
 
 
 def gyrocompass_table(
@@ -110,9 +126,9 @@ def gyrocompass_table(
     )
     ratio = rate / tilt if rate is not None and tilt is not None else 1.0
     weights = blank.in_rows(1.0 / rate_variances(observations), np.full(blank.dwells, ratio))
-    model = Gyrocompass(functions=functions(blank))
+    model = Gyrocompass(functions=functions(blank, _bases(blank)))
     theta = model.fitted(compress(model.functions, measured(blank), weights))
-    return seen_from(replace(blank, theta=theta), weights)
+    return seen_from(replace(blank, theta=theta), weights, np.zeros(blank.rows))
 
 
 def measured(scene: GyrocompassScene) -> FloatArray:
@@ -123,19 +139,20 @@ def measured(scene: GyrocompassScene) -> FloatArray:
     return scene.in_rows(rows.rate_deg_h, np.sin(np.deg2rad(rows.tilt_gamma_deg)))
 
 
-def seen_from(scene: GyrocompassScene, weights: FloatArray) -> GyrocompassTable:
-    """Dwells as a table that is anchored at the α0 of a scene."""
+def seen_from(scene: GyrocompassScene, weights: FloatArray, known: FloatArray) -> GyrocompassTable:
+    """Dwells as a table that is anchored at the α0 of a scene, with what is known of the rows taken off."""
     anchor_rad = float(scene.theta[ALPHA0])
-    model = Gyrocompass(functions=functions(scene), anchor_rad=anchor_rad)
+    model = Gyrocompass(functions=functions(scene, _bases(scene)), anchor_rad=anchor_rad)
     drawn = {
         each.name: forms[0].columns for each in GYROCOMPASS_EFFECTS if each.random and (forms := each.forms(scene))
     }
     return GyrocompassTable(
         model=model,
-        output=measured(scene) - model.functions[:, :HEADING] @ direction(anchor_rad),
+        output=measured(scene) - model.functions[:, :HEADING] @ direction(anchor_rad) - known,
         unit="°/h",
         weights=weights,
         scene=scene,
+        known=known,
         effects=GYROCOMPASS_EFFECTS,
         structures=(),
         axes=unnamed(scene),
@@ -148,6 +165,13 @@ def seen_from(scene: GyrocompassScene, weights: FloatArray) -> GyrocompassTable:
 
 
 def _modes(scene: GyrocompassScene, weights: FloatArray) -> FloatArray:
-    """Along what the drift wanders; a tilt does not."""
-    rates = scene.in_rows(np.ones(scene.dwells))
-    return np.asarray(slow_modes(scene.hours, weights) * rates[:, None])
+    """A constant and cosines over the run, along which the drift wanders and a tilt does not, shape (rows, n).
+
+    There are nearly as many as dwells, lest the steps of a strong walk from dwell to dwell pass for white noise.
+    """
+    hours, count = scene.dwell_hours, min(MODES, scene.dwells - _SPARE_MODES)
+    if hours is None or count < _SPARE_MODES or not np.ptp(hours) > 0:
+        return np.empty((scene.rows, 0))
+    phase = np.pi * np.outer((hours - hours.min()) / np.ptp(hours), np.arange(1, count + 1))
+    waves = np.column_stack([np.ones(scene.dwells), np.sqrt(2.0) * np.cos(phase)])
+    return scene.in_rows(waves) * np.sqrt(weights)[:, None]

@@ -46,6 +46,12 @@ def rate_variance(observations: GyrocompassObservations) -> float | None:
     return max(float(np.mean(by_samples)), 0.0) or repeats
 
 
+def variance_by_samples(observations: GyrocompassObservations) -> float | None:
+    """Mean variance of a mean rate by its samples, in (°/h)²; None where the table lacks them."""
+    found = _by_samples(observations)
+    return None if found is None else float(np.mean(found))
+
+
 def tilt_variance(observations: GyrocompassObservations) -> float | None:
     """Variance of the sine of a measured tilt, by repeats; None where there are too few of them."""
     tilt_deg = observations.tilt_gamma_deg
