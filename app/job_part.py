@@ -152,6 +152,15 @@ class Promising(Protocol):
 
 
 @runtime_checkable
+class Renewing(Protocol):
+    """The job of a method whose experiments depend on those before: on how a person has left the stand, say."""
+
+    def renewed(self, left: "Available", rows: Any) -> "Available":  # noqa: ANN401  # the rows of its method
+        """The experiments that are left, as they are to be run after everything that was measured."""
+        ...
+
+
+@runtime_checkable
 class OverTemperature(Protocol):
     """The job of a method whose runs at several temperatures become a table of parameters against temperature."""
 

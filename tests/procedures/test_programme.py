@@ -50,7 +50,8 @@ def complaint(text):
     return str(raised.value)
 
 
-GYROCOMPASSES = ["0-120-240", "0-180-90-270", "0-90-180", "0-90-180-270", "0-90-180-90-0", "two-bases"]
+GYROCOMPASSES = ["0-120-240", "0-180-90-270", "0-90-180", "0-90-180-270", "0-90-180-90-0"]
+GYROCOMPASSES += ["another-lean", "every-30", "two-bases"]
 TRIADS = ["12", "12o", "16o", "18", "18-there-and-back", "24", "24-there-and-back", "24f", "6", "8o", "fine"]
 
 

@@ -9,6 +9,7 @@ from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.gyrocompass.document import document, fit_document
 from tumble.calibrations.methods.gyrocompass.loop import GyrocompassDeclared, GyrocompassLoop
 from tumble.calibrations.methods.gyrocompass.method import METHOD
+from tumble.calibrations.methods.gyrocompass.sections import sections_beside_values
 
 RATE_UNIT: Final = "°/h"
 
@@ -39,4 +40,4 @@ class GyrocompassTraced(GyrocompassAnalysed, LoopTraced):
 
     def sections(self) -> Sequence[Section]:
         """What was found, before and after, and what to measure next."""
-        return ()
+        return tuple(sections_beside_values(self.loop))

@@ -11,8 +11,9 @@ from tumble.app.measurements import check_limits
 from tumble.app.methods.gyrocompass.analysed import GyrocompassAnalysed, GyrocompassTraced
 from tumble.app.stand import LoadedStand, WrittenStand
 from tumble.calibrations.core.provenance import Provenance
-from tumble.calibrations.methods.gyrocompass.loop import close_gyrocompass_loop, declared_fit
+from tumble.calibrations.methods.gyrocompass.loop import asked_next, close_gyrocompass_loop, declared_fit
 from tumble.calibrations.methods.gyrocompass.observations import GyrocompassObservations, read_gyrocompass_table
+from tumble.calibrations.methods.gyrocompass.probes import PROBES
 from tumble.calibrations.tracing.experiments import Experiment
 
 if TYPE_CHECKING:
@@ -22,9 +23,9 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class GyrocompassJob:
-    """Fits `JobPart` and `Promising`."""
+    """Fits `JobPart`, `Promising` and `Renewing`."""
 
-    experiments: frozenset[str] = frozenset()
+    experiments: frozenset[str] = frozenset(probe.programme for probe in PROBES if probe.comes_along)
     stand: None = None
 
     def read_table(self, path: Path) -> GyrocompassObservations:
@@ -54,11 +55,19 @@ class GyrocompassJob:
 
     def suggested(self, traced: GyrocompassTraced) -> tuple[Experiment, ...]:
         """What to measure next."""
-        return traced.loop.experiments
+        return asked_next(traced.loop).experiments
 
-    def available(self, stand: LoadedStand, rows: GyrocompassObservations, attended: bool) -> Available:  # noqa: ARG002  # none yet
-        """Which experiments a stand can run."""
-        return Available()
+    def available(self, stand: LoadedStand, rows: GyrocompassObservations, attended: bool) -> Available:  # noqa: ARG002
+        """Which programmes a stand can run; whether somebody leans the base is asked when it comes to that."""
+        from tumble.app.methods.gyrocompass.experiments import available  # the engine comes with it
+
+        return available(stand, rows)
+
+    def renewed(self, left: Available, rows: GyrocompassObservations) -> Available:
+        """The experiments that are left, on the base as it leans by now."""
+        from tumble.app.methods.gyrocompass.experiments import renewed
+
+        return renewed(left, rows)
 
     def promise(self, planned: "Plan", stand: WrittenStand) -> "Expectation | None":
         """How uncertain the heading will be, where the programme says how the gyro wanders."""

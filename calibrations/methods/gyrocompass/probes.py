@@ -119,17 +119,15 @@ PROBES: Final = (
         azimuths_deg=(0.0, 90.0, 180.0, 90.0, 0.0),
     ),
     GyrocompassProbe(
-        programme=Message("another lean of the base"),
+        programme="another-lean",
         does=Message("lets the base lean by some degrees otherwise: what turns with the base then turns otherwise"),
         azimuths_deg=_back(_FOUR),
-        comes_along=False,
         leans=True,
     ),
     GyrocompassProbe(
-        programme=Message("every 30°"),
+        programme="every-30",
         does=Message("goes round in steps of 30° and back: errors of the pickoff are seen as what they are"),
         azimuths_deg=_back(_TWELVE),
-        comes_along=False,
     ),
 )
 """The shortest first."""

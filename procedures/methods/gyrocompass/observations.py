@@ -7,6 +7,7 @@ import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.screening import without_missing
+from tumble.calibrations.methods.gyrocompass.geometry import up_rate
 from tumble.calibrations.methods.gyrocompass.observations import GyrocompassObservations
 from tumble.drivers.tables import DaqTable
 from tumble.messages import Message
@@ -15,8 +16,6 @@ from tumble.procedures.methods.gyrocompass.layout import AZIMUTH, AZIMUTH_RATE, 
 from tumble.procedures.recording.endings import warnings
 from tumble.procedures.recording.recorded import Recording
 from tumble.procedures.steps import Point
-
-EARTH_RATE_DEG_H = 15.041068
 
 
 def demand_latitude(stand: Mapping[str, Any]) -> None:
@@ -40,7 +39,7 @@ def observations(recording: Recording) -> GyrocompassObservations:
         raise InputError(Message("{path}: {error}", path=recording.path, error=error)) from error
     latitude_deg = float(stand["site"]["latitude_deg"])
     tilt_deg, samples = _means(points, TILT_GAMMA), [point.readings[LEVELLING_RATE].samples for point in points]
-    vertical_deg_h = EARTH_RATE_DEG_H * np.sin(np.deg2rad(latitude_deg))
+    stated_deg = np.full(len(points), latitude_deg)
     table = GyrocompassObservations(
         row=np.arange(1, len(points) + 1),
         time_s=_numbers([point.time_s for point in points]),
@@ -49,10 +48,10 @@ def observations(recording: Recording) -> GyrocompassObservations:
         azimuth_deg=_numbers([point.positions_deg[AZIMUTH] for point in points]),
         direction=np.array([point.directions[AZIMUTH] for point in points], dtype=np.int64),
         tilt_gamma_deg=tilt_deg,
-        latitude_deg=np.full(len(points), latitude_deg),
+        latitude_deg=stated_deg,
         dwell_s=_numbers(samples) / rate_hz(stand),
         temperature_degc=_known([point.temperature_degc for point in points]),
-        rate_deg_h=_means(points, LEVELLING_RATE) + vertical_deg_h * np.sin(np.deg2rad(tilt_deg)),
+        rate_deg_h=_means(points, LEVELLING_RATE) + up_rate(stated_deg) * np.sin(np.deg2rad(tilt_deg)),
         rate_sd_deg_h=_numbers([point.readings[LEVELLING_RATE].sd for point in points]),
         samples=np.array(samples, dtype=np.int64),
         azimuth_rate_deg_h=_means(points, AZIMUTH_RATE),
