@@ -22,11 +22,11 @@ def document(loop: GyrocompassLoop) -> dict[str, Any]:
             "degrees_of_freedom": error.degrees_of_freedom,
         },
         "warnings": [*loop.doubts, *rows.warnings],
-        "declared": _model(loop.declared),
+        "declared": _model(loop.declared) | loop.declared_fit.budget.as_json(),
         "effects": [_effect(each, loop) for each in loop.effects],
         "withheld": [{"name": each.name, "reason": each.reason} for each in loop.withheld],
         "unexplained": unexplained_json(loop.unexplained),
-        "augmented": _model(loop.augmented),
+        "augmented": _model(loop.augmented) | loop.augmented_budget.as_json(),
         **_beside(loop),
         "next_experiment": [experiment_json(each) for each in loop.experiments],
     }
@@ -40,6 +40,7 @@ def fit_document(declared: GyrocompassDeclared) -> dict[str, Any]:
         "rows": rows_json(declared.observations),
         "warnings": [*declared.doubts, *declared.observations.warnings],
         **_model(declared.model),
+        **declared.budget.as_json(),
     }
 
 

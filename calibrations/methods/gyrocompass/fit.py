@@ -46,6 +46,8 @@ class GyrocompassFit(Quantified):
     """From a change of the compressed rows to the step of all parameters and coefficients."""
     drawn: FloatArray
     """What is known of what is noise to a fit, shape (rows,)."""
+    everything: FloatArray
+    """Parameters and the coefficients of all further columns."""
 
     @property
     def values(self) -> Mapping[str, float]:
@@ -124,6 +126,7 @@ def _solved(
         compressed=compressed,
         inverse=pseudo_inverse(_stepped(compressed.r, slopes))[0],
         drawn=misfit - residual,
+        everything=theta,
     )
 
 

@@ -1,6 +1,6 @@
 """Closing the loop on a gyrocompass: what heading and drift leave, traced; both before and after."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Final
 
@@ -11,6 +11,7 @@ from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.blas_threads import one_blas_thread
 from tumble.calibrations.core.parameter import ModelFit
 from tumble.calibrations.core.repeats import PureError, pure_error
+from tumble.calibrations.methods.gyrocompass.assessed import Budget
 from tumble.calibrations.methods.gyrocompass.azimuth_channel import AzimuthDrift, azimuth_drift
 from tumble.calibrations.methods.gyrocompass.azimuth_mark import MarkCheck, mark_check
 from tumble.calibrations.methods.gyrocompass.baseline import Baseline, baseline_of
@@ -66,6 +67,7 @@ class GyrocompassDeclared:
     doubts: tuple[str, ...]
     """Questions about the table; where there are any, nothing is stated."""
     model: ModelFit
+    budget: Budget = field(default_factory=Budget)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -78,8 +80,9 @@ class GyrocompassLoop:
     misread: tuple[Misreading, ...]
     pure_error: PureError
     """Scatter of a mean rate between repeats of a position."""
+    augmented_budget: Budget = field(default_factory=Budget)
     experiments: tuple[Experiment, ...] = ()
-    """What to measure next, where that was asked."""
+    """What to measure next, where that was asked; see `asked_next`."""
 
     @property
     def observations(self) -> GyrocompassObservations:

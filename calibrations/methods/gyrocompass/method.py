@@ -10,6 +10,8 @@ from tumble.calibrations.core.known_tables import misspelt
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.sentences import series
 from tumble.calibrations.core.view import Section
+from tumble.calibrations.methods.gyrocompass.at_the_stand import loop_at
+from tumble.calibrations.methods.gyrocompass.budget import TurntableUncertainty
 from tumble.calibrations.methods.gyrocompass.document import document
 from tumble.calibrations.methods.gyrocompass.entry import VERSION, entry
 from tumble.calibrations.methods.gyrocompass.loop import GyrocompassLoop, asked_next, close_gyrocompass_loop
@@ -82,7 +84,7 @@ class GyrocompassMethod:
     def close_loop(self, paths: Sequence[Path]) -> GyrocompassResult:
         """Trace tables of one platform, taken together. Raises `TableError`, `ValueError`."""
         rows = joined([read_gyrocompass_table(path) for path in paths], [None] * len(paths))
-        return GyrocompassResult(loop=asked_next(close_gyrocompass_loop(rows)))
+        return GyrocompassResult(loop=loop_at(asked_next(close_gyrocompass_loop(rows)), TurntableUncertainty()))
 
 
 METHOD = GyrocompassMethod()

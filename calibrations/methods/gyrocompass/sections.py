@@ -6,8 +6,10 @@ from dataclasses import replace
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.quantities import format_concise, format_number
 from tumble.calibrations.core.view import Section
+from tumble.calibrations.methods.gyrocompass.budget_sections import budget_sections
 from tumble.calibrations.methods.gyrocompass.loop import GyrocompassLoop
 from tumble.calibrations.methods.gyrocompass.misreading import MISREADING, misread_text
+from tumble.calibrations.methods.gyrocompass.picture_sections import checks, picture_sections
 from tumble.calibrations.tracing.sentences import Finding, findings, nothing_looked_for, unexplained_sentence
 from tumble.messages import Message
 
@@ -29,7 +31,10 @@ def _composed(loop: GyrocompassLoop, parameters: Section) -> Iterator[Section]:
     yield _traced(loop)
     yield parameters
     yield _errors(loop)
+    yield checks(loop)
     yield Section(title=Message("What to measure next"), lines=[each.why for each in loop.experiments], brief=True)
+    yield from picture_sections(loop)
+    yield from budget_sections(loop)
 
 
 def _parameters(loop: GyrocompassLoop) -> Section:

@@ -1,0 +1,107 @@
+"""Pictures of a gyrocompass beside its values, and what else its rows say."""
+
+from collections.abc import Iterator
+
+from markupsafe import Markup
+
+from tumble.calibrations.core.quantities import format_concise, format_probability
+from tumble.calibrations.core.view import Section
+from tumble.calibrations.methods.gyrocompass.azimuth_channel import HOURS, heading_uncertainty_deg
+from tumble.calibrations.methods.gyrocompass.loop import GyrocompassLoop
+from tumble.messages import Message
+
+
+def picture_sections(loop: GyrocompassLoop) -> Iterator[Section]:
+    """Heading circle, rate against azimuth, drift over time."""
+    yield Section(
+        title=Message("Heading circle"),
+        figure=lambda: _circle(loop),
+        caption=Message(
+            "α0, counterclockwise from north, with its 95% interval (the heading is -α0); marks are the positions."
+        ),
+    )
+    yield Section(
+        title=Message("Rate against azimuth"),
+        figure=lambda: _rate(loop),
+        caption=Message(
+            "Each dwell with the fit, a colour for each base; below what is left, before (circles) and with what was "
+            "found (triangles)."
+        ),
+    )
+    yield Section(
+        title=Message("Drift"),
+        figure=lambda: _drift(loop),
+        caption=Message("Rate of each dwell less the earth rate by the fit; the line is the stated drift."),
+    )
+
+
+def checks(loop: GyrocompassLoop) -> Section:
+    """Closure, the published formula, the azimuth channel and an azimuth mark, as far as the rows tell them."""
+    return Section(title=Message("Checks"), lines=[*_closure(loop), *_baseline(loop), *_channel(loop), *_mark(loop)])
+
+
+def _closure(loop: GyrocompassLoop) -> Iterator[str]:
+    if closure := loop.closure:
+        yield Message(
+            "Closure: the earth rate is {value} of what the latitude says, less 1 (p = {p_value}).",
+            value=format_concise(closure.value, closure.standard_uncertainty, ""),
+            p_value=format_probability(closure.p_value),
+        )
+
+
+def _baseline(loop: GyrocompassLoop) -> Iterator[str]:
+    if baseline := loop.baseline:
+        yield Message(
+            "By the formula for three positions ({positions}): α0 = {alpha0:.3f}°, drift {drift:.4f} °/h.",
+            positions="/".join(f"{each:g}" for each in baseline.azimuths_deg),
+            alpha0=baseline.alpha0_deg,
+            drift=baseline.drift_deg_h,
+        )
+
+
+def _channel(loop: GyrocompassLoop) -> Iterator[str]:
+    drift, u_deg = loop.azimuth_drift, loop.augmented.parameters["alpha0"].standard_uncertainty
+    if drift is None:
+        return
+    yield Message(
+        "Drift of the azimuth channel {value}; take it off in dead reckoning.",
+        value=format_concise(drift.value_deg_h, drift.standard_uncertainty_deg_h, "°/h"),
+    )
+    if u_deg is not None:
+        grown = heading_uncertainty_deg(HOURS[-1], u_deg, drift.standard_uncertainty_deg_h)
+        yield Message(
+            "After {hours:g} h the heading is uncertain by {grown:.2g}° (1σ), and by what the drift wanders.",
+            hours=HOURS[-1],
+            grown=grown,
+        )
+
+
+def _mark(loop: GyrocompassLoop) -> Iterator[str]:
+    if mark := loop.mark:
+        off = format_concise(mark.difference_deg, mark.standard_uncertainty_deg, "°")
+        if mark.agrees:
+            yield Message("The heading agrees with the azimuth mark: they differ by {off}.", off=off)
+        else:
+            yield Message(
+                "The heading differs from the azimuth mark by {off}: something turns with the base, such as a "
+                "g-sensitive drift or a magnetic field.",
+                off=off,
+            )
+
+
+def _circle(loop: GyrocompassLoop) -> Markup:
+    from tumble.calibrations.methods.gyrocompass import figures  # matplotlib takes half a second
+
+    return figures.heading_circle(loop)
+
+
+def _rate(loop: GyrocompassLoop) -> Markup:
+    from tumble.calibrations.methods.gyrocompass import figures
+
+    return figures.rate_figure(loop)
+
+
+def _drift(loop: GyrocompassLoop) -> Markup:
+    from tumble.calibrations.methods.gyrocompass import figures
+
+    return figures.drift_figure(loop)
