@@ -9,8 +9,12 @@ from tumble.app.job_part import JobPart
 from tumble.app.measurement import Measurement
 from tumble.app.measurements import check_limits
 from tumble.app.methods.gyrocompass.analysed import GyrocompassAnalysed, GyrocompassTraced
+from tumble.app.methods.gyrocompass.stand_part import STAND, GyrocompassStand
+from tumble.app.methods.gyrocompass.uncertainty import uncertainty_of
 from tumble.app.stand import LoadedStand, WrittenStand
+from tumble.calibrations.core.propagation import TRIALS
 from tumble.calibrations.core.provenance import Provenance
+from tumble.calibrations.methods.gyrocompass.at_the_stand import declared_at, loop_at
 from tumble.calibrations.methods.gyrocompass.loop import asked_next, close_gyrocompass_loop, declared_fit
 from tumble.calibrations.methods.gyrocompass.observations import GyrocompassObservations, read_gyrocompass_table
 from tumble.calibrations.methods.gyrocompass.probes import PROBES
@@ -26,7 +30,7 @@ class GyrocompassJob:
     """Fits `JobPart`, `Promising` and `Renewing`."""
 
     experiments: frozenset[str] = frozenset(probe.programme for probe in PROBES if probe.comes_along)
-    stand: None = None
+    stand: GyrocompassStand = STAND
 
     def read_table(self, path: Path) -> GyrocompassObservations:
         """Read the table of a gyrocompass. Raises `TableError`."""
@@ -36,9 +40,10 @@ class GyrocompassJob:
         """The rows as they are: what is in doubt is asked once they are fitted."""
         return rows
 
-    def fit(self, measurement: Measurement, origin: Provenance, trials: int | None) -> GyrocompassAnalysed:  # noqa: ARG002  # nothing is drawn
+    def fit(self, measurement: Measurement, origin: Provenance, trials: int | None) -> GyrocompassAnalysed:
         """Fit heading and drift. Raises `ValueError`, `InputError`."""
         declared = declared_fit(_rows(measurement), measurement.reference_temperature_degc)
+        declared = declared_at(declared, uncertainty_of(measurement), TRIALS if trials is None else trials)
         return GyrocompassAnalysed(
             measurement=measurement,
             provenance=origin,
@@ -50,6 +55,7 @@ class GyrocompassJob:
         """Close the loop."""
         measurement = analysed.measurement
         loop = close_gyrocompass_loop(_rows(measurement), measurement.reference_temperature_degc)
+        loop = loop_at(loop, uncertainty_of(measurement))
         limits = check_limits(loop.augmented.parameters, measurement.programme)
         return GyrocompassTraced(**{**vars(analysed), "limits": limits}, loop=loop)
 
