@@ -16,7 +16,6 @@ from tumble.plugins import warn_once
 _Answer = TypeVar("_Answer", bool, str)
 
 _FOREIGN: Final[tuple[tuple[str, tuple[str, ...]], ...]] = (
-    (Message("gyrocompassing in several azimuths"), ("rate_deg_h", "azimuth_deg")),
     (Message("a gyro"), ("rate_deg_h",)),
     (Message("a gyro"), ("rate_deg_s",)),
     (Message("vibration rectification"), ("output_ug", "ai_g")),

@@ -1,7 +1,8 @@
 """Gross errors of a gyrocompass: dwells that neither the earth rate nor their repeats explain, and wrong angles."""
 
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import Final
+from typing import Final, TypeAlias
 
 import numpy as np
 
@@ -18,6 +19,8 @@ _HUBER: Final = 1.345
 """Tuning of Huber's weights: 95% efficient on normal noise (Huber and Ronchetti, Robust Statistics, 4.5)."""
 _ROUNDS = 40
 _UNKNOWNS = 3
+_ENOUGH_TILTS: Final = 8
+"""Tilts of a base from which on one of them may be told to be wrong."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -57,20 +60,44 @@ def robust_fit(observations: GyrocompassObservations) -> RobustFit:
 def gross_errors(observations: GyrocompassObservations) -> tuple[SetAside, ...]:
     """Dwells to set aside.
 
-    Where a position was visited more than once, a dwell must also differ as much from the median of the other visits:
-    what comes back at every visit is no gross error but structure.
+    Where a position was visited more than once, a dwell must also differ as much from every other visit: what comes
+    back is no gross error but structure.
     """
     fit = robust_fit(observations)
-    limit = gross_sigmas(len(observations) - _UNKNOWNS) * fit.scale
-    return tuple(
-        SetAside(
-            row=int(observations.row[dwell]),
-            reason=Message("gross error: {sigmas:.0f} sigma", sigmas=abs(fit.residual[dwell]) / fit.scale),
-            gross=True,
-        )
-        for dwell in np.flatnonzero(np.abs(fit.residual) > limit).tolist()
-        if _differs_from_repeats(observations, fit.residual, dwell, limit)
-    )
+    found = dict(_far(observations, fit.residual / fit.scale, _of_rate))
+    if (tilts := _tilts(observations)) is not None:
+        found = dict(_far(observations, tilts, _of_tilt)) | found
+    return tuple(found[row] for row in sorted(found))
+
+
+def _of_rate(sigmas: float) -> Message:
+    return Message("gross error: {sigmas:.0f} sigma", sigmas=sigmas)
+
+
+def _of_tilt(sigmas: float) -> Message:
+    return Message("gross error of the tilt: {sigmas:.0f} sigma", sigmas=sigmas)
+
+
+_Reason: TypeAlias = Callable[[float], Message]
+
+
+def _far(observations: GyrocompassObservations, sigmas: FloatArray, reason: _Reason) -> Iterator[tuple[int, SetAside]]:
+    """Dwells that are too far off, by row; `sigmas` are residuals in robust standard deviations."""
+    limit = gross_sigmas(len(observations) - _UNKNOWNS)
+    for dwell in np.flatnonzero(np.abs(sigmas) > limit).tolist():
+        if _differs_from_repeats(observations, sigmas, dwell, limit):
+            row = int(observations.row[dwell])
+            yield row, SetAside(row=row, reason=reason(abs(sigmas[dwell])), gross=True)
+
+
+def _tilts(observations: GyrocompassObservations) -> FloatArray | None:
+    """Tilts less the lean, in robust standard deviations; None where there are none, or too few to tell."""
+    if observations.tilt_gamma_deg is None or len(observations) < _ENOUGH_TILTS * (observations.bases.max() + 1):
+        return None
+    tilt = np.sin(np.deg2rad(observations.tilt_gamma_deg))
+    left = tilt - leans(observations).sin_tilt(np.deg2rad(observations.azimuth_deg))
+    left = left - np.median(left)
+    return np.asarray(left / max(float(1.4826 * np.median(np.abs(left))), 1e-9))
 
 
 def _differs_from_repeats(
@@ -78,4 +105,4 @@ def _differs_from_repeats(
 ) -> bool:
     others = np.flatnonzero(observations.positions == observations.positions[dwell])
     others = others[others != dwell]
-    return not len(others) or abs(float(residual[dwell] - np.median(residual[others]))) > limit
+    return not len(others) or abs(float(np.min(np.abs(residual[dwell] - residual[others])))) > limit

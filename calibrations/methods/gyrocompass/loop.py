@@ -26,6 +26,7 @@ from tumble.calibrations.methods.gyrocompass.model import ALPHA0
 from tumble.calibrations.methods.gyrocompass.models import augmented, held_out_declared, modelled, silent, with_headings
 from tumble.calibrations.methods.gyrocompass.nonlinear import beyond_first_order, lean_of
 from tumble.calibrations.methods.gyrocompass.observations import GyrocompassObservations
+from tumble.calibrations.methods.gyrocompass.readmitted import still_gross
 from tumble.calibrations.methods.gyrocompass.table import GyrocompassTable, gyrocompass_table, seen_from
 from tumble.calibrations.tracing.experiments import Experiment
 from tumble.calibrations.tracing.explained import Explained
@@ -212,8 +213,24 @@ def _check_positions(observations: GyrocompassObservations) -> None:
 def close_gyrocompass_loop(
     observations: GyrocompassObservations, reference_temperature_degc: float = 23.0
 ) -> GyrocompassLoop:
-    """Trace what heading and drift leave of a table. Raises `ValueError` where there is one position only."""
+    """Trace what heading and drift leave of a table. Raises `ValueError` where there is one position only.
+
+    What was found may explain dwells that were set aside as gross errors: then all is traced again with these.
+    """
     before = declared_fit(observations, reference_temperature_degc)
+    before, explained = _closed(before)
+    gross = [each for each in before.observations.set_aside if each not in observations.set_aside]
+    left = still_gross(observations, explained)
+    if len(left) < len(gross):
+        used = observations.without(left)
+        before, explained = _closed(_declared(used, gyrocompass_table(used, reference_temperature_degc)))
+    return _loop(observations, before, explained)
+
+
+def _closed(
+    before: GyrocompassDeclared,
+) -> tuple[GyrocompassDeclared, Explained[GyrocompassTable, GyrocompassFit]]:
+    """A table traced, and traced anew from where it was found to be as often as that makes a difference."""
     explained = _explained(before)
     for _ in range(_ROUNDS):
         table = _seen_anew(explained)
@@ -221,7 +238,7 @@ def close_gyrocompass_loop(
             break
         before = _declared(before.observations, table)
         explained = _explained(before)
-    return _loop(observations, before, explained)
+    return before, explained
 
 
 def _explained(before: GyrocompassDeclared) -> Explained[GyrocompassTable, GyrocompassFit]:

@@ -24,7 +24,7 @@ _AGREES: Final = 4.0
 """A row agrees with a misreading if what is left is below so many standard deviations."""
 _TELLS: Final = 8.0
 """A tilt that would differ by so many standard deviations tells whether the angle was wrong."""
-_BEYOND_TAILS: Final = 20.0
+_BEYOND_TAILS: Final = 15.0
 """Without a tilt that tells: no normal noise reaches so many standard deviations; with heavy tails one row may."""
 
 
@@ -63,18 +63,20 @@ def _look(row: GyrocompassObservations, table: GyrocompassTable, fit: Gyrocompas
     tried_rad = np.deg2rad(row.azimuth_deg[0] + np.concatenate([[0.0], ROUND_AMOUNTS_DEG]))
     off = (row.rate_deg_h[0] - _rates(tried_rad, row, lean, fit)) / fit.dwell
     agrees = np.abs(off) < _AGREES
-    told = np.zeros(len(off), dtype=bool)
+    told, misfit = np.zeros(len(off), dtype=bool), off**2
     if table.scene.with_tilts and row.tilt_gamma_deg is not None:
         deviation = fit.dwell / np.sqrt(table.weights[1])
         tilts = lean.sin_tilt(tried_rad)
         away = np.abs(np.sin(np.deg2rad(row.tilt_gamma_deg[0])) - tilts) / deviation
         told = np.abs(tilts - tilts[0]) > _TELLS * deviation
         agrees &= ~told | (away < _AGREES)
+        misfit = misfit + away**2
     agrees &= told | (abs(off[0]) > _BEYOND_TAILS)
     agrees[0] = False
     if not agrees.any():
         return None
-    return Misreading(row=int(row.row[0]), error_deg=float(ROUND_AMOUNTS_DEG[int(np.argmax(agrees)) - 1]))
+    best = int(np.argmin(np.where(agrees, misfit, np.inf)))
+    return Misreading(row=int(row.row[0]), error_deg=float(ROUND_AMOUNTS_DEG[best - 1]))
 
 
 def _lean_of(row: GyrocompassObservations, table: GyrocompassTable) -> Lean:

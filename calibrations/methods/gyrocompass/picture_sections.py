@@ -43,7 +43,7 @@ def checks(loop: GyrocompassLoop) -> Section:
 def _closure(loop: GyrocompassLoop) -> Iterator[str]:
     if closure := loop.closure:
         yield Message(
-            "Closure: the earth rate is {value} of what the latitude says, less 1 (p = {p_value}).",
+            "Closure: the earth rate differs by {value} (relative) from what the latitude says (p = {p_value}).",
             value=format_concise(closure.value, closure.standard_uncertainty, ""),
             p_value=format_probability(closure.p_value),
         )
