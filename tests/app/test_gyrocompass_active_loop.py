@@ -62,7 +62,9 @@ def test_the_heading_is_that_of_the_simulated_platform(told_apart):
 def test_what_comes_after_another_lean_is_taken_on_it(told_apart):
     files = sorted(told_apart.folder.glob("store/recordings/G1/*.mcap"))
     bases = [np.unique(read_measurement(path).observations.base).tolist() for path in files]
-    assert bases[0] == [1] and bases[1:] and all(base == [2] for base in bases[1:])
+    leaned = bases.index([2])
+    assert leaned and bases == [[1]] * leaned + [[2]] * (len(bases) - leaned)
+    assert len(bases) > leaned + 1
 
 
 def offers_after(tmp_path, last):
@@ -92,8 +94,9 @@ def test_positions_beyond_the_limits_of_the_turntable_are_not_offered(tmp_path):
     assert "outside the azimuth's limits of -10 to 200 deg" in found.refused["0-120-240"][1]
 
 
-def test_every_probe_is_one_pass_of_the_programme_that_comes_along(tmp_path):
+def test_every_probe_is_two_passes_of_the_programme_that_comes_along(tmp_path):
     found, _ = offers_after(tmp_path, 1)
     for offer in found.offers:
         (positions,) = offer.programme.parts
-        assert (positions.repeats, positions.positions) == (1, offer.probe.azimuths_deg)
+        assert positions.positions * positions.repeats == offer.probe.azimuths_deg
+        assert positions.repeats == 2

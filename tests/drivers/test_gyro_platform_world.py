@@ -189,10 +189,22 @@ def test_another_lean_settles_too():
     assert means(world)["tilt_gamma_deg"] == pytest.approx(-2.0, abs=1e-9)
 
 
-def test_a_lean_that_there_is_not_is_refused():
-    world, _ = made(**LEANING)
-    with pytest.raises(ValueError, match="leans in 2 ways, and 3 is none of them"):
+def test_a_lean_that_is_not_listed_is_drawn_from_the_seed():
+    tilts = []
+    for _ in range(2):
+        world, clock = made(**LEANING)
         world.setters["base"]("3")
+        clock.sleep(20.0)
+        tilts.append(means(world)["tilt_gamma_deg"])
+    assert tilts[0] == tilts[1]
+    assert 0.0 < abs(tilts[0]) <= 3.0
+
+
+@pytest.mark.parametrize("number", ["0", "-1", "high"])
+def test_a_lean_that_is_no_number_is_refused(number):
+    world, _ = made(**LEANING)
+    with pytest.raises(ValueError, match=f"{number} is no number of a lean; they count from 1"):
+        world.setters["base"](number)
 
 
 def test_a_channel_that_the_platform_lacks_is_refused():

@@ -16,21 +16,27 @@ from tumble.procedures.programme import Programme
 from tumble.procedures.programmes import load_programme, programme_from_text, with_samples
 
 _REPEATS: Final = "repeats = 4"
-"""Of every programme that comes along; a probe is one pass."""
+"""Of every programme that comes along."""
+_PASSES: Final = 2
+"""With a single pass, what a new position shows could not be told from one dwell that went wrong."""
 _LEANING: Final = "\nbase = 2"
 
 
 def available(stand: LoadedStand, rows: GyrocompassObservations) -> Available:
-    """Ask a stand which of the programmes that come along it can run after a table, one pass of each.
+    """Ask a stand which of the programmes that come along it can run after a table, two passes of each.
 
     A dwell takes as many samples as those of the table. Another lean is the next number after those of the table, and
     whoever is at the stand is asked for it.
     """
-    asked = [_asked(stand, probe, rows) for probe in PROBES if probe.comes_along]
+    asked = [_asked(stand, _repeated(probe), rows) for probe in PROBES if probe.comes_along]
     return Available(
         offers=tuple(offer for offer, reason in asked if not reason),
         refused={offer.programme.name: (offer, reason) for offer, reason in asked if reason},
     )
+
+
+def _repeated(probe: GyrocompassProbe) -> GyrocompassProbe:
+    return replace(probe, azimuths_deg=probe.azimuths_deg * _PASSES)
 
 
 def renewed(left: Available, rows: GyrocompassObservations) -> Available:
@@ -69,9 +75,9 @@ def _base(probe: GyrocompassProbe, rows: GyrocompassObservations) -> int | None:
 
 
 def _programme(probe: GyrocompassProbe, rows: GyrocompassObservations, base: int | None) -> Programme:
-    """One pass of the programme that comes along, on a base that leans in some way."""
+    """Two passes of the programme that comes along, on a base that leans in some way."""
     leaning = "" if base is None else f"\nbase = {base}"
-    text = load_programme(probe.programme).text.replace(_LEANING, "").replace(_REPEATS, f"repeats = 1{leaning}")
+    text = load_programme(probe.programme).text.replace(_LEANING, "").replace(_REPEATS, f"repeats = {_PASSES}{leaning}")
     samples = None if rows.samples is None else int(np.median(rows.samples))
     if samples is not None and samples >= 2:
         text = with_samples(text, samples)

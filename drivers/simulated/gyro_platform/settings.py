@@ -36,7 +36,7 @@ class SimulatedPlatform(SimulatedTable):
     azimuth_drift_deg_h: float = -0.2
     """Of the azimuth channel."""
     leans_deg: Annotated[tuple[Lean, ...], Field(min_length=1)] = ((1.2, -0.8), (-0.9, 1.6))
-    """How the base leans as number 1, 2, and so on."""
+    """How the base leans as number 1, 2, and so on; beyond that by up to 3° as drawn from the seed."""
     noise: GyroNoise = GyroNoise()
     azimuth_noise: GyroNoise = GyroNoise()
     tilt_noise_deg: float = Field(default=2e-3, ge=0.0)

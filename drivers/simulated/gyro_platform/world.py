@@ -21,7 +21,7 @@ from tumble.drivers.simulated.gyro_platform.outputs import (
 )
 from tumble.drivers.simulated.gyro_platform.pickoff import Pickoff
 from tumble.drivers.simulated.gyro_platform.platform import Placed, Platform
-from tumble.drivers.simulated.gyro_platform.settings import SimulatedPlatform
+from tumble.drivers.simulated.gyro_platform.settings import Lean, SimulatedPlatform
 from tumble.drivers.simulated.head import HeadOptions, SimulatedHead
 from tumble.drivers.simulated.noise import Stream, generator
 from tumble.drivers.simulated.room import Room
@@ -32,6 +32,9 @@ TURNTABLE: Final = "azimuth"
 BASE: Final = "base"
 """The condition that a person sets: the number of the way in which the base leans."""
 _OPTIONS: Final = HeadOptions(limits_deg=(-370.0, 370.0), steps_per_deg=3600.0, speed_deg_s=9.0)
+_LEANS: Final = 102
+"""Stream of the leans that the table does not list, none of those of `Stream`."""
+_MOST_DEG: Final = 3.0
 _PAUSE_S: Final = 600.0
 """After this nothing remains of the rate in the dwell before."""
 
@@ -93,23 +96,23 @@ class PlatformWorld:
         return PlatformOutputs(self._clock, self, channels or CHANNELS)
 
     def lean(self, number: str) -> None:
-        """Lean the base as one of the ways that the table lists, from 1. Raises `ValueError` for any other."""
-        leans = self._settings.leans_deg
-        if not (number.isdecimal() and 1 <= int(number) <= len(leans)):
-            raise ValueError(
-                Message(
-                    "the simulated base leans in {ways} ways, and {number} is none of them",
-                    ways=len(leans),
-                    number=number,
-                )
-            )
+        """Lean the base as a number from 1: as the table lists, and beyond that as drawn. Raises `ValueError`."""
+        if not (number.isdecimal() and int(number) >= 1):
+            raise ValueError(Message("{number} is no number of a lean; they count from 1", number=number))
         now_s = self._clock.monotonic_s()
         before = self._placed(np.array([now_s]))
         self._leave()
-        self._lean = leans[int(number) - 1]
+        self._lean = self._lean_called(int(number))
         after = self._placed(np.array([now_s]))
         rate_deg_h = float((after.along_x_deg_h - before.along_x_deg_h)[0])
         self._lag.kick(now_s, rate_deg_h, float((after.level_rad - before.level_rad)[0]))
+
+    def _lean_called(self, number: int) -> Lean:
+        leans = self._settings.leans_deg
+        if number <= len(leans):
+            return leans[number - 1]
+        gamma_deg, kappa_deg = generator(self._settings.seed, _LEANS, number).uniform(-_MOST_DEG, _MOST_DEG, 2).tolist()
+        return gamma_deg, kappa_deg
 
     def switch_on(self) -> None:
         """Switch the platform off and on for a moment: its drift is drawn anew."""
