@@ -161,7 +161,10 @@ def _cell(name: str, value: float) -> str:
 def _right(loop: GyrocompassLoop, names: Sequence[str], wanted: str) -> bool:
     """Whether exactly what is there was found; of rivals that are not told apart, that the true one is among them."""
     if wanted:
-        return loop.unexplained is not None and loop.unexplained.depends_on == wanted and not loop.effects
+        if loop.unexplained is None or loop.effects:
+            return False
+        said = {loop.unexplained.depends_on, *(variable for _, variable in loop.unexplained.also_possible)}
+        return wanted in said
     if loop.unexplained is not None or len(loop.effects) != len(names):
         return False
     among = [{effect.name, *effect.also_possible} for effect in loop.effects]

@@ -27,7 +27,8 @@ class Parameter:
     given: Mapping[str, float] = field(default_factory=dict)
     """The value of a parameter that is not identifiable, by its name, for which this value stands; empty for none.
 
-    Or, with 0, an effect that the rows could hide.
+    Or, with 0, an effect that the rows could hide. Of a parameter without a value: what it is by each of several
+    effects that are not told apart.
     """
     rests_on: str = ""
     """A parameter without which this one would not be identifiable, or an effect on whose absence it rests."""
@@ -50,6 +51,8 @@ class Parameter:
         """On what the value stands though that was not measured; empty where it stands by itself."""
         if self.rests_on_absence:
             return Message("if there is no {effect}", effect=self.rests_on)
+        if len(self.given) > 1:
+            return ""  # it has no value, and the reason says it
         if self.given:
             ((name, value),) = self.given.items()
             return Message("given {name} = {value_deg:g}°", name=name, value_deg=value)

@@ -19,6 +19,8 @@ _HUBER: Final = 1.345
 """Tuning of Huber's weights: 95% efficient on normal noise (Huber and Ronchetti, Robust Statistics, 4.5)."""
 _ROUNDS = 40
 _UNKNOWNS = 3
+_MOST_LEFT: Final = 0.1
+"""Part of the dwells that may be gross errors."""
 _ENOUGH_TILTS: Final = 8
 """Tilts of a base from which on one of them may be told to be wrong."""
 
@@ -106,3 +108,19 @@ def _differs_from_repeats(
     others = np.flatnonzero(observations.positions == observations.positions[dwell])
     others = others[others != dwell]
     return not len(others) or abs(float(np.min(np.abs(residual[dwell] - residual[others])))) > limit
+
+
+def left_gross(observations: GyrocompassObservations, left: FloatArray) -> tuple[SetAside, ...]:
+    """Dwells that stand out of what is left once a table was traced, shape (dwells, outputs), weighted.
+
+    An effect may have hidden them. Where they are many, they are no gross errors.
+    """
+    scale = np.maximum(1.4826 * np.median(np.abs(left), axis=0), 1e-12)
+    worst = np.abs(left / scale).max(axis=1)
+    far = np.flatnonzero(worst > gross_sigmas(left.size))
+    if len(far) > _MOST_LEFT * len(worst):
+        return ()
+    return tuple(
+        SetAside(row=int(observations.row[dwell]), reason=_of_rate(float(worst[dwell])), gross=True)
+        for dwell in far.tolist()
+    )

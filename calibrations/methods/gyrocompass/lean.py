@@ -16,6 +16,8 @@ from tumble.calibrations.methods.gyrocompass.observations import GyrocompassObse
 _HUBER = 1.345
 """Tuning of Huber's weights: 95% efficient on normal noise (Huber and Ronchetti, Robust Statistics, 4.5)."""
 _ROUNDS = 20
+_MOST = 0.9
+"""Sine of a lean beyond which no platform works: these are no tilts at these angles, which is asked about."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -45,7 +47,8 @@ def leans(observations: GyrocompassObservations) -> Lean:
     delta, tilt = np.deg2rad(observations.azimuth_deg), np.sin(np.deg2rad(observations.tilt_gamma_deg))
     for number in np.unique(observations.bases).tolist():
         its = observations.bases == number
-        cosine[its], sine[its] = _fitted(delta[its], tilt[its])
+        fitted = _fitted(delta[its], tilt[its])
+        cosine[its], sine[its] = fitted if float(np.linalg.norm(fitted)) < _MOST else (0.0, 0.0)
     return Lean(cosine=cosine, sine=sine)
 
 

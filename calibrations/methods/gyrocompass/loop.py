@@ -5,12 +5,12 @@ from functools import cached_property
 from typing import Final
 
 import numpy as np
-from scipy.special import fdtrc
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.blas_threads import one_blas_thread
 from tumble.calibrations.core.parameter import ModelFit
 from tumble.calibrations.core.repeats import PureError, pure_error
+from tumble.calibrations.methods.gyrocompass.anew import seen_anew
 from tumble.calibrations.methods.gyrocompass.assessed import Budget
 from tumble.calibrations.methods.gyrocompass.azimuth_channel import AzimuthDrift, azimuth_drift
 from tumble.calibrations.methods.gyrocompass.azimuth_mark import MarkCheck, mark_check
@@ -19,15 +19,13 @@ from tumble.calibrations.methods.gyrocompass.closure import Closure, closure_of
 from tumble.calibrations.methods.gyrocompass.doubts import doubts
 from tumble.calibrations.methods.gyrocompass.experiments import next_experiments
 from tumble.calibrations.methods.gyrocompass.fit import GyrocompassFit, fit_gyrocompass
-from tumble.calibrations.methods.gyrocompass.gross import gross_errors
+from tumble.calibrations.methods.gyrocompass.gross import gross_errors, left_gross
 from tumble.calibrations.methods.gyrocompass.headings import possible_headings_deg
 from tumble.calibrations.methods.gyrocompass.misreading import Misreading, as_effect, misreadings
-from tumble.calibrations.methods.gyrocompass.model import ALPHA0
 from tumble.calibrations.methods.gyrocompass.models import augmented, held_out_declared, modelled, silent, with_headings
-from tumble.calibrations.methods.gyrocompass.nonlinear import beyond_first_order, lean_of
 from tumble.calibrations.methods.gyrocompass.observations import GyrocompassObservations
 from tumble.calibrations.methods.gyrocompass.readmitted import still_gross
-from tumble.calibrations.methods.gyrocompass.table import GyrocompassTable, gyrocompass_table, seen_from
+from tumble.calibrations.methods.gyrocompass.table import GyrocompassTable, gyrocompass_table
 from tumble.calibrations.tracing.experiments import Experiment
 from tumble.calibrations.tracing.explained import Explained
 from tumble.calibrations.tracing.findings import (
@@ -45,14 +43,8 @@ from tumble.messages import Message
 
 FEWEST_POSITIONS: Final = 2
 """One position tells neither heading nor drift."""
-_UNEVEN_P: Final = 0.01
-"""Below this rates and tilts scatter otherwise than was taken, and are weighed anew."""
-_NEAR_RAD: Final = 5e-3
-"""An anchor this near the heading that was found is good to 1e-5 of the earth rate."""
 _ROUNDS: Final = 3
 """So often a table is traced anew from where it was found to be."""
-_BENT: Final = 1.0
-"""Length beyond which what is of second order in the azimuth matters, in variances of a dwell."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -215,16 +207,24 @@ def close_gyrocompass_loop(
 ) -> GyrocompassLoop:
     """Trace what heading and drift leave of a table. Raises `ValueError` where there is one position only.
 
-    What was found may explain dwells that were set aside as gross errors: then all is traced again with these.
+    What was found may explain dwells that were set aside as gross errors: then all is traced again with these, as it is
+    without others that an effect had hidden.
     """
     before = declared_fit(observations, reference_temperature_degc)
     before, explained = _closed(before)
     gross = [each for each in before.observations.set_aside if each not in observations.set_aside]
     left = still_gross(observations, explained)
-    if len(left) < len(gross):
-        used = observations.without(left)
+    further = left_gross(before.observations, _left(explained)) if explained.trace.names else ()
+    if len(left) < len(gross) or further:
+        used = observations.without((*left, *further))
         before, explained = _closed(_declared(used, gyrocompass_table(used, reference_temperature_degc)))
     return _loop(observations, before, explained)
+
+
+def _left(explained: Explained[GyrocompassTable, GyrocompassFit]) -> FloatArray:
+    """What is left of each dwell's rows, weighted, shape (dwells, outputs)."""
+    table = explained.table
+    return np.asarray((explained.best.residual * np.sqrt(table.weights)).reshape(table.scene.dwells, -1))
 
 
 def _closed(
@@ -233,7 +233,7 @@ def _closed(
     """A table traced, and traced anew from where it was found to be as often as that makes a difference."""
     explained = _explained(before)
     for _ in range(_ROUNDS):
-        table = _seen_anew(explained)
+        table = seen_anew(explained)
         if table is None or before.doubts:
             break
         before = _declared(before.observations, table)
@@ -247,30 +247,6 @@ def _explained(before: GyrocompassDeclared) -> Explained[GyrocompassTable, Gyroc
         return Explained(judged=_untraced(before.table), best=before.fit)
     found = judged(before.table)
     return Explained(judged=found, best=fit_gyrocompass(before.table, found.trace))
-
-
-def _seen_anew(explained: Explained[GyrocompassTable, GyrocompassFit]) -> GyrocompassTable | None:
-    """The table anchored and weighed by what was found, where that makes a difference; None where it makes none."""
-    table, fit = explained.table, explained.best
-    tilts = _weight_of_tilts(table, fit)
-    anchored = abs(float(fit.theta[ALPHA0] - table.scene.theta[ALPHA0])) < _NEAR_RAD
-    scene = replace(table.scene, theta=fit.theta, lean=lean_of(table.scene, fit))
-    bent = beyond_first_order(scene, fit)
-    if anchored and tilts == 1.0 and np.sum(table.weights * (bent - table.known) ** 2) < _BENT * fit.dwell**2:
-        return None
-    return seen_from(scene, np.where(table.rates, table.weights, tilts * table.weights), bent)
-
-
-def _weight_of_tilts(table: GyrocompassTable, fit: GyrocompassFit) -> float:
-    """By how much more tilts should weigh beside rates, by what is left of both; 1 where they weigh as they should."""
-    if not table.scene.with_tilts:
-        return 1.0
-    squares = table.weights * fit.residual**2
-    rate, tilt = (float(np.mean(squares[its])) for its in (table.rates, ~table.rates))
-    freedom = max(table.rows - len(fit.theta) - len(fit.coefficients), 2) / 2.0
-    ratio = rate / max(tilt, 1e-300)
-    chance = 2.0 * float(fdtrc(freedom, freedom, max(ratio, 1.0 / ratio)))
-    return ratio if chance < _UNEVEN_P else 1.0
 
 
 def _loop(

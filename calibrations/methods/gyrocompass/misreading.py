@@ -1,7 +1,7 @@
 """Tells wrong angles from other gross errors: a round amount that explains the rate, and the tilt where that tells."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Final
 
 import numpy as np
@@ -9,10 +9,8 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.sentences import series
 from tumble.calibrations.methods.gyrocompass.fit import GyrocompassFit
-from tumble.calibrations.methods.gyrocompass.geometry import heading_functions
-from tumble.calibrations.methods.gyrocompass.lean import Lean
-from tumble.calibrations.methods.gyrocompass.model import NAMES
 from tumble.calibrations.methods.gyrocompass.observations import GyrocompassObservations
+from tumble.calibrations.methods.gyrocompass.readmitted import deviations
 from tumble.calibrations.methods.gyrocompass.table import GyrocompassTable
 from tumble.calibrations.tracing.findings import EffectFound
 from tumble.messages import Message
@@ -49,48 +47,37 @@ ROUND_AMOUNTS_DEG: Final = _round_amounts_deg()
 
 
 def misreadings(whole: GyrocompassObservations, table: GyrocompassTable, fit: GyrocompassFit) -> tuple[Misreading, ...]:
-    """Which of the gross errors that were set aside of `whole` are wrong angles."""
+    """Which of the gross errors that were set aside of `whole` are wrong angles, beside what was found."""
     aside = [entry.row for entry in table.observations.set_aside if entry.gross]
-    found = (_look(whole.over(np.flatnonzero(whole.row == row)), table, fit) for row in aside)
+    found = (_look(whole, dwell, table, fit) for dwell in np.flatnonzero(np.isin(whole.row, aside)).tolist())
     return tuple(each for each in found if each is not None)
 
 
-def _look(row: GyrocompassObservations, table: GyrocompassTable, fit: GyrocompassFit) -> Misreading | None:
+def _look(
+    whole: GyrocompassObservations, dwell: int, table: GyrocompassTable, fit: GyrocompassFit
+) -> Misreading | None:
     """A gross error as a misreading; None where it is none."""
-    if not len(row):
-        return None
-    lean = _lean_of(row, table)
-    tried_rad = np.deg2rad(row.azimuth_deg[0] + np.concatenate([[0.0], ROUND_AMOUNTS_DEG]))
-    off = (row.rate_deg_h[0] - _rates(tried_rad, row, lean, fit)) / fit.dwell
-    agrees = np.abs(off) < _AGREES
-    told, misfit = np.zeros(len(off), dtype=bool), off**2
-    if table.scene.with_tilts and row.tilt_gamma_deg is not None:
-        deviation = fit.dwell / np.sqrt(table.weights[1])
-        tilts = lean.sin_tilt(tried_rad)
-        away = np.abs(np.sin(np.deg2rad(row.tilt_gamma_deg[0])) - tilts) / deviation
-        told = np.abs(tilts - tilts[0]) > _TELLS * deviation
-        agrees &= ~told | (away < _AGREES)
-        misfit = misfit + away**2
-    agrees &= told | (abs(off[0]) > _BEYOND_TAILS)
+    rows = _tried(whole, dwell)
+    off = deviations(rows, table, fit)[len(whole) :] * np.sqrt(table.further_weights) / fit.dwell
+    agrees, told = np.all(np.abs(off[:, :1]) < _AGREES, axis=1), np.zeros(len(off), dtype=bool)
+    if off.shape[1] > 1:
+        told = np.abs(off[:, 1] - off[0, 1]) > _TELLS
+        agrees &= ~told | (np.abs(off[:, 1]) < _AGREES)
+    agrees &= told | (abs(off[0, 0]) > _BEYOND_TAILS)
     agrees[0] = False
     if not agrees.any():
         return None
-    best = int(np.argmin(np.where(agrees, misfit, np.inf)))
-    return Misreading(row=int(row.row[0]), error_deg=float(ROUND_AMOUNTS_DEG[best - 1]))
+    best = int(np.argmin(np.where(agrees, np.sum(off**2, axis=1), np.inf)))
+    return Misreading(row=int(whole.row[dwell]), error_deg=float(ROUND_AMOUNTS_DEG[best - 1]))
 
 
-def _lean_of(row: GyrocompassObservations, table: GyrocompassTable) -> Lean:
-    """The lean of the base on which a row was taken; of the first where no other row was."""
-    bases, own = table.observations.base, row.base
-    same = np.zeros(len(table.observations), dtype=bool) if bases is None or own is None else bases == own[0]
-    return table.scene.lean.over(np.array([int(np.argmax(same))]))
-
-
-def _rates(tried_rad: FloatArray, row: GyrocompassObservations, lean: Lean, fit: GyrocompassFit) -> FloatArray:
-    count = len(tried_rad)
-    alpha0, drift = fit.theta[: len(NAMES)]
-    shown = heading_functions(tried_rad, np.repeat(row.latitude_deg, count), lean.over(np.zeros(count, dtype=np.int64)))
-    return np.asarray(shown @ np.array([np.sin(alpha0), np.cos(alpha0)]) + drift)
+def _tried(whole: GyrocompassObservations, dwell: int) -> GyrocompassObservations:
+    """A table with one of its dwells once more as it is, and at each angle that is a round amount away."""
+    count = len(ROUND_AMOUNTS_DEG) + 1
+    rows = whole.over(np.concatenate([np.arange(len(whole)), np.full(count, dwell)]))
+    tried_deg = rows.azimuth_deg.copy()
+    tried_deg[len(whole) + 1 :] += ROUND_AMOUNTS_DEG
+    return replace(rows, azimuth_deg=tried_deg)
 
 
 def as_effect(misread: Sequence[Misreading]) -> tuple[EffectFound, ...]:

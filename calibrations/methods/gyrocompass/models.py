@@ -18,6 +18,8 @@ from tumble.calibrations.tracing.held_out import held_out_rms
 from tumble.calibrations.tracing.trace import Trace
 from tumble.messages import Message
 
+_DECIMALS: Final = 6
+"""To so many a value that is given for an effect is stated: another machine must give the same."""
 _FOLDS: Final = 6
 """Into so many parts the dwells are dealt for the held-out error where there are fewer realisations."""
 _FEWEST_REALISATIONS: Final = 3
@@ -109,7 +111,8 @@ def _checked(parameter: Parameter, name: str, others: Mapping[str, Mapping[str, 
         name=name,
         rivals=series(differing, "or"),
     )
-    return replace(parameter.withheld(reason), given={name: value} | {each: by_effect[each] for each in differing})
+    given = {name: value} | {each: by_effect[each] for each in differing}
+    return replace(parameter.withheld(reason), given={each: round(given[each], _DECIMALS) for each in sorted(given)})
 
 
 def _difference(one: float, other: float, unit: str) -> float:

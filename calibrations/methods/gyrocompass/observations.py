@@ -48,9 +48,14 @@ class GyrocompassObservations(Rows):
     """Angle α of the platform's axis from north by an azimuth mark, in degrees, counterclockwise."""
 
     @property
+    def base_numbers(self) -> NDArray[np.int64]:
+        """Base of each row as the table calls it; 1 where it does not say."""
+        return np.ones(len(self), dtype=np.int64) if self.base is None else self.base
+
+    @property
     def bases(self) -> NDArray[np.int64]:
         """Number of the base of each row, from 0."""
-        return labels(np.ones(len(self)) if self.base is None else self.base)
+        return labels(self.base_numbers)
 
     @property
     def positions(self) -> NDArray[np.int64]:

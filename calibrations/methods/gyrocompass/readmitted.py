@@ -32,11 +32,15 @@ def still_gross(
 
 def _off(whole: GyrocompassObservations, table: GyrocompassTable, fit: GyrocompassFit) -> FloatArray:
     """How far each dwell is from what was found, in standard deviations of its rows, shape (dwells, outputs)."""
-    scene = table.view(whole, fit.theta)
+    return deviations(whole, table, fit) * np.sqrt(table.further_weights) / fit.dwell
+
+
+def deviations(rows: GyrocompassObservations, table: GyrocompassTable, fit: GyrocompassFit) -> FloatArray:
+    """Rows less what a fit of a table with everything that was found says of them, shape (dwells, outputs)."""
+    scene = table.view(rows, fit.theta)
     shown = functions(scene, table.bases)
     expected = shown @ table.model.coefficients(fit.theta)
     expected = expected + shown[:, :HEADING] @ direction(float(table.scene.theta[ALPHA0]))
     for item, columns in zip(fit.found, fit.columns, strict=True):
         expected = expected + form_in(scene, item).columns @ fit.coefficients[columns]
-    off = (measured(scene) - expected).reshape(scene.dwells, -1)
-    return np.asarray(off * np.sqrt(table.further_weights) / fit.dwell)
+    return np.asarray((measured(scene) - expected).reshape(scene.dwells, -1))

@@ -64,7 +64,15 @@ class GyrocompassTable(Extensible):
         )
 
     def _lean(self, rows: GyrocompassObservations) -> Lean:
-        return self.scene.lean if rows is self.observations else leans(rows)
+        known, own = self.observations.base_numbers, rows.base_numbers
+        anew = leans(rows) if set(own) - set(known) else Lean(cosine=np.zeros(len(rows)), sine=np.zeros(len(rows)))
+        for base in set(own) & set(known):
+            first = int(np.argmax(known == base))
+            anew.cosine[own == base], anew.sine[own == base] = (
+                self.scene.lean.cosine[first],
+                self.scene.lean.sine[first],
+            )
+        return anew
 
     def functions(self, view: View) -> FloatArray:
         """The functions of the declared model, shape (rows, functions)."""
