@@ -14,6 +14,7 @@ from tumble.app.adopted_effects import with_what_is_known
 from tumble.app.analysed import Traced
 from tumble.app.analysing import fit
 from tumble.app.available import Available
+from tumble.app.job_part import Renewing
 from tumble.app.jobs import find_job
 from tumble.app.joining import read_together
 from tumble.app.measurement import Measurement
@@ -136,7 +137,8 @@ def follow(closing: Closing, experiment: Experiment, recording: Path, stand_time
         left = left.without(
             lambda each: each.programme.name == experiment.programme, Message("it told nothing when it was run")
         )
-    return grown.planned_with(left)
+    part = find_job(measurement.method)
+    return grown.planned_with(part.renewed(left, measurement.observations) if isinstance(part, Renewing) else left)
 
 
 def act(

@@ -65,6 +65,8 @@ def _read_recording(path: Path, stand: Mapping[str, Any] | None) -> Measurement:
         raise InputError(str(error)) from error
     header = recording.header
     check_header(path, header, stand)
+    if stand is not None:
+        recording = replace(recording, header=replace(header, stand=stand))
     table = find_method(header.method).procedure_part.table(recording)
     if not (has_job(header.method) and isinstance(table, Rows)):
         raise InputError(

@@ -28,6 +28,7 @@ from tumble.messages import Message
 from tumble.procedures.acquisition import Acquisition
 from tumble.procedures.announcer import Announcer, Listener
 from tumble.procedures.engine import Engine
+from tumble.procedures.errors import ProgrammeError
 from tumble.procedures.events import FinishReason, State, WarningRaised
 from tumble.procedures.outcome import Outcome
 from tumble.procedures.plan import REQUEST_S, Plan, plan
@@ -74,6 +75,7 @@ class Outline:
 
     def plan(self) -> Plan:
         """Every step with its time; refuses what head, cable or seat forbid. Raises `ProgrammeError`."""
+        self._check_stand()
         positioners = self.stand.file.positioners
         speeds_deg_s = {name: table.speed_deg_s for name, table in positioners.items()}
         request_s = max((table.mounting_s for table in positioners.values()), default=REQUEST_S)
@@ -86,6 +88,14 @@ class Outline:
         for name, chamber in self.stand.file.environments.items():
             check_temperatures(planned, name, chamber.limits_degc)
         return planned
+
+    def _check_stand(self) -> None:
+        """Make sure that the stand file says what the method needs of it. Raises `ProgrammeError`."""
+        try:
+            find_method(self.programme.method).procedure_part.demand(self.stand.recorded)
+        except ValueError as error:
+            place = self.stand.path or Message("the built-in stand")
+            raise ProgrammeError(Message("{place}: {error}", place=place, error=error)) from error
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -35,6 +35,8 @@ class Site(BaseModel):
     model_config = _STRICT
 
     latitude_deg: float | None = Field(default=None, ge=-90.0, le=90.0)
+    latitude_uncertainty_deg: float | None = Field(default=None, ge=0.0, le=90.0)
+    """Standard uncertainty of the latitude; None where nobody states it."""
     height_m: float = Field(default=0.0, ge=-500.0, le=9000.0)
     gravity_m_s2: float | None = Field(default=None, gt=9.7, lt=9.9)
     gravity_uncertainty_m_s2: float = Field(default=1e-5, ge=0.0)

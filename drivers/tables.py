@@ -6,7 +6,7 @@ A driver that has keys of its own derives its table from one of these; see `tumb
 import re
 from collections.abc import Mapping
 from datetime import date, datetime
-from typing import ClassVar, Final, Literal, Self, TypeAlias
+from typing import Annotated, ClassVar, Final, Literal, Self, TypeAlias
 
 from pydantic import BaseModel, ConfigDict, Field, field_validator, model_validator
 from pydantic_core import PydanticCustomError
@@ -175,6 +175,8 @@ class DaqTable(Instrument):
     """Relative standard uncertainty; None where nobody states it."""
     offset_uncertainty_v: float | None = Field(default=None, ge=0.0, le=100.0)
     """Standard uncertainty; None where nobody states it."""
+    uncertainties: dict[GivenName, Annotated[float, Field(ge=0.0)]] = Field(default_factory=dict)
+    """Standard uncertainty of the offset of channels that are no voltages, by channel, in the unit of each."""
     channels: tuple[GivenName, ...] = ()
     """Names of its channels in their order, the unit in each (`u_x_v`); without it those of the driver."""
 

@@ -12,6 +12,7 @@ import socket
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import partial
 from hashlib import sha256
 from typing import Final
 
@@ -38,8 +39,9 @@ _TURNING: Final = "turning"
 class BackstageSession:
     """Hears one thing that a person does, a line each, and answers `done`, or what is wrong. Fits `Session`.
 
-    `seat MOUNT`; `switch on`; `turn ANGLE`, which begins to turn the head, `turn off`, which leaves it where it is;
-    `look`, which is answered `turning` as long as it turns. Another positioner is named: `turn outer 45`, `look outer`.
+    `seat MOUNT`, or `set CONDITION VALUE` for any condition of the world; `switch on`; `turn ANGLE`, which begins to
+    turn the head, `turn off`, which leaves it where it is; `look`, which is answered `turning` as long as it turns.
+    Another positioner is named: `turn outer 45`, `look outer`.
 
     The fault `not_seated` has it answer so without having seated the unit.
     """
@@ -65,8 +67,9 @@ class BackstageSession:
     def _do(self, verb: str, what: str) -> str:
         match verb, what:
             case "seat", mount:
-                if not self._faults.take("not_seated"):
-                    self._shared.world.setters[MOUNT](mount)
+                self._set(MOUNT, mount)
+            case "set", _:
+                self._set(*what.partition(" ")[::2])
             case "switch", "on":
                 self._shared.world.switch_on()
             case "turn", _:
@@ -76,6 +79,15 @@ class BackstageSession:
             case _:
                 raise ValueError(Message("{verb} {what} is nothing that is done backstage", verb=verb, what=what))
         return _DONE
+
+    def _set(self, condition: str, value: str) -> None:
+        setters = self._shared.world.setters
+        if condition not in setters:
+            raise ValueError(
+                Message("nobody sets {condition} here, only {known}", condition=condition, known=", ".join(setters))
+            )
+        if not self._faults.take("not_seated"):
+            setters[condition](value)
 
     def _turn(self, positioner: str, angle_deg: str) -> None:
         axis = self._axis(positioner)
@@ -91,14 +103,19 @@ class BackstageSession:
 class Backstage:
     """The way to the people at an emulated stand, and the clock by which they live."""
 
-    def __init__(self, port: int, clock: Clock) -> None:
+    def __init__(self, port: int, clock: Clock, conditions: Sequence[str] = (MOUNT,)) -> None:
         self._port = port
+        self._conditions = tuple(conditions)
         self.clock = clock
 
     @property
     def setters(self) -> Mapping[str, Callable[[str], None]]:
         """What a person may set here between dwells, by condition; each raises `DeviceError`."""
-        return {MOUNT: self.seat}
+        return {condition: partial(self.set_to, condition) for condition in self._conditions}
+
+    def set_to(self, condition: str, value: str) -> None:
+        """Set a condition. Raises `DeviceError`."""
+        self._tell(f"set {condition} {value}")
 
     def seat(self, mount: str) -> None:
         """Seat the unit. Raises `DeviceError`."""
@@ -180,6 +197,7 @@ def backstage_of(shared: SharedWorld, addresses: Sequence[str], faults: Faults |
         pace = shared.clock.pace if isinstance(shared.clock, FasterClock) else None
         process = os.getpid()
         known = {"port": server.port, "process": process, "started": started(process), "pace": pace}
+        known["conditions"] = list(shared.world.setters)
         folder = private_folder(_FOLDER)
         entries = [folder / _entry(address) for address in addresses]
         try:
@@ -197,7 +215,7 @@ def find_backstage(addresses: Sequence[str]) -> Backstage | None:
         try:
             known = json.loads(read_private(private_folder(_FOLDER) / _entry(address)))
             clock = FasterClock(**known["pace"]) if known["pace"] else SystemClock()
-            backstage = Backstage(int(known["port"]), clock)
+            backstage = Backstage(int(known["port"]), clock, known["conditions"])
             running = known["started"] and started(int(known["process"])) == known["started"]
         except (OSError, ValueError, KeyError, TypeError, RuntimeError):  # the last: deep nesting, no home
             continue

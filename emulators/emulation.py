@@ -94,7 +94,13 @@ class _Emulation:
         self._faults.check([*self._wanted.heads, *self._wanted.daqs, *chamber])
         found = self._heads()
         for name, table in self._wanted.daqs.items():
-            kinds = {SIMULATED: self._meter, "scpi": self._scpi, "scanner": self._scanner, "can": self._candaq}
+            kinds = {
+                SIMULATED: self._meter,
+                "scpi": self._scpi,
+                "scanner": self._scanner,
+                "can": self._candaq,
+                "lines": self._told_in_lines,
+            }
             found |= _emulator(table, kinds)(name, table)
         if self._wanted.chamber:
             found |= _emulator(self._wanted.chamber, {SIMULATED: self._chamber, "modbus": self._chamber})()
@@ -143,7 +149,16 @@ class _Emulation:
         return self._bus(name)
 
     def _meter(self, name: str, table: DaqTable) -> dict[str, str]:
-        """What serves a simulated voltmeter, by the number of its channels."""
+        """What serves a simulated voltmeter, by the number of its channels. Raises `ValueError` for what is none."""
+        if other := next((channel for channel in table.channels if not channel.endswith("_v")), ""):
+            raise ValueError(
+                Message(
+                    "the {name} has the channel {channel}, which no voltmeter tells; "
+                    "name the driver that reads it, lines or can, and what it sends",
+                    name=name,
+                    channel=other,
+                )
+            )
         return (self._scanner if len(table.channels) > 1 else self._scpi)(name, table)
 
     def _scpi(self, name: str, table: DaqTable) -> dict[str, str]:
@@ -163,12 +178,29 @@ class _Emulation:
         return self._lines(name, lambda: ScpiSession(scanner), faults)
 
     def _candaq(self, name: str, table: DaqTable) -> dict[str, str]:
+        from tumble.drivers.candaq.declaration import CanDaqTable
         from tumble.emulators.candaq import EmulatedCanDaq
+        from tumble.emulators.candaq_free import EmulatedFreeCanDaq
 
-        world = self._shared.wired_to(channels=table.channels)
-        daq = EmulatedCanDaq(world, self._channel, self._faults.of(name), self._frames(table))
+        daq: EmulatedCanDaq | EmulatedFreeCanDaq
+        faults = self._faults.of(name)
+        if isinstance(table, CanDaqTable) and table.channel_signals:
+            world = self._shared.wired_to(channels=tuple(table.channel_signals))
+            daq = EmulatedFreeCanDaq(world, self._channel, faults, table, self._wanted.folder)
+        else:
+            world = self._shared.wired_to(channels=table.channels)
+            daq = EmulatedCanDaq(world, self._channel, faults, self._frames(table))
         self._stack.callback(daq.close)
         return self._bus(name)
+
+    def _told_in_lines(self, name: str, table: DaqTable) -> dict[str, str]:
+        from tumble.drivers.lines.declaration import LinesTable
+        from tumble.emulators.lines import EmulatedLines, LinesSession
+
+        assert isinstance(table, LinesTable)
+        faults = self._faults.of(name)
+        instrument = EmulatedLines(self._shared.wired_to(channels=tuple(table.measured)), table, faults)
+        return self._lines(name, lambda: LinesSession(instrument), faults)
 
     def _chamber(self) -> dict[str, str]:
         from tumble.emulators.modbus import REGISTERS, EmulatedChamber, is_whole

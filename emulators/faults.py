@@ -45,6 +45,8 @@ DeviceKind = Literal[
     "stuck",
     "alarm",
     "refused",
+    "stale",
+    "other_unit",
 ]
 """What may happen in an instrument.
 

@@ -86,7 +86,12 @@ class Wire:
         if fault.kind == "reorder":
             overtaken, self._behind = self._held_back(), entry
             return overtaken
-        return _SPOILS[fault.kind](answer, self._random)
+        return spoilt(answer, fault.kind, self._random)
+
+
+def spoilt(text: bytes, kind: str, random: Random) -> bytes:
+    """Text after a fault of the kind `cut`, `double`, `garble` or `wrong_checksum`."""
+    return _SPOILS[kind](text, random)
 
 
 def _cut(answer: bytes, _: Random) -> bytes:

@@ -1,9 +1,9 @@
 """What a calibration method brings along for the stand: programmes, columns, and the table that its analysis reads."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from importlib.resources.abc import Traversable
-from typing import TYPE_CHECKING, Generic, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeAlias, TypeVar
 
 from tumble.calibrations.core.rows import Rows
 from tumble.procedures.layout import Layout
@@ -14,6 +14,14 @@ if TYPE_CHECKING:
     from tumble.procedures.recording.recorded import Recording
 
 _TEMPERATURE = "temperature_degc"
+Demand: TypeAlias = Callable[[Mapping[str, Any]], None]
+"""Looks at a stand file as data, without `simulated`. Raises `ValueError`: what it lacks, and what to do."""
+
+
+def demand_nothing(stand: Mapping[str, Any]) -> None:
+    """Take any stand."""
+
+
 Table = TypeVar("Table", covariant=True)
 
 
@@ -34,6 +42,10 @@ class ProcedurePart(Generic[Table]):
     listed: Callable[[str, str], str] | None = None
     """Makes the text of a programme of its name and of a table of settings (CSV); empty where the table is of another
     method. Raises `ValueError` where it cannot be read."""
+    derived: frozenset[str] = frozenset()
+    """Columns of the table that are worked out from those of a recording."""
+    demand: Demand = demand_nothing
+    """What its table needs of the stand file; asked before anything moves."""
     stand: Traversable | None = None
     """The simulated stand that is built in for its programmes; None for that of a head and a DAQ."""
 
@@ -45,7 +57,7 @@ class ProcedurePart(Generic[Table]):
     @property
     def exported(self) -> list[list[str]]:
         """Columns of the table of a recording, as tables spell them, with and without a temperature."""
-        recorded = self.layout.described()
+        recorded = self.layout.described().keys() | self.derived
         spelt = {name: field for name, field in self.rows.spelt().items() if field in recorded}
         return [list(spelt), [name for name, field in spelt.items() if field != _TEMPERATURE]]
 

@@ -29,12 +29,23 @@ def settle(take: Take, clock: Clock, acquisition: Acquisition, checkpoint: Calla
     for _ in range(most):
         checkpoint()
         current = reduce_channels(take(acquisition.settle_samples, acquisition.rate_hz))
-        if previous is not None and all(agree(previous[name], current[name], acquisition) for name in current):
+        if previous is not None and _at_rest(previous, current, acquisition):
             return True
         if clock.monotonic_s() >= deadline_s:
             break
         previous = current
     return False
+
+
+def _at_rest(previous: Mapping[str, Reading], current: Mapping[str, Reading], acquisition: Acquisition) -> bool:
+    within, change = acquisition.settle_within, acquisition.settle_change
+    return (
+        all(agree(previous[name], current[name], acquisition) for name in current)
+        and all(abs(current[name].mean) <= within[name] for name in within.keys() & current.keys())
+        and all(
+            abs(current[name].mean - previous[name].mean) <= change[name] for name in change.keys() & current.keys()
+        )
+    )
 
 
 def agree(first: Reading, second: Reading, acquisition: Acquisition) -> bool:

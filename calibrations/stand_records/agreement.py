@@ -59,12 +59,14 @@ class Run(Protocol):
 def agreement(first: Run, second: Run) -> Agreement:
     """Hold two runs against each other on all terms that one of them tells apart and the other confirms.
 
-    Where both see an error of the head, it becomes the harmonics that both together show, more than each alone.
+    Where both see an error of the head, and their settings tell harmonics apart, it becomes those that both together
+    show, more than each alone.
     """
     terms = _confirmed(first, second, union(first.terms, second.terms))
-    if not any(term.orders for term in terms):
+    highest = min(first.highest_order, second.highest_order)
+    if not (highest and any(term.orders for term in terms)):
         return _on(first, second, terms)
-    course = head_course(min(first.highest_order, second.highest_order))
+    course = head_course(highest)
     together = _on(first, second, union(tuple(terms), (course,)))
     told = all(course in each.terms for each in together.each)
     return _on(first, second, _shown(together.corrections, course) if told else terms)

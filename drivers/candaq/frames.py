@@ -58,6 +58,8 @@ class DaqFrames:
         The DBC file.
     names
         What it calls the messages and signals; by default the names in `SIGNALS`.
+    channel
+        What is measured, where that is no voltage: the name ends with its unit, see `tumble.drivers.quantities`.
 
     Raises
     ------
@@ -65,7 +67,7 @@ class DaqFrames:
         The database lacks what is needed.
     """
 
-    def __init__(self, database: Database, names: SignalNames | None = None) -> None:
+    def __init__(self, database: Database, names: SignalNames | None = None, channel: str = "") -> None:
         parts = named_parts(database, names) if names else own_parts(database)
         self._parts = {part.name: part for part in parts}
         self._by_id: dict[int, list[Part]] = defaultdict(list)
@@ -75,20 +77,28 @@ class DaqFrames:
             part.name: Checksum(part.message, part.signals[CRC]) for part in parts if CRC in part.signals
         }
         self._units = {
-            (part.name, name): unit_of(name, signal) for part in parts for name, signal in part.signals.items()
+            (part.name, name): unit_of(name, signal, channel) for part in parts for name, signal in part.signals.items()
         }
         voltage = self._parts["Voltage"]
         most = voltage.signals["Voltage"].maximum
         self._most_v = self._units["Voltage", "Voltage"].to_ours(float(most)) if most else OVERLOAD_V
+        self.range = self._range(voltage)
+        """Where the measured value may be, as far as the DBC file says it."""
         self.counts = 1 << voltage.signals["Counter"].length if "Counter" in voltage.signals else 0
         """How far the counter of the voltage frames counts before it begins again at 0; 0 where there is none."""
 
     @classmethod
-    def from_file(cls, path: Path | None = None, names: SignalNames | None = None) -> Self:
+    def from_file(cls, path: Path | None = None, names: SignalNames | None = None, channel: str = "") -> Self:
         """Read a DBC file, or the one that comes along. Raises `OSError`, `ValueError`."""
         if path is not None:
-            return cls(load_dbc(path, strict=not names), names)
-        return cls(_ours(), names)
+            return cls(load_dbc(path, strict=not names), names, channel)
+        return cls(_ours(), names, channel)
+
+    def _range(self, measured: Part) -> tuple[float, float]:
+        signal, unit = measured.signals["Voltage"], self._units["Voltage", "Voltage"]
+        if signal.minimum is None or signal.maximum is None or signal.minimum >= signal.maximum:
+            return -math.inf, math.inf
+        return unit.to_ours(float(signal.minimum)), unit.to_ours(float(signal.maximum))
 
     @property
     def free_running(self) -> bool:

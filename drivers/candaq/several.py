@@ -1,26 +1,37 @@
-"""A DAQ on CAN that sends several voltages by itself, whose samples are taken at the same time."""
+"""A DAQ on CAN that sends several channels by itself, whose samples are taken at the same time."""
 
 from collections.abc import Mapping
 
+import numpy as np
+
+from tumble.drivers.candaq.frames import OVERLOAD_V
 from tumble.drivers.candaq.free import FreeRunningDaq, twice_in_a_row
-from tumble.drivers.protocols import ChannelBlock, Identity
+from tumble.drivers.candaq.inbox import DEVICE
+from tumble.drivers.protocols import ChannelBlock, FloatArray, Identity
+from tumble.drivers.usable import Watch
 
 
-class SeveralVoltages:
-    """Fits `Sampler`, `Reconnectable` and `Remarking`; every channel is a free-running DAQ of one voltage.
+class SeveralChannels:
+    """Fits `Sampler`, `Reconnectable` and `Remarking`; every channel is a free-running DAQ of one channel.
 
     Parameters
     ----------
     channels
         By name; all on the same bus.
+    ranges
+        Where the values of some of them may be; what is beyond is an overload, and for long a wrong unit.
     """
 
-    def __init__(self, channels: Mapping[str, FreeRunningDaq]) -> None:
-        self._channels = channels
+    def __init__(
+        self, channels: Mapping[str, FreeRunningDaq], ranges: Mapping[str, tuple[float, float]] | None = None
+    ) -> None:
+        self._channels, self._ranges = channels, ranges or {}
+        self._watch = Watch(DEVICE, self._ranges)
         self._first = next(iter(channels.values()))
 
     def identify(self) -> Identity:
-        """What the DBC file lets it say of itself; every voltage must come. Raises `NoReplyError`."""
+        """What the DBC file lets it say of itself; every channel must come. Raises `NoReplyError`."""
+        self._watch.forget()
         return [channel.identify() for channel in self._channels.values()][0]  # noqa: RUF015  # all of them are asked
 
     def reconnect(self) -> None:
@@ -42,6 +53,7 @@ class SeveralVoltages:
         for _ in range(2):
             block, complaint = self._block(samples, rate_hz)
             if not complaint:
+                self._watch.see({name: block.channels[name] for name in self._ranges}, rate_hz)
                 return block
         raise twice_in_a_row(complaint)
 
@@ -57,10 +69,17 @@ class SeveralVoltages:
         known_degc = {name: degc for name, degc in own_degc.items() if degc is not None}
         first = next(iter(blocks.values()))
         block = ChannelBlock(
-            channels={name: each.voltage_v for name, each in blocks.items()},
+            channels={name: self._in_range(name, each.voltage_v) for name, each in blocks.items()},
             rate_hz=rate_hz,
             device_time_s=first.device_time_s,
             temperature_degc=sum(known_degc.values()) / len(known_degc) if known_degc else None,
             temperatures_degc=known_degc,
         )
         return block, next((complaint for _, complaint in collected.values() if complaint), "")
+
+    def _in_range(self, name: str, values: FloatArray) -> FloatArray:
+        """Values with 9.9e37 for those that are out of range."""
+        if name not in self._ranges:
+            return values
+        low, high = self._ranges[name]
+        return np.where((values < low) | (values > high), OVERLOAD_V, values)

@@ -25,7 +25,7 @@ BAD = {
     ),
     "an unknown driver": (
         ('[daq]\ndriver = "simulated"', '[daq]\ndriver = "abacus"'),
-        "line 11: daq: driver: no driver is called 'abacus'; known are can, scanner, scpi, simulated, "
+        "line 11: daq: driver: no driver is called 'abacus'; known are can, lines, scanner, scpi, simulated, "
         "or write FILE.py:NAME; ",
     ),
     "an unknown preset": (

@@ -84,7 +84,7 @@ def test_all_other_methods_are_found(installed, value, caplog):
         "temperature",
         "triad",
     ]
-    assert [method.name for method in usable_methods()] == ["dividing_head", "triad"]
+    assert [method.name for method in usable_methods()] == ["dividing_head", "gyrocompass", "triad"]
     assert [record.message.split(" in ")[0] for record in caplog.records] == [
         "broken of tumble.methods",
         "broken of tumble.procedures",

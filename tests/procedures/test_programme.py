@@ -50,12 +50,14 @@ def complaint(text):
     return str(raised.value)
 
 
+GYROCOMPASSES = ["0-120-240", "0-180-90-270", "0-90-180", "0-90-180-270", "0-90-180-90-0"]
+GYROCOMPASSES += ["another-lean", "every-30", "two-bases"]
 TRIADS = ["12", "12o", "16o", "18", "18-there-and-back", "24", "24-there-and-back", "24f", "6", "8o", "fine"]
 
 
 def test_programmes_that_come_along():
     assert shipped_programmes()[: len(PROBES) + 3] == [*PROBES, "quick", "reversal", "seed"]
-    assert shipped_programmes()[len(PROBES) + 3 :] == TRIADS
+    assert shipped_programmes()[len(PROBES) + 3 :] == [*GYROCOMPASSES, *TRIADS]
 
 
 @pytest.mark.parametrize("name", [*PROBES, "quick", "reversal", "seed"])
@@ -77,7 +79,7 @@ def test_limits_are_intervals_by_parameter():
 
 
 def test_an_unknown_programme_is_answered_with_those_that_exist():
-    with pytest.raises(ProgrammeError, match=r"^sed: there is no such file; .* quick, reversal, seed, 12, "):
+    with pytest.raises(ProgrammeError, match=r"^sed: there is no such file; .* quick, reversal, seed, 0-120-240, "):
         load_programme("sed")
 
 

@@ -1,0 +1,43 @@
+"""A raw file of a gyro platform analysed: heading and drift fitted, and what is left traced."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Final
+
+from tumble.app.loop_analysed import LoopAnalysed, LoopTraced
+from tumble.calibrations.core.view import Section
+from tumble.calibrations.methods.gyrocompass.document import document, fit_document
+from tumble.calibrations.methods.gyrocompass.loop import GyrocompassDeclared, GyrocompassLoop
+from tumble.calibrations.methods.gyrocompass.method import METHOD
+from tumble.calibrations.methods.gyrocompass.sections import sections_beside_values
+
+RATE_UNIT: Final = "°/h"
+
+
+@dataclass(frozen=True, kw_only=True)
+class GyrocompassAnalysed(LoopAnalysed):
+    """A raw file and what the declared model says of it."""
+
+    method = METHOD
+    output_unit = RATE_UNIT
+
+    declared: GyrocompassDeclared
+
+    def fit_document(self) -> dict[str, Any]:
+        """Heading and drift as `tumble.fit/1`."""
+        return fit_document(self.declared)
+
+
+@dataclass(frozen=True, kw_only=True)
+class GyrocompassTraced(GyrocompassAnalysed, LoopTraced):
+    """The same with the loop closed."""
+
+    loop: GyrocompassLoop
+
+    def loop_document(self) -> dict[str, Any]:
+        """The closed loop as `tumble.loop/1`."""
+        return document(self.loop)
+
+    def sections(self) -> Sequence[Section]:
+        """What was found, before and after, and what to measure next."""
+        return tuple(sections_beside_values(self.loop))
