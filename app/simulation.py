@@ -12,7 +12,7 @@ from tumble.drivers.manual import Eyepiece
 from tumble.drivers.protocols import Stand
 from tumble.drivers.simulated.head import HeadOptions, SimulatedHead
 from tumble.drivers.simulated.table import FIRST_WORLD
-from tumble.drivers.simulated.worlds import Counted, Surroundings, World, axis_of, chamber_of, find_world
+from tumble.drivers.simulated.worlds import Counted, Surroundings, World, axis_of, chamber_of, exciter_of, find_world
 from tumble.drivers.tables import TITLES
 from tumble.messages import Message
 from tumble.procedures.acquisition import Acquisition
@@ -113,6 +113,8 @@ def simulation(loaded: WrittenStand, clock: Clock) -> Simulation:
             positioners={name: axis_of(world.positioners, name) for name in file.positioners},
             samplers={name: world.meter(table.channels) for name, table in file.samplers.items()},
             environments={name: chamber_of(world, table) for name, table in file.environments.items()},
+            exciters={name: exciter_of(world, table) for name, table in file.exciters.items()},
+            most=file.most,
             clock=clock,
             titles=TITLES,
         )
