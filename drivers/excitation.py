@@ -1,7 +1,8 @@
 """What an exciter makes a unit do: nothing, sines, random vibration, or turning in a double centrifuge.
 
 Data, and the same as text, since it is a condition of dwells: `rest`, `sine 5 g 80 Hz`, `sine x 5 g 80 Hz 0 deg,
-y 5 g 80 Hz 90 deg`, `random 20 Hz 0.001, 2000 Hz 0.001` (points of the spectral density in g²/Hz), `rotation 10 -20` (rad/s).
+y 5 g 80 Hz 90 deg`, `random 20 Hz 0.001, 2000 Hz 0.001` (points of the spectral density in
+g²/Hz), `rotation 10 -20` (rad/s).
 """
 
 import math

@@ -53,6 +53,8 @@ class ExciterTable(Instrument):
             return Message("has no arm_m, and turns nothing")
         level_g = peak_g(excitation, self.arm_m or 0.0)
         low_hz, high_hz = self.frequency_limits_hz
+        if isinstance(excitation, Rotation):
+            low_hz = 0.0  # it begins at rest
         if level_g > self.level_limit_g * _CLOSE:
             return Message("may not do {level:.4g} g, only {limit:g} g", level=level_g, limit=self.level_limit_g)
         beyond_hz = [hz for hz in frequencies_hz(excitation) if not low_hz / _CLOSE <= hz <= high_hz * _CLOSE]

@@ -72,8 +72,8 @@ class Exciters:
         """
         for name, wanted in self._wanted.items():
             if self._reached.get(name, REST) != wanted:
-                self._rest(name)
-                self._ramp(name, wanted)
+                self._lower(name)
+                self._raise_to(name, wanted)
             self._confirm(name, self._status(name))
 
     def inspect(self, blocks: Iterable[Block]) -> None:
@@ -85,7 +85,7 @@ class Exciters:
     def calm(self) -> None:
         """Bring all to rest for now. Raises `DeviceError` where the rest of one cannot be read back."""
         for name in self._wanted:
-            self._rest(name)
+            self._lower(name)
 
     def calm_those_heard(self) -> None:
         """The same where links are lost: whoever cannot be heard is told once it is back."""
@@ -142,20 +142,30 @@ class Exciters:
             )
         self._reached[name] = REST
 
-    def _ramp(self, name: str, wanted: Excitation) -> None:
-        exciter = self._stand.exciters[name]
+    def _lower(self, name: str) -> None:
+        """Go down from where it is, and rest."""
+        if (reached := self._reached.get(name, REST)) != REST:
+            for step in range(STEPS - 1, 0, -1):
+                self._set(name, reached.scaled(_smooth(step / STEPS)))
+        self._rest(name)
+
+    def _raise_to(self, name: str, wanted: Excitation) -> None:
+        """Go up from rest, and look at every level at what comes of it."""
         if wanted == REST:
             return
         for step in range(1, STEPS + 1):
             self._check()
-            level = wanted.scaled(_smooth(step / STEPS))
-            with self._losses.using(name):
-                exciter.drive(level)
-            self._reached[name] = level
-            self._stand.clock.sleep(exciter.ramp_s / STEPS)
+            self._set(name, wanted.scaled(_smooth(step / STEPS)))
             self._confirm(name, self._status(name))
             if self._stand.most:
                 self._check_readings(self._look())
+
+    def _set(self, name: str, level: Excitation) -> None:
+        exciter = self._stand.exciters[name]
+        with self._losses.using(name):
+            exciter.drive(level)
+        self._reached[name] = level
+        self._stand.clock.sleep(exciter.ramp_s / STEPS)
 
     def _status(self, name: str) -> ExciterStatus:
         exciter: Exciter = self._stand.exciters[name]

@@ -116,9 +116,10 @@ class VibrationWorld:
         time_s = clock_s - self._began_s
         driven, table = self.exciter.driven, self._mounting.table
         static_g = self._motion.tilt_g(driven, time_s) @ table + self._mounting.gravity_g
-        output_g = self._unit.output_g(self._motion.table_g(driven, time_s, felt=True) @ table + static_g)
-        output_g += 1e-6 * self._shifted_ug(driven, time_s)
         references_g = self._motion.table_g(driven, time_s)
+        resonant = self._effects.frequency_response is not None
+        felt_g = self._motion.table_g(driven, time_s, felt=True) if resonant else references_g
+        output_g = self._unit.output_g(felt_g @ table + static_g) + 1e-6 * self._shifted_ug(driven, time_s)
         s = self._settings
         random = generator(s.seed, Stream.SAMPLES, self.counts.dwells, self.counts.looks)
         noise_ug = random.standard_normal((len(time_s), 4)) * [s.noise_ug, *(3 * [s.reference_noise_ug])]
