@@ -10,7 +10,9 @@ from tumble.calibrations.core.arrays import FloatArray
 from tumble.messages import Message
 
 Owner: TypeAlias = Literal["unit", "stand", "daq", "reference"]
-Variable: TypeAlias = Literal["angle", "acceleration", "time", "temperature", "direction", "realisation", "order"]
+Variable: TypeAlias = Literal[
+    "angle", "acceleration", "amplitude", "frequency", "time", "temperature", "direction", "realisation", "order"
+]
 """On what an effect, or structure without a name, may depend."""
 OWNER_WORDS: Final[Mapping[str, Message]] = {
     "unit": Message("unit"),

@@ -9,6 +9,8 @@ from tumble.messages import Message
 VARIABLE_WORDS: Final[Mapping[str, Message]] = {
     "angle": Message("angle"),
     "acceleration": Message("acceleration"),
+    "amplitude": Message("amplitude"),
+    "frequency": Message("frequency"),
     "time": Message("time"),
     "temperature": Message("temperature"),
     "direction": Message("direction"),
@@ -21,7 +23,7 @@ VARIABLE_WORDS: Final[Mapping[str, Message]] = {
 def counted_blocks(variable: Variable, count: int) -> Message:
     """So many blocks of a variable, by what these are called: `7 settings`."""
     match variable:
-        case "angle" | "acceleration" | "direction":
+        case "angle" | "acceleration" | "amplitude" | "frequency" | "direction":
             return Message.counted("{count} setting", "{count} settings", count=count)
         case "time":
             return Message.counted("{count} stretch of time", "{count} stretches of time", count=count)

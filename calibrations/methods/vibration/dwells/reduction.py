@@ -112,7 +112,9 @@ def reduced(sampled: SampledDwells) -> Reduction:
             for each in dwells if each.mean.reason]  # fmt: skip
     rests = sum(not each.vibrated for each in dwells)
     if rests < 2 and rests < len(dwells):
-        told.append(Message("{source}: the rests do not show a drift; rest before and after vibration", source=sampled.source))
+        told.append(
+            Message("{source}: the rests do not show a drift; rest before and after vibration", source=sampled.source)
+        )
     return Reduction(dwells=dwells, source=sampled.source, warnings=(*sampled.warnings, *told))
 
 
@@ -134,7 +136,9 @@ def _rest(samples: Samples) -> ReducedDwell:
     mean_g = float(samples.output_g.mean())
     uncertainty_g = mean_uncertainty(samples.output_g - mean_g)
     nothing = MeanProducts(ii_g2=0.0, oo_g2=0.0, io_g2=0.0)
-    return ReducedDwell(samples=samples, kind=REST, mean=_in_ug(mean_g, uncertainty_g), amplitude_g=0.0, products=nothing)
+    return ReducedDwell(
+        samples=samples, kind=REST, mean=_in_ug(mean_g, uncertainty_g), amplitude_g=0.0, products=nothing
+    )
 
 
 def _in_ug(mean_g: float, uncertainty_g: float) -> Estimate:
@@ -229,14 +233,14 @@ def _against_rest(dwells: Sequence[ReducedDwell], place: int) -> Estimate:
     if mean.value_ug is None or mean.standard_uncertainty_ug is None:
         return mean
     if not rests:
-        return Estimate(value_ug=None, standard_uncertainty_ug=None, reason=Message("there is no rest to compare it with"))
+        return Estimate(
+            value_ug=None, standard_uncertainty_ug=None, reason=Message("there is no rest to compare it with")
+        )
     values = np.array([each.value_ug for each in rests], dtype=float)
     variances = np.array([each.standard_uncertainty_ug for each in rests], dtype=float) ** 2
     drift = max(float(np.ptp(values) ** 2 - variances.sum()), 0.0) / 12.0 if len(rests) > 1 else 0.0
     variance = mean.standard_uncertainty_ug**2 + variances.sum() / len(rests) ** 2 + drift
-    return Estimate(
-        value_ug=mean.value_ug - float(values.mean()), standard_uncertainty_ug=float(np.sqrt(variance))
-    )
+    return Estimate(value_ug=mean.value_ug - float(values.mean()), standard_uncertainty_ug=float(np.sqrt(variance)))
 
 
 def _dwell_json(dwell: ReducedDwell, rectification: Estimate | None) -> dict[str, Any]:

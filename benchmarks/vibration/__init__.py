@@ -1,0 +1,1 @@
+"""Simulated vibration rectification: the waveform of every dwell averaged sample by sample."""

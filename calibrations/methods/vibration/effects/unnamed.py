@@ -1,0 +1,77 @@
+"""On what structure without a name may depend in a table of vibrated dwells: channels, and variables for each."""
+
+from collections.abc import Iterator
+from typing import Final
+
+import numpy as np
+
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.methods.vibration.scene import VibrationScene
+from tumble.calibrations.tracing.common_coordinates import time_of
+from tumble.calibrations.tracing.components import Axis, Channel, axes
+from tumble.calibrations.tracing.coordinate import Coordinate
+from tumble.messages import Message
+
+_OCTAVE: Final = 2.0
+
+
+def unnamed(scene: VibrationScene) -> tuple[Axis, ...]:
+    """Everything along which a table could show structure without a name."""
+    drive = tuple(_of_the_drive(scene))
+    slow = (*_of_the_time(scene), *_of_the_warmth(scene))
+    offset = Channel(word="offset", gain=np.ones(scene.rows), phrase=Message("an offset of the output"), unit="µg")
+    response = Channel(
+        word="scale",
+        gain=scene.products_g2[:, 0],
+        phrase=Message("a change of the rectification along the input axis"),
+        unit="µg/g²",
+    )
+    return axes((offset, (*drive, *slow)), (response, (*drive[1:], *slow)), expected=(("offset", "time"),))
+
+
+def _of_the_drive(scene: VibrationScene) -> Iterator[Coordinate]:
+    yield Coordinate(
+        word="amplitude",
+        depends_on="amplitude",
+        values=scene.level_g,
+        shown="{:.2f} g".format,
+        kinks=True,
+        bumps=True,
+        steps=True,
+        phrase=Message("that follows the level of the vibration"),
+        unit="g",
+    )
+    yield Coordinate(
+        word="frequency",
+        depends_on="frequency",
+        values=_octaves(scene.frequency_hz),
+        shown=lambda octaves: f"{_OCTAVE**octaves:.0f} Hz",
+        bumps=True,
+        steps=True,
+        phrase=Message("that follows the frequency of the vibration"),
+        unit="oct",
+    )
+
+
+def _octaves(frequency_hz: FloatArray) -> FloatArray:
+    """Above 1 Hz; rest lies an octave below the lowest frequency."""
+    moved = frequency_hz > 0.0
+    lowest = float(frequency_hz[moved].min()) if moved.any() else 1.0
+    return np.asarray(np.log2(np.where(moved, frequency_hz, lowest / _OCTAVE)))
+
+
+def _of_the_time(scene: VibrationScene) -> Iterator[Coordinate]:
+    if scene.hours is not None:
+        yield time_of(scene.hours)
+
+
+def _of_the_warmth(scene: VibrationScene) -> Iterator[Coordinate]:
+    if scene.temperature_k is not None and np.ptp(scene.temperature_k):
+        yield Coordinate(
+            word="temperature",
+            depends_on="temperature",
+            values=scene.temperature_k + scene.reference_temperature_degc,
+            shown="{:.1f} °C".format,
+            phrase=Message("that follows the temperature"),
+            unit="°C",
+        )

@@ -1,0 +1,197 @@
+"""Closing the loop on vibrated dwells: what the declared model leaves, traced; coefficients before and after."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from tumble.calibrations.core.blas_threads import one_blas_thread
+from tumble.calibrations.core.parameter import ModelFit
+from tumble.calibrations.core.repeats import PureError, pure_error
+from tumble.calibrations.core.rows import SetAside
+from tumble.calibrations.methods.vibration.fit import VibrationFit, fit_vibration, points_of
+from tumble.calibrations.methods.vibration.gross import gross_errors
+from tumble.calibrations.methods.vibration.models import augmented, declared_model
+from tumble.calibrations.methods.vibration.observations import VibrationObservations
+from tumble.calibrations.methods.vibration.readmitted import still_gross
+from tumble.calibrations.methods.vibration.table import (
+    VibrationTable,
+    points_beside,
+    settings,
+    vibration_table,
+)
+from tumble.calibrations.tracing.experiments import Experiment
+from tumble.calibrations.tracing.explained import Explained
+from tumble.calibrations.tracing.findings import (
+    EffectFound,
+    Unexplained,
+    Withheld,
+    effects_found,
+    unexplained,
+    withheld,
+)
+from tumble.calibrations.tracing.judged import Judged, judged
+from tumble.calibrations.tracing.noise import NoiseModel
+from tumble.calibrations.tracing.trace import Trace
+from tumble.messages import Message
+
+FEWEST_VIBRATED: Final = 2
+_RELINEARISED: Final = 3
+"""How often a table is traced again with its nonlinear effects linearised where they were found."""
+_MOVED: Final = 0.02
+"""Relative change of a point from which on that is worth it."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class VibrationDeclared:
+    """The declared model fitted to vibrated dwells."""
+
+    observations: VibrationObservations
+    """Rows in use."""
+    table: VibrationTable
+    fit: VibrationFit
+    model: ModelFit
+
+
+@dataclass(frozen=True, kw_only=True)
+class VibrationLoop:
+    """The loop closed on vibrated dwells."""
+
+    before: VibrationDeclared
+    explained: Explained[VibrationTable, VibrationFit]
+    augmented: ModelFit
+    pure_error: PureError
+    """Scatter of a dwell mean between repeats of a setting."""
+    experiments: tuple[Experiment, ...] = ()
+    """What to measure next, where that was asked; see `asked_next`."""
+
+    @property
+    def observations(self) -> VibrationObservations:
+        """Rows in use; those that are not stand in its `set_aside`."""
+        return self.before.observations
+
+    @property
+    def declared(self) -> ModelFit:
+        """The declared model."""
+        return self.before.model
+
+    @property
+    def best(self) -> VibrationFit:
+        """The fit with what was found."""
+        return self.explained.best
+
+    @property
+    def unit(self) -> str:
+        """Of the outputs."""
+        return "µg"
+
+    @property
+    def held_out_rms(self) -> float | None:
+        """Error of settings that are held out, with what was found, in µg."""
+        return self.augmented.held_out_rms
+
+    @property
+    def effects(self) -> tuple[EffectFound, ...]:
+        """What was found, in the order of the evidence."""
+        found = effects_found(self.explained.table, self.explained.judged, self.best, self.explained.close)
+        return tuple(sorted(found, key=lambda effect: effect.p_value))
+
+    @property
+    def withheld(self) -> tuple[Withheld, ...]:
+        """What would fit the rows and is not stated."""
+        return withheld(self.explained.table, self.explained.judged)
+
+    @property
+    def unexplained(self) -> Unexplained | None:
+        """The largest structure that no effect of the catalogue explains; None where there is none."""
+        return unexplained(self.explained.trace, self.explained.alike)
+
+
+@one_blas_thread
+def declared_fit(observations: VibrationObservations, reference_temperature_degc: float = 23.0) -> VibrationDeclared:
+    """Fit the coefficients to vibrated dwells. Raises `ValueError` where there are too few of them."""
+    _check(observations)
+    whole = vibration_table(observations, observations, reference_temperature_degc)
+    return _declared(observations, gross_errors(whole), reference_temperature_degc)
+
+
+def _declared(
+    observations: VibrationObservations, gross: Sequence[SetAside], reference_temperature_degc: float
+) -> VibrationDeclared:
+    used = observations.without(tuple(gross))
+    table = vibration_table(used, observations, reference_temperature_degc)
+    fit = fit_vibration(table, _nothing(table))
+    return VibrationDeclared(observations=used, table=table, fit=fit, model=declared_model(table, fit, _nothing(table)))
+
+
+def _check(observations: VibrationObservations) -> None:
+    vibrated = int(np.count_nonzero(observations.vibrated))
+    if vibrated < FEWEST_VIBRATED or vibrated == len(observations):
+        raise ValueError(
+            Message(
+                "{source}: {vibrated} of {rows} dwells are vibrated; rectification takes dwells at rest and at least "
+                "{fewest} under vibration",
+                source=observations.source or "table",
+                vibrated=vibrated,
+                rows=len(observations),
+                fewest=FEWEST_VIBRATED,
+            )
+        )
+
+
+@one_blas_thread
+def close_vibration_loop(
+    observations: VibrationObservations, reference_temperature_degc: float = 23.0
+) -> VibrationLoop:
+    """Trace what the five coefficients leave of a table. Raises `ValueError` where there are too few dwells.
+
+    What was found may explain dwells that were set aside as gross errors: then all is traced again with these.
+    """
+    before = declared_fit(observations, reference_temperature_degc)
+    explained = explained_rows(before.table)
+    gross = [each for each in before.observations.set_aside if each not in observations.set_aside]
+    left = still_gross(observations, gross, explained) if gross else gross
+    if len(left) < len(gross):
+        before = _declared(observations, left, reference_temperature_degc)
+        explained = explained_rows(before.table)
+    setting = settings(before.table.scene)
+    return VibrationLoop(
+        before=before,
+        explained=explained,
+        augmented=augmented(explained),
+        pure_error=pure_error(before.observations.output_ug, setting, before.table.weights),
+    )
+
+
+def explained_rows(table: VibrationTable) -> Explained[VibrationTable, VibrationFit]:
+    """What a table is traced to, nonlinear effects linearised where they came to lie beside everything else."""
+    for _ in range(_RELINEARISED):
+        found = judged(table)
+        fit = fit_vibration(found.tracer.table, found.trace)
+        moved = _relinearised(table, found, fit)
+        if moved is None:
+            break
+        table = moved
+    return Explained(judged=found, best=fit)
+
+
+def _relinearised(table: VibrationTable, found: Judged[VibrationTable], fit: VibrationFit) -> VibrationTable | None:
+    """The table linearised anew; None where nothing moved that matters."""
+    if not found.trace.found:
+        return None
+    columns = [item.form.columns for item in found.trace.found]
+    points = {**points_beside(table, columns), **points_of(fit)}
+    names = {*points_of(fit), *(rival.name for near in found.near.values() for rival in near)}
+    old = table.scene.points
+    far = [
+        name
+        for name, point in points.items()
+        if name not in old or (name in names and abs(point.value - old[name].value) > _MOVED * abs(point.value))
+    ]
+    return table.at(points) if far else None
+
+
+def _nothing(table: VibrationTable) -> Trace:
+    """The declared model alone."""
+    return Trace(found=(), noise=NoiseModel(), deviance=table.deviance((), NoiseModel()))

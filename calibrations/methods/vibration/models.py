@@ -1,0 +1,103 @@
+"""What is stated of a unit: coefficients by the declared model and with what was found, and how far each predicts."""
+
+from dataclasses import replace
+from typing import Final
+
+import numpy as np
+
+from tumble.calibrations.core.arrays import BoolArray, FloatArray
+from tumble.calibrations.core.parameter import ModelFit, Parameter
+from tumble.calibrations.methods.vibration.fit import VibrationFit, fit_vibration
+from tumble.calibrations.methods.vibration.model import COEFFICIENTS
+from tumble.calibrations.methods.vibration.observations import SHAKER
+from tumble.calibrations.methods.vibration.table import VibrationTable
+from tumble.calibrations.tracing.explained import RIVALS_APART, Explained
+from tumble.calibrations.tracing.held_out import held_out_rms
+from tumble.calibrations.tracing.trace import Trace, Tracer
+from tumble.messages import Message
+
+_FOLDS: Final = 6
+"""Into so many parts the settings are dealt for the held-out error, every repeat of one in the same part."""
+
+
+def declared_model(table: VibrationTable, fit: VibrationFit, nothing: Trace) -> ModelFit:
+    """The declared model."""
+    errors = held_out_rms(Tracer(replace(table, effects=(), axes=())), nothing, _parts(table))
+    return _modelled(table, fit, fit.parameters(), errors)
+
+
+def augmented(explained: Explained[VibrationTable, VibrationFit]) -> ModelFit:
+    """The model with what was found; a coefficient that depends on which of near rivals is true has no value."""
+    errors = held_out_rms(explained.judged.tracer, explained.judged.trace, _parts(explained.table))
+    return _modelled(explained.table, explained.best, _with_rivals(explained), errors)
+
+
+def _modelled(
+    table: VibrationTable, fit: VibrationFit, parameters: dict[str, Parameter], held_out_ug: float | None
+) -> ModelFit:
+    residual_ug = float(np.sqrt(np.mean(fit.residual**2)))
+    remarked = {name: _remarked(table, each) for name, each in parameters.items()}
+    return ModelFit(parameters=remarked, residual_rms=residual_ug, held_out_rms=held_out_ug)
+
+
+def _remarked(table: VibrationTable, parameter: Parameter) -> Parameter:
+    """What one direction of the drive takes for a coefficient is said with its value."""
+    if parameter.name != "k_ii" or parameter.value is None or not _absorbs(table):
+        return parameter
+    return replace(
+        parameter,
+        remark=Message(
+            "with the drive in one direction of the unit alone, sideways motion of the shaker and a lean of its table are "
+            "part of it; turn the unit by 180° about its input axis, and reverse that axis"
+        ),
+    )
+
+
+def _absorbs(table: VibrationTable) -> bool:
+    """Whether all vibration comes from one shaker in one direction of the unit."""
+    rows = table.observations
+    moved = rows.vibrated & (rows.of_apparatus == SHAKER)
+    ways = np.round(np.column_stack([rows.along("drive_"), rows.along("lateral_")]), 3)[moved]
+    return bool(len(ways)) and len(np.unique(ways, axis=0)) == 1 and bool(np.all(moved == rows.vibrated))
+
+
+def _with_rivals(explained: Explained[VibrationTable, VibrationFit]) -> dict[str, Parameter]:
+    """Coefficients with what was found; those on which near rivals disagree are given for each of them."""
+    own = explained.best.parameters()
+    parameters = dict(own)
+    for name, rivals in explained.near.items():
+        for rival in rivals:
+            other = fit_vibration(explained.table, rival.trace).parameters()
+            for key, parameter in own.items():
+                parameters[key] = _unless_apart(parameters[key], parameter, other.get(key), name, rival.name)
+    return parameters
+
+
+def _unless_apart(so_far: Parameter, own: Parameter, other: Parameter | None, name: str, rival: str) -> Parameter:
+    if own.value is None or own.standard_uncertainty is None:
+        return so_far
+    apart = other is None or other.value is None or (
+        abs(other.value - own.value) > RIVALS_APART * own.standard_uncertainty
+    )  # fmt: skip
+    if not apart:
+        return so_far
+    reason = so_far.reason or Message(
+        "it differs between {name} and {rival}, which this experiment does not clearly tell apart",
+        name=name,
+        rival=rival,
+    )
+    given = {**dict(so_far.given), name: own.value}
+    if other is not None and other.value is not None:
+        given[rival] = other.value
+    return replace(own.withheld(reason), given=given)
+
+
+def _parts(table: VibrationTable) -> list[BoolArray]:
+    """Parts of the rows, whole settings with all their repeats."""
+    setting = table.blocks("angle")
+    return [np.asarray(setting % _FOLDS == fold) for fold in range(_FOLDS)]
+
+
+def prediction_ug(table: VibrationTable, coefficients: FloatArray) -> FloatArray:
+    """What coefficients K_ii … K_ip rectify in each row, shape (rows,)."""
+    return np.asarray(table.scene.products_g2 @ coefficients[:COEFFICIENTS])
