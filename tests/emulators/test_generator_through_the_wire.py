@@ -6,7 +6,7 @@ from contextlib import contextmanager
 import numpy as np
 import pytest
 
-from tests.emulators.shaker_stands import (
+from shaker_stands import (
     GENERATOR,
     METERS,
     SIMULATED_EXCITER,
