@@ -19,7 +19,8 @@ if TYPE_CHECKING:  # `tumble.app.jobs`, which they import, holds parts against t
     from tumble.app.analysed import Analysed, Traced
     from tumble.app.available import Available
     from tumble.app.measurement import Measurement
-    from tumble.app.stand import LoadedStand
+    from tumble.app.stand import LoadedStand, WrittenStand
+    from tumble.procedures.plan import Plan
 
 
 class StandRun(Run, Protocol):
@@ -125,6 +126,28 @@ class Pictured(Protocol):
 
     def pictures(self, targets_deg: Sequence[Mapping[str, float]]) -> Sequence[Section]:
         """Pictures of positions in their order, each by the angles of its axes."""
+        ...
+
+
+class Promise(Protocol):
+    """What a plan promises of its result."""
+
+    @property
+    def sentences(self) -> Sequence[str]:
+        """For the terminal."""
+        ...
+
+    def as_json(self) -> dict[str, Any]:
+        """Further keys of `tumble.plan/1`."""
+        ...
+
+
+@runtime_checkable
+class Promising(Protocol):
+    """The job of a method that knows from a plan how uncertain its result will be."""
+
+    def promise(self, planned: "Plan", stand: "WrittenStand") -> Promise | None:
+        """What a plan promises at a stand; None where its programme does not say enough."""
         ...
 
 

@@ -3,15 +3,15 @@
 from collections.abc import Iterator, Sequence
 from itertools import groupby
 from pathlib import Path
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import click
 
 from tumble.app.commands import options
 from tumble.app.files import write_text
-from tumble.app.jobs import find_job
+from tumble.app.jobs import find_job, has_job
 from tumble.app.running import Outline
-from tumble.app.stand import read_stand
+from tumble.app.stand import WrittenStand, read_stand
 from tumble.app.terminal import language, say
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
@@ -19,6 +19,9 @@ from tumble.procedures.layout import Layout
 from tumble.procedures.plan import Plan, PlannedStep
 from tumble.procedures.programmes import load_programme
 from tumble.procedures.steps import Ask, Dwell, pose
+
+if TYPE_CHECKING:
+    from tumble.app.job_part import Promise
 
 _FEW: Final = 4
 """So many settings are written out."""
@@ -35,12 +38,24 @@ def command(
 ) -> None:
     """Print what a programme measures in each mounting and how long it takes, without moving anything."""
     wanted = load_programme(programme)
-    planned = Outline(stand=read_stand(stand_path, wanted.method), programme=wanted).plan()
+    stand = read_stand(stand_path, wanted.method)
+    planned = Outline(stand=stand, programme=wanted).plan()
+    promise = _promise(planned, stand)
     if str(json_path) != "-":
         say(_summary(planned), *(_steps(planned) if every_step else _mountings(planned)))
-    options.write_json(_document(planned), json_path)
+        say(*(promise.sentences if promise else ()))
+    options.write_json(_document(planned) | (promise.as_json() if promise else {}), json_path)
     if page is not None:
         _write_pictures(planned, page)
+
+
+def _promise(planned: Plan, stand: WrittenStand) -> "Promise | None":
+    """What the job of the method says of the result to be expected, if it says anything."""
+    from tumble.app.job_part import Promising
+
+    method = planned.programme.method
+    part = find_job(method) if has_job(method) else None
+    return part.promise(planned, stand) if isinstance(part, Promising) else None
 
 
 def _write_pictures(planned: Plan, page: Path) -> None:

@@ -5,7 +5,6 @@ from contextlib import contextmanager
 
 import numpy as np
 import pytest
-
 from shaker_stands import (
     GENERATOR,
     METERS,
@@ -15,6 +14,7 @@ from shaker_stands import (
     served,
     stand_of,
 )
+
 from tumble.app.measurements import read_measurement
 from tumble.app.running import run
 from tumble.app.wiring import connect

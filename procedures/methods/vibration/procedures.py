@@ -90,20 +90,28 @@ class Excited(BaseModel):
 
 
 class SineProcedure(Excited):
-    """A shaker along x: every level at every frequency."""
+    """A shaker along x: every level at every frequency, or pairs of both."""
 
     kind: Literal["sine"] = "sine"
-    levels_g: tuple[_Level, ...] = Field(min_length=1, max_length=1000)
+    levels_g: tuple[_Level, ...] = Field(default=(), max_length=1000)
     """Peak."""
-    frequencies_hz: tuple[_Hz, ...] = Field(alias="frequencies_Hz", min_length=1, max_length=1000)
+    frequencies_hz: tuple[_Hz, ...] = Field(default=(), alias="frequencies_Hz", max_length=1000)
+    sines: tuple[tuple[_Level, _Hz], ...] = Field(default=(), max_length=10_000)
+    """Level and frequency of each, in place of both lists."""
+
+    @model_validator(mode="after")
+    def _one_list(self) -> Self:
+        if bool(self.sines) == bool(self.levels_g and self.frequencies_hz) or (
+            self.sines and (self.levels_g or self.frequencies_hz)
+        ):
+            raise ValueError(Message("give levels_g and frequencies_Hz, or sines, and not both"))
+        return self
 
     @property
     def excitations(self) -> list[Excitation]:
-        """Frequency by frequency."""
-        return [
-            Sines(tones=(Tone(level_g=level_g, frequency_hz=hz),))
-            for hz, level_g in product(self.frequencies_hz, self.levels_g)
-        ]
+        """Frequency by frequency, or pair by pair."""
+        pairs = self.sines or [(level_g, hz) for hz, level_g in product(self.frequencies_hz, self.levels_g)]
+        return [Sines(tones=(Tone(level_g=level_g, frequency_hz=hz),)) for level_g, hz in pairs]
 
 
 class RandomProcedure(Excited):
