@@ -21,6 +21,8 @@ _COMMANDS = {
     "plan": "Print what a programme measures and how long it takes; nothing moves.",
     "fit": "Fit a recording or an observation table.",
     "close-loop": "Trace what the declared model leaves of a recording or a table to its causes.",
+    "reduce": "Reduce the samples of dwells at rest and under vibration to a table of dwells.",
+    "predict": "Predict what a unit rectifies of random vibration with a given spectrum.",
     "allan": "Allan deviation of a long still recording: its kinds of noise, and how long to average.",
     "report": "Write the report of a recording, a table or a stored record.",
     "records": "List, show, compare, export and verify stored calibrations.",

@@ -90,7 +90,7 @@ def visible(made: Made) -> float:
     return float(np.linalg.norm(white - columns @ np.linalg.lstsq(columns, white, rcond=1e-9)[0]))
 
 
-def read(made: Made):  # type: ignore[no-untyped-def]  # noqa: ANN201
+def read(made: Made):  # type: ignore[no-untyped-def]
     """The table as a file, which is all that the analysis sees."""
     with TemporaryDirectory() as folder:
         path = Path(folder) / "table.csv"

@@ -4,8 +4,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from benchmarks.vibration.world import Effect, Run
 from benchmarks.vibration.designs import Array
+from benchmarks.vibration.world import Effect, Run
 
 
 def _set(name: str) -> Effect:
@@ -64,9 +64,10 @@ def _arm(run: Run, size: float) -> None:
 
 
 def _shift(run: Run, size: float) -> None:
-    moved = np.flatnonzero(run.level_g > 0)
-    row = int(run.rng.choice(moved[(moved > 4) & (moved < len(run.dwells) - 6)]))
     its = np.array([each.mounting for each in run.dwells])
+    left = np.array([np.count_nonzero(its[place:] == its[place]) for place in range(len(its))])
+    moved = np.flatnonzero((run.level_g > 0) & (left > 5))
+    row = int(run.rng.choice(moved[moved > 4]))
     run.added_ug += size * ((np.arange(len(its)) > row) & (its == its[row]))
 
 

@@ -19,9 +19,6 @@ _FOREIGN: Final[tuple[tuple[str, tuple[str, ...]], ...]] = (
     (Message("gyrocompassing in several azimuths"), ("rate_deg_h", "azimuth_deg")),
     (Message("a gyro"), ("rate_deg_h",)),
     (Message("a gyro"), ("rate_deg_s",)),
-    (Message("vibration rectification"), ("output_ug", "ai_g")),
-    (Message("vibrated dwells"), ("drive_Hz", "output_g")),
-    (Message("vibration"), ("output_ug",)),
     (Message("Allan deviations"), ("tau_s",)),
 )
 """Tables that have a name and are not analysed, by columns that show them."""

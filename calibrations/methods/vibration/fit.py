@@ -240,7 +240,8 @@ def _lengths(columns: FloatArray) -> FloatArray:
 
 def _unseen(table: VibrationTable, seen: FloatArray) -> FloatArray:
     """Directions of K_ii … K_ip that no row sees, shape (n, 5): all five in the scale of the drive, so that what a
-    rounded phase leaves of a product is no sight of it."""
+    rounded phase leaves of a product is no sight of it.
+    """
     scale = _lengths(seen)
     scale[:COEFFICIENTS] = max(float(np.linalg.norm(table.scene.power_g2 * np.sqrt(table.weights))), 1e-12)
     _, values, vectors = np.linalg.svd(seen / scale, full_matrices=True)

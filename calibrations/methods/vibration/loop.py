@@ -1,7 +1,7 @@
 """Closing the loop on vibrated dwells: what the declared model leaves, traced; coefficients before and after."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import Final
 
 import numpy as np
@@ -10,6 +10,8 @@ from tumble.calibrations.core.blas_threads import one_blas_thread
 from tumble.calibrations.core.parameter import ModelFit
 from tumble.calibrations.core.repeats import PureError, pure_error
 from tumble.calibrations.core.rows import SetAside
+from tumble.calibrations.methods.vibration.budget import Budget
+from tumble.calibrations.methods.vibration.experiments import next_experiments
 from tumble.calibrations.methods.vibration.fit import VibrationFit, fit_vibration, points_of
 from tumble.calibrations.methods.vibration.gross import gross_errors
 from tumble.calibrations.methods.vibration.models import augmented, declared_model
@@ -52,6 +54,7 @@ class VibrationDeclared:
     table: VibrationTable
     fit: VibrationFit
     model: ModelFit
+    budget: Budget = field(default_factory=Budget)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -63,6 +66,7 @@ class VibrationLoop:
     augmented: ModelFit
     pure_error: PureError
     """Scatter of a dwell mean between repeats of a setting."""
+    augmented_budget: Budget = field(default_factory=Budget)
     experiments: tuple[Experiment, ...] = ()
     """What to measure next, where that was asked; see `asked_next`."""
 
@@ -162,6 +166,11 @@ def close_vibration_loop(
         augmented=augmented(explained),
         pure_error=pure_error(before.observations.output_ug, setting, before.table.weights),
     )
+
+
+def asked_next(loop: VibrationLoop) -> VibrationLoop:
+    """The same with what to measure next, of all programmes that come along."""
+    return replace(loop, experiments=next_experiments(loop.explained))
 
 
 def explained_rows(table: VibrationTable) -> Explained[VibrationTable, VibrationFit]:

@@ -28,8 +28,8 @@ AXES: Final = ("i", "o", "p")
 class VibrationObservations(Rows):
     """One row a dwell, at rest or under vibration; None where the table does not say.
 
-    Sines are A = a sin(2π f t + phase) with t from the start of the dwell; where the vibration is no sine, mean products
-    over whole periods stand in their place. All g have tumble's sign: the projection of gravity.
+    Sines are A = a sin(2π f t + phase) with t from the start of the dwell. Mean products over whole periods stand in
+    their place where the vibration is no sine, or beside them where samples say more than the fundamental. All g have tumble's sign: the projection of gravity.
     """
 
     settings: ClassVar = ("output_ug",)
@@ -89,18 +89,20 @@ class VibrationObservations(Rows):
         return np.column_stack([self.filled(f"{prefix}{axis}{suffix}") for axis in AXES])
 
     @cached_property
+    def stated(self) -> BoolArray:
+        """Which rows state mean products; those of the samples go before those of the sines. Shape (rows,)."""
+        return np.zeros(len(self), dtype=bool) if self.mii_g2 is None else np.isfinite(self.mii_g2)
+
+    @cached_property
     def random(self) -> BoolArray:
-        """Which rows state mean products in place of a sine, shape (rows,)."""
-        if self.mii_g2 is None:
-            return np.zeros(len(self), dtype=bool)
-        sines = np.zeros(len(self), dtype=bool) if self.ai_g is None else self.along("a", "_g").any(axis=1)
-        return np.asarray(np.isfinite(self.mii_g2) & ~sines)
+        """Which rows state mean products and no sine, shape (rows,)."""
+        return np.asarray(self.stated & ~self.along("a", "_g").any(axis=1))
 
     @cached_property
     def vibrated(self) -> BoolArray:
         """Which rows are no rest, shape (rows,)."""
-        products = np.column_stack([self.filled(f"m{axis}{axis}_g2") for axis in AXES]) * self.random[:, None]
-        return np.asarray(self.along("a", "_g").any(axis=1) | products.any(axis=1))
+        products = np.column_stack([self.filled(f"m{axis}{axis}_g2") for axis in AXES])
+        return np.asarray(self.along("a", "_g").any(axis=1) | (products.any(axis=1) & self.random))
 
     @property
     def level(self) -> FloatArray:

@@ -17,10 +17,11 @@ _EQUAL: Final = 1e-6
 def mean_products(rows: VibrationObservations) -> FloatArray:
     """Whole-period means of Ax Ay without their static part, in g², shape (rows, 5), as in `PAIRS`.
 
-    Of sines ½ ax ay cos(φx - φy) where the frequencies are equal, else 0 (Chen and Dong); of other rows as they are stated.
+    Of sines ½ ax ay cos(φx - φy) where the frequencies are equal, else 0 (Chen and Dong); as they are stated of rows
+    that state them.
     """
     stated = np.column_stack([rows.filled(name) for name in _FIELDS])
-    return np.where(rows.random[:, None], stated, _of_sines(rows))
+    return np.where(rows.stated[:, None], stated, _of_sines(rows))
 
 
 def static_products(rows: VibrationObservations) -> FloatArray:

@@ -46,7 +46,7 @@ class VibrationTable(Extensible):
         return replace(self.scene, observations=rows, history=rows)
 
     def functions(self, view: View) -> FloatArray:
-        """Mean products, and the rest outputs; of mountings that this table has no room for nothing is at rest."""
+        """Mean products, and the rest outputs; mountings beyond those that this table has room for have none."""
         assert isinstance(view, VibrationScene), "it is a view of this table"
         return functions(view.observations, self.declared.shape[1] - COEFFICIENTS)
 

@@ -1,0 +1,18 @@
+"""Vibrated dwells with their stand in the uncertainty of the coefficients."""
+
+from dataclasses import replace
+
+from tumble.calibrations.methods.vibration.budget import VibrationUncertainty, budgeted
+from tumble.calibrations.methods.vibration.loop import VibrationDeclared, VibrationLoop
+
+
+def declared_at(declared: VibrationDeclared, stand: VibrationUncertainty) -> VibrationDeclared:
+    """The declared model with what the stand adds."""
+    model, budget = budgeted(declared.model, declared.fit.dwell, stand)
+    return replace(declared, model=model, budget=budget)
+
+
+def loop_at(loop: VibrationLoop, stand: VibrationUncertainty) -> VibrationLoop:
+    """A closed loop with the same in both models."""
+    model, budget = budgeted(loop.augmented, loop.best.dwell, stand)
+    return replace(loop, before=declared_at(loop.before, stand), augmented=model, augmented_budget=budget)
