@@ -5,7 +5,8 @@ import warnings
 from contextlib import contextmanager
 
 import pytest
-from shaker_stands import GENERATOR, METERS, served
+
+from benchmarks.endurance.shaker import GENERATOR, METERS, served
 
 with warnings.catch_warnings():
     warnings.simplefilter("ignore")

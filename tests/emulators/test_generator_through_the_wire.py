@@ -5,22 +5,24 @@ from contextlib import contextmanager
 
 import numpy as np
 import pytest
-from shaker_stands import (
+
+from benchmarks.endurance.shaker import (
     GENERATOR,
     METERS,
     SIMULATED_EXCITER,
     SIMULATED_METER,
     job_at,
     served,
-    stand_of,
+    written,
 )
-
 from tumble.app.measurements import read_measurement
 from tumble.app.running import run
+from tumble.app.stand import load_stand
 from tumble.app.wiring import connect
 from tumble.drivers.errors import DeviceError, LimitError, LinkLostError, NoReplyError
 from tumble.drivers.excitation import REST, Random, excitation_of
 from tumble.drivers.protocols import Exciter, Reconnectable
+from tumble.emulators.faults import At
 from tumble.procedures.events import FinishReason
 
 TWO = GENERATOR.replace("x = {", "y = { channel = 2, g_per_v = 3.0 }\nx = {")
@@ -52,7 +54,7 @@ def test_a_level_is_told_read_back_and_shakes(tmp_path):
 def test_a_new_level_changes_nothing_but_the_amplitude(tmp_path):
     with generator(tmp_path) as (driver, stand):
         driver.drive(FIVE_G)
-        stand.suffer("error_queued", command=1, containing="OUTP1 ON")  # which is not sent again
+        stand.suffer("error_queued", At(command=1, containing="OUTP1 ON"))  # which is not sent again
         driver.drive(FIVE_G.scaled(0.5))
         assert driver.status().excitation.text == "sine 2.5 g 80 Hz"
 
@@ -101,21 +103,21 @@ def test_what_the_limits_forbid_is_not_sent(excitation, what, tmp_path):
 
 def test_what_it_refuses_is_told_with_its_own_words(tmp_path):
     with generator(tmp_path) as (driver, stand):
-        stand.suffer("error_queued", command=1, containing="FREQ 80")
+        stand.suffer("error_queued", At(command=1, containing="FREQ 80"))
         with pytest.raises(DeviceError, match=r"refuses what it was told: -310"):
             driver.drive(FIVE_G)
 
 
 def test_an_overload_is_reported(tmp_path):
     with generator(tmp_path) as (driver, stand):
-        stand.suffer("alarm", command=1)
+        stand.suffer("alarm", At(command=1))
         assert driver.status().overload
 
 
 def test_where_the_link_is_lost_it_goes_on_driving_until_it_is_reached_anew(tmp_path):
     with generator(tmp_path) as (driver, stand):
         driver.drive(FIVE_G)
-        stand.suffer("drop", command=1, lasts_s=0.2)
+        stand.suffer("drop", At(command=1), lasts_s=0.2)
         with pytest.raises((LinkLostError, NoReplyError)):
             driver.status()
         assert stand.exciter.driven == FIVE_G
@@ -128,7 +130,7 @@ def test_where_the_link_is_lost_it_goes_on_driving_until_it_is_reached_anew(tmp_
 @pytest.fixture(scope="module")
 def in_process(tmp_path_factory):
     folder = tmp_path_factory.mktemp("here")
-    stand = stand_of(folder, f"{SIMULATED_EXCITER}\n{SIMULATED_METER}", {})
+    stand = load_stand(written(folder, f"{SIMULATED_EXCITER}\n{SIMULATED_METER}", {}))
     assert run(job_at(stand), connect(stand), folder / "run.mcap").reason is FinishReason.COMPLETED
     return read_measurement(folder / "run.mcap").observations
 
