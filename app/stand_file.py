@@ -113,6 +113,11 @@ class StandFile(BaseModel):
         return self.exciter_table.most_v if self.exciter_table else {}
 
     @property
+    def quiet(self) -> Mapping[str, float]:
+        """The greatest scatter of the samples of a channel while the exciter rests."""
+        return self.exciter_table.quiet_v if self.exciter_table else {}
+
+    @property
     def instruments(self) -> Mapping[str, HeadTable | DaqTable | ChamberTable | ExciterTable]:
         """The tables of all instruments, by name."""
         return {**self.positioners, **self.samplers, **self.environments, **self.exciters}

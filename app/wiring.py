@@ -117,6 +117,7 @@ def connect(
         environments=environments,
         exciters=exciters,
         most=loaded.file.most,
+        quiet=loaded.file.quiet,
         titles=TITLES,
     )
     warnings = (Message.marked(_UNASKED, stand=loaded.file.name),) if backstage and attendant.imagined else ()

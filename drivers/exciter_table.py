@@ -28,6 +28,10 @@ class ExciterTable(Instrument):
     reference_limit_g: float | None = Field(default=None, gt=0.0)
     """Where a reference says more, the excitation is ended; without it, half as much again as `level_limit_g`."""
 
+    rest_limit_g: float | None = Field(default=None, gt=0.0)
+    """Where a reference shakes by more than that (r.m.s.) at rest, something still drives; without it, half a
+    hundredth of `level_limit_g`."""
+
     @model_validator(mode="after")
     def _in_order(self) -> Self:
         low, high = self.frequency_limits_hz
@@ -42,6 +46,12 @@ class ExciterTable(Instrument):
         """The greatest magnitude of a sample of each reference, in V."""
         most_g = self.reference_limit_g or 1.5 * self.level_limit_g
         return {name: most_g * abs(sensitivity) for name, sensitivity in self.references.items()}
+
+    @property
+    def quiet_v(self) -> dict[str, float]:
+        """The greatest standard deviation of the samples of each reference at rest, in V."""
+        quiet_g = self.rest_limit_g or 0.005 * self.level_limit_g
+        return {name: quiet_g * abs(sensitivity) for name, sensitivity in self.references.items()}
 
     def refusal_of(self, text: str) -> str:
         """The same of the text of an excitation."""

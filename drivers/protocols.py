@@ -285,6 +285,8 @@ class Stand:
     """What shakes the unit, by the condition that it sets, whose name is that of the instrument, too."""
     most: Mapping[str, float] = field(default_factory=dict)
     """The greatest magnitude that a sample of a channel may have, by its name; beyond it the excitation is ended."""
+    quiet: Mapping[str, float] = field(default_factory=dict)
+    """The greatest standard deviation of the samples of a channel while every exciter rests."""
     channels: Mapping[str, Sequence[str]] = field(default_factory=dict)
     """Names of the channels of a sampler, in their order, by its name; those that it gives where nothing is said."""
 

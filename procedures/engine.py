@@ -235,7 +235,7 @@ class Engine:
 
     def _asked(self, ask: Ask) -> Answer:
         """What the operator answers; nothing shakes what he may have to touch."""
-        self._recovery.persist(self._exciters.calm)
+        self._recovery.persist(self._exciters.clear)
         self._operator.ask(ask)
         while (answer := self._operator.poll()) is None:
             self.control.check()
@@ -299,7 +299,7 @@ class Engine:
         if not self.control.pause_wanted():
             return False
         self._axes.halt()
-        self._exciters.calm()
+        self._exciters.clear()
         self._change(State.PAUSED)
         while self.control.pause_wanted():
             self.control.check()

@@ -2,17 +2,18 @@
 
 An exciter is brought to a level by a ramp, and everything that it is told is read back. Before a person is asked for
 something, while a run pauses, and where any link is lost, the drive is at zero; before the next dwell it is put back.
+What the references say counts, too: that they shake no more than they may, and at rest not at all.
 """
 
 import math
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Collection, Iterable, Sequence
 from typing import Final
 
 from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
 from tumble.drivers.excitation import REST, Excitation, excitation_of
 from tumble.drivers.protocols import Block, Exciter, ExciterStatus, Reconnectable, Stand
 from tumble.messages import Message
-from tumble.procedures.driven import drives, is_at_rest
+from tumble.procedures.driven import check_driven, check_quiet, check_readings
 from tumble.procedures.losses import Losses
 
 STEPS: Final = 8
@@ -38,7 +39,7 @@ class Exciters:
     """
 
     def __init__(
-        self, stand: Stand, losses: Losses, look: Callable[[], Iterable[Block]], check: Callable[[], object]
+        self, stand: Stand, losses: Losses, look: Callable[[], Sequence[Block]], check: Callable[[], object]
     ) -> None:
         self._stand, self._losses, self._look, self._check = stand, losses, look, check
         self._wanted: dict[str, Excitation] = {}
@@ -76,9 +77,10 @@ class Exciters:
                 self._raise_to(name, wanted)
             self._confirm(name, self._status(name))
 
-    def inspect(self, blocks: Iterable[Block]) -> None:
+    def inspect(self, blocks: Sequence[Block]) -> None:
         """After a dwell: nothing read more than it may, and all drive as before. Raises `DeviceError`."""
-        self._check_readings(blocks)
+        check_readings(self._title, self._stand.most, blocks)
+        self._check_quiet(blocks)
         for name in self._wanted:
             self._confirm(name, self._status(name))
 
@@ -86,6 +88,12 @@ class Exciters:
         """Bring all to rest for now. Raises `DeviceError` where the rest of one cannot be read back."""
         for name in self._wanted:
             self._lower(name)
+
+    def clear(self) -> None:
+        """Bring all to rest, and see that nothing shakes: a person may touch the unit then. Raises `DeviceError`."""
+        self.calm()
+        if self._wanted and self._stand.quiet:
+            self._check_quiet(self._look())
 
     def calm_those_heard(self) -> None:
         """The same where links are lost: whoever cannot be heard is told once it is back."""
@@ -101,7 +109,13 @@ class Exciters:
 
         Returns a sentence for each of which that could not be read back.
         """
-        return [failure for name in self._wanted if (failure := self._left(name))]
+        failures = [failure for name in self._wanted if (failure := self._left(name))]
+        if self._wanted and self._stand.quiet and not failures:
+            try:
+                self._check_quiet(self._look())
+            except DeviceError as error:
+                failures += [str(error)] if error.device == self._title else []  # a meter that is gone says nothing
+        return failures
 
     def _left(self, name: str) -> str:
         failure: DeviceError | None = None
@@ -134,7 +148,7 @@ class Exciters:
         with self._losses.using(name):
             self._stand.exciters[name].make_safe()
         status = self._status(name)
-        if not is_at_rest(status):
+        if status.on:
             raise DeviceError(
                 self._stand.title(name),
                 Message("was told to rest and still drives ({back})", back=status.excitation.text),
@@ -158,7 +172,7 @@ class Exciters:
             self._set(name, wanted.scaled(_smooth(step / STEPS)))
             self._confirm(name, self._status(name))
             if self._stand.most:
-                self._check_readings(self._look())
+                check_readings(self._title, self._stand.most, self._look())
 
     def _set(self, name: str, level: Excitation) -> None:
         exciter = self._stand.exciters[name]
@@ -174,36 +188,19 @@ class Exciters:
 
     def _confirm(self, name: str, status: ExciterStatus) -> None:
         """Make sure that it does what it was told last. Raises `DeviceError`."""
-        title, told = self._stand.title(name), self._reached.get(name, REST)
-        if status.overload:
-            raise DeviceError(
-                title,
-                Message("reports an overload"),
-                Message("look at its amplifier, or ask for a lower level; then resume the run"),
-            )
-        if told != REST and is_at_rest(status):
+        told = self._reached.get(name, REST)
+        if told != REST and not status.on:
             self._losses.names.add(name)
-            raise LinkLostError(
-                title, Message("no longer drives"), Message("check its power and its cable, then resume the run")
-            )
-        if not (is_at_rest(status) if told == REST else drives(status, told)):
-            raise DeviceError(
-                title,
-                Message("was told {told} and says {back}", told=told.text, back=status.excitation.text),
-                Message("look whether it is set to be told by remote control, then resume the run"),
-            )
+        check_driven(self._stand.title(name), told, status)
 
-    def _check_readings(self, blocks: Iterable[Block]) -> None:
-        for block in blocks:
-            for channel, values in block.channels.items():
-                most = self._stand.most.get(channel, math.inf)
-                peak = float(abs(values).max())
-                if peak > most:
-                    raise DeviceError(
-                        self._stand.title(next(iter(self.names))),
-                        Message("{channel} reads {peak:.4g}, beyond {most:.4g}", channel=channel, peak=peak, most=most),
-                        Message("look at the fixture and the level, or at reference_limit_g; then resume the run"),
-                    )
+    def _check_quiet(self, blocks: Iterable[Block]) -> None:
+        """Nothing shakes where all shall rest. Raises `DeviceError`."""
+        if all(reached == REST for reached in self._reached.values()):
+            check_quiet(self._title, self._stand.quiet, blocks)
+
+    @property
+    def _title(self) -> str:
+        return self._stand.title(next(iter(self.names)))
 
 
 def _smooth(fraction: float) -> float:

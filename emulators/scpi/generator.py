@@ -42,6 +42,7 @@ class EmulatedGenerator:
         self._outputs: Mapping[int, Output] = {1: Output(), 2: Output()}
         self._shaking = Shaking(world, gains, self._outputs)
         self._until_s: dict[str, float] = {}
+        self._overloaded = False
         takes = partial(self._faults.take, "refused")
         channels = [commands_of(channel, output, takes) for channel, output in self._outputs.items()]
         self._commands = Tree({**self._common(), **channels[0], **channels[1]})
@@ -82,6 +83,7 @@ class EmulatedGenerator:
         if self._faults.take("power_loss"):
             self.status.power_on()
             self._reset()
+        self._overloaded = self._lasts("alarm")
 
     def _lasts(self, kind: Kind) -> bool:
         """Whether something that went wrong is so still."""
@@ -108,7 +110,7 @@ class EmulatedGenerator:
             "SYSTem:LOCal": Command(act=lambda: None),
             "SYSTem:REMote": Command(act=lambda: None),
             "SYSTem:BEEPer[:IMMediate]": Command(act=lambda: None),
-            "STATus:QUEStionable:CONDition?": Command(act=lambda: "+1" if self._lasts("alarm") else "+0"),
+            "STATus:QUEStionable:CONDition?": Command(act=lambda: f"{self._overloaded:+d}"),
             "PHASe:SYNChronize": Command(act=self._shaking.align),
             "DISPlay": Command(act=lambda _on: None, least=1, most=1),
         }

@@ -121,6 +121,7 @@ class ShakenStand:
             samplers={"unit": self.daq},
             exciters={"exciter": self.exciter},
             most=whole.most,
+            quiet=whole.quiet,
             clock=self.clock,
             titles=whole.titles,
         )

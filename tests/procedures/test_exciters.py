@@ -272,3 +272,14 @@ def test_a_run_that_was_cut_off_goes_on_at_every_point(points, tmp_path):
     assert [point.index for point in outcome.points] == list(range(6))
     assert [event.points for event in resumed.sink.of(RunResumed)] == [points]
     assert resumed.driven == "rest"
+
+
+def test_where_the_references_still_shake_at_rest_nobody_is_asked_and_the_operator_is_told(shaken):
+    said = []
+    shaken.exciter.instead("make_safe", lambda _call: said.append("rests"), times=10**6, after=3)
+    at_rest = ExciterStatus(excitation=REST, on=False)
+    shaken.exciter.instead("status", lambda call: at_rest if said else call(), times=10**6)
+    outcome = shaken.run()
+    assert (FINISHED[outcome.reason], outcome.at_standstill) == (Exit.DEVICE_FAULT, False), outcome.message
+    assert "says that it rests, and reference_x_v still shakes" in " ".join([outcome.message, *shaken.warnings])
+    assert len(shaken.operator.asked) == 1

@@ -1,6 +1,6 @@
 """A recording as the table that the analysis reads: every dwell reduced from its samples."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -53,7 +53,7 @@ def observations(recording: Recording) -> VibrationObservations:
         apparatus=np.array(apparatus),
         mounting=np.array(mountings, dtype=np.int64),
         temperature_degc=None if None in temperatures else np.array(temperatures, dtype=np.float64),
-        warnings=tuple(warnings(recording)),
+        warnings=(*warnings(recording), *_levels_missed(dwells, rows)),
         complete=recording.complete,
         source=str(recording.path),
         **numbers,
@@ -62,6 +62,8 @@ def observations(recording: Recording) -> VibrationObservations:
 
 
 _NAMES = ("time_s", "output_ug")
+_MISSED = 0.1
+"""Part of its level by which a shaker may miss it before that is told."""
 
 
 def _row(dwell: SampledDwell, found: ReducedDwell, measured: Measured) -> dict[str, float]:
@@ -100,6 +102,21 @@ def _refused(dwells: Sequence[SampledDwell], found: Sequence[ReducedDwell]) -> t
         for dwell, each in zip(dwells, found, strict=True)
     }
     return tuple(SetAside(row=row, reason=reason) for row, reason in reasons.items() if reason)
+
+
+def _levels_missed(dwells: Sequence[SampledDwell], rows: Sequence[Mapping[str, float]]) -> Iterator[str]:
+    """A sentence where the references say another level than was commanded; what they say is used."""
+    for dwell, row in zip(dwells, rows, strict=True):
+        found_g = float(np.sqrt(2.0 * (row["mii_g2"] + row["moo_g2"] + row["mpp_g2"])))
+        if isinstance(dwell.excitation, Sines) and len(dwell.excitation.tones) == 1 and dwell.references_g:
+            if abs(found_g - row["level_g"]) > _MISSED * row["level_g"]:
+                yield Message(
+                    "point {index}: {level:.4g} g were commanded, and the reference says {found:.4g} g, which is used; "
+                    "look at the amplifier, and at the sensitivity in the stand file",
+                    index=dwell.point.index,
+                    level=row["level_g"],
+                    found=found_g,
+                )
 
 
 def _rest_variances(dwells: Sequence[SampledDwell]) -> dict[str, float]:
