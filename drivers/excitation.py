@@ -149,7 +149,7 @@ def excitation_of(text: str) -> Excitation:
         match kind:
             case "rest" if not parts:
                 return REST
-            case "sine":
+            case "sine" if parts:
                 return Sines(tones=tuple(map(_tone, parts)))
             case "random":
                 points = [re.fullmatch(r"(\S+) Hz (\S+)", part) for part in parts]

@@ -108,15 +108,15 @@ def _levels_missed(dwells: Sequence[SampledDwell], rows: Sequence[Mapping[str, f
     """A sentence where the references say another level than was commanded; what they say is used."""
     for dwell, row in zip(dwells, rows, strict=True):
         found_g = float(np.sqrt(2.0 * (row["mii_g2"] + row["moo_g2"] + row["mpp_g2"])))
-        if isinstance(dwell.excitation, Sines) and len(dwell.excitation.tones) == 1 and dwell.references_g:
-            if abs(found_g - row["level_g"]) > _MISSED * row["level_g"]:
-                yield Message(
-                    "point {index}: {level:.4g} g were commanded, and the reference says {found:.4g} g, which is used; "
-                    "look at the amplifier, and at the sensitivity in the stand file",
-                    index=dwell.point.index,
-                    level=row["level_g"],
-                    found=found_g,
-                )
+        alone = isinstance(dwell.excitation, Sines) and len(dwell.excitation.tones) == 1
+        if alone and dwell.references_g and abs(found_g - row["level_g"]) > _MISSED * row["level_g"]:
+            yield Message(
+                "point {index}: {level:.4g} g were commanded, and the reference says {found:.4g} g, which is used; "
+                "look at the amplifier, and at the sensitivity in the stand file",
+                index=dwell.point.index,
+                level=row["level_g"],
+                found=found_g,
+            )
 
 
 def _rest_variances(dwells: Sequence[SampledDwell]) -> dict[str, float]:

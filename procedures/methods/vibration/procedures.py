@@ -195,4 +195,6 @@ class CentrifugeProcedure(Excited):
         ]
 
 
-VibrationProcedure: TypeAlias = SineProcedure | RandomProcedure | ShakersProcedure | CentrifugeProcedure
+VibrationProcedure: TypeAlias = Annotated[
+    SineProcedure | RandomProcedure | ShakersProcedure | CentrifugeProcedure, Field(discriminator="kind")
+]
