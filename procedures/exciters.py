@@ -79,6 +79,8 @@ class Exciters:
 
     def inspect(self, blocks: Sequence[Block]) -> None:
         """After a dwell: nothing read more than it may, and all drive as before. Raises `DeviceError`."""
+        if not self._wanted:
+            return
         check_readings(self._title, self._stand.most, blocks)
         self._check_quiet(blocks)
         for name in self._wanted:

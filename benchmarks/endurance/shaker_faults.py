@@ -105,16 +105,17 @@ def carried_out(case: Case, folder: Path, speed: float = SPEED) -> Result:
             stand.clock.sleep(3.0 * speed)  # until what lasted is over
             with stand.connected() as connected:
                 last = resume(find(recording), stand.job, connected, [listen], 10.0)
+        whole = last.reason is FinishReason.COMPLETED
         kept = Counter(point.index for point in read_recording(recording).points)
         return Result(
             reason=outcome.reason,
             message=outcome.message,
             happened=bool(stand.faults.happened),
-            lost=sum(index not in kept for index in range(stand.job.plan().dwells)),
+            lost=sum(index not in kept for index in {*completed, *(range(stand.job.plan().dwells) if whole else ())}),
             doubled=sum(count - 1 for count in kept.values()) + len(completed) - len(set(completed)),
             safe=resting or told,
             told=told,
-            resumed=resumed if last.reason is FinishReason.COMPLETED else -1,
+            resumed=resumed if whole else -1,
         )
 
 
