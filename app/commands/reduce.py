@@ -66,7 +66,7 @@ def _reduced(file: Path) -> Reduced:
         raise InputError(str(error)) from error
     raise InputError(
         Message(
-            "{path}, line 1: not a table of samples of dwells (dwell, time_s, kind, output_g); the columns are {columns}",
+            "{path}, line 1: no samples of dwells (dwell, time_s, kind, output_g); its columns are {columns}",
             path=file,
             columns=", ".join(header),
         )

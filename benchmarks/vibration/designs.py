@@ -1,6 +1,6 @@
-"""Programmes of dwells, of one's own: shakers in several mountings, centrifuges, several shakers, random beside sine."""
+"""Programmes of dwells: shakers in several mountings, centrifuges, several shakers, random beside sine."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -131,18 +131,13 @@ DESIGNS = ("fixtures", "single", "turned", "centrifuge", "three-up", "multi", "m
 
 def design(name: str, rng: np.random.Generator) -> list[Dwell]:
     """The dwells of a programme."""
-    match name:
-        case "fixtures":
-            return list(shaker(rng, range(8), 1, (1.5, 3.0, 5.0, 7.0, 9.0)))
-        case "single":
-            return list(shaker(rng, [0], 4, (1.5, 3.0, 5.0, 7.0, 9.0)))
-        case "turned":
-            return list(shaker(rng, [0, 1, 3], 2, (2.0, 4.0, 6.0, 8.0)))
-        case "centrifuge":
-            return list(centrifuge(rng, "o", 3))
-        case "three-up":
-            return list(centrifuge(rng, "oip", 2))
-        case "multi":
-            return list(shakers(rng, 3))
-        case _:
-            return list(shaker(rng, [0, 4, 5, 6, 7], 2, (2.0, 5.0, 8.0), random=True))
+    made: dict[str, Callable[[], Iterator[Dwell]]] = {
+        "fixtures": lambda: shaker(rng, range(8), 1, (1.5, 3.0, 5.0, 7.0, 9.0)),
+        "single": lambda: shaker(rng, [0], 4, (1.5, 3.0, 5.0, 7.0, 9.0)),
+        "turned": lambda: shaker(rng, [0, 1, 3], 2, (2.0, 4.0, 6.0, 8.0)),
+        "centrifuge": lambda: centrifuge(rng, "o", 3),
+        "three-up": lambda: centrifuge(rng, "oip", 2),
+        "multi": lambda: shakers(rng, 3),
+        "mixed": lambda: shaker(rng, [0, 4, 5, 6, 7], 2, (2.0, 5.0, 8.0), random=True),
+    }
+    return list(made[name]())

@@ -157,3 +157,12 @@ NOVEL: Mapping[str, tuple[Effect, float, tuple[str, ...]]] = {
     "tempco": (_tempco, 1.0, ("temperature", "time")),
 }
 """Each with a size, and the variables by which it may be reported."""
+
+_FEW_LEVELS = ("centrifuge", "three-up", "mixed")
+"""Three levels: any course of them is a parabola, and so K_iiii."""
+NOT_SHOWN: Mapping[str, tuple[str, ...]] = {
+    "threshold": _FEW_LEVELS,
+    "saturating": _FEW_LEVELS,
+    "step": ("fixtures", "turned", "three-up", "mixed"),  # the rest output of each mounting is its own
+}
+"""Programmes in which a kind without a name is the same as one that has a name."""

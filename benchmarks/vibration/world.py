@@ -1,6 +1,7 @@
 """Simulated dwells: the acceleration of every sample of a period, the cubic and quartic response of the unit, means.
 
-No line is shared with the analysis. What nature does to the motion acts on the motion, what it does to the output on that.
+No line is shared with the analysis. What nature does to the motion acts on the motion, what it does to the output on
+that.
 """
 
 from collections.abc import Callable, Mapping

@@ -1,4 +1,4 @@
-"""What a method may bring beside its analysis: samples reduced to rows of its table, and predictions from its result."""
+"""What a method may bring beside its analysis: samples reduced to rows of its table, and predictions."""
 
 from collections.abc import Sequence
 from pathlib import Path

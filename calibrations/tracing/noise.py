@@ -221,13 +221,14 @@ def _independent(columns: FloatArray) -> tuple[FloatArray, FloatArray]:
     return np.asarray(directions[:, :rank]), np.asarray(along)
 
 
-def slow_modes(hours: FloatArray | None, weights: FloatArray) -> FloatArray:
+def slow_modes(hours: FloatArray | None, weights: FloatArray, part: float = 0.25) -> FloatArray:
     """A constant and cosines over the run, weighted, shape (rows, 1 + modes); none without time or with few rows.
 
-    The constant is what flicker slower than the run leaves: of the octave below, the power is h ln 2.
+    The constant is what flicker slower than the run leaves: of the octave below, the power is h ln 2. There are `part`
+    as many cosines as rows: more of them where the declared model follows the slowest ones.
     """
     rows = len(weights)
-    count = min(MODES, rows // 4)
+    count = min(MODES, int(part * rows))
     if hours is None or count < 4 or np.ptp(hours) <= 0:
         return np.empty((rows, 0))
     phase = np.pi * (hours - hours.min()) / np.ptp(hours)

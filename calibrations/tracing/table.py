@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.solutions import SINGULAR
 from tumble.calibrations.tracing.components import Axis, Component
 from tumble.calibrations.tracing.declared import Declared
 from tumble.calibrations.tracing.effect import Effect, Form, Structure, Variable
@@ -153,7 +154,8 @@ class Table:
         """Orthonormal directions of the declared model, linearised at its fit, in weighted rows."""
         theta = self.fit((), WHITE).declared
         columns = (self.declared @ self.model.slopes(theta)) * np.sqrt(self.weights)[:, None]
-        return np.asarray(np.linalg.svd(columns / np.linalg.norm(columns, axis=0).clip(1e-300), full_matrices=False)[0])
+        left, values, _ = np.linalg.svd(columns / np.linalg.norm(columns, axis=0).clip(1e-300), full_matrices=False)
+        return np.asarray(left[:, values > SINGULAR * values[0]])  # of columns that depend on others there is none
 
     def _columns(self, forms: Sequence[Form]) -> FloatArray:
         return np.column_stack([np.empty((self.rows, 0)), *(form.columns for form in forms)])
@@ -186,8 +188,11 @@ class Extensible(Table, ABC):
         return ()
 
 
-def memory_of(effects: Sequence[Effect[Any]], scene: View, weights: FloatArray) -> Memory:
-    """Along what noise can be correlated over in a table: its time, and the levels of the effects that draw some."""
+def memory_of(effects: Sequence[Effect[Any]], scene: View, weights: FloatArray, part: float = 0.25) -> Memory:
+    """Along what noise can be correlated over in a table: its time, and the levels of the effects that draw some.
+
+    In time by `part` as many cosines as rows, see `noise.slow_modes`.
+    """
     drawn = {effect.name: forms[0].columns for effect in effects if effect.random and (forms := effect.forms(scene))}
     levels = {name: scaled_levels(columns, weights) for name, columns in drawn.items()}
-    return Memory(modes=slow_modes(scene.hours, weights), levels=levels)
+    return Memory(modes=slow_modes(scene.hours, weights, part), levels=levels)

@@ -4,7 +4,7 @@ from importlib import resources
 
 import pytest
 
-from tumble.window.methods.triad.figure_list import FigureList
+from tumble.window.generic.figure_list import FigureList
 from tumble.window.methods.triad.pose_overview import PoseOverview
 
 STAND = resources.files("tumble.procedures.methods.triad") / "stand.toml"

@@ -45,7 +45,8 @@ class BandCoefficient:
 def band_coefficients(table: VibrationTable, fit: VibrationFit, trace: Trace) -> tuple[BandCoefficient, ...]:
     """Coefficients K_ii, K_oo and K_pp in each octave band of sines, and under random vibration, beside what was found.
 
-    Those of one axis are fitted together, all others over all frequencies; what an experiment does not tell is left out.
+    Those of one axis are fitted together, all others over all frequencies; what an experiment does not tell is left
+    out.
     """
     return tuple(each for axis in range(len(AXES)) if fit.told((axis,)) for each in _of_axis(table, fit, trace, axis))
 

@@ -1,4 +1,4 @@
-"""Further columns beside the coefficients and what was found: from them comes what is shown axis by axis, band by band."""
+"""Further columns beside the coefficients and what was found, for what is shown axis by axis and band by band."""
 
 from dataclasses import dataclass
 

@@ -32,8 +32,8 @@ class VibrationUncertainty:
             "samplers.unit.gain_uncertainty": self.output_scale,
         }
         nothing = Message(
-            "the scale of the reference is not included in the stated uncertainty, and an error of it of 1% makes every "
-            "coefficient wrong by 2%; state {keys} in a stand file",
+            "the scale of the reference is not included in the stated uncertainty, and an error of it of 1% makes "
+            "every coefficient wrong by 2%; state {keys} in a stand file",
             keys=", ".join(stated),
         )
         return not_included(stated, nothing)

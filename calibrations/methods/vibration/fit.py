@@ -42,6 +42,8 @@ class VibrationFit(Quantified):
     degrees_of_freedom: int
     inverse: FloatArray
     """From errors of the rows to errors of K_ii … K_ip, shape (5, rows)."""
+    squares: float
+    """Weighted, whitened sum of squared residuals."""
     drawn_ug: FloatArray
     """What is known of what is noise to a fit, structure without a name above all, shape (rows,)."""
 
@@ -224,6 +226,7 @@ def _stated(problem: _Problem, trace: Trace, theta: FloatArray) -> VibrationFit:
         directions=_unseen(table, seen),
         degrees_of_freedom=freedom,
         inverse=_from_rows(problem, inverse),
+        squares=float(left @ left),
         drawn_ug=misfit - residual,
     )
 
@@ -247,7 +250,9 @@ def _unseen(table: VibrationTable, seen: FloatArray) -> FloatArray:
     _, values, vectors = np.linalg.svd(seen / scale, full_matrices=True)
     rank = int(np.sum(values > _SEEN * values[0]))
     unseen = vectors[rank:, :COEFFICIENTS]
-    left, sizes, right = np.linalg.svd(unseen, full_matrices=False) if len(unseen) else (unseen, np.empty(0), unseen)
+    if not len(unseen):
+        return np.asarray(unseen)
+    _, sizes, right = np.linalg.svd(unseen, full_matrices=False)
     return np.asarray(right[sizes > _SEEN] * sizes[sizes > _SEEN, None])
 
 

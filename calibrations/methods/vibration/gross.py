@@ -23,9 +23,9 @@ _MUCH: Final = 0.3
 def gross_errors(table: VibrationTable) -> tuple[SetAside, ...]:
     """Dwells to set aside.
 
-    Where a setting was visited more than once, a dwell must also differ as much from the median of the other visits: what
-    comes back at every visit is no gross error but structure. So is what stays: several dwells, one after the other, that
-    are off by much the same.
+    Where a setting was visited more than once, a dwell must also differ as much from the median of the other visits:
+    what comes back at every visit is no gross error but structure. So is what stays: several dwells, one after the
+    other, that are off by much the same.
     """
     weighted = _robust_residual(table)
     spare = max(table.rows - int(np.linalg.matrix_rank(table.declared)), 1)

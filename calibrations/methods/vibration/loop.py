@@ -11,6 +11,7 @@ from tumble.calibrations.core.parameter import ModelFit
 from tumble.calibrations.core.repeats import PureError, pure_error
 from tumble.calibrations.core.rows import SetAside
 from tumble.calibrations.methods.vibration.budget import Budget
+from tumble.calibrations.methods.vibration.effects import OF_THE_LEVEL
 from tumble.calibrations.methods.vibration.experiments import next_experiments
 from tumble.calibrations.methods.vibration.fit import VibrationFit, fit_vibration, points_of
 from tumble.calibrations.methods.vibration.gross import gross_errors
@@ -26,6 +27,7 @@ from tumble.calibrations.methods.vibration.table import (
 from tumble.calibrations.tracing.experiments import Experiment
 from tumble.calibrations.tracing.explained import Explained
 from tumble.calibrations.tracing.findings import (
+    SHAPELESS_P,
     EffectFound,
     Unexplained,
     Withheld,
@@ -35,12 +37,16 @@ from tumble.calibrations.tracing.findings import (
 )
 from tumble.calibrations.tracing.judged import Judged, judged
 from tumble.calibrations.tracing.noise import NoiseModel
-from tumble.calibrations.tracing.trace import Trace
+from tumble.calibrations.tracing.trace import Trace, penalised_deviance
 from tumble.messages import Message
 
 FEWEST_VIBRATED: Final = 2
-_RELINEARISED: Final = 3
-"""How often a table is traced again with its nonlinear effects linearised where they were found."""
+_RELINEARISED: Final = 5
+"""How often a table is traced at most, its nonlinear effects linearised each time where they were found."""
+_LOST: Final = 9.0
+"""Rise of -2 ln L from the secant of a nonlinear effect to the effect in full from which on it is none."""
+_FORCED: Final = 8.0
+"""By so much two names may be ahead of one course without a name in -2 ln L, penalties counted, and be forced on it."""
 _MOVED: Final = 0.02
 """Relative change of a point from which on that is worth it."""
 
@@ -125,8 +131,10 @@ def _declared(
 ) -> VibrationDeclared:
     used = observations.without(tuple(gross))
     table = vibration_table(used, observations, reference_temperature_degc)
-    fit = fit_vibration(table, _nothing(table))
-    return VibrationDeclared(observations=used, table=table, fit=fit, model=declared_model(table, fit, _nothing(table)))
+    fit = fit_vibration(table, nothing_found(table))
+    return VibrationDeclared(
+        observations=used, table=table, fit=fit, model=declared_model(table, fit, nothing_found(table))
+    )
 
 
 def _check(observations: VibrationObservations) -> None:
@@ -155,9 +163,8 @@ def close_vibration_loop(
     before = declared_fit(observations, reference_temperature_degc)
     explained = explained_rows(before.table)
     gross = [each for each in before.observations.set_aside if each not in observations.set_aside]
-    left = still_gross(observations, gross, explained) if gross else gross
-    if len(left) < len(gross):
-        before = _declared(observations, left, reference_temperature_degc)
+    if gross and (fewer := _fewer(observations, gross, explained, reference_temperature_degc)) is not None:
+        before = _declared(observations, fewer, reference_temperature_degc)
         explained = explained_rows(before.table)
     setting = settings(before.table.scene)
     return VibrationLoop(
@@ -168,21 +175,83 @@ def close_vibration_loop(
     )
 
 
+def _fewer(
+    observations: VibrationObservations,
+    gross: Sequence[SetAside],
+    explained: Explained[VibrationTable, VibrationFit],
+    reference_temperature_degc: float,
+) -> tuple[SetAside, ...] | None:
+    """The gross errors that are left by what was found without them, or with all of them; None where all are left.
+
+    What was found without them may explain them; or they are what shows an effect in the first place.
+    """
+    left = still_gross(observations, gross, explained)
+    if len(left) == len(gross) > 1:
+        everything = explained_rows(vibration_table(observations, observations, reference_temperature_degc))
+        left = still_gross(observations, gross, everything)
+    return left if len(left) < len(gross) else None
+
+
 def asked_next(loop: VibrationLoop) -> VibrationLoop:
     """The same with what to measure next, of all programmes that come along."""
     return replace(loop, experiments=next_experiments(loop.explained))
 
 
 def explained_rows(table: VibrationTable) -> Explained[VibrationTable, VibrationFit]:
-    """What a table is traced to, nonlinear effects linearised where they came to lie beside everything else."""
+    """What a table is traced to; structure without a name where several names would stand for one course of the level.
+
+    Of a few levels of one drive any two effects that follow the level alone make up almost any course of it: where one
+    without a name explains about as much, the names are forced upon it. And where effects fell that stood for
+    something, it is looked for once more without them.
+    """
+    named = _explained(table)
+    forced = tuple(str(name) for name in named.trace.names if name in OF_THE_LEVEL)
+    fallen = tuple(each.name for each in named.judged.withheld if not each.unnamed)
+    if len(forced) < 2 and not (fallen and _differs(named)):
+        return named
+    unnamed = _explained(table.without(*(OF_THE_LEVEL if len(forced) > 1 else fallen)))
+    if len(forced) < 2:
+        return unnamed if unnamed.trace.components else named
+    courses = [each for each in unnamed.trace.components if each.depends_on == "amplitude"]
+    near = penalised_deviance(unnamed.trace) < penalised_deviance(named.trace) + _FORCED
+    return unnamed if courses and near else named
+
+
+def _differs(named: Explained[VibrationTable, VibrationFit]) -> bool:
+    """Whether settings differ in no shape beyond everything that was found: what fell stood for something."""
+    return not named.trace.components and named.judged.lack.alike < SHAPELESS_P
+
+
+def _explained(table: VibrationTable) -> Explained[VibrationTable, VibrationFit]:
+    """What a table is traced to, nonlinear effects linearised where they came to lie beside everything else.
+
+    One that only its secant with a size of its own explains, and not the effect in full, is not looked for any more.
+    """
     for _ in range(_RELINEARISED):
         found = judged(table)
         fit = fit_vibration(found.tracer.table, found.trace)
         moved = _relinearised(table, found, fit)
-        if moved is None:
+        if moved is not None:
+            table = moved
+        elif name := _contradicted(found, fit):
+            table = table.without(name)
+        else:
             break
-        table = moved
     return Explained(judged=found, best=fit)
+
+
+def _contradicted(found: Judged[VibrationTable], fit: VibrationFit) -> str:
+    """The nonlinear effect that in full explains the rows worse than its secant does; empty where none does."""
+    linear = found.tracer.table.fit(found.trace.forms, found.trace.noise)
+    own = {name: point.value for name, point in points_of(fit).items()}
+    lost = found.tracer.table.rows * float(np.log(fit.squares / linear.squares))
+    if not own or lost < _LOST:
+        return ""
+    by_secant = {
+        str(item.effect.name): float(linear.theta[linear.parameters :][place.start])
+        for item, place in zip(fit.found, fit.columns, strict=True)
+    }
+    return max(own, key=lambda name: abs(by_secant[name] / own[name] - 1.0))
 
 
 def _relinearised(table: VibrationTable, found: Judged[VibrationTable], fit: VibrationFit) -> VibrationTable | None:
@@ -201,6 +270,6 @@ def _relinearised(table: VibrationTable, found: Judged[VibrationTable], fit: Vib
     return table.at(points) if far else None
 
 
-def _nothing(table: VibrationTable) -> Trace:
+def nothing_found(table: VibrationTable) -> Trace:
     """The declared model alone."""
     return Trace(found=(), noise=NoiseModel(), deviance=table.deviance((), NoiseModel()))

@@ -1,8 +1,8 @@
 """The second-order model of an accelerometer under vibration, and the names of its coefficients.
 
-Averaged over whole periods the output is that at rest in the same mounting plus `Σ K_xy m_xy` with the mean products of
-`products` (Chen and Dong; IEEE Std 1293-2018, vibration rectification coefficient K_ii in µg/g²). Internal parameters are
-the five coefficients, then the rest output of each mounting, which is a nuisance.
+Averaged over whole periods the output is that at rest in the same mounting plus `Σ K_xy m_xy` with the mean products
+of `products` (Chen and Dong; IEEE Std 1293-2018, vibration rectification coefficient K_ii in µg/g²). Internal
+parameters are the five coefficients, then the rest output of each mounting, which is a nuisance.
 """
 
 from typing import Final
@@ -36,8 +36,8 @@ def rest_levels(rows: VibrationObservations) -> NDArray[np.int64]:
 def functions(rows: VibrationObservations, levels: int | None = None) -> FloatArray:
     """Functions of the declared model, shape (rows, 5 + rest outputs); with room for so many `levels` where given.
 
-    The static products of gravity belong to the coefficients too: on a turntable that is tilted they differ between rest
-    and turning.
+    The static products of gravity belong to the coefficients too: on a turntable that is tilted they differ between
+    rest and turning.
     """
     number = rest_levels(rows)
     count = int(number.max(initial=0)) + 1 if levels is None else levels

@@ -47,8 +47,8 @@ def _remarked(table: VibrationTable, parameter: Parameter) -> Parameter:
     return replace(
         parameter,
         remark=Message(
-            "with the drive in one direction of the unit alone, sideways motion of the shaker and a lean of its table are "
-            "part of it; turn the unit by 180° about its input axis, and reverse that axis"
+            "with the drive in one direction of the unit alone, sideways motion of the shaker and a lean of its table "
+            "are part of it; turn the unit by 180° about its input axis, and reverse that axis"
         ),
     )
 

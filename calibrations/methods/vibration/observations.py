@@ -29,7 +29,8 @@ class VibrationObservations(Rows):
     """One row a dwell, at rest or under vibration; None where the table does not say.
 
     Sines are A = a sin(2π f t + phase) with t from the start of the dwell. Mean products over whole periods stand in
-    their place where the vibration is no sine, or beside them where samples say more than the fundamental. All g have tumble's sign: the projection of gravity.
+    their place where the vibration is no sine, or beside them where samples say more than the fundamental. All g have
+    tumble's sign: the projection of gravity.
     """
 
     settings: ClassVar = ("output_ug",)

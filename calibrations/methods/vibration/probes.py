@@ -1,6 +1,6 @@
 """Probes: dwells in mountings, phases, senses and kinds of vibration that a table may not have seen."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Final
 
@@ -8,6 +8,7 @@ import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.joining import appended
+from tumble.calibrations.methods.vibration.effects.stand import STANDARD_GRAVITY_M_S2
 from tumble.calibrations.methods.vibration.observations import (
     AXES,
     DOUBLE_CENTRIFUGE,
@@ -22,6 +23,8 @@ STEP_S: Final = 75.0
 _MOUNTING_S: Final = 300.0
 _LEVELS_G: Final = (2.0, 4.0, 6.0, 8.0, 10.0)
 _OCTAVES: Final = (40.0, 80.0, 160.0, 320.0)
+_ARM_M: Final = 0.5
+"""Radius of the double centrifuge."""
 _RATES_HZ: Final = (1.0, -2.0, 4.0, -8.0)
 _HALF: Final = float(np.sqrt(0.5))
 
@@ -32,7 +35,7 @@ class Shake:
 
     level_g: float = 0.0
     peak_g: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    frequency_hz: float = 0.0
+    frequency_hz: tuple[float, float, float] = (0.0, 0.0, 0.0)
     phase_deg: tuple[float, float, float] = (0.0, 0.0, 0.0)
     main_rad_s: float = 0.0
     sub_rad_s: float = 0.0
@@ -136,9 +139,7 @@ def _columns(listed: Sequence[tuple[Mounting, Shake]]) -> dict[str, Any]:
             columns[f"{name}_{axis}"] = np.array([getattr(each, name)[place] for each, _ in listed])
         columns[f"g{axis}_g"] = np.array([each.gravity_g[place] for each, _ in listed])
         columns[f"a{axis}_g"] = np.array([0.0 if shake.random else shake.peak_g[place] for _, shake in listed])
-        columns[f"f{axis}_hz"] = np.array(
-            [shake.frequency_hz if shake.peak_g[place] and not shake.random else 0.0 for _, shake in listed]
-        )
+        columns[f"f{axis}_hz"] = np.array([0.0 if shake.random else shake.frequency_hz[place] for _, shake in listed])
         columns[f"phase_{axis}_deg"] = np.array([shake.phase_deg[place] for _, shake in listed])
     for name in ("level_g", "main_rad_s", "sub_rad_s"):
         columns[name] = np.array([getattr(shake, name) for _, shake in listed])
@@ -158,10 +159,11 @@ def _along(drive: tuple[float, float, float], level_g: float, frequency_hz: floa
     """A sine along a direction of the unit."""
     i, o, p = (abs(part) * level_g for part in drive)
     phase_i, phase_o, phase_p = (180.0 if part < 0 else 0.0 for part in drive)
-    return Shake(level_g=level_g, peak_g=(i, o, p), frequency_hz=frequency_hz, phase_deg=(phase_i, phase_o, phase_p))
+    moved = _of_axes({place: frequency_hz for place in range(3) if drive[place]})
+    return Shake(level_g=level_g, peak_g=(i, o, p), frequency_hz=moved, phase_deg=(phase_i, phase_o, phase_p))
 
 
-def _shaken(
+def shaken(
     drive: tuple[float, float, float],
     lateral: tuple[float, float, float],
     gravity_g: tuple[float, float, float] = (0.0, 1.0, 0.0),
@@ -195,26 +197,22 @@ def _random_beside() -> Mounting:
 
 def _upside(input_up: float) -> Mounting:
     """The input axis along gravity, and against it."""
-    return _shaken(_I, _O, (input_up, 0.0, 0.0))
+    return shaken(_I, _O, (input_up, 0.0, 0.0))
 
 
-def _circle(up: int) -> Mounting:
+def circle(up: int) -> Mounting:
     """A double centrifuge with one axis up, in both senses."""
     turning = [place for place in range(3) if place != up]
     shakes = []
     for level in (1.0, 2.0, 3.0):
         for rate_hz in _RATES_HZ:
-            peak, phase = [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]
-            for place in turning:
-                peak[place] = level
-            phase[turning[1]] = -90.0 * float(np.sign(rate_hz))
             shakes.append(
                 Shake(
                     level_g=level,
-                    peak_g=(peak[0], peak[1], peak[2]),
-                    frequency_hz=abs(rate_hz),
-                    phase_deg=(phase[0], phase[1], phase[2]),
-                    main_rad_s=float(np.sqrt(level * 9.80665 / 0.5)),
+                    peak_g=_of_axes(dict.fromkeys(turning, level)),
+                    frequency_hz=_of_axes(dict.fromkeys(turning, abs(rate_hz))),
+                    phase_deg=_of_axes({turning[1]: -90.0 * float(np.sign(rate_hz))}),
+                    main_rad_s=float(np.sqrt(level * STANDARD_GRAVITY_M_S2 / _ARM_M)),
                     sub_rad_s=2.0 * np.pi * rate_hz,
                 )
             )
@@ -222,33 +220,40 @@ def _circle(up: int) -> Mounting:
     return Mounting(apparatus=DOUBLE_CENTRIFUGE, gravity_g=gravity, shakes=tuple(shakes))
 
 
-def _phases() -> Mounting:
-    shakes = []
-    for place in range(12):
-        across = 1 + place // 6
-        peak, phase = [5.0, 0.0, 0.0], [0.0, 0.0, 0.0]
-        peak[across], phase[across] = 5.0, 60.0 * (place % 6)
-        shakes.append(
+def phased(frequencies_hz: tuple[float, float, float] = (80.0, 80.0, 80.0)) -> Mounting:
+    """Three shakers: each alone, then the second and the third beside the first in six phases."""
+    alone = [(place,) for place in range(3)]
+    pairs = [(0, across) for across in (1, 2) for _ in range(6)]
+    return Mounting(
+        apparatus=MULTI_SHAKER,
+        shakes=tuple(
             Shake(
-                level_g=5.0,
-                peak_g=(peak[0], peak[1], peak[2]),
-                frequency_hz=80.0,
-                phase_deg=(phase[0], phase[1], phase[2]),
+                level_g=level,
+                peak_g=_of_axes({axis: level for axis in axes}),
+                frequency_hz=_of_axes({axis: frequencies_hz[axis] for axis in axes}),
+                phase_deg=_of_axes({axes[-1]: 60.0 * (number % 6)}),
             )
-        )
-    return Mounting(apparatus=MULTI_SHAKER, shakes=tuple(shakes))
+            for number, axes in enumerate([*alone, *pairs])
+            for level in ((3.0, 6.0) if len(axes) == 1 else (5.0,))
+        ),
+    )
+
+
+def _of_axes(values: Mapping[int, float]) -> tuple[float, float, float]:
+    """A value for each of some axes, 0 for the others."""
+    return values.get(0, 0.0), values.get(1, 0.0), values.get(2, 0.0)
 
 
 PROBES: Final = (
     VibrationProbe(
         programme="vibration-turned",
         does=Message("turns the unit by 180° about its input axis, so that sideways motion changes its sign"),
-        mountings=(_shaken(_I, (0.0, -1.0, 0.0), (0.0, -1.0, 0.0)), _shaken(_I, _P, (0.0, 0.0, 1.0))),
+        mountings=(shaken(_I, (0.0, -1.0, 0.0), (0.0, -1.0, 0.0)), shaken(_I, _P, (0.0, 0.0, 1.0))),
     ),
     VibrationProbe(
         programme="vibration-reversed",
         does=Message("reverses the input axis, so that what the table does changes its sign"),
-        mountings=(_shaken((-1.0, 0.0, 0.0), _O),),
+        mountings=(shaken((-1.0, 0.0, 0.0), _O),),
     ),
     VibrationProbe(
         programme="vibration-frequencies",
@@ -269,22 +274,22 @@ PROBES: Final = (
         programme="vibration-fixtures",
         does=Message("drives along i, o, p and, in fixtures of 45°, along io and ip"),
         mountings=(
-            _shaken(_I, _O),
-            _shaken(_O, _I, (0.0, 0.0, 1.0)),
-            _shaken(_P, _I),
-            _shaken((_HALF, _HALF, 0.0), (_HALF, -_HALF, 0.0), (0.0, 0.0, 1.0)),
-            _shaken((_HALF, 0.0, _HALF), (_HALF, 0.0, -_HALF)),
+            shaken(_I, _O),
+            shaken(_O, _I, (0.0, 0.0, 1.0)),
+            shaken(_P, _I),
+            shaken((_HALF, _HALF, 0.0), (_HALF, -_HALF, 0.0), (0.0, 0.0, 1.0)),
+            shaken((_HALF, 0.0, _HALF), (_HALF, 0.0, -_HALF)),
         ),
     ),
     VibrationProbe(
         programme="vibration-centrifuge",
         does=Message("turns in both senses, with each axis up in turn"),
-        mountings=tuple(_circle(up) for up in (1, 0, 2)),
+        mountings=tuple(circle(up) for up in (1, 0, 2)),
     ),
     VibrationProbe(
         programme="vibration-phases",
         does=Message("varies the phase between two shakers of one frequency"),
-        mountings=(_phases(),),
+        mountings=(phased(),),
     ),
 )
 """Programmes that come along with the stand; each a run of its own."""

@@ -29,7 +29,7 @@ class ProfileRows(Rows):
 
 @dataclass(frozen=True, kw_only=True)
 class Profile:
-    """A one-sided power spectral density, straight between its break points in both logarithms (MIL-STD-810H, 514.8)."""
+    """A one-sided power spectral density, straight between break points in both logarithms (MIL-STD-810H, 514.8)."""
 
     name: str
     f_hz: FloatArray
@@ -83,7 +83,7 @@ def read_profile(path: Path) -> Profile:
     if not ascending or rows.f_hz[0] <= 0 or np.any(rows.g_g2_hz <= 0):
         raise TableError(
             Message(
-                "{path}: the break points of a spectrum are two rows at least, with f_Hz ascending and both columns above 0",
+                "{path}: the break points of a spectrum are two rows at least, f_Hz ascending and both columns above 0",
                 path=path,
             )
         )

@@ -111,7 +111,7 @@ class VibrationScene:
 
 
 def mean_square(rows: VibrationObservations) -> FloatArray:
-    """Mean square of the drive, in g²: half the square of the level of a sine, the sum of the squares of what is random."""
+    """Mean square of the drive, in g²: half the square of the level of a sine, the sum of squares of random ones."""
     random = mean_products(rows)[:, :3].sum(axis=1)
     return np.asarray(np.where(rows.random, random, 0.5 * rows.level**2))
 

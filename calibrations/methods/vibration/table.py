@@ -20,11 +20,14 @@ from tumble.calibrations.methods.vibration.weights import row_weights
 from tumble.calibrations.tracing.components import Axis
 from tumble.calibrations.tracing.declared import Linear
 from tumble.calibrations.tracing.effect import Variable
+from tumble.calibrations.tracing.noise import Memory
 from tumble.calibrations.tracing.table import Extensible, View, memory_of
 
 _GRAIN: Final = 2
 """Decimals of products and levels by which settings are told apart, in g² and g."""
 
+_MODES: Final = 0.6
+"""Cosines over the run for each row: the rest outputs of the mountings take the slowest ones of a wandering."""
 _REFINED: Final = 3
 _BETWEEN: Final = 9
 """Values of an effect that is not linear, between the neighbours of the best one so far."""
@@ -65,7 +68,11 @@ class VibrationTable(Extensible):
 
     def at(self, points: Mapping[str, Point]) -> "VibrationTable":
         """The same with effects that are not linear linearised elsewhere."""
-        return traceable(replace(self.scene, points=points))
+        return replace(traceable(replace(self.scene, points=points)), effects=self.effects)
+
+    def without(self, *names: str) -> "VibrationTable":
+        """The same in which some effects are not looked for."""
+        return replace(self, effects=tuple(effect for effect in self.effects if str(effect.name) not in names))
 
     def with_room(self, mountings: int) -> "VibrationTable":
         """The same with room for so many mountings more, of which it has no row."""
@@ -94,8 +101,19 @@ def traceable(scene: VibrationScene) -> VibrationTable:
         effects=VIBRATION_EFFECTS,
         structures=(),
         axes=unnamed(scene),
-        memory=memory_of(VIBRATION_EFFECTS, scene, weights),
+        memory=_memory(scene, weights),
     )
+
+
+def _memory(scene: VibrationScene, weights: FloatArray) -> Memory:
+    """Along what noise may be correlated, without what the rest outputs of the mountings follow of a slow wandering.
+
+    Of that no row shows anything; left in, its determinant would count against a walk as if it had been seen.
+    """
+    memory = memory_of(VIBRATION_EFFECTS, scene, weights, _MODES)
+    at_rest = functions(scene.observations)[:, COEFFICIENTS:] * np.sqrt(weights)[:, None]
+    span = np.linalg.qr(at_rest)[0]
+    return replace(memory, modes=memory.modes - span @ (span.T @ memory.modes))
 
 
 def vibration_table(
@@ -108,7 +126,7 @@ def vibration_table(
 
 
 def points_beside(table: VibrationTable, columns: Sequence[FloatArray]) -> dict[str, Point]:
-    """Where each effect that is not linear fits best as the only one beside columns, of those that the rows can show."""
+    """Where each effect that is not linear fits best as the only one beside columns, if the rows can show it."""
     return {
         curved.name: point for curved in CURVED.values() if (point := best_point(table, curved, columns)) is not None
     }

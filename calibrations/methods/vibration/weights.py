@@ -17,9 +17,9 @@ _OWN: Final = 2.0
 def row_weights(rows: VibrationObservations) -> FloatArray:
     """Relative weight of each row, shape (rows,), their geometric mean 1.
 
-    A stated uncertainty is an estimate too, by the scatter of one dwell: as it stands it costs efficiency (6% of variance
-    where it scatters by 12%). So it is pooled over the dwells of a condition, rest or kind of vibration and level, and
-    over all of these where they agree.
+    A stated uncertainty is an estimate too, by the scatter of one dwell: as it stands it costs efficiency (6% of
+    variance where it scatters by 12%). So it is pooled over the dwells of a condition, rest or kind of vibration and
+    level, and over all of these where they agree.
     """
     said = rows.output_u_ug
     if said is None or not np.all(np.isfinite(said) & (said > 0.0)):

@@ -29,12 +29,14 @@ def steps(along: Along) -> Iterator[Shape]:
         finer = np.unique(np.concatenate([coordinate.nearby(float(places[end])) for end in ends]))
         gained, ends = _steps(along, finer)[number]
         between = coordinate.between(finer[list(ends)])
+        if not (shown := float(square @ between)) > 0.0:
+            continue  # the channel adds nothing there
         at, column = coordinate.on_the_shorter_arc(finer[list(ends)], between)
         yield Shape(
             name=named(word, at.tolist()),
             described=_said(*(along.shown(part) for part in at.tolist())),
             columns=partial(sides, [column[:, None]], 0),
-            gained=(gained[0], gained[1] * float(square @ column) / float(square @ between)),
+            gained=(gained[0], gained[1] * float(square @ column) / shown),
             tried=len(places) ** ends_of_it // ends_of_it,
         )
 

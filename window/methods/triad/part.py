@@ -2,12 +2,12 @@
 
 from typing import Final
 
+from tumble.window.generic.drawn import present
+from tumble.window.generic.figure_list import FigureList
 from tumble.window.generic.section_list import section_tabs
 from tumble.window.look.language import tr
 from tumble.window.method import Tabs, WindowPart
-from tumble.window.methods.triad.figure_list import FigureList
 from tumble.window.methods.triad.pose_overview import PoseOverview
-from tumble.window.methods.triad.presenting import present
 from tumble.window.parts import ResultTab
 
 

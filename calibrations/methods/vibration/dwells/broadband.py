@@ -1,4 +1,4 @@
-"""Dwells under random vibration: mean squares, covariance, and how far a stretch of that length is from its spectrum."""
+"""Dwells under random vibration: mean squares, covariance, and how far they are from those of the spectrum."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -32,8 +32,8 @@ class BroadbandFit:
 def fit_broadband(samples: Samples, noise: Sequence[float]) -> BroadbandFit:
     """Reduce a dwell; `noise` is the variance of each reference at rest.
 
-    The output follows the references sample by sample; what their mean over the dwell adds is taken off, because a motion
-    that is bounded has no mean acceleration and that of a stretch is an accident.
+    The output follows the references sample by sample; what their mean over the dwell adds is taken off, because a
+    motion that is bounded has no mean acceleration and that of a stretch is an accident.
     """
     centred = [each - each.mean() for each in samples.references_g]
     columns = np.column_stack([np.ones(len(samples.time_s)), *centred])

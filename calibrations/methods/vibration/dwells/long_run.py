@@ -14,8 +14,8 @@ def widening(residual: FloatArray) -> float:
     """By how much the autocorrelation of residuals widens the uncertainty of their mean; 1 where they are white.
 
     Root of the spectral density at zero frequency over the variance, by an autoregression whose order is that of the
-    lowest Bayesian information criterion (Priestley, Spectral Analysis and Time Series, 7.8): for white residuals that is
-    no order at all. Noise that falls towards zero frequency narrows nothing.
+    lowest Bayesian information criterion (Priestley, Spectral Analysis and Time Series, 7.8): for white residuals that
+    is no order at all. Noise that falls towards zero frequency narrows nothing.
     """
     count = len(residual)
     covariances = _autocovariances(residual - residual.mean(), min(_MOST_ORDER, count // 10))

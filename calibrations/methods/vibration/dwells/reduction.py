@@ -41,7 +41,7 @@ class MeanProducts:
     oo_g2: float | None = None
     io_g2: float | None = None
     ii_uncertainty_g2: float | None = None
-    """Standard; of random vibration, how far the mean square of a stretch of that length is from that of its spectrum."""
+    """Standard; of random vibration, how far the mean square of such a stretch is from that of its spectrum."""
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -32,7 +32,7 @@ def refused(time_s: FloatArray, fit: DwellFit, channels: dict[str, FloatArray]) 
     if not clipped:
         return ""
     return Message(
-        "clipping: the wave of {channel} is flat at its peak, and so is its mean; take a lower level, or a larger range",
+        "clipping: the wave of {channel} is cut at its peak, and its mean with it; lower the level or widen the range",
         channel=clipped[0],
     )
 

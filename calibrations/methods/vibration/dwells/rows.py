@@ -16,8 +16,8 @@ _GAP_S: Final = 15.0
 def rows_of(reduction: Reduction, mounting: int = 1) -> VibrationObservations:
     """One row for each dwell that has a mean, in a shaker along the input axis.
 
-    Mean products stand beside the sines, since they take harmonics and what else was there with them; amplitude, frequency
-    and phase are those of the fundamental. What samples do not say (gravity, directions) is to be added.
+    Mean products stand beside the sines, since they take harmonics and what else was there with them; amplitude,
+    frequency and phase are those of the fundamental. What samples do not say (gravity, directions) is to be added.
     """
     dwells = [each for each in reduction.dwells if each.mean.value_ug is not None]
     count = len(dwells)

@@ -97,9 +97,13 @@ def read_samples(path: Path) -> SampledDwells:
     numbers = list(dict.fromkeys(rows.dwell.tolist()))
     dwells = tuple(_dwell(rows.over(np.flatnonzero(rows.dwell == number)), path) for number in numbers)
     missing = len(rows.set_aside)
-    told = [Message.counted("{path}: {count} sample holds no output and is left out",
-                            "{path}: {count} samples hold no output and are left out", count=missing, path=path)]  # fmt: skip
-    return SampledDwells(dwells=dwells, source=str(path), warnings=(*rows.warnings, *(told if missing else ())))
+    told = Message.counted(
+        "{path}: {count} sample holds no output and is left out",
+        "{path}: {count} samples hold no output and are left out",
+        count=missing,
+        path=path,
+    )
+    return SampledDwells(dwells=dwells, source=str(path), warnings=(*rows.warnings, *([told] if missing else ())))
 
 
 def _dwell(rows: SampleRows, path: Path) -> Samples:

@@ -1,8 +1,8 @@
 """Offset, harmonics and frequency of a dwell, fitted together to all of its channels.
 
-A least-squares fit with several harmonics is free of what a cut period does to a plain mean, of missing samples and of a
-drive that is off its nominal frequency (IEEE Std 1057-2017, 4.7: four-parameter fit, here for several harmonics and for
-channels that share the frequency).
+A least-squares fit with several harmonics is free of what a cut period does to a plain mean, of missing samples and of
+a drive that is off its nominal frequency (IEEE Std 1057-2017, 4.7: four-parameter fit, here for several harmonics and
+for channels that share the frequency).
 """
 
 from collections.abc import Sequence
@@ -81,8 +81,8 @@ def _columns(away_s: FloatArray, frequency_hz: float, harmonics: int) -> FloatAr
 
 def _solved(columns: FloatArray, channel: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Coefficients and residual; by normal equations, which are well conditioned for waves."""
-    coefficients = np.linalg.lstsq(columns.T @ columns, columns.T @ channel, rcond=1e-12)[0]
-    return coefficients, channel - columns @ coefficients
+    coefficients: FloatArray = np.linalg.lstsq(columns.T @ columns, columns.T @ channel, rcond=1e-12)[0].astype(float)
+    return coefficients, np.asarray(channel - columns @ coefficients)
 
 
 def _nearest(away_s: FloatArray, channel: FloatArray, nominal_hz: float) -> float:
@@ -119,7 +119,8 @@ def _refined(away_s: FloatArray, channels: Sequence[FloatArray], counts: Sequenc
             float(np.sum(_solved(_columns(away_s, trial_hz, count), each)[1] ** 2))
             for each, count in zip(channels, counts, strict=True)
         )
-        return sum(len(away_s) * np.log(square / scale + 1e-30) for square, scale in zip(squares, noise, strict=True))
+        logarithms = [np.log(square / scale + 1e-30) for square, scale in zip(squares, noise, strict=True)]
+        return len(away_s) * float(np.sum(logarithms))
 
     best = golden_section(left, start_hz - span_hz, start_hz + span_hz, steps=16)
     for _ in range(2):  # Gauss and Newton from there

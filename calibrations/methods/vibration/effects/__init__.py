@@ -8,3 +8,5 @@ from tumble.calibrations.methods.vibration.scene import VibrationScene
 from tumble.calibrations.tracing.effect import Effect
 
 VIBRATION_EFFECTS: Final[tuple[Effect[VibrationScene], ...]] = (*UNIT_EFFECTS, *STAND_EFFECTS)
+OF_THE_LEVEL: Final = ("k_iiii", "clipping", "drive_pickup")
+"""Effects that follow nothing but the level of the vibration, as long as its direction in the unit is one."""

@@ -1,6 +1,7 @@
 """On what structure without a name may depend in a table of vibrated dwells: channels, and variables for each."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Final
 
 import numpy as np
@@ -17,20 +18,28 @@ _OCTAVE: Final = 2.0
 
 def unnamed(scene: VibrationScene) -> tuple[Axis, ...]:
     """Everything along which a table could show structure without a name."""
-    drive = tuple(_of_the_drive(scene))
+    level, frequency = _level(scene), _frequency(scene)
     slow = (*_of_the_time(scene), *_of_the_warmth(scene))
     offset = Channel(word="offset", gain=np.ones(scene.rows), phrase=Message("an offset of the output"), unit="µg")
+    moved = replace(
+        offset, gain=(scene.power_g2 > 0.0).astype(float), phrase=Message("an offset under vibration"), detail="moved"
+    )
     response = Channel(
         word="scale",
         gain=scene.products_g2[:, 0],
         phrase=Message("a change of the rectification along the input axis"),
         unit="µg/g²",
     )
-    return axes((offset, (*drive, *slow)), (response, (*drive[1:], *slow)), expected=(("offset", "time"),))
+    return axes(
+        (offset, (level, *slow)),
+        (moved, (level, frequency)),
+        (response, (frequency, *slow)),
+        expected=(("offset", "time"),),
+    )
 
 
-def _of_the_drive(scene: VibrationScene) -> Iterator[Coordinate]:
-    yield Coordinate(
+def _level(scene: VibrationScene) -> Coordinate:
+    return Coordinate(
         word="amplitude",
         depends_on="amplitude",
         values=scene.level_g,
@@ -41,7 +50,10 @@ def _of_the_drive(scene: VibrationScene) -> Iterator[Coordinate]:
         phrase=Message("that follows the level of the vibration"),
         unit="g",
     )
-    yield Coordinate(
+
+
+def _frequency(scene: VibrationScene) -> Coordinate:
+    return Coordinate(
         word="frequency",
         depends_on="frequency",
         values=_octaves(scene.frequency_hz),
@@ -54,10 +66,10 @@ def _of_the_drive(scene: VibrationScene) -> Iterator[Coordinate]:
 
 
 def _octaves(frequency_hz: FloatArray) -> FloatArray:
-    """Above 1 Hz; rest lies an octave below the lowest frequency."""
+    """Above 1 Hz; of dwells without a frequency, which the channels leave out, those of the lowest one."""
     moved = frequency_hz > 0.0
     lowest = float(frequency_hz[moved].min()) if moved.any() else 1.0
-    return np.asarray(np.log2(np.where(moved, frequency_hz, lowest / _OCTAVE)))
+    return np.asarray(np.log2(np.where(moved, frequency_hz, lowest)))
 
 
 def _of_the_time(scene: VibrationScene) -> Iterator[Coordinate]:

@@ -1,4 +1,4 @@
-"""A result of a triad as the screen Result shows it, its figures drawn where that keeps nobody waiting."""
+"""A result with its figures, drawn where that keeps nobody waiting."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -20,7 +20,7 @@ class Drawn:
 
 
 @dataclass(frozen=True, kw_only=True)
-class TriadPresentation(SectionPresentation):
+class DrawnPresentation(SectionPresentation):
     """What the tab Pictures shows beside."""
 
     figures: Sequence[Drawn]
@@ -28,15 +28,15 @@ class TriadPresentation(SectionPresentation):
 
 def figures_of(presentation: Presentation) -> Sequence[Drawn]:
     """The figures of a result that was presented here."""
-    assert isinstance(presentation, TriadPresentation), "a result is shown by the part that presented it"
+    assert isinstance(presentation, DrawnPresentation), "a result is shown by the part that presented it"
     return presentation.figures
 
 
-def present(concluded: Concluded) -> TriadPresentation:
+def present(concluded: Concluded) -> DrawnPresentation:
     """Work out what there is to show."""
     plain = present_sections(concluded)
     drawn = [_drawn(section) for section in plain.sections if section.figure]
-    return TriadPresentation(**vars(plain), figures=tuple(drawn))
+    return DrawnPresentation(**vars(plain), figures=tuple(drawn))
 
 
 def _drawn(section: Section) -> Drawn:

@@ -4,9 +4,9 @@ from PySide6.QtCore import QByteArray, QSize
 from PySide6.QtSvgWidgets import QSvgWidget
 from PySide6.QtWidgets import QLabel, QScrollArea, QVBoxLayout, QWidget
 
+from tumble.window.generic.drawn import Drawn, figures_of
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
-from tumble.window.methods.triad.presenting import Drawn, figures_of
 from tumble.window.work.presentation import Presentation
 
 _WIDTH = 760
