@@ -2,13 +2,16 @@
 
 import json
 from importlib.resources import files
+from pathlib import Path
 
 import numpy as np
 import pytest
 from app_jobs import tumble
 
 from tumble.app.measurements import read_measurement
+from tumble.app.stand import read_stand
 
+EXAMPLE = Path(__file__).parents[2] / "docs" / "examples" / "shaker.toml"
 TRUE = {"k_ii": 22.0, "k_oo": -6.0, "k_pp": 9.0, "k_io": 14.0, "k_ip": -8.0}
 SHORT = 'method = "vibration"\nname = "p"\ndwell_s = 1.0\nsettle_s = 0.1\n\n[[procedure]]\n'
 CENTRIFUGE = 'kind = "centrifuge"\nmountings = [{ x = "i", y = "p", down = "o" }]\n'
@@ -133,3 +136,8 @@ def test_a_limit_of_the_stand_is_told_before_anything_shakes(folder):
     ran = tumble("plan", programme(folder, "levels_g = [25.0]\nfrequencies_Hz = [80]"))
     assert ran.status == 2
     assert "needs sine 25 g 80 Hz, and the exciter may not do 25 g, only 20 g" in ran.err
+
+
+def test_the_example_of_a_stand_can_be_read():
+    file = read_stand(EXAMPLE).file
+    assert (file.most, file.positioners) == ({"reference_x_v": pytest.approx(1.5)}, {})

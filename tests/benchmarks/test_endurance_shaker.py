@@ -12,7 +12,7 @@ posix = pytest.mark.skipif(os.name == "nt", reason="SIGKILL is POSIX's")
 
 
 @posix
-@pytest.mark.parametrize(("what", "number"), [("dwell", 1), ("ramp", 2)])
+@pytest.mark.parametrize(("what", "number"), [("ramp", 2)])
 def test_a_kill_loses_and_doubles_nothing(what, number, tmp_path):
     with in_process(tmp_path) as stand:
         whole = whole_run(stand, tmp_path / "whole.mcap")

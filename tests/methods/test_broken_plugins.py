@@ -76,7 +76,13 @@ def test_analysis_and_job_that_cannot_be_used_are_bad_input(installed, value):
 @pytest.mark.parametrize("value", BROKEN)
 def test_all_other_methods_are_found(installed, value, caplog):
     installed(f"broken = {value}")
-    assert [method.name for method in methods()] == ["dividing_head", "head_reference", "temperature", "triad", "vibration"]
+    assert [method.name for method in methods()] == [
+        "dividing_head",
+        "head_reference",
+        "temperature",
+        "triad",
+        "vibration",
+    ]
     assert [method.name for method in usable_methods()] == ["dividing_head", "triad", "vibration"]
     assert [record.message.split(" in ")[0] for record in caplog.records] == [
         "broken of tumble.methods",
@@ -111,7 +117,13 @@ def test_a_method_goes_by_the_name_of_its_entry_point(installed):
 
 def test_entry_points_that_cannot_be_parsed_stop_no_other_package(installed, caplog):
     installed("no sign of equality")
-    assert [method.name for method in methods()] == ["dividing_head", "head_reference", "temperature", "triad", "vibration"]
+    assert [method.name for method in methods()] == [
+        "dividing_head",
+        "head_reference",
+        "temperature",
+        "triad",
+        "vibration",
+    ]
     assert caplog.records[0].message.startswith("the entry points of the package broken cannot be read")
 
 
