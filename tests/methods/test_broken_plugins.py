@@ -28,6 +28,8 @@ MODULES = {
 }
 GROUPS = ("tumble.methods", "tumble.procedures", "tumble.jobs", "tumble.window", "tumble.heads")
 
+METHODS = ["dividing_head", "head_reference", "temperature", "triad", "vibration"]
+
 
 @pytest.fixture(autouse=True)
 def forgotten():
