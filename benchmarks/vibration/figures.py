@@ -21,17 +21,13 @@ def main() -> None:
         phase = np.linspace(0.0, 2.0 * np.pi, 721)
         many = np.full(len(phase), long_s + 0.5 / 80.0)
         cut = partial_period_ug(np.full(len(phase), 10.0), phase, np.full(len(phase), 80.0), many)
-        print(f"10 g, 80 Hz, {long_s:g} s, half a period too long: the plain mean is off by up to {cut.max():.0f} µg")
+        print(f"10 g, 80 Hz, {long_s:g} s and half a period: the plain mean is off by up to {cut.max():.0f} µg")
     print(f"1 s under a Hann window: up to {hann_ug(10.0, 80.5, 1.0):.1f} µg")
     for ratio, power in ((2, 2), (3, 3), (4, 4)):
         low, high, truth = _few_phases(ratio, power)
-        print(
-            f"fs/f = {ratio}: mean of the power {power} of a unit sine between {low:.3f} and {high:.3f}, truly {truth:.3f}"
-        )
+        print(f"fs/f = {ratio}: mean of the power {power} of a sine {low:.3f} to {high:.3f}, truly {truth:.3f}")
     arm = float(arm_ug(np.array([10.0]), np.array([2.0 * np.pi * 8.0]))[0])
-    print(
-        f"double centrifuge, 8 Hz, 10 rad/s: {0.1 * arm / 1e3:.1f} mg for an arm of 0.1 mm; 10 µg for {1e4 / arm:.3f} µm"
-    )
+    print(f"double centrifuge, 8 Hz, 10 rad/s: {arm / 1e4:.1f} mg for 0.1 mm; 10 µg for {1e4 / arm:.3f} µm")
     for name, mountings in EXPERIMENTS.items():
         print(f"{name}: {told(mountings)}")
 

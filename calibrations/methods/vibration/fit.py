@@ -21,7 +21,13 @@ from tumble.calibrations.tracing.trace import Found, Trace
 from tumble.messages import Message
 
 _SEEN: Final = 1e-3
-"""A coefficient, or a sum, that shares more than this with directions that no row sees is not identifiable."""
+"""Directions of the coefficients weaker than this, in parts of the strongest, are not seen by any row."""
+_SHARED: Final = 0.05
+"""A coefficient, or a sum, that shares more than this with such directions is not identifiable.
+
+A drive that is not quite along an axis shares a little with the coefficients across: what it takes of them is their
+part of a motion that small.
+"""
 _ROUNDS: Final = 25
 _HALVINGS: Final = 8
 _STEP: Final = 1e-4
@@ -55,7 +61,7 @@ class VibrationFit(Quantified):
     def told(self, sum_of: Sequence[int]) -> bool:
         """Whether the rows tell a sum of coefficients."""
         share = self.directions[:, list(sum_of)].sum(axis=1) / np.sqrt(len(sum_of))
-        return bool(np.linalg.norm(share) < _SEEN)
+        return bool(np.linalg.norm(share) < _SHARED)
 
     @cached_property
     def sums(self) -> tuple[tuple[int, ...], ...]:

@@ -17,7 +17,7 @@ from tumble.calibrations.methods.vibration.fit import VibrationFit, fit_vibratio
 from tumble.calibrations.methods.vibration.gross import gross_errors
 from tumble.calibrations.methods.vibration.models import augmented, declared_model
 from tumble.calibrations.methods.vibration.observations import VibrationObservations
-from tumble.calibrations.methods.vibration.readmitted import still_gross
+from tumble.calibrations.methods.vibration.readmitted import still_gross, still_off
 from tumble.calibrations.methods.vibration.table import (
     VibrationTable,
     points_beside,
@@ -188,7 +188,7 @@ def _fewer(
     left = still_gross(observations, gross, explained)
     if len(left) == len(gross) > 1:
         everything = explained_rows(vibration_table(observations, observations, reference_temperature_degc))
-        left = still_gross(observations, gross, everything)
+        left = still_off(gross, everything)
     return left if len(left) < len(gross) else None
 
 

@@ -5,10 +5,9 @@ from typing import Final
 
 import numpy as np
 
-from tumble.calibrations.core.arrays import BoolArray, FloatArray
+from tumble.calibrations.core.arrays import BoolArray
 from tumble.calibrations.core.parameter import ModelFit, Parameter
 from tumble.calibrations.methods.vibration.fit import VibrationFit, fit_vibration
-from tumble.calibrations.methods.vibration.model import COEFFICIENTS
 from tumble.calibrations.methods.vibration.observations import SHAKER
 from tumble.calibrations.methods.vibration.table import VibrationTable
 from tumble.calibrations.tracing.explained import RIVALS_APART, Explained
@@ -93,11 +92,7 @@ def _unless_apart(so_far: Parameter, own: Parameter, other: Parameter | None, na
 
 
 def _parts(table: VibrationTable) -> list[BoolArray]:
-    """Parts of the rows, whole settings with all their repeats."""
-    setting = table.blocks("angle")
-    return [np.asarray(setting % _FOLDS == fold) for fold in range(_FOLDS)]
-
-
-def prediction_ug(table: VibrationTable, coefficients: FloatArray) -> FloatArray:
-    """What coefficients K_ii … K_ip rectify in each row, shape (rows,)."""
-    return np.asarray(table.scene.products_g2 @ coefficients[:COEFFICIENTS])
+    """Parts of the rows, whole settings with all their repeats; rests, which are all of one setting, in every part."""
+    rows = table.observations
+    number = np.where(rows.vibrated, table.blocks("angle"), np.arange(len(rows)))
+    return [np.asarray(number % _FOLDS == fold) for fold in range(_FOLDS)]

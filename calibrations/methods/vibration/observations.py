@@ -96,14 +96,14 @@ class VibrationObservations(Rows):
 
     @cached_property
     def random(self) -> BoolArray:
-        """Which rows state mean products and no sine, shape (rows,)."""
-        return np.asarray(self.stated & ~self.along("a", "_g").any(axis=1))
+        """Which rows state mean products and no sine, and are no rest, shape (rows,)."""
+        products = np.column_stack([self.filled(f"m{axis}{axis}_g2") for axis in AXES])
+        return np.asarray(self.stated & products.any(axis=1) & ~self.along("a", "_g").any(axis=1))
 
     @cached_property
     def vibrated(self) -> BoolArray:
         """Which rows are no rest, shape (rows,)."""
-        products = np.column_stack([self.filled(f"m{axis}{axis}_g2") for axis in AXES])
-        return np.asarray(self.along("a", "_g").any(axis=1) | (products.any(axis=1) & self.random))
+        return np.asarray(self.along("a", "_g").any(axis=1) | self.random)
 
     @property
     def level(self) -> FloatArray:

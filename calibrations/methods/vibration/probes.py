@@ -168,6 +168,7 @@ def shaken(
     lateral: tuple[float, float, float],
     gravity_g: tuple[float, float, float] = (0.0, 1.0, 0.0),
 ) -> Mounting:
+    """A shaker along a direction of the unit: every level twice, each time at another frequency."""
     shakes = tuple(_along(drive, level, _OCTAVES[place % len(_OCTAVES)]) for place, level in enumerate(2 * _LEVELS_G))
     return Mounting(drive=drive, lateral=lateral, gravity_g=gravity_g, shakes=shakes)
 
@@ -229,7 +230,7 @@ def phased(frequencies_hz: tuple[float, float, float] = (80.0, 80.0, 80.0)) -> M
         shakes=tuple(
             Shake(
                 level_g=level,
-                peak_g=_of_axes({axis: level for axis in axes}),
+                peak_g=_of_axes(dict.fromkeys(axes, level)),
                 frequency_hz=_of_axes({axis: frequencies_hz[axis] for axis in axes}),
                 phase_deg=_of_axes({axes[-1]: 60.0 * (number % 6)}),
             )

@@ -36,6 +36,15 @@ def still_gross(
     return tuple(each for each in gross if each.row not in readmitted)
 
 
+def still_off(gross: Sequence[SetAside], explained: Explained[VibrationTable, VibrationFit]) -> tuple[SetAside, ...]:
+    """Those of the dwells set aside that an explanation of all rows, them too, leaves as far off."""
+    table, fit = explained.table, explained.best
+    off = np.abs(fit.residual) * np.sqrt(table.weights) / fit.dwell
+    far = set(table.observations.row[off > gross_sigmas(table.rows)].tolist())
+    something = explained.trace.names or explained.trace.components
+    return tuple(each for each in gross if each.row in far or not something)
+
+
 def _explanations(explained: Explained[VibrationTable, VibrationFit]) -> Iterator[Trace]:
     """What was found and what it could be as well, as far as it says anything of other rows."""
     rivals = (rival.trace for found in explained.close.values() for rival in found)

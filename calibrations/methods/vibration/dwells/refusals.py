@@ -19,7 +19,7 @@ _FLAT: Final = 0.5
 _SURE: Final = 6.0
 """Standard deviations by which a top must be flatter."""
 _FEWEST: Final = 12
-"""Samples in a window."""
+"""Phases in a window."""
 _EQUAL: Final = 5
 """So many samples that are the extreme value exactly, of a wave that is nowhere else so often the same, are a limit."""
 
@@ -80,7 +80,7 @@ def _is_flat(time_s: FloatArray, frequency_hz: float, values: FloatArray) -> boo
 
 def _flat_within(away: FloatArray, values: FloatArray, amplitude: float, width_rad: float) -> bool:
     near = np.abs(away) < width_rad
-    if np.count_nonzero(near) < _FEWEST:
+    if len(np.unique(np.round(away[near], 3))) < _FEWEST:
         return False
     columns = np.column_stack([np.ones(np.count_nonzero(near)), away[near], away[near] ** 2 / 2.0])
     coefficients = np.linalg.lstsq(columns, values[near], rcond=None)[0]

@@ -19,10 +19,11 @@ from tumble.calibrations.tracing.effect import Form
 _KILO: Final = 1e3
 _PER_G: Final = 1e6
 """µg."""
-_RATIOS: Final = (0.01, 0.02, 0.04, 0.07, 0.1, 0.15, 0.2, 0.3, 0.45)
-_ABOVE: Final = (1.1, 1.25, 1.5, 2.0, 3.0, 4.5, 7.0, 12.0, 25.0)
+_RATIOS: Final = (0.005, 0.01, *(0.02 * np.arange(1, 31)).tolist())
+"""Of sideways motion, so close that the best of several minima is not passed over."""
+_ABOVE: Final = tuple(np.geomspace(1.05, 30.0, 30).tolist())
 """Resonances that are tried, in multiples of the highest frequency of a table."""
-_DEPTHS: Final = (1e-4, 3e-4, 1e-3, 3e-3, 0.01, 0.02, 0.04, 0.07, 0.12, 0.2, 0.3)
+_DEPTHS: Final = tuple(np.geomspace(5e-5, 0.35, 30).tolist())
 """Parts of the largest input by which a limit may lie below it."""
 
 
