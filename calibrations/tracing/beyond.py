@@ -5,13 +5,13 @@ has no name may have been taken for several that have one. After each the named 
 """
 
 from collections.abc import Iterator
-from dataclasses import replace
-from typing import Any, Final, TypeVar
+from dataclasses import dataclass, replace
+from typing import Any, Final, Generic, TypeVar
 
 from tumble.calibrations.tracing.family import Proposal
 from tumble.calibrations.tracing.fitting_noise import golden_section
 from tumble.calibrations.tracing.gains import seen_beside
-from tumble.calibrations.tracing.penalties import FALSE_ALARM, FOLLOWS_ANYTHING, NEAR, UNNAMED
+from tumble.calibrations.tracing.penalties import FOLLOWS_ANYTHING, NEAR, UNNAMED
 from tumble.calibrations.tracing.scan import Scan
 from tumble.calibrations.tracing.table import Table
 from tumble.calibrations.tracing.trace import Trace, Tracer, penalised_deviance, refined
@@ -27,24 +27,46 @@ _WORTH_A_LOOK: Final = 10.0
 _T = TypeVar("_T", bound=Table)
 
 
-def traced(tracer: Tracer[_T]) -> tuple[Tracer[_T], Trace]:
-    """What a table is traced to; with it the tracer in which that is at home."""
+@dataclass(frozen=True, kw_only=True)
+class Traced(Generic[_T]):
+    """What a table is traced to."""
+
+    tracer: Tracer[_T]
+    """In which that is at home."""
+    trace: Trace
+    nearly: tuple[Trace, ...] = ()
+    """What was held against it and explains nearly as much: other components, or names in the place of components."""
+
+
+def traced(tracer: Tracer[_T], scan: Scan) -> Traced[_T]:
+    """Trace a table to named effects, and to structure without a name where that explains more."""
     trace = tracer.trace()
     if tracer.table.not_traced or not tracer.table.axes:
-        return tracer, trace
-    scan = Scan(tracer.table.axes, FALSE_ALARM)
+        return Traced(tracer=tracer, trace=trace)
+    tried = [trace]
     for _ in range(MOST):
-        further = min(_with_one_more(tracer, scan, trace), key=_cost, default=trace)
-        if _cost(further) >= _cost(trace):
+        further = list(_with_one_more(tracer, scan, trace))
+        tried.extend(further)
+        best = min((trace, *further), key=_cost)
+        if best is trace:
             break
-        trace = further
-    return tracer.beside(trace.components), trace
+        trace = best
+    limit = _cost(trace) + NEAR
+    nearly = tuple(each for each in tried if each is not trace and _cost(each) < limit)
+    return Traced(tracer=tracer.beside(trace.components), trace=trace, nearly=nearly)
 
 
 def _cost(trace: Trace) -> float:
-    """Penalised deviance, more of it for what follows any slow course in time."""
+    """Penalised deviance, more of it for what follows any slow course in time, and for names beside a like structure.
+
+    An effect along a variable that structure without a name follows too may be a part of that: it must be worth as much
+    more as structure must be where a name would do.
+    """
     courses = [each for each in trace.components if each.place == WANDERING and each.is_course]
-    return penalised_deviance(trace) + FOLLOWS_ANYTHING * (bool(trace.noise.walk) + len(courses))
+    followed = {each.depends_on for each in trace.components}
+    parts = sum(item.effect.depends_on in followed for item in trace.named)
+    slow = bool(trace.noise.walk) + len(courses)
+    return penalised_deviance(trace) + FOLLOWS_ANYTHING * slow + UNNAMED * parts
 
 
 WANDERING: Final = ("offset", "time")
@@ -64,26 +86,35 @@ def _with_one_more(tracer: Tracer[Any], scan: Scan, trace: Trace) -> Iterator[Tr
 
 
 def _proposed(tracer: Tracer[Any], scan: Scan, trace: Trace) -> Iterator[tuple[Trace, Proposal]]:
-    """Every start with the component that promises most beside it."""
-    for start in _starts(tracer, trace):
-        table = tracer.beside(start.components).table
-        seen = seen_beside(table, start.forms, start.noise)
-        several = (each for each in scan.proposals(seen) if seen.rests_on_several_rows(each.component.columns))
+    """Every start with the component that promises most beside it; beside less than a trace, the foremost axes do."""
+    others = (*_nothing(tracer, trace), *_with_one_less(tracer, trace))
+    starts = [(trace, scan.proposals), *((other, scan.foremost) for other in others)]
+    for start, proposals in starts:
+        seen = seen_beside(tracer.beside(start.components).table, start.forms, start.noise)
+        several = (each for each in proposals(seen) if seen.rests_on_several_rows(each.component.columns))
         if (proposal := next(several, None)) is not None:
             yield start, proposal
 
 
-def _starts(tracer: Tracer[Any], trace: Trace) -> Iterator[Trace]:
-    """A trace, nothing, and the trace without each of what it names."""
-    yield trace
-    nothing = replace(trace, found=(), noise=tracer.noise)
+def _nothing(tracer: Tracer[Any], trace: Trace) -> Iterator[Trace]:
+    """A trace without anything that it names, if it names anything."""
+    noise = tracer.noise
     for each in trace.components:
-        nothing = replace(nothing, noise=nothing.noise.with_level(each.name, dict(trace.noise.levels)[each.name]))
-    alone = [] if trace.components else [trace.without(name) for name in trace.names]
-    rests = [nothing, *alone] if trace.names or trace.noise != nothing.noise else []
-    for rest in rests:
-        table = tracer.beside(rest.components).table
-        yield replace(rest, deviance=table.deviance(rest.forms, rest.noise))
+        noise = noise.with_level(each.name, dict(trace.noise.levels)[each.name])
+    if trace.names or trace.noise != noise:
+        yield _judged_anew(tracer, replace(trace, found=(), noise=noise))
+
+
+def _with_one_less(tracer: Tracer[Any], trace: Trace) -> Iterator[Trace]:
+    """A trace of several names without each of them."""
+    if not trace.components and len(trace.names) > 1:
+        for name in trace.names:
+            yield _judged_anew(tracer, trace.without(name))
+
+
+def _judged_anew(tracer: Tracer[Any], trace: Trace) -> Trace:
+    table = tracer.beside(trace.components).table
+    return replace(trace, deviance=table.deviance(trace.forms, trace.noise))
 
 
 def _beside(tracer: Tracer[Any], start: Trace, proposal: Proposal) -> Trace:
@@ -104,13 +135,12 @@ def _fitted(table: Table, trace: Trace, name: str) -> Trace:
     return replace(trace, noise=noise, deviance=deviance(noise))
 
 
-def alike(tracer: Tracer[Any], trace: Trace) -> list[Trace]:
+def alike(tracer: Tracer[Any], trace: Trace, scan: Scan) -> list[Trace]:
     """The trace with each other component, along another axis, that the rows do not part from its first one."""
     if not trace.components:
         return []
     first, *others = trace.components
     table, rest = tracer.beside(others).table, trace.without(first.name)
-    scan = Scan(table.axes, FALSE_ALARM)
     proposals = scan.proposals(seen_beside(table, rest.forms, rest.noise))
     near = [each for each in proposals if each.worth > proposals[0].worth - NEAR and each.axis.name != first.axis.name]
     return [in_place(rest, each) for each in near[:_MOST_ALIKE]]

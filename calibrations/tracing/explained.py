@@ -66,7 +66,7 @@ class Explained(Generic[_T, _F]):
     @cached_property
     def alike(self) -> list[Trace]:
         """The trace with its structure without a name in each other place from which the rows do not part it."""
-        return alike(self.tracer, self.trace)
+        return alike(self.tracer, self.trace, self.judged.scan)
 
     @property
     def close(self) -> dict[str, list[Rival]]:

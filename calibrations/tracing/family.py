@@ -78,6 +78,12 @@ class Family:
         along = Along(axis=self._axis, seen=seen)
         return max((self._proposed(shape) for shape in courses(along)), key=lambda proposal: proposal.worth)
 
+    def at_a_glance(self, seen: Beside) -> float:
+        """About how much structure along the axis would gain: courses and waves alone, which take little time."""
+        along = Along(axis=self._axis, seen=seen)
+        tried = (courses, waves) if self._axis.coordinate.waves else (courses,)
+        return max(float(shape.gained[0]) for shapes in tried for shape in shapes(along))
+
     def _tried(self) -> list[_Tried]:
         """What makes sense along the variable."""
         coordinate = self._axis.coordinate

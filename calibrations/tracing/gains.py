@@ -6,6 +6,8 @@ decomposition of F'F gives the likelihood for every ratio of its variance to tha
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
+from hashlib import blake2b
 from typing import Final
 
 import numpy as np
@@ -39,6 +41,14 @@ class Beside:
     """What is left of the output, made white twice, shape (rows,)."""
     squares: float
     """Sum of squares of what is left."""
+
+    @cached_property
+    def fingerprint(self) -> bytes:
+        """The same for the same rows beside the same."""
+        digest = blake2b()
+        for each in (self.root, self.taken, self.left):
+            digest.update(np.ascontiguousarray(each).tobytes())
+        return digest.digest()
 
     def rests_on_several_rows(self, columns: FloatArray) -> bool:
         """Whether columns, fitted, would still show most of what they do without the two rows that show most of it.

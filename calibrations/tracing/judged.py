@@ -13,6 +13,7 @@ from tumble.calibrations.tracing.evidence import Evidence, gathered, settings_di
 from tumble.calibrations.tracing.fitting_noise import best_level
 from tumble.calibrations.tracing.noise import SETTINGS, WHITE, scaled_levels
 from tumble.calibrations.tracing.rivals import Rival, near_rivals, with_best_names
+from tumble.calibrations.tracing.scan import Scan
 from tumble.calibrations.tracing.table import Table
 from tumble.calibrations.tracing.trace import Trace, Tracer, penalised_deviance, refined
 
@@ -33,6 +34,10 @@ class Judged(Generic[_T]):
     trace: Trace
     near: Mapping[str, Sequence[Rival]]
     """Near rivals of each effect of the trace."""
+    nearly: tuple[Trace, ...] = ()
+    """Other explanations, with structure without a name or in its place, that were nearly preferred."""
+    scan: Scan
+    """What of structure without a name was looked for."""
     evidence: Mapping[str, Evidence]
     """Of each effect of the trace that is no noise, by name."""
     withheld: tuple[Evidence, ...]
@@ -50,9 +55,10 @@ def judged(table: _T) -> Judged[_T]:
     Where an effect does not stand, the table is traced again without it; where settings differ all the same, in a noise
     that their repeats share, so that a shape must explain more than their number allows.
     """
-    whole = Tracer(table)
-    tracer, trace = traced(whole)
-    trace, near = with_best_names(tracer, trace)
+    whole, scan = Tracer(table), Scan(table.axes)
+    first = traced(whole, scan)
+    tracer, nearly = first.tracer, first.nearly
+    trace, near = with_best_names(tracer, first.trace)
     withheld: dict[str, Evidence] = {}
     for further in reversed(range(_ROUNDS)):
         kept, found, fallen = _standing(tracer.table, trace)
@@ -61,11 +67,13 @@ def judged(table: _T) -> Judged[_T]:
         withheld |= {each.name: withheld.get(each.name, each) for each in fallen}
         trace, near = kept, {name: near[name] for name in kept.names if name in near}
         if further:
-            tracer, trace, near = _again(whole, kept, frozenset(withheld))
+            tracer, nearly, trace, near = _again(whole, scan, kept, frozenset(withheld))
     judgement = Judged(
         tracer=tracer.without(frozenset(withheld)),
         trace=trace,
         near=near,
+        nearly=nearly,
+        scan=scan,
         evidence=found,
         withheld=tuple(each for name, each in withheld.items() if name not in found),
     )
@@ -96,18 +104,21 @@ def _worth_their_penalty(table: Table, trace: Trace) -> Trace:
     return trace if best is trace else _worth_their_penalty(table, best)
 
 
-def _again(whole: Tracer[_T], kept: Trace, barred: frozenset[str]) -> tuple[Tracer[_T], Trace, dict[str, list[Rival]]]:
+def _again(
+    whole: Tracer[_T], scan: Scan, kept: Trace, barred: frozenset[str]
+) -> tuple[Tracer[_T], tuple[Trace, ...], Trace, dict[str, list[Rival]]]:
     """Trace once more without some effects, in the noise by which settings differ if they do."""
     if not settings_differ(whole.beside(kept.components).table, kept).alike < _DIFFER_P:
-        tracer, trace = traced(whole.without(barred))
-        return tracer, *with_best_names(tracer, trace)
+        again = traced(whole.without(barred), scan)
+        return again.tracer, again.nearly, *with_best_names(again.tracer, again.trace)
     rough = _with_levels(whole.table)
-    tracer, trace = traced(whole.among(rough, best_level(rough, kept.forms, WHITE, SETTINGS)).without(barred))
+    again = traced(whole.among(rough, best_level(rough, kept.forms, WHITE, SETTINGS)).without(barred), scan)
+    tracer, trace = again.tracer, again.trace
     noise = best_level(tracer.table, trace.forms, trace.noise, SETTINGS)
     deviance = tracer.table.deviance(trace.forms, noise)
     trace, near = with_best_names(tracer, replace(trace, noise=noise, deviance=deviance))
     smooth = whole.beside(trace.components)
-    return smooth, _smooth(smooth.table, trace), _all_smooth(smooth.table, near)
+    return smooth, (), _smooth(smooth.table, trace), _all_smooth(smooth.table, near)
 
 
 def _near_in_levels(whole: Tracer[Any], trace: Trace) -> dict[str, list[Rival]]:

@@ -46,7 +46,10 @@ class Neighbour:
 def neighbours(
     tracer: Tracer[Any], trace: Trace, near: Mapping[str, Sequence[Rival]], others: Sequence[Trace]
 ) -> list[Neighbour]:
-    """Explanations with another effect in the place of one, with one more, with one less, or of another structure."""
+    """Explanations with another effect in the place of one, with one more, with one less, or of another structure.
+
+    `near` are the rivals of each effect, `others` traces with other structure, or with names in its place.
+    """
     everything = tracer.without(frozenset())
     listed = [
         *((rival.name, rival.trace) for rivals in near.values() for rival in rivals),
@@ -97,10 +100,11 @@ def _with_one_less(tracer: Tracer[Any], trace: Trace) -> Iterator[tuple[str, Tra
 
 
 def _elsewhere(tracer: Tracer[Any], others: Sequence[Trace]) -> Iterator[tuple[str, Trace]]:
-    """Traces with structure along other variables, each with its deviance."""
+    """Traces with other structure, each with its deviance."""
     for other in others:
         table = tracer.beside(other.components).table
-        yield other.components[0].name, replace(other, deviance=table.deviance(other.forms, other.noise))
+        name = next(iter((*(each.name for each in other.components), *other.names)), "")
+        yield name, replace(other, deviance=table.deviance(other.forms, other.noise))
 
 
 def _course_for_walk(tracer: Tracer[Any], trace: Trace) -> Iterator[Neighbour]:

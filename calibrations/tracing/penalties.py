@@ -20,7 +20,7 @@ NOT_FOUND: Final = 0.02
 
 UNNAMED: Final = 3.84
 """By so much a component must explain more than the best set of names (chi-square, one degree of freedom, 95%): a known
-cause is the better guess."""
+cause is the better guess. By so much must a name beside a component along its variable, of which it may be a part."""
 SHAPE_UNNAMED: Final = 6.0
 """Of a given shape without a name beyond that of a named one, for the same reason: odds of 20 to 1."""
 FOLLOWS_ANYTHING: Final = 5.0

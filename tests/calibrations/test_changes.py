@@ -11,6 +11,7 @@ from tumble.calibrations.tracing.components import axes
 from tumble.calibrations.tracing.continued import continued
 from tumble.calibrations.tracing.coordinate import Coordinate
 from tumble.calibrations.tracing.noise import WHITE
+from tumble.calibrations.tracing.scan import Scan
 from tumble.calibrations.tracing.trace import Tracer
 from tumble.messages import Message
 
@@ -45,7 +46,8 @@ def table(shape):
 
 
 def component_of(shape):
-    _, trace = traced(Tracer(table(shape)))
+    rows = table(shape)
+    trace = traced(Tracer(rows), Scan(rows.axes)).trace
     (found,) = trace.components
     return found
 
@@ -69,7 +71,7 @@ def test_its_gain_in_the_scan_is_that_of_the_whole_likelihood(shape):
 
 def test_teeth_of_a_circle_are_waves_with_overtones():
     rows = replace(table_of(2.0 * np.sign(np.sin(np.deg2rad(4.0 * CIRCLE.values + 10.0))) + noise()), axes=AXES)
-    (found,) = traced(Tracer(rows))[1].components
+    (found,) = traced(Tracer(rows), Scan(rows.axes)).trace.components
 
     assert (found.place, found.shape.split()[:2]) == (("offset", "angle"), ["period", "4"])
 
@@ -86,4 +88,4 @@ def test_a_place_of_no_row_costs_no_warning():
     gain = SCALE.gain * (COUNT < ROWS // 2)
     rows = replace(table_of(noise()), axes=axes((replace(SCALE, gain=gain), (TIME,))))
 
-    assert traced(Tracer(rows))[1].components == ()
+    assert traced(Tracer(rows), Scan(rows.axes)).trace.components == ()

@@ -59,7 +59,8 @@ def table_of(output, wanders=False):
 
 
 def traced_places(output, wanders=False):
-    _, trace = traced(Tracer(table_of(output, wanders)))
+    table = table_of(output, wanders)
+    trace = traced(Tracer(table), Scan(table.axes)).trace
     return [component.place for component in trace.components]
 
 
@@ -127,8 +128,10 @@ def test_wandering_is_not_structure_in_time():
 
 def test_what_the_rows_do_not_part_is_said():
     """A wave once round the circle of a run of three turns is one of time too."""
-    tracer, trace = traced(Tracer(table_of(2.0 * np.sin(np.deg2rad(2.0 * ANGLE_DEG)) + noise())))
-    places = {each.components[0].place for each in (trace, *alike(tracer, trace))}
+    table = table_of(2.0 * np.sin(np.deg2rad(2.0 * ANGLE_DEG)) + noise())
+    scan = Scan(table.axes)
+    found = traced(Tracer(table), scan)
+    places = {each.components[0].place for each in (found.trace, *alike(found.tracer, found.trace, scan))}
 
     assert places >= {("offset", "angle"), ("offset", "time")}
 

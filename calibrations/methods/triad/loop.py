@@ -34,6 +34,7 @@ from tumble.calibrations.tracing.findings import (
 )
 from tumble.calibrations.tracing.judged import Judged, judged
 from tumble.calibrations.tracing.noise import NoiseModel
+from tumble.calibrations.tracing.scan import Scan
 from tumble.calibrations.tracing.trace import Trace, Tracer
 from tumble.messages import Message
 
@@ -201,7 +202,7 @@ def _nothing(table: TriadTable) -> Trace:
 
 def _untraced(table: TriadTable) -> Judged[TriadTable]:
     """What a table in doubt is traced to: nothing is looked for where nothing would be stated."""
-    return Judged(tracer=Tracer(table), trace=_nothing(table), near={}, evidence={}, withheld=())
+    return Judged(tracer=Tracer(table), trace=_nothing(table), near={}, scan=Scan(table.axes), evidence={}, withheld=())
 
 
 def _scalar(observations: TriadObservations, best: TriadFit, components: Sequence[Component]) -> ScalarFit | None:

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Final
 
 import numpy as np
 
@@ -32,6 +33,10 @@ class Shape:
     """At which one of its kind is there where there is nothing; None: its share of that of the axis."""
 
 
+_DECLARED: Final = 1e-6
+"""Part of a course that may be left beside the declared model where that has it."""
+
+
 @dataclass(frozen=True, kw_only=True)
 class Along:
     """A channel along a variable, beside what was found."""
@@ -58,6 +63,12 @@ class Along:
     def weighted(self) -> FloatArray:
         """What is taken, and what is left of the output, times that, shape (rows, n + 1)."""
         return np.column_stack([self.seen.taken, self.seen.left]) * self.level[:, None]
+
+    def undetermined(self, course: FloatArray) -> FloatArray:
+        """A course, shape (rows,), as a column if the declared model has it, so that no row shows it; else none."""
+        weighted = course * self.level
+        left = np.sum(weighted**2) - np.sum((self.seen.taken.T @ weighted) ** 2)
+        return course[:, None] if left < _DECLARED * np.sum(weighted**2) else course[:, None][:, :0]
 
     def best_single(self, columns: FloatArray) -> tuple[int, Gained]:
         """Number and gain of the best of shapes of one column each."""
@@ -99,3 +110,8 @@ def sides(pair: Sequence[FloatArray], number: int) -> FloatArray:
 def named(word: str, numbers: Sequence[float]) -> str:
     """A word, and the numbers that fix it."""
     return " ".join([word, *(f"{number:.4g}" for number in numbers)])
+
+
+def beside(undetermined: FloatArray, columns: Callable[[], FloatArray]) -> Callable[[], FloatArray]:
+    """Columns of a shape with those that no row shows, for its `whole`."""
+    return lambda: np.column_stack([columns(), undetermined])

@@ -14,7 +14,7 @@ import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.tracing.gains import Gained, gain_of_process
-from tumble.calibrations.tracing.shapes.along import Along, Shape, named
+from tumble.calibrations.tracing.shapes.along import Along, Shape, beside, named
 from tumble.calibrations.tracing.shapes.places import FEWEST_PLACES, levels
 from tumble.messages import Message
 
@@ -29,7 +29,10 @@ _ALIKE: Final = 1e-6
 
 
 def changes(along: Along) -> Iterator[Shape]:
-    """Levels that change at the places, and as often, as explains most beyond what so many changes cost."""
+    """Levels that change at the places, and as often, as explains most beyond what so many changes cost.
+
+    Which of them is that of rest no row tells, where there are more than two.
+    """
     places = along.coordinate.places
     if len(places) < FEWEST_PLACES:
         return
@@ -40,10 +43,12 @@ def changes(along: Along) -> Iterator[Shape]:
         chosen = steps.settled([*chosen, steps.best_beside(chosen)])
         told.append((steps.gain(chosen)[0] - 2.0 * np.log(comb(len(places), count)), chosen))
     at, gained = _exact(along, places[sorted(max(told)[1])])
+    rest = along.undetermined(np.ones(along.rows))
     yield Shape(
         name=named("changes", at.tolist()),
         described=Message("in {count} steps", count=len(at)),
         columns=partial(levels, along.coordinate.part, at),
+        whole=beside(rest, partial(levels, along.coordinate.part, at)) if len(at) > 1 else None,
         gained=gained,
         tried=most * comb(len(places), len(at)),
     )

@@ -9,7 +9,7 @@ import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.tracing.gains import Gained, best_column
-from tumble.calibrations.tracing.shapes.along import Along, Shape, named
+from tumble.calibrations.tracing.shapes.along import Along, Shape, beside, named
 from tumble.calibrations.tracing.shapes.places import FEWEST_PLACES, squares_between
 from tumble.messages import Message
 
@@ -22,17 +22,23 @@ _TIMES: Final = (0.7, 1.0, 1.4)
 
 
 def ramps(along: Along) -> Iterator[Shape]:
-    """The best slope from a place on, and the best one between two places."""
+    """The best slope from a place on, and the best one between two places.
+
+    Along what the declared model has a slope in, as the scale factor is one over the acceleration, a slope from a place
+    on is the same rows as one up to it, with another scale factor.
+    """
     if len(along.coordinate.places) < FEWEST_PLACES:
         return
     places = _tried(along)
     ends = [ends for ends, _ in _ramps(along, places)]
     finer = np.unique(np.concatenate([along.coordinate.nearby(float(end)) for each in ends for end in each]))
+    straight = along.undetermined(along.coordinate.part)
     for at, gained in _ramps(along, finer):
         yield Shape(
             name=named("ramp", at.tolist()),
             described=_said(*(along.shown(part) for part in at.tolist())),
             columns=partial(ramp, along.coordinate.part, at),
+            whole=beside(straight, partial(ramp, along.coordinate.part, at)),
             gained=gained,
             tried=comb(len(places), len(at)),
         )

@@ -160,7 +160,8 @@ def explain_questioned(
     whole, others = explained.table.with_components(trace.components), explained.alike
     augmented = without_alike(without_rivals(stated, whole, explained.near), whole, trace, others)
     augmented = resting_on_absence(augmented, set(trace.names))
-    augmented = averaged(augmented, explained.table, neighbours(explained.tracer, trace, explained.near, others))
+    rivals = neighbours(explained.tracer, trace, explained.near, (*others, *explained.judged.nearly))
+    augmented = averaged(augmented, explained.table, rivals)
     said = scatter_and_wandering(explained.table, trace, best.joint)
     augmented = replace(augmented, warnings=(*augmented.warnings, *said))
     loop = Loop(
