@@ -117,7 +117,7 @@ class Engine:
     def run(self, procedure: Procedure) -> Outcome:
         """Carry out `procedure` to its end, or until something else ends it, and bring everything to a standstill."""
         self._began_s = self._clock.monotonic_s()
-        return self._to_its_end(procedure, next(procedure, None), self._recovery.begin)
+        return self._to_its_end(procedure, next(procedure, None), self._meet)
 
     def resume(
         self,
@@ -172,9 +172,14 @@ class Engine:
             raise
         return self._finish(None)
 
+    def _meet(self) -> None:
+        """Get to know all instruments, and bring to rest what a run that was killed has left driving."""
+        self._recovery.begin()
+        self._recovery.persist(self._exciters.begin)
+
     def _go_on(self, asks: Iterable[Ask], elapsed_s: Callable[[], float], tolerance_v: float | None) -> None:
         """Make sure that the stand is as it was, and let the run's time go on."""
-        self._recovery.begin()
+        self._meet()
         last = self._points[-1] if self._points else None
         if last is not None:
             self._verify(last, asks, tolerance_v)
@@ -187,7 +192,6 @@ class Engine:
             return
         self._checkpoint()
         prepare()
-        self._recovery.persist(self._exciters.begin)
         self._recovery.persist(self._interlock.begin)
         self._recovery.reference()
         while step is not None:

@@ -91,9 +91,9 @@ def test_sideways_motion_rectifies_with_the_cross_term():
 def test_random_vibration_rectifies_by_its_mean_square():
     made, text = world({"k_ii": 20.0}), "random 20 Hz 0.01, 400 Hz 0.01"
     made.exciter.drive(excitation_of(text))
-    block = made.meter(()).acquire(40_000, 1000.0).channels
+    block = made.meter(()).acquire(10_000, 1000.0).channels
     square_g2 = float(np.var(block["reference_x_v"] / 0.1))
-    assert square_g2 == pytest.approx(excitation_of(text).rms_g ** 2, rel=0.05)
+    assert square_g2 == pytest.approx(excitation_of(text).rms_g ** 2, rel=0.1)
     linear = block["output_v"] - block["reference_x_v"] / 0.1
     assert 1e6 * linear.mean() == pytest.approx(20.0 * square_g2, rel=1e-3)
 

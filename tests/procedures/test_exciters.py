@@ -255,6 +255,17 @@ def test_what_a_killed_run_left_driving_is_brought_to_rest_before_anything_else(
     assert seen[0] == "rest"
 
 
+def test_what_is_left_driving_is_brought_to_rest_before_a_run_is_resumed(shaken, tmp_path):
+    journal = shaken.run().points
+    resumed = ShakenStand(tmp_path)
+    resumed.world.exciter.set(excitation_of(BACK), on=True)
+    seen = []
+    usual = resumed.operator.ask
+    resumed.operator.ask = lambda ask: (seen.append(resumed.driven), usual(ask))
+    outcome = resumed.engine.resume(resumed.programme.procedure(), journal[:1], tolerance_v=10.0)
+    assert (outcome.reason, seen[0]) == (FinishReason.COMPLETED, "rest"), outcome.message
+
+
 def test_a_stranger_at_the_address_is_told_nothing(shaken):
     shaken.exciter.instead("identify", fail(DeviceError("exciter", "is no generator", "look")))
     shaken.exciter.instead("make_safe", fail(AssertionError("told something")))
