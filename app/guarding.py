@@ -31,6 +31,8 @@ CHAMBER_NEEDS: Final = frozenset(
     {"begin", "identify", "limits_degc", "lock_door", "make_safe", "ramp_k_per_min", "status"}
 )
 """Members of `Environment`."""
+EXCITER_NEEDS: Final = frozenset({"drive", "identify", "make_safe", "ramp_s", "status"})
+"""Members of `Exciter`."""
 _ABSENT: Final = object()
 
 

@@ -1,7 +1,8 @@
 """The tables of a stand file that are instruments: `[head]` and `[daq]`, and any number of others by name.
 
 `[head]` is the positioner called head and `[daq]` the sampler called daq. Further ones are `[positioners.NAME]` and
-`[samplers.NAME]`; where there are such, the stand need have neither of the two. `[chamber]` is a temperature chamber.
+`[samplers.NAME]`; where there are such, the stand need have neither of the two.
+`[chamber]` is a temperature chamber, and `[exciter]` what shakes the unit.
 """
 
 from collections.abc import Iterator, Mapping
@@ -10,7 +11,8 @@ from typing import Any, Final, TypeAlias
 
 from pydantic import BaseModel, ConfigDict, Field, create_model
 
-from tumble.drivers.tables import CHAMBER, DAQ, HEAD, ChamberTable, DaqTable, HeadTable
+from tumble.drivers.exciter_table import ExciterTable
+from tumble.drivers.tables import CHAMBER, DAQ, EXCITER, HEAD, ChamberTable, DaqTable, HeadTable
 
 POSITIONERS: Final = "positioners"
 SAMPLERS: Final = "samplers"
@@ -46,7 +48,7 @@ class Place:
     """Of the instrument at the stand."""
     location: tuple[str, ...]
     """Keys that lead to it."""
-    kind: type[HeadTable] | type[DaqTable] | type[ChamberTable]
+    kind: type[HeadTable] | type[DaqTable] | type[ChamberTable] | type[ExciterTable]
 
     @property
     def where(self) -> str:
@@ -64,10 +66,12 @@ class Place:
 def places(data: Data) -> Iterator[Place]:
     """Every table of an instrument that a stand file has, or must have."""
     for single, several, kind in ((HEAD, POSITIONERS, HeadTable), (DAQ, SAMPLERS, DaqTable)):
-        if single in data or several not in data:
+        if single in data or (several not in data and not (single == HEAD and EXCITER in data)):
             yield Place(name=single, location=(single,), kind=kind)
         named = data.get(several)
         for name in named if isinstance(named, Mapping) else ():
             yield Place(name=name, location=(several, name), kind=kind)
     if CHAMBER in data:
         yield Place(name=CHAMBER, location=(CHAMBER,), kind=ChamberTable)
+    if EXCITER in data:
+        yield Place(name=EXCITER, location=(EXCITER,), kind=ExciterTable)

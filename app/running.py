@@ -32,7 +32,13 @@ from tumble.procedures.errors import ProgrammeError
 from tumble.procedures.events import FinishReason, State, WarningRaised
 from tumble.procedures.outcome import Outcome
 from tumble.procedures.plan import REQUEST_S, Plan, plan
-from tumble.procedures.plan_checks import check_cable, check_condition, check_limits, check_temperatures
+from tumble.procedures.plan_checks import (
+    check_cable,
+    check_condition,
+    check_excitations,
+    check_limits,
+    check_temperatures,
+)
 from tumble.procedures.programme import Programme
 from tumble.procedures.recording.errors import RecordingError
 from tumble.procedures.recording.header import Header, written_version
@@ -79,7 +85,15 @@ class Outline:
         positioners = self.stand.file.positioners
         speeds_deg_s = {name: table.speed_deg_s for name, table in positioners.items()}
         request_s = max((table.mounting_s for table in positioners.values()), default=REQUEST_S)
-        planned = plan(self.programme, self.acquisition, speeds_deg_s=speeds_deg_s, request_s=request_s)
+        exciters = self.stand.file.exciters
+        setting_s = {name: 2.0 * table.ramp_s for name, table in exciters.items()}
+        planned = plan(
+            self.programme,
+            self.acquisition,
+            speeds_deg_s=speeds_deg_s,
+            request_s=request_s,
+            setting_s=setting_s,
+        )
         for name, table in positioners.items():
             for condition, allowed in table.allowed.items():
                 check_condition(planned, condition, allowed)
@@ -87,6 +101,8 @@ class Outline:
             check_cable(planned, name, table.turns)
         for name, chamber in self.stand.file.environments.items():
             check_temperatures(planned, name, chamber.limits_degc)
+        for name, exciter in exciters.items():
+            check_excitations(planned, name, exciter.refusal_of)
         return planned
 
     def _check_stand(self) -> None:

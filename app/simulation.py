@@ -12,7 +12,7 @@ from tumble.drivers.manual import Eyepiece
 from tumble.drivers.protocols import Stand
 from tumble.drivers.simulated.head import HeadOptions, SimulatedHead
 from tumble.drivers.simulated.table import FIRST_WORLD
-from tumble.drivers.simulated.worlds import Counted, Surroundings, World, axis_of, chamber_of, find_world
+from tumble.drivers.simulated.worlds import Counted, Surroundings, World, axis_of, chamber_of, exciter_of, find_world
 from tumble.drivers.tables import TITLES
 from tumble.messages import Message
 from tumble.procedures.acquisition import Acquisition
@@ -66,15 +66,17 @@ class Simulation:
         operator = SeatingOperator(ScriptedOperator(Answers(mounts={"default": "yes"})), self.world.setters)
         engine = Engine(self.stand, operator, _Nowhere(), past.acquisition, self.listeners)
         moments_s: list[float] = []
+        counts: list[Counted] = []
 
         def stop() -> None:
             moments_s.append(clock.monotonic_s())
+            counts.append(deepcopy(self.world.counts))
             engine.control.stop()
 
         outcome = engine.run(_beginning(past.programme.procedure(), past.points, stop))
         if not moments_s and outcome.error:  # somebody interrupted the program
             raise outcome.error
-        putting_back = _putting_back(self.world, clock, deepcopy(self.world.counts), moments_s[0])
+        putting_back = _putting_back(self.world, clock, counts[0], moments_s[0])
         return replace(self, lived_s=moments_s[0] - began_s, listeners=(*self.listeners, putting_back))
 
 
@@ -113,6 +115,9 @@ def simulation(loaded: WrittenStand, clock: Clock) -> Simulation:
             positioners={name: axis_of(world.positioners, name) for name in file.positioners},
             samplers={name: world.meter(table.channels) for name, table in file.samplers.items()},
             environments={name: chamber_of(world, table) for name, table in file.environments.items()},
+            exciters={name: exciter_of(world, table) for name, table in file.exciters.items()},
+            most=file.most,
+            quiet=file.quiet,
             clock=clock,
             titles=TITLES,
         )

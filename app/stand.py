@@ -14,6 +14,7 @@ from tumble.app.instrument_tables import POSITIONERS, SAMPLERS, Place, places
 from tumble.app.stand_file import (
     RecordedChamber,
     RecordedDaq,
+    RecordedExciter,
     RecordedHead,
     RecordedStand,
     Site,
@@ -25,11 +26,14 @@ from tumble.drivers.driver import (
     ChamberDriver,
     DaqDriver,
     Driver,
+    ExciterDriver,
     HeadDriver,
     find_chamber,
     find_daq,
+    find_exciter,
     find_head,
 )
+from tumble.drivers.exciter_table import ExciterTable
 from tumble.drivers.own_file import hash_of_file, is_own_file
 from tumble.drivers.simulated.table import FIRST_WORLD, SimulatedTable
 from tumble.drivers.simulated.worlds import find_world
@@ -47,8 +51,14 @@ _RECORDED: Final[Mapping[type[BaseModel], type[BaseModel]]] = {
     HeadTable: RecordedHead,
     DaqTable: RecordedDaq,
     ChamberTable: RecordedChamber,
+    ExciterTable: RecordedExciter,
 }
-_FINDERS: Final = {HeadTable: find_head, DaqTable: find_daq, ChamberTable: find_chamber}
+_FINDERS: Final = {
+    HeadTable: find_head,
+    DaqTable: find_daq,
+    ChamberTable: find_chamber,
+    ExciterTable: find_exciter,
+}
 _APART: Final = Message("a simulated head and a simulated daq belong together: a real one does not see the other")
 
 
@@ -82,6 +92,8 @@ class LoadedStand(WrittenStand):
     """By name; None for the simulated DAQ."""
     environment_drivers: Mapping[str, ChamberDriver | None] = field(default_factory=dict)
     """By name; None for the simulated chamber."""
+    exciter_drivers: Mapping[str, ExciterDriver | None] = field(default_factory=dict)
+    """By name; None for the simulated exciter."""
 
     @property
     def head_driver(self) -> HeadDriver | None:
@@ -116,15 +128,16 @@ def load_stand(path: Path | None = None, method: str = FIRST) -> LoadedStand:
     written = text.written()
     drivers = {place: text.driver(place) for place in places(text.data)}
     file = text.checked({place: driver.table if driver else place.kind for place, driver in drivers.items()})
-    positioners, samplers, environments = (
+    positioners, samplers, environments, exciters = (
         {place.name: driver for place, driver in drivers.items() if place.kind is kind}
-        for kind in (HeadTable, DaqTable, ChamberTable)
+        for kind in (HeadTable, DaqTable, ChamberTable, ExciterTable)
     )
     return LoadedStand(
         **vars(written) | {"file": file},
         positioner_drivers=positioners,
         sampler_drivers=samplers,
         environment_drivers=environments,
+        exciter_drivers=exciters,
     )
 
 
@@ -233,8 +246,9 @@ def _of_one_kind(file: StandFile) -> bool:
     simulated = [table.driver == SIMULATED for table in file.samplers.values()]
     if not any(simulated):
         return not any(table.driver == SIMULATED for table in file.instruments.values())
-    simulated += [table.driver == SIMULATED for table in file.environments.values()]
-    return all(simulated) and bool(file.positioners) and all(map(_seen, file.positioners.values()))
+    simulated += [table.driver == SIMULATED for table in (*file.environments.values(), *file.exciters.values())]
+    moving = bool(file.positioners or file.exciters)
+    return all(simulated) and moving and all(map(_seen, file.positioners.values()))
 
 
 def _seen(head: HeadTable) -> bool:

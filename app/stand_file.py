@@ -10,9 +10,10 @@ from pydantic import BaseModel, ConfigDict, Field, create_model, model_validator
 from tumble.app.instrument_tables import POSITIONERS, SAMPLERS, Tables, tables_of
 from tumble.calibrations.core.gravity import Gravity, normal_gravity
 from tumble.drivers.driver import SIMULATED
+from tumble.drivers.exciter_table import ExciterTable
 from tumble.drivers.names import GivenName, Name
 from tumble.drivers.simulated.table import SimulatedTable
-from tumble.drivers.tables import CHAMBER, DAQ, HEAD, ChamberTable, DaqTable, HeadTable
+from tumble.drivers.tables import CHAMBER, DAQ, EXCITER, HEAD, ChamberTable, DaqTable, HeadTable
 from tumble.drivers.text import check_name
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
@@ -80,13 +81,14 @@ class StandFile(BaseModel):
     named_positioners: Tables = Field(default=Tables(), alias=POSITIONERS)
     named_samplers: Tables = Field(default=Tables(), alias=SAMPLERS)
     chamber_table: ChamberTable | None = Field(default=None, alias=CHAMBER)
+    exciter_table: ExciterTable | None = Field(default=None, alias=EXCITER)
     simulated: SimulatedTable | None = None
     """By the kind of world that it names."""
     stand_record: StandRecordTable = StandRecordTable()
 
     @model_validator(mode="after")
     def _each_name_once(self) -> Self:
-        names = [*self.positioners, *self.samplers, *self.environments]
+        names = [*self.positioners, *self.samplers, *self.environments, *self.exciters]
         for name in names:
             check_name(name)
         if twice := next((name for name in names if names.count(name) > 1), None):
@@ -113,9 +115,24 @@ class StandFile(BaseModel):
         return {CHAMBER: self.chamber_table} if self.chamber_table else {}
 
     @property
-    def instruments(self) -> Mapping[str, HeadTable | DaqTable | ChamberTable]:
+    def exciters(self) -> Mapping[str, ExciterTable]:
+        """The table of the exciter, by the condition that it sets."""
+        return {EXCITER: self.exciter_table} if self.exciter_table else {}
+
+    @property
+    def most(self) -> Mapping[str, float]:
+        """The greatest magnitude of a sample, by channel, beyond which an excitation is ended."""
+        return self.exciter_table.most_v if self.exciter_table else {}
+
+    @property
+    def quiet(self) -> Mapping[str, float]:
+        """The greatest scatter of the samples of a channel while the exciter rests."""
+        return self.exciter_table.quiet_v if self.exciter_table else {}
+
+    @property
+    def instruments(self) -> Mapping[str, HeadTable | DaqTable | ChamberTable | ExciterTable]:
         """The tables of all instruments, by name."""
-        return {**self.positioners, **self.samplers, **self.environments}
+        return {**self.positioners, **self.samplers, **self.environments, **self.exciters}
 
     @property
     def head(self) -> HeadTable:
@@ -186,6 +203,12 @@ class RecordedDaq(DaqTable):
 
 class RecordedChamber(ChamberTable):
     """The same of a temperature chamber."""
+
+    model_config = ConfigDict(extra="ignore")
+
+
+class RecordedExciter(ExciterTable):
+    """The same of an exciter."""
 
     model_config = ConfigDict(extra="ignore")
 

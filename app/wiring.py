@@ -7,7 +7,7 @@ from functools import cache, partial
 from pathlib import Path
 from typing import Final
 
-from tumble.app.guarding import CHAMBER_NEEDS, DAQ_NEEDS, HEAD_NEEDS, connected
+from tumble.app.guarding import CHAMBER_NEEDS, DAQ_NEEDS, EXCITER_NEEDS, HEAD_NEEDS, connected
 from tumble.app.simulation import Hand, Past, TurningEyepiece, simulation, switching_on
 from tumble.app.stand import LoadedStand
 from tumble.app.terminal import say
@@ -15,7 +15,7 @@ from tumble.drivers.clock import Clock, ReleasedClock, SystemClock
 from tumble.drivers.driver import Bench, DaqDriver, HeadDriver
 from tumble.drivers.links.opened import Links
 from tumble.drivers.manual import Eyepiece
-from tumble.drivers.protocols import Environment, Positioner, Sampler, Stand
+from tumble.drivers.protocols import Environment, Exciter, Positioner, Sampler, Stand
 from tumble.drivers.tables import HEAD, TITLES
 from tumble.emulators.backstage import Backstage, find_backstage
 from tumble.messages import Message, translatable
@@ -103,6 +103,7 @@ def connect(
     try:
         positioners, samplers = _instruments(loaded, bench, person)
         environments = {name: _chamber(loaded, name, bench) for name in loaded.file.environments}
+        exciters = {name: _exciter(loaded, name, bench) for name in loaded.file.exciters}
     except BaseException:
         links.close()
         raise
@@ -114,6 +115,9 @@ def connect(
         serials={name: table.serial for name, table in loaded.file.instruments.items()},
         channels={name: table.channels for name, table in loaded.file.samplers.items() if table.channels},
         environments=environments,
+        exciters=exciters,
+        most=loaded.file.most,
+        quiet=loaded.file.quiet,
         titles=TITLES,
     )
     warnings = (Message.marked(_UNASKED, stand=loaded.file.name),) if backstage and attendant.imagined else ()
@@ -230,6 +234,12 @@ def _chamber(loaded: LoadedStand, name: str, bench: Bench) -> Environment:
     table, driver = loaded.file.environments[name], loaded.environment_drivers[name]
     assert driver is not None, "one that is simulated has a simulated world"
     return connected(lambda: driver.connect(table, bench), table.driver, TITLES[name], CHAMBER_NEEDS)
+
+
+def _exciter(loaded: LoadedStand, name: str, bench: Bench) -> Exciter:
+    table, driver = loaded.file.exciters[name], loaded.exciter_drivers[name]
+    assert driver is not None, "one that is simulated has a simulated world"
+    return connected(lambda: driver.connect(table, bench), table.driver, TITLES[name], EXCITER_NEEDS)
 
 
 def _sampler(loaded: LoadedStand, name: str, driver: DaqDriver, bench: Bench) -> Sampler:

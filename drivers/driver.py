@@ -9,7 +9,8 @@
     MY_HEAD = Driver(table=Keys, connect=connect)
 
 In a file of a laboratory's own the stand file says `driver = "my_head.py:MY_HEAD"`. A package that is installed gives
-the value a name in the entry point group `tumble.heads` or `tumble.daqs`; the drivers that come along do the same.
+the value a name in the entry point group `tumble.heads`, `tumble.daqs`, `tumble.chambers` or `tumble.exciters`; the
+drivers that come along do the same.
 """
 
 from collections.abc import Callable
@@ -19,10 +20,11 @@ from typing import Any, Final, Generic, TypeVar
 
 from tumble import plugins
 from tumble.drivers.clock import Clock
+from tumble.drivers.exciter_table import ExciterTable
 from tumble.drivers.links.opened import Links
 from tumble.drivers.manual.head import Eyepiece
 from tumble.drivers.own_file import is_own_file, load_from_file
-from tumble.drivers.protocols import Environment, Positioner, Sampler
+from tumble.drivers.protocols import Environment, Exciter, Positioner, Sampler
 from tumble.drivers.tables import ChamberTable, DaqTable, HeadTable, Instrument
 from tumble.messages import Message
 
@@ -30,7 +32,7 @@ SIMULATED: Final = "simulated"
 """Names no driver, but the world that exists in this process only, with head and DAQ in one."""
 
 Table = TypeVar("Table", bound=Instrument)
-Made = TypeVar("Made", bound=Positioner | Sampler | Environment, covariant=True)
+Made = TypeVar("Made", bound=Positioner | Sampler | Environment | Exciter, covariant=True)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -63,6 +65,7 @@ class Driver(Generic[Table, Made]):
 HeadDriver = Driver[Any, Positioner]
 DaqDriver = Driver[Any, Sampler]
 ChamberDriver = Driver[Any, Environment]
+ExciterDriver = Driver[Any, Exciter]
 
 
 def find_head(name: str, folder: Path) -> HeadDriver | None:
@@ -78,6 +81,11 @@ def find_daq(name: str, folder: Path) -> DaqDriver | None:
 def find_chamber(name: str, folder: Path) -> ChamberDriver | None:
     """The driver of a temperature chamber, likewise. Raises `ValueError`."""
     return _find(name, folder, "tumble.chambers", ChamberTable)
+
+
+def find_exciter(name: str, folder: Path) -> ExciterDriver | None:
+    """The driver of an exciter, likewise. Raises `ValueError`."""
+    return _find(name, folder, "tumble.exciters", ExciterTable)
 
 
 def _find(name: str, folder: Path, group: str, kind: type[Instrument]) -> Driver[Any, Any] | None:

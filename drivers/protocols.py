@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tumble.drivers.clock import Clock
+from tumble.drivers.excitation import Excitation
 
 FloatArray: TypeAlias = NDArray[np.float64]
 
@@ -182,6 +183,43 @@ class Environment(Protocol):
         ...
 
 
+@dataclass(frozen=True, kw_only=True)
+class ExciterStatus:
+    """What an exciter reports at one moment."""
+
+    excitation: Excitation
+    """What it is set to, as it says itself; a level of zero where it gives none."""
+    on: bool
+    """Whether it drives."""
+    overload: bool = False
+    """Whether it, or its amplifier, complains."""
+
+
+class Exciter(Protocol):
+    """What shakes the unit, or turns it in a centrifuge, while dwells are taken."""
+
+    @property
+    def ramp_s(self) -> float:
+        """Time from rest to a level, and back."""
+        ...
+
+    def identify(self) -> Identity:
+        """Ask the instrument who it is. Raises `DeviceError`."""
+        ...
+
+    def drive(self, excitation: Excitation) -> None:
+        """Drive so from now on; returns at once. Raises `LimitError`, `DeviceError`."""
+        ...
+
+    def status(self) -> ExciterStatus:
+        """Read level, frequency and output back from the instrument. Raises `DeviceError`."""
+        ...
+
+    def make_safe(self) -> None:
+        """Drive at zero, output off; returns at once, `status` tells whether it is so. Raises `DeviceError`."""
+        ...
+
+
 @runtime_checkable
 class Reconnectable(Protocol):
     """An instrument behind a link that can vanish and return."""
@@ -217,6 +255,9 @@ class Remarking(Protocol):
         ...
 
 
+Instrument: TypeAlias = Positioner | Sampler | Environment | Exciter
+"""Any instrument of a stand."""
+
 DividingHead: TypeAlias = Positioner
 Daq: TypeAlias = Sampler
 HeadStatus: TypeAlias = PositionerStatus
@@ -240,8 +281,19 @@ class Stand:
     """What sentences call the instruments, by name; the name itself where nothing is said."""
     environments: Mapping[str, Environment] = field(default_factory=dict)
     """What sets a condition of dwells by itself, by the condition, whose name is that of the instrument, too."""
+    exciters: Mapping[str, Exciter] = field(default_factory=dict)
+    """What shakes the unit, by the condition that it sets, whose name is that of the instrument, too."""
+    most: Mapping[str, float] = field(default_factory=dict)
+    """The greatest magnitude that a sample of a channel may have, by its name; beyond it the excitation is ended."""
+    quiet: Mapping[str, float] = field(default_factory=dict)
+    """The greatest standard deviation of the samples of a channel while every exciter rests."""
     channels: Mapping[str, Sequence[str]] = field(default_factory=dict)
     """Names of the channels of a sampler, in their order, by its name; those that it gives where nothing is said."""
+
+    @property
+    def instruments(self) -> Mapping[str, "Instrument"]:
+        """All of them, by name."""
+        return {**self.positioners, **self.samplers, **self.environments, **self.exciters}
 
     def title(self, name: str) -> str:
         """What sentences call an instrument."""

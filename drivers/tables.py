@@ -21,7 +21,14 @@ DAQ: Final = "daq"
 """Tables of a stand file, and the names of these instruments at the stand."""
 CHAMBER: Final = "chamber"
 """The same of a temperature chamber; also the condition of dwells that it sets, a temperature in °C as text."""
-TITLES: Final = {HEAD: Message("dividing head"), DAQ: Message("DAQ"), CHAMBER: Message("temperature chamber")}
+EXCITER: Final = "exciter"
+"""The same of what shakes the unit; its condition is an excitation as text."""
+TITLES: Final = {
+    HEAD: Message("dividing head"),
+    DAQ: Message("DAQ"),
+    CHAMBER: Message("temperature chamber"),
+    EXCITER: Message("exciter"),
+}
 """What sentences call them."""
 MOUNT: Final = "mount"
 """The condition of a dwell that the seat on the head limits: how the unit sits there."""

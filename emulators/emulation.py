@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, TypeVar
 from uuid import uuid4
 
 from tumble.drivers.driver import SIMULATED
-from tumble.drivers.tables import CHAMBER, DAQ, HEAD, ChamberTable, DaqTable, HeadTable, Instrument
+from tumble.drivers.exciter_table import ExciterTable
+from tumble.drivers.tables import CHAMBER, DAQ, EXCITER, HEAD, ChamberTable, DaqTable, HeadTable, Instrument
 from tumble.emulators.backstage import backstage_of
 from tumble.emulators.faults import Faults, JointFaults
 from tumble.emulators.scpi.models import Messages
@@ -38,6 +39,7 @@ class Wanted:
     samplers: Mapping[str, DaqTable] = field(default_factory=dict)
     """The tables of further ones, by name."""
     chamber: ChamberTable | None = None
+    exciter: ExciterTable | None = None
     head_port: int = 0
     """TCP port; 0 for any that is free. Where head and DAQ share a CAN bus, that of the head serves both."""
     daq_port: int = 0
@@ -90,8 +92,8 @@ class _Emulation:
         self._bus_address: dict[str, str] = {}
 
     def addresses(self) -> dict[str, str]:
-        chamber = [CHAMBER] if self._wanted.chamber else []
-        self._faults.check([*self._wanted.heads, *self._wanted.daqs, *chamber])
+        others = [name for name in (CHAMBER, EXCITER) if getattr(self._wanted, name)]
+        self._faults.check([*self._wanted.heads, *self._wanted.daqs, *others])
         found = self._heads()
         for name, table in self._wanted.daqs.items():
             kinds = {
@@ -104,6 +106,8 @@ class _Emulation:
             found |= _emulator(table, kinds)(name, table)
         if self._wanted.chamber:
             found |= _emulator(self._wanted.chamber, {SIMULATED: self._chamber, "modbus": self._chamber})()
+        if self._wanted.exciter:
+            found |= _emulator(self._wanted.exciter, {SIMULATED: self._generator, "generator": self._generator})()
         self._stack.enter_context(backstage_of(self._shared, tuple(found.values()), self._faults.of(OPERATOR)))
         return found
 
@@ -211,6 +215,19 @@ class _Emulation:
         session = EmulatedChamber(self._shared, registers, faults)
         server = serve_tcp(lambda: session, self._wanted.port(CHAMBER), faults, whole=is_whole)
         return {CHAMBER: self._kept(server).url}
+
+    def _generator(self) -> dict[str, str]:
+        """What drives the shakers; of one that is only simulated, one output of 2 g/V."""
+        from tumble.drivers.generator.table import GeneratorTable
+        from tumble.emulators.scpi import ScpiSession
+        from tumble.emulators.scpi.generator import EmulatedGenerator
+
+        table, faults = self._wanted.exciter, self._faults.of(EXCITER)
+        gains = {1: ("x", 2.0)}
+        if isinstance(table, GeneratorTable):
+            gains = {output.channel: (str(axis), output.g_per_v) for axis, output in table.outputs.items()}
+        generator = EmulatedGenerator(self._shared, gains, faults)
+        return self._lines(EXCITER, lambda: ScpiSession(generator), faults)
 
     def _frames(self, table: DaqTable) -> "DaqFrames | None":
         """What the DBC file of the stand says, where it has one. Raises `ValueError`."""

@@ -29,6 +29,7 @@ from tumble.procedures.events import (
     StepStarted,
     WarningRaised,
 )
+from tumble.procedures.exciters import Exciters
 from tumble.procedures.interlock import Interlock
 from tumble.procedures.journeys import POLL_S
 from tumble.procedures.losses import Losses
@@ -91,12 +92,18 @@ class Engine:
         """Pauses, resumes and stops the run; from any thread."""
         losses = Losses()
         self._axes = Axes(stand, acquisition, losses, look)
-        self._recovery = Recovery(stand, self._axes, losses, self._announcer.announce, self.control.check)
         sampling = Sampling(stand, losses)
+        blocks = partial(sampling.blocks, acquisition.settle_samples, acquisition.rate_hz)
+        self._exciters = Exciters(stand, losses, blocks, self.control.check)
+        self._recovery = Recovery(
+            stand, self._axes, self._exciters, losses, self._announcer.announce, self.control.check
+        )
         self._interlock = Interlock(stand, losses)
-        self._measuring = Measuring(stand, acquisition, self._axes, sampling, self._recovery, self._guarded)
+        self._measuring = Measuring(
+            stand, acquisition, self._axes, sampling, self._exciters, self._recovery, self._guarded
+        )
         self._environments = Environments(stand, acquisition, sampling, self._recovery, losses, self.control.check)
-        self._moving = " or ".join(map(stand.title, stand.positioners))
+        self._moving = " or ".join(map(stand.title, (*stand.positioners, *stand.exciters)))
         self._eyepiece = eyepiece
         if eyepiece is not None:
             eyepiece.attach(self._announcer.announce)
@@ -110,7 +117,7 @@ class Engine:
     def run(self, procedure: Procedure) -> Outcome:
         """Carry out `procedure` to its end, or until something else ends it, and bring everything to a standstill."""
         self._began_s = self._clock.monotonic_s()
-        return self._to_its_end(procedure, next(procedure, None), self._recovery.begin)
+        return self._to_its_end(procedure, next(procedure, None), self._meet)
 
     def resume(
         self,
@@ -165,9 +172,14 @@ class Engine:
             raise
         return self._finish(None)
 
+    def _meet(self) -> None:
+        """Get to know all instruments, and bring to rest what a run that was killed has left driving."""
+        self._recovery.begin()
+        self._recovery.persist(self._exciters.begin)
+
     def _go_on(self, asks: Iterable[Ask], elapsed_s: Callable[[], float], tolerance_v: float | None) -> None:
         """Make sure that the stand is as it was, and let the run's time go on."""
-        self._recovery.begin()
+        self._meet()
         last = self._points[-1] if self._points else None
         if last is not None:
             self._verify(last, asks, tolerance_v)
@@ -193,7 +205,7 @@ class Engine:
     def _ask(self, ask: Ask) -> Confirmed:
         self._change(State.AWAITING_OPERATOR)
         self._announcer.announce(ConditionRequested(condition=ask.condition, value=ask.value, prompt=ask.prompt))
-        answer = self._set_by_itself(ask) if ask.condition in self._environments.names else self._asked(ask)
+        answer = self._set_by_itself(ask) or self._asked(ask)
         self._announcer.announce(
             ConditionAnswered(condition=ask.condition, value=ask.value, answer=answer.text, confirmed=answer.confirmed)
         )
@@ -213,13 +225,21 @@ class Engine:
         self._change(State.RUNNING)
         return Confirmed(condition=ask.condition, value=ask.value)
 
-    def _set_by_itself(self, ask: Ask) -> Answer:
-        """Have the environment set a condition, in place of the operator."""
-        self._change(State.RUNNING)
-        self._interlock.used.add(ask.condition)
-        return Answer(text=self._environments.soak(ask.condition, float(ask.value)), confirmed=True)
+    def _set_by_itself(self, ask: Ask) -> Answer | None:
+        """Have an environment or an exciter set a condition, in place of the operator; None where there is neither."""
+        if ask.condition in self._environments.names:
+            self._change(State.RUNNING)
+            self._interlock.used.add(ask.condition)
+            return Answer(text=self._environments.soak(ask.condition, float(ask.value)), confirmed=True)
+        if ask.condition in self._exciters.names:
+            self._change(State.RUNNING)
+            excite = partial(self._exciters.excite, ask.condition, ask.value)
+            return Answer(text=self._recovery.persist(excite), confirmed=True)
+        return None
 
     def _asked(self, ask: Ask) -> Answer:
+        """What the operator answers; nothing shakes what he may have to touch."""
+        self._recovery.persist(self._exciters.clear)
         self._operator.ask(ask)
         while (answer := self._operator.poll()) is None:
             self.control.check()
@@ -283,6 +303,7 @@ class Engine:
         if not self.control.pause_wanted():
             return False
         self._axes.halt()
+        self._exciters.clear()
         self._change(State.PAUSED)
         while self.control.pause_wanted():
             self.control.check()
@@ -298,8 +319,9 @@ class Engine:
         self._change_anyway(State.STOPPING, message_of(error))
         at_standstill = False
         with suppress(KeyboardInterrupt):  # from whoever runs the engine without handling signals
-            at_standstill = self._axes.standstill()
-            self._left_unsafe = self._interlock.leave(at_standstill)
+            driving = self._exciters.leave()
+            at_standstill = self._axes.standstill() and not driving
+            self._left_unsafe = [*driving, *self._interlock.leave(at_standstill)]
         if at_standstill:
             self._change_anyway(State.STANDSTILL, message_of(error))
         for remark in (*self._left_unsafe, *self._recovery.last_remarks()):

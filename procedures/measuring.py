@@ -8,6 +8,7 @@ from tumble.drivers.protocols import Block, Stand
 from tumble.procedures.acquisition import Acquisition
 from tumble.procedures.approach import Place
 from tumble.procedures.axes import Axes
+from tumble.procedures.exciters import Exciters
 from tumble.procedures.recovery import Recovery
 from tumble.procedures.reduction import count_unusable, reduce_channels, with_temperatures
 from tumble.procedures.sampling import Sampling, channels_of, wanted
@@ -73,6 +74,7 @@ class Measuring:
         acquisition: Acquisition,
         axes: Axes,
         sampling: Sampling,
+        exciters: Exciters,
         recovery: Recovery,
         checkpoint: Callable[[], bool],
     ) -> None:
@@ -80,6 +82,7 @@ class Measuring:
         self._acquisition = acquisition
         self._axes = axes
         self._sampling = sampling
+        self._exciters = exciters
         self._recovery = recovery
         self._checkpoint = checkpoint
 
@@ -107,10 +110,12 @@ class Measuring:
 
     def _take(self, go: Callable[[], dict[str, float]], channels: tuple[str, ...]) -> Taken:
         positions_deg = go()
+        self._exciters.sustain()
         settled = settle(self._sampling.channels, self._clock, self._acquisition, self._checkpoint)
         began_s = self._clock.monotonic_s()
         blocks = self._sampling.blocks(self._acquisition.samples, self._acquisition.rate_hz)
         self._axes.check_rest(positions_deg)
+        self._exciters.inspect(blocks)
         return Taken(
             positions_deg=positions_deg,
             directions=self._axes.directions(positions_deg),

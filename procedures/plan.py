@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
+from types import MappingProxyType
 
 from tumble.messages import Message
 from tumble.procedures.acquisition import Acquisition
@@ -24,6 +25,8 @@ class PlannedStep:
     duration_s: float
     waypoints_deg: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
     """Angles at which a positioner stops, by its name, the dwell's own the last of them; none for a request."""
+    by_hand: bool = False
+    """Whether an operator does it."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -46,7 +49,7 @@ class Plan:
     @property
     def requests(self) -> int:
         """How often the operator must set something, the first time included."""
-        return len(self.steps) - self.dwells
+        return sum(planned.by_hand for planned in self.steps)
 
     @property
     def angle_range_deg(self) -> tuple[float, float]:
@@ -67,12 +70,14 @@ def plan(
     *,
     speeds_deg_s: Mapping[str, float],
     request_s: float = REQUEST_S,
+    setting_s: Mapping[str, float] = MappingProxyType({}),
     start_deg: float = 0.0,
 ) -> Plan:
     """Work out every step of `programme`.
 
     A dwell takes the longest of its positioners' moves from where they were, each at its own speed, the settling where
-    the first two blocks agree, and the samples; a request takes `request_s`. Every positioner begins at `start_deg`.
+    the first two blocks agree, and the samples; a request takes `request_s`, or `setting_s` where the stand sets that
+    condition by itself. Every positioner begins at `start_deg`.
     """
     procedure = programme.procedure()
     steps: list[PlannedStep] = []
@@ -81,7 +86,9 @@ def plan(
     step: Step | None = next(procedure)
     while step is not None:
         if isinstance(step, Ask):
-            steps.append(PlannedStep(step=step, duration_s=request_s))
+            by_hand = step.condition not in setting_s
+            duration_s = request_s if by_hand else setting_s[step.condition]
+            steps.append(PlannedStep(step=step, duration_s=duration_s, by_hand=by_hand))
             step = advance(procedure, Confirmed(condition=step.condition, value=step.value))
         else:
             planned = _planned(step, here, acquisition, speeds_deg_s)

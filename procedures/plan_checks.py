@@ -1,6 +1,6 @@
 """Whether a stand allows what a plan asks of it."""
 
-from collections.abc import Collection, Iterator
+from collections.abc import Callable, Collection, Iterator
 
 from tumble.messages import Message
 from tumble.procedures.composition import advance
@@ -116,6 +116,29 @@ def check_temperatures(plan: Plan, condition: str, limits_degc: tuple[float, flo
                     value=value,
                     low=low_degc,
                     high=high_degc,
+                )
+            )
+
+
+def check_excitations(plan: Plan, condition: str, refusal: Callable[[str], str]) -> None:
+    """Make sure that an exciter may do everything that a plan asks of it; `refusal` says why it may not, or nothing.
+
+    Raises
+    ------
+    ProgrammeError
+        Names file, line, excitation and limit.
+    """
+    for planned in plan.steps:
+        step = planned.step
+        if isinstance(step, Dwell) and condition in step.conditions and (why := refusal(step.conditions[condition])):
+            raise ProgrammeError(
+                Message(
+                    "{origin}: the {procedure} needs {value}, and the exciter {why}; change the programme, or the "
+                    "limits of the stand",
+                    origin=_origin(plan.programme, step),
+                    procedure=step.procedure,
+                    value=step.conditions[condition],
+                    why=why,
                 )
             )
 

@@ -10,19 +10,18 @@ from typing import Final, TypeVar
 
 from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError, ReferenceLostError
 from tumble.drivers.protocols import (
-    Environment,
     Identity,
-    Positioner,
+    Instrument,
     Reconnectable,
     Remarking,
     Resettable,
-    Sampler,
     Stand,
 )
 from tumble.messages import Message
 from tumble.procedures.approach import Place
 from tumble.procedures.axes import Axes
 from tumble.procedures.events import Event, Identified, WarningRaised
+from tumble.procedures.exciters import Exciters
 from tumble.procedures.losses import Losses
 
 RECONNECTING_S: Final = 30.0
@@ -45,6 +44,8 @@ class Recovery:
         Instruments, clock, and the serial numbers that the stand file demands.
     axes
         Moves of the stand's positioners.
+    exciters
+        Brought to rest while a link is away.
     losses
         Whose links were lost.
     announce
@@ -54,16 +55,19 @@ class Recovery:
     """
 
     def __init__(
-        self, stand: Stand, axes: Axes, losses: Losses, announce: Callable[[Event], None], check: Callable[[], object]
+        self,
+        stand: Stand,
+        axes: Axes,
+        exciters: Exciters,
+        losses: Losses,
+        announce: Callable[[Event], None],
+        check: Callable[[], object],
     ) -> None:
         self._stand = stand
-        self._instruments: Mapping[str, Positioner | Sampler | Environment] = {
-            **stand.positioners,
-            **stand.samplers,
-            **stand.environments,
-        }
+        self._instruments = stand.instruments
         self._clock = stand.clock
         self._axes = axes
+        self._exciters = exciters
         self._losses = losses
         self._announce = announce
         self._check = check
@@ -174,8 +178,10 @@ class Recovery:
             Message("{device}: {happened}; trying to go on", device=interruption.device, happened=interruption.happened)
         )
         began_s = self._clock.monotonic_s()
+        self._exciters.calm_those_heard()
         for name, instrument in self._instruments.items():
             self._reach(name, instrument, began_s + RECONNECTING_S)
+        self._exciters.calm()
         for name in self._stand.positioners:
             with self._losses.using(name):
                 self._put_back(name, places.get(name))
@@ -205,7 +211,7 @@ class Recovery:
         self._check()
         return False
 
-    def _reach(self, name: str, instrument: Positioner | Sampler | Environment, deadline_s: float) -> None:
+    def _reach(self, name: str, instrument: Instrument, deadline_s: float) -> None:
         while True:
             try:
                 if name in self._losses.names and isinstance(instrument, Reconnectable):

@@ -67,6 +67,7 @@ def command(
         positioners=file.positioners,
         samplers=file.samplers,
         chamber=file.chamber_table,
+        exciter=file.exciter_table,
         ports=ports | {name: port for name, port in asked.items() if port is not None},
         folder=loaded.folder,
         ptys=ptys,

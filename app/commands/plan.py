@@ -77,6 +77,14 @@ def _write_pictures(planned: Plan, page: Path) -> None:
 
 
 def _summary(planned: Plan) -> str:
+    if not any(isinstance(each.step, Dwell) and each.step.targets_deg for each in planned.steps):
+        return Message(
+            "{programme_name}: {dwells} dwells, {requests} mountings by hand, {time} in all",
+            programme_name=planned.programme.name,
+            dwells=planned.dwells,
+            requests=planned.requests,
+            time=_clock(planned.duration_s),
+        )
     low, high = planned.angle_range_deg
     return Message(
         "{programme_name}: {dwells} dwells between {low:g}° and {high:g}°, {requests} mountings by hand, {time} in all",
@@ -97,22 +105,24 @@ def _mountings(planned: Plan) -> Iterator[str]:
             "  {time}  {conditions}: {listed}",
             time=_clock(began_s),
             conditions=conditions,
-            listed=Message.joined("; ", _series(dwells)),
+            listed=Message.joined("; ", _series(dwells) if dwells[0].targets_deg else _set_otherwise(dwells)),
         )
         began_s += duration_s
 
 
 def _stretches(steps: Sequence[PlannedStep]) -> Iterator[tuple[str, list[Dwell], float]]:
-    """Conditions, dwells and duration of every stretch between two requests."""
+    """Conditions that are set by hand, dwells and duration of every stretch between two requests."""
+    by_hand = {each.step.condition for each in steps if isinstance(each.step, Ask) and each.by_hand}
     dwells: list[Dwell] = []
     conditions, duration_s = "", 0.0
     for planned in steps:
         if isinstance(planned.step, Ask):
-            if dwells:
+            if dwells and planned.by_hand:
                 yield conditions, dwells, duration_s
                 dwells, duration_s = [], 0.0
         else:
-            conditions = Message.joined(", ", planned.step.conditions.values())
+            set_so = [value for name, value in planned.step.conditions.items() if name in by_hand]
+            conditions = Message.joined(", ", set_so)
             dwells.append(planned.step)
         duration_s += planned.duration_s
     yield conditions, dwells, duration_s
@@ -131,6 +141,15 @@ def _series(dwells: Sequence[Dwell]) -> Iterator[str]:
         else:
             ranges = (_range([targets_deg[positioner] for targets_deg in settings]) for positioner in settings[0])
             yield Message.joined(", ", [name, Message("{count} settings", count=len(settings)), *ranges])
+
+
+def _set_otherwise(dwells: Sequence[Dwell]) -> Iterator[str]:
+    """What nothing turns for: `17 dwells`, and every other condition of them once."""
+    yield Message("{count} dwells", count=len(dwells))
+    changing = [
+        name for name in dwells[0].conditions if len({dwell.conditions[name] for dwell in dwells}) > 1
+    ]  # what a person sets stays as it is
+    yield from dict.fromkeys(dwell.conditions[name] for name in changing for dwell in dwells)
 
 
 def _range(angles_deg: Sequence[float]) -> str:

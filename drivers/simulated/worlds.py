@@ -11,8 +11,10 @@ from typing import Any, Final, Generic, Protocol, TypeVar
 
 from tumble import plugins
 from tumble.drivers.clock import Clock
+from tumble.drivers.exciter_table import ExciterTable
 from tumble.drivers.protocols import Block, Sampler
 from tumble.drivers.simulated.chamber import SimulatedChamber
+from tumble.drivers.simulated.exciter import SimulatedExciter
 from tumble.drivers.simulated.head import HeadOptions, SimulatedHead
 from tumble.drivers.simulated.table import SimulatedTable
 from tumble.drivers.tables import ChamberTable
@@ -119,6 +121,15 @@ def chamber_of(world: World, table: ChamberTable) -> "SimulatedChamber":
         raise ValueError(Message("this simulated world has no temperature chamber; leave [chamber] out"))
     world.chamber.options = table
     return world.chamber
+
+
+def exciter_of(world: World, table: ExciterTable) -> SimulatedExciter:
+    """The exciter of a world with what the stand file says of it. Raises `ValueError` where it has none."""
+    exciter: SimulatedExciter | None = getattr(world, "exciter", None)
+    if exciter is None:
+        raise ValueError(Message("this simulated world has nothing that shakes the unit; leave [exciter] out"))
+    exciter.options = table
+    return exciter
 
 
 def axis_of(positioners: Mapping[str, SimulatedHead], name: str) -> SimulatedHead:

@@ -37,7 +37,7 @@ MESSAGES: Mapping[int, str] = {
 
 _UNIT = re.compile(r"""\s*(?P<header>[*:]?[A-Za-z][A-Za-z0-9_:]*\??)(?:\s+(?P<parameters>.*?))?\s*""", re.DOTALL)
 _NUMBER = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:\s*E\s*[+-]?\d{1,3})?)\s*([A-Z/%]*)")
-_NODE = re.compile(r"(\[?):?([A-Z]+)([a-z]*)")
+_NODE = re.compile(r"(\[?):?([A-Z]+)([a-z]*)(\d*)")
 _ENCLOSING = frozenset("\"'()")
 _PREFIXES: Mapping[str, float] = {"": 1.0, "N": 1e-9, "U": 1e-6, "M": 1e-3, "K": 1e3, "MA": 1e6}
 
@@ -84,8 +84,8 @@ def spellings(header: str) -> Iterator[str]:
         return
     choices = []
     mark = "?" if header.endswith("?") else ""
-    for opening, short, rest in _NODE.findall(header):
-        forms = dict.fromkeys((short, short + rest.upper()))
+    for opening, short, rest, suffix in _NODE.findall(header):
+        forms = dict.fromkeys((short + suffix, short + rest.upper() + suffix))
         choices.append([*forms, ""] if opening else [*forms])
     for nodes in product(*choices):
         yield ":".join(node for node in nodes if node) + mark

@@ -1,12 +1,38 @@
-"""A client's conversation with the multimeter."""
+"""A client's conversation with an instrument."""
 
 from collections import deque
 from collections.abc import Generator
+from threading import RLock
+from typing import Protocol
 
 from tumble.emulators.scpi.language import ScpiError
-from tumble.emulators.scpi.meter import Multimeter
+from tumble.emulators.scpi.status import Status
 
 INTERRUPTED = -410
+
+
+class Instrument(Protocol):
+    """A multimeter, or whatever else speaks SCPI."""
+
+    status: Status
+
+    @property
+    def lock(self) -> RLock:
+        """Held by whoever lets it work."""
+        ...
+
+    @property
+    def deaf(self) -> bool:
+        """Whether it reads nothing but ABORt at the moment."""
+        ...
+
+    def abort(self) -> None:
+        """End what it is at."""
+        ...
+
+    def execute(self, message: str) -> Generator[None, None, str]:
+        """Carry out a message; yields while a query waits, and returns the answers."""
+        ...
 
 
 class ScpiSession:
@@ -17,7 +43,7 @@ class ScpiSession:
     afterwards.
     """
 
-    def __init__(self, meter: Multimeter) -> None:
+    def __init__(self, meter: Instrument) -> None:
         self._meter = meter
         self._running: Generator[None, None, str] | None = None
         self._asked = False

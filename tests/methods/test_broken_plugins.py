@@ -29,6 +29,8 @@ MODULES = {
 INSTALLED = ["dividing_head", "gyrocompass", "head_reference", "temperature", "triad"]
 GROUPS = ("tumble.methods", "tumble.procedures", "tumble.jobs", "tumble.window", "tumble.heads")
 
+METHODS = ["dividing_head", "head_reference", "temperature", "triad", "vibration"]
+
 
 @pytest.fixture(autouse=True)
 def forgotten():
@@ -83,8 +85,9 @@ def test_all_other_methods_are_found(installed, value, caplog):
         "head_reference",
         "temperature",
         "triad",
+        "vibration",
     ]
-    assert [method.name for method in usable_methods()] == ["dividing_head", "gyrocompass", "triad"]
+    assert [method.name for method in usable_methods()] == ["dividing_head", "gyrocompass", "triad", "vibration"]
     assert [record.message.split(" in ")[0] for record in caplog.records] == [
         "broken of tumble.methods",
         "broken of tumble.procedures",
@@ -124,6 +127,7 @@ def test_entry_points_that_cannot_be_parsed_stop_no_other_package(installed, cap
         "head_reference",
         "temperature",
         "triad",
+        "vibration",
     ]
     assert caplog.records[0].message.startswith("the entry points of the package broken cannot be read")
 

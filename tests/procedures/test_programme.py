@@ -53,11 +53,16 @@ def complaint(text):
 GYROCOMPASSES = ["0-120-240", "0-180-90-270", "0-90-180", "0-90-180-270", "0-90-180-90-0"]
 GYROCOMPASSES += ["another-lean", "every-30", "two-bases"]
 TRIADS = ["12", "12o", "16o", "18", "18-there-and-back", "24", "24-there-and-back", "24f", "6", "8o", "fine"]
+VIBRATIONS = [
+    "vibration",
+    *(f"vibration-{each}" for each in ("centrifuge", "fixtures", "frequencies", "input-axis", "phases", "random")),
+    *(f"vibration-{each}" for each in ("reversed", "three-shakers", "turned", "up-and-down")),
+]
 
 
 def test_programmes_that_come_along():
     assert shipped_programmes()[: len(PROBES) + 3] == [*PROBES, "quick", "reversal", "seed"]
-    assert shipped_programmes()[len(PROBES) + 3 :] == [*GYROCOMPASSES, *TRIADS]
+    assert shipped_programmes()[len(PROBES) + 3 :] == [*GYROCOMPASSES, *TRIADS, *VIBRATIONS]
 
 
 @pytest.mark.parametrize("name", [*PROBES, "quick", "reversal", "seed"])

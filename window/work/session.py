@@ -11,7 +11,7 @@ from tumble.app.stand import LoadedStand
 from tumble.app.stand_lock import holding
 from tumble.app.wiring import Attendant, Connected, connect
 from tumble.drivers.errors import DeviceError
-from tumble.drivers.protocols import Environment, Identity, Positioner, PositionerStatus, Sampler
+from tumble.drivers.protocols import Identity, PositionerStatus
 from tumble.messages import Message
 from tumble.procedures.axes import Look
 from tumble.procedures.interlock import Interlock
@@ -84,14 +84,9 @@ class StandSession:
             connected = connect(self.loaded, attendant=attendant, past=past)
             stack.callback(connected.links.close)
             stand = connected.stand
-            instruments: dict[str, Positioner | Sampler | Environment] = {
-                **stand.positioners,
-                **stand.samplers,
-                **stand.environments,
-            }
             identity = StandIdentity(
                 loaded=self.loaded,
-                instruments={name: instrument.identify() for name, instrument in instruments.items()},
+                instruments={name: instrument.identify() for name, instrument in stand.instruments.items()},
                 statuses={name: positioner.status() for name, positioner in stand.positioners.items()},
                 warnings=connected.warnings,
             )

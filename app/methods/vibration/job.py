@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from tumble.app.available import Available
 from tumble.app.job_part import JobPart
@@ -10,7 +10,7 @@ from tumble.app.measurement import Measurement
 from tumble.app.measurements import check_limits
 from tumble.app.methods.vibration.analysed import VibrationAnalysed, VibrationTraced
 from tumble.app.methods.vibration.uncertainty import uncertainty_of
-from tumble.app.stand import LoadedStand
+from tumble.app.stand import LoadedStand, WrittenStand
 from tumble.calibrations.core.provenance import Provenance
 from tumble.calibrations.methods.vibration.at_the_stand import declared_at, loop_at
 from tumble.calibrations.methods.vibration.loop import asked_next, close_vibration_loop, declared_fit
@@ -18,10 +18,14 @@ from tumble.calibrations.methods.vibration.observations import VibrationObservat
 from tumble.calibrations.methods.vibration.probes import PROBES
 from tumble.calibrations.tracing.experiments import Experiment
 
+if TYPE_CHECKING:
+    from tumble.app.methods.vibration.promise import VibrationPromise
+    from tumble.procedures.plan import Plan
+
 
 @dataclass(frozen=True)
 class VibrationJob:
-    """Fits `JobPart`."""
+    """Fits `JobPart` and `Promising`."""
 
     experiments: frozenset[str] = frozenset(probe.programme for probe in PROBES)
     stand: None = None
@@ -52,6 +56,12 @@ class VibrationJob:
         loop = loop_at(loop, uncertainty_of(measurement))
         limits = check_limits(loop.augmented.parameters, measurement.programme)
         return VibrationTraced(**{**vars(analysed), "limits": limits}, loop=loop)
+
+    def promise(self, planned: "Plan", stand: WrittenStand) -> "VibrationPromise | None":
+        """What a plan can tell; None where nothing shakes in it."""
+        from tumble.app.methods.vibration.promise import promise  # the programmes come with it
+
+        return promise(planned, stand)
 
     def suggested(self, traced: VibrationTraced) -> tuple[Experiment, ...]:
         """What to measure next, of all programmes that come along."""
