@@ -160,13 +160,30 @@ def conclude(
     analysed = fit(with_what_is_known(read_measurement(recording), folder, effects), folder=folder)
     tell("tracing")
     traced = trace(analysed)
+    return keep(traced, folder, tell, language)
+
+
+def keep(
+    traced: Traced,
+    folder: Path,
+    tell: Callable[[str], None] = lambda _: None,
+    language: Language = Language.ENGLISH,
+    chain: Chain[Any] | None = None,
+) -> Calibrated:
+    """Store a result and write its report in a language, with the experiments that closed the loop if there were any.
+
+    Raises
+    ------
+    InputError, JobError
+        What went wrong; the raw files are kept.
+    """
     tell("storing")
-    record = store(traced, folder)
+    record, recording = store(traced, folder), traced.measurement.path
     learned = learn(traced, folder)
     tell("reporting")
     report = report_path(folder, record)
     try:
-        write_report(traced, report, language, record)
+        write_report(traced, report, language, record, chain)
     except JobError as error:
         raise JobError(
             Message(

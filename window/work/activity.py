@@ -111,7 +111,7 @@ class Resumption:
 
 @dataclass(frozen=True, kw_only=True)
 class FurtherExperiment:
-    """An experiment that the closed loop asked for, and the loop closed again with it."""
+    """An experiment that the closed loop asked for, the loop closed again with it, and what both say stored."""
 
     job: Job
     store: Path
@@ -123,7 +123,11 @@ class FurtherExperiment:
     def carry_out(self, connected: Connected, listeners: Sequence[Listener], tell: Tell) -> Concluded:
         """Do it."""
         from tumble.app.acting import AtStand, prepare, run_experiment
+        from tumble.app.analysing import fit
+        from tumble.app.calibrating import keep, make_ready
         from tumble.app.closing import begin, follow
+
+        make_ready(self.store)
 
         job, clock = self.job, connected.stand.clock
         at = AtStand(
@@ -140,7 +144,9 @@ class FurtherExperiment:
         recording = run_experiment(at, offer, listeners)
         tell("tracing")
         closing = follow(closing, asked, recording, clock.monotonic_s() - began_s, at)
-        return Concluded(method=job.programme.method, traced=closing.traced, recordings=closing.files)
+        refitted = closing.traced.refitted(fit(closing.traced.measurement, job.serial_number, folder=self.store))
+        done = keep(refitted, self.store, tell, spoken(), closing.chain)
+        return _stored(job, done, closing.files)
 
 
 def progress_of(activity: Activity, connected: Connected) -> Progress:
@@ -148,11 +154,12 @@ def progress_of(activity: Activity, connected: Connected) -> Progress:
     return Progress(activity.job.plan(), connected.stand.clock, activity.points_done)
 
 
-def _stored(job: Job, done: "Calibrated") -> Concluded:
+def _stored(job: Job, done: "Calibrated", recordings: tuple[Path, ...] = ()) -> Concluded:
+    """What was kept of one recording, or of several together."""
     return Concluded(
         method=job.programme.method,
         traced=done.analysed,
-        recordings=(done.recording,),
+        recordings=recordings or (done.recording,),
         record_id=done.record.id,
         report=done.report,
     )

@@ -87,7 +87,7 @@ def open_record(folder: Path, record_id: str) -> Concluded:
     return Concluded(
         method=record.method,
         traced=traced,
-        recordings=(measurement.path,),
+        recordings=tuple(each.path for each in (measurement, *measurement.others)),
         record_id=record.id,
         report=page if page.is_file() else None,
     )
