@@ -11,6 +11,7 @@ from tumble.procedures.events import Event, PointCompleted, SamplesAcquired, Ste
 from tumble.procedures.plan import Plan
 from tumble.procedures.programme import Programme
 from tumble.procedures.steps import Ask, Dwell, Point
+from tumble.window.look.plots import Plot
 from tumble.window.look.sentences import sentence_of
 from tumble.window.registry import window_part
 from tumble.window.widgets.dials import Dials
@@ -58,6 +59,8 @@ class RunView(QWidget):
         self._step, self._block = None, None
         self._drawn = -1
         self.samples.begin(programme.layout.channels)
+        for plot in self.findChildren(Plot):
+            plot.way_back.begin_anew()
         self.ask_nothing()
         self.log.clear()
 

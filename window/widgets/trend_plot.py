@@ -32,8 +32,9 @@ class TrendPlot(QWidget):
         self.drawn = 0
         """How many records have a value."""
         self._lay_out()
-        self.parameter.currentIndexChanged.connect(self._draw)
-        self.over.currentIndexChanged.connect(self._draw)
+        for choice in (self.parameter, self.over):
+            choice.currentIndexChanged.connect(self._draw)
+            choice.currentIndexChanged.connect(self.plot.way_back.home)
         self.plot.recoloured.connect(self._draw)
 
     def show_records(self, records: Sequence[Record]) -> None:

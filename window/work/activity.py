@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, Final, Protocol
 
 from tumble.app.running import Job, failure
 from tumble.app.simulation import Past
@@ -18,6 +18,8 @@ if TYPE_CHECKING:  # the analysis and the store take half a second: a window is 
     from tumble.app.resuming import Unfinished
 
 Tell = Callable[[str], None]
+PREPARING: Final = "preparing"
+"""The stage before a run in which what is there already is analysed."""
 
 
 class Activity(Protocol):
@@ -128,7 +130,7 @@ class FurtherExperiment:
         from tumble.app.closing import begin, follow
 
         make_ready(self.store)
-
+        tell(PREPARING)
         job, clock = self.job, connected.stand.clock
         at = AtStand(
             stand=job.stand,
