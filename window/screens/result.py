@@ -18,9 +18,11 @@ from tumble.window.look.language import tr
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
 from tumble.window.look.theme import colours
+from tumble.window.look.tints import AMBER, GREEN, GREY, RED, Tint
 from tumble.window.parts import ResultTab
 from tumble.window.registry import window_part
 from tumble.window.screens.loop_view import LoopView
+from tumble.window.widgets.banner import Banner
 from tumble.window.widgets.correlation_table import CorrelationTable
 from tumble.window.widgets.table import Table
 from tumble.window.work.activity import Concluded, FurtherExperiment
@@ -41,6 +43,7 @@ class ResultScreen(QWidget):
         self._background, self._stand = background, stand
         self._store = Path()
         self.presentation: Presentation | None = None
+        self.banner = Banner()
         self.verdict, self._subject, self._notices = PlainLabel(), PlainLabel(), PlainLabel()
         self.report_button = QPushButton(tr("Open the &report"))
         self.table = Table(
@@ -73,6 +76,7 @@ class ResultScreen(QWidget):
         self._background.start(partial(window_part(concluded.method).present, concluded), self._show)
 
     def _show_nothing(self) -> None:
+        self.banner.hide()
         self.verdict.setText(tr("There is no result yet: run a programme, or open a record."))
         self.report_button.setEnabled(False)
         self.tabs.setEnabled(False)
@@ -111,6 +115,8 @@ class ResultScreen(QWidget):
 
     def _show_head(self, presentation: Presentation) -> None:
         concluded = presentation.concluded
+        self.banner.say(*_banner(presentation.verdict.outcome))
+        self.banner.show()
         self.verdict.setObjectName(
             {Outcome.PASS: "good", Outcome.NO_LIMITS: "heading"}.get(presentation.verdict.outcome, "bad")
         )
@@ -152,9 +158,6 @@ class ResultScreen(QWidget):
     def _lay_out(self) -> None:
         for label in (self.verdict, self._subject, self._notices):
             label.setWordWrap(True)
-        font = self.verdict.font()
-        font.setPointSizeF(font.pointSizeF() * 1.6)
-        self.verdict.setFont(font)
         head = QHBoxLayout()
         head.addWidget(self.verdict, stretch=1)
         head.addWidget(self.report_button)
@@ -166,6 +169,7 @@ class ResultScreen(QWidget):
             self.tabs.addTab(part, title)
         self._take_tabs_of(FIRST)
         layout = QVBoxLayout(self)
+        layout.addWidget(self.banner)
         layout.addLayout(head)
         layout.addWidget(self._subject)
         layout.addWidget(self._notices)
@@ -202,3 +206,13 @@ class ResultScreen(QWidget):
             self.refused.emit(error)
             return
         self.experiment_wanted.emit(FurtherExperiment(job=job, store=self._store, before=concluded.recordings))
+
+
+def _banner(outcome: Outcome) -> tuple[str, Tint]:
+    """The verdict in a word or two, and its colour."""
+    return {
+        Outcome.PASS: (tr("✓ PASS"), GREEN),
+        Outcome.FAIL: (tr("✗ FAIL"), RED),
+        Outcome.NOT_DECIDED: (tr("? NOT DECIDED"), AMBER),
+        Outcome.NO_LIMITS: (tr("NO LIMITS"), GREY),
+    }[outcome]

@@ -18,7 +18,7 @@ from tumble.procedures.steps import Point
 from tumble.window.look.language import tr
 from tumble.window.look.numbers import local, minutes
 from tumble.window.look.sentences import in_language
-from tumble.window.screens.run_state import Phase, RunState
+from tumble.window.screens.run_state import Mood, Phase, RunState
 from tumble.window.screens.run_view import RunView
 from tumble.window.widgets.motion_button import MotionButton
 from tumble.window.widgets.prompts import ReadingPrompt
@@ -46,6 +46,8 @@ class RunScreen(QWidget):
     """`Dialog`."""
     state_changed = Signal(str, bool)
     """Where the run stands, and whether that is a fault."""
+    unit_changed = Signal(str, str)
+    """Serial number and operator."""
     broke_off = Signal()
     """A run ended before its time."""
     resume_wanted = Signal(object)
@@ -86,11 +88,17 @@ class RunScreen(QWidget):
         """Where the run stands."""
         return self._now.state
 
+    @property
+    def mood(self) -> Mood:
+        """What that means to whoever sees it from afar."""
+        return self._now.mood
+
     def show_stand(self) -> None:
         """Show what there is to do on the stand that is chosen now."""
         self.form.plan_anew()
         self._forget_positions()
         self._see_rest()
+        self._tell_unit()
 
     def offer(self, runs: "Sequence[CutOff]") -> None:
         """Offer to go on with the run that ended here before its time, or with one that another session left."""
@@ -117,6 +125,7 @@ class RunScreen(QWidget):
             self.refused.emit(error)
             return False
         self.form.serial.setText(activity.job.serial_number)
+        self.unit_changed.emit(activity.job.serial_number, activity.job.operator)
         self.line.show_run(activity.job, plan)
         self.view.begin(activity.job.programme, plan, points)
         self._bar.setRange(0, plan.dwells)
@@ -138,6 +147,7 @@ class RunScreen(QWidget):
         self.resume_button.clicked.connect(self._go_on)
         self.offered.wanted.connect(self.resume_wanted)
         self.form.changed.connect(self._refresh)
+        self.form.changed.connect(self._tell_unit)
         self.form.dialog_wanted.connect(self.dialog_wanted)
         self.view.confirmed.connect(self._confirm)
         self.reading.answered.connect(self._answer_reading)
@@ -186,6 +196,9 @@ class RunScreen(QWidget):
             case RunFinished(at_standstill=at_standstill):
                 self._ask_nothing()
                 self._now.settle(at_standstill)
+
+    def _tell_unit(self) -> None:
+        self.unit_changed.emit(self.form.serial.text().strip(), self.form.operator.text().strip())
 
     def _pause(self) -> None:
         self._now.pausing = True

@@ -46,6 +46,7 @@ class RunForm(QWidget):
         self._lay_out()
         self.serial.textChanged.connect(self.changed)
         self.operator.editingFinished.connect(self._remember)
+        self.operator.textChanged.connect(self.changed)
         self.programme.currentTextChanged.connect(self._programme_chosen)
 
     def plan_anew(self) -> None:
