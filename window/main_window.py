@@ -162,6 +162,7 @@ class MainWindow(QMainWindow):
         self.run.unit_changed.connect(self.strip.show_unit)
         self.run.concluded.connect(self._show_result)
         self.run.resume_wanted.connect(self.records.resume)
+        self.run.analysis_wanted.connect(self.records.analyse_cut_off)
         self.run.broke_off.connect(self.records.refresh)
         self.records.found_cut_off.connect(self.run.offer)
         self.result.experiment_wanted.connect(self._begin)

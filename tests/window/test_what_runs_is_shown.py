@@ -2,12 +2,16 @@
 
 from datetime import UTC, datetime, timedelta
 
+import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from window_driver import STAND, TINY
 
+from tumble.calibrations.methods.dividing_head.geometry import MOUNTS
 from tumble.drivers.protocols import PositionerStatus
 from tumble.window.look.plots import Plot
+from tumble.window.methods.dividing_head.mount_prompt import MountPrompt
+from tumble.window.methods.dividing_head.pose_picture import _ARROW, _ZERO_LABEL, _flat, _seat_z
 from tumble.window.screens.run_state import Mood
 
 MANUAL = STAND.replace('driver = "simulated"\nlimits', 'driver = "manual"\nserial = "OG-7"\nlimits')
@@ -66,6 +70,32 @@ def test_a_head_read_by_eye_waits_for_the_person(driver, write):
     assert driver.window.stop_bar.state.text() == "Waits for you"
     driver.bot.wait(100)
     assert "↻" not in driver.window.stop_bar._angle.text()
+
+
+@pytest.mark.parametrize(
+    ("angle_deg", "by_hand", "said"),
+    [
+        (0.0, False, "at head angle 0°"),
+        (720.001, False, "at head angle 0°"),
+        (330.0, False, "The head stands at 330° 00′ 00″, and turns by itself once you confirm"),
+        (330.0, True, "The head is at 330° 00′ 00″: turn it to 0° yourself"),
+    ],
+)
+def test_the_prompt_for_a_mount_says_where_the_head_is_and_who_turns_it(
+    qtbot, qapp, settings, angle_deg, by_hand, said
+):
+    prompt = MountPrompt(None)
+    qtbot.addWidget(prompt)
+    prompt.see("head", PositionerStatus(angle_deg=angle_deg, moving=False, device_time_s=0.0, by_hand=by_hand))
+    assert said in prompt._task.text()
+
+
+@pytest.mark.parametrize("mount", list(MOUNTS))
+def test_nothing_is_written_over_the_mark_of_zero(mount):
+    axes = MOUNTS[mount]
+    zero = _flat(np.array([*_ZERO_LABEL, _seat_z(axes)]), 1.0)
+    letters = [_flat(axes[axis] * (_ARROW + 0.18), 1.0) for axis in range(3)]
+    assert min(max(abs(zero.x() - at.x()), abs(zero.y() - at.y())) for at in letters) > 0.2
 
 
 def test_what_is_overdue_is_said_in_the_run(driver, write, tiny):

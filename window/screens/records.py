@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QHBoxLayout, QPushButton, QTabWidget, QVBoxLayout,
 
 from tumble.app.headline import headline
 from tumble.calibrations.core.quantities import format_in_unit
-from tumble.calibrations.core.verdict import Outcome
+from tumble.calibrations.core.verdict import Model, Outcome
 from tumble.calibrations.records.record import Record
 from tumble.procedures.errors import InputError
 from tumble.window.look.language import tr
@@ -155,7 +155,7 @@ class RecordsScreen(QWidget):
             (origin.measured_at or f"{record.created_at:%Y-%m-%dT%H:%M}").replace("T", " ")[:16],
             str(record.revision),
             verdicts[record.verdict.outcome],
-            _headline(record),
+            f"⚠ {_headline(record)}" if unsettled(record) else _headline(record),
             record.id,
         )
 
@@ -231,6 +231,10 @@ class RecordsScreen(QWidget):
     def _say_exported(self, path: Path) -> None:
         self.said.setText(tr("Written: {path}", path=path))
 
+    def analyse_cut_off(self, path: Path) -> None:
+        """Make a record of what there is of a run that came to no end."""
+        self._start(partial(store.analyse_cut_off, self._folder(), path), self._show_opened)
+
     def resume(self, path: Path) -> None:
         """Find out what there is to go on with, and ask for that."""
         self._background.start(partial(store.resumption, self._folder(), path), self._begin, self.refused.emit)
@@ -242,6 +246,12 @@ class RecordsScreen(QWidget):
             self.refused.emit(error)
             return
         self.resume_wanted.emit(resumption, resumption.unfinished.recording.points)
+
+
+def unsettled(record: Record) -> bool:
+    """Whether a record has something to be read before its values: found, withheld, or cut off."""
+    withheld = any(parameter.value is None for parameter in record.values.values())
+    return withheld or record.model is Model.AUGMENTED or not record.complete
 
 
 def _headline(record: Record) -> str:

@@ -52,6 +52,8 @@ class RunScreen(QWidget):
     """A run ended before its time."""
     resume_wanted = Signal(object)
     """Path of the recording."""
+    analysis_wanted = Signal(object)
+    """The same, of a run that is not to go on."""
 
     def __init__(
         self,
@@ -146,6 +148,7 @@ class RunScreen(QWidget):
         self.pause_button.clicked.connect(self._pause)
         self.resume_button.clicked.connect(self._go_on)
         self.offered.wanted.connect(self.resume_wanted)
+        self.offered.analysis_wanted.connect(self.analysis_wanted)
         self.form.changed.connect(self._refresh)
         self.form.changed.connect(self._tell_unit)
         self.form.dialog_wanted.connect(self.dialog_wanted)

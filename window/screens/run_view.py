@@ -80,6 +80,7 @@ class RunView(QWidget):
     def see(self, name: str, status: PositionerStatus) -> None:
         """Show where a positioner is."""
         self.dials.show_status(name, status)
+        self.prompt.see(name, status)
 
     def ask(self, ask: Ask) -> None:
         """Put what is to be set in the place of the dials."""

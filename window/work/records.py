@@ -104,6 +104,21 @@ def analyse_again(folder: Path, record_id: str) -> Concluded:
     return replace(concluded, record_id=record.id, report=page)
 
 
+def analyse_cut_off(folder: Path, path: Path) -> Concluded:
+    """Analyse a run that came to no end as far as it goes, and store what comes of it."""
+    from tumble.app.calibrating import conclude, make_ready
+
+    make_ready(folder)
+    done = conclude(path, folder, language=spoken())
+    return Concluded(
+        method=done.record.method,
+        traced=done.analysed,
+        recordings=(path,),
+        record_id=done.record.id,
+        report=done.report,
+    )
+
+
 def differences(folder: Path, first: str, second: str) -> "tuple[Difference, ...]":
     """Compare two records."""
     from tumble.app.recall import open_store
