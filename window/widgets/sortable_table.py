@@ -37,21 +37,20 @@ class SortableTable(Table):
         super().fill(rows, colours)
         for number in range(self.rowCount()):
             for column in range(self.columnCount()):
-                self.item(number, column).setData(_ROW, number)
+                self.model().setData(self.model().index(number, column), number, _ROW)
         self.setSortingEnabled(True)
 
     @property
     def chosen(self) -> list[int]:
         """Numbers of the rows that are selected, as they were filled in, the lowest first."""
-        return sorted(int(self.item(row, 0).data(_ROW)) for row in super().chosen)
-
-    def choose(self, number: int) -> None:
-        """Select a row by its number."""
-        self.selectRow(next(row for row in range(self.rowCount()) if self.item(row, 0).data(_ROW) == number))
+        return sorted(self._number(row) for row in super().chosen)
 
     def item_made(self, text: str) -> QTableWidgetItem:
         """A cell that knows its order."""
         return _Item(text)
+
+    def _number(self, row: int) -> int:
+        return int(self.model().index(row, 0).data(_ROW))
 
 
 def _parts(text: str) -> list[tuple[int, float, str]]:
