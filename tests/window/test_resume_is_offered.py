@@ -63,6 +63,8 @@ def test_a_run_that_was_stopped_is_offered_and_can_be_left(driver, write, tmp_pa
     driver.press(Qt.Key.Key_F12)
     driver.wait_for_end()
     driver.wait(driver.run.offered.isVisible)
+    assert "kept. F7 goes on, or " in driver.log
+    assert "tumble resume" not in driver.log
     driver.run.offered._decline()
     driver.window.records.refresh()
     driver.wait(lambda: driver.window.records.cut_off.table.rowCount() == 1)

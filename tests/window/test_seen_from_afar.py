@@ -11,6 +11,7 @@ from tumble.window.look.tints import AMBER, BLUE, GREEN, GREY, RED, VIOLET
 from tumble.window.screens.result import _banner
 from tumble.window.screens.run_state import Mood
 from tumble.window.widgets.banner import LEAST_PT
+from tumble.window.widgets.table import Table
 
 PERSON = STAND.replace('driver = "simulated"\nlimits', 'driver = "manual"\nserial = "OG-7"\nlimits')
 
@@ -103,6 +104,15 @@ def test_state_verdict_and_stop_grow_with_the_text_at_once_in_a_run(driver, long
     finally:
         QSettings().setValue("look/text_scale", 1.0)
         window.dress_wanted.emit()
+
+
+def test_lines_of_a_table_stay_in_sight_with_large_text(qtbot, qapp):
+    table = Table(("unit", "verdict"))
+    qtbot.addWidget(table)
+    before, font = table.minimumHeight(), table.font()
+    font.setPointSizeF(2 * font.pointSizeF())
+    table.setFont(font)
+    assert table.minimumHeight() > 1.8 * before
 
 
 def test_letters_are_never_smaller_than_can_be_read(driver):

@@ -23,6 +23,11 @@ def driver(lent_driver):
     return lent_driver
 
 
+def test_nothing_is_asked_before_a_run(driver):
+    driver.running._restart()
+    assert not driver.run.view.asks
+
+
 def test_the_form_folds_to_a_line_that_says_what_runs(driver, long):
     driver.start(long, "SN-7")
     assert driver.run.line.text().startswith("SN-7 · long · ")

@@ -55,7 +55,7 @@ class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
         for side in ("bottom", "left"):
             self.getAxis(side).enableAutoSIPrefix(False)
         self.getAxis("bottom").setLabel(bottom)
-        self._entitle()
+        self.entitle()
 
     def use_bottom_axis(self, axis: pg.AxisItem) -> None:
         """Draw against another kind of axis."""
@@ -97,10 +97,10 @@ class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
             axis.setTextPen(chosen.ink)
             axis.setTickFont(self.font())
             axis.label.setFont(self.font())
-        self._entitle()
+        self.entitle()
         self.showGrid(x=True, y=True, alpha=0.18)
 
-    def _entitle(self, key: str = "") -> None:
+    def entitle(self, key: str = "") -> None:
         """Put a title above the plot: the ordinate, and a `key` to what is drawn, which so never hides it."""
         size = f"{self.font().pointSizeF():g}pt"
         self.getPlotItem().setTitle(self._left + key, color=colours(self).ink, size=size, justify="left")

@@ -95,6 +95,17 @@ def plan_text(plan: Plan) -> str:
     return in_language(Message.joined(", ", parts))
 
 
+def stopped_text(points: int) -> str:
+    """What is left of a run that the person stopped after so many points, and what there is to do with it."""
+    return in_language(
+        Message.counted(
+            "Stopped; {count} complete point is kept. F7 goes on, or it is analysed as it is.",
+            "Stopped; {count} complete points are kept. F7 goes on, or they are analysed as they are.",
+            count=points,
+        )
+    )
+
+
 def in_language(text: str) -> str:
     """A message, or a text that is a key of the catalogue, in the language of the window; any other as it is."""
     return local(translate(text, spoken()))

@@ -131,7 +131,7 @@ def _sheet(chosen: Colours, space: int, loud_pt: float) -> str:
     return f"""
     QPushButton {{ padding: {space}px {3 * space}px; }}
     QLineEdit, QComboBox, QDateEdit {{ padding: {space // 2}px {space}px; }}
-    QLineEdit, QDateEdit, QComboBox {{ border: 1px solid {chosen.pale}; border-radius: 3px; }}
+    QLineEdit {{ border: 1px solid {chosen.pale}; border-radius: 3px; }}
     QLineEdit:focus, QComboBox:focus {{ border: 2px solid {chosen.accent}; border-radius: 3px; }}
     QPushButton#stop {{ background: #B71C1C; color: white; font-weight: bold; font-size: {loud_pt}pt;
         border: 2px solid #7F0000; border-radius: {space}px; padding: {space}px {4 * space}px; }}

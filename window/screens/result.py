@@ -82,7 +82,8 @@ class ResultScreen(QWidget):
         self._background.start(partial(window_part(concluded.method).present, concluded), self._show)
 
     def _show_nothing(self) -> None:
-        self.banner.hide()
+        for part in (self.banner, self._subject, self._notices):
+            part.hide()
         self.verdict.setText(tr("There is no result yet: run a programme, or open a record."))
         self.report_button.setEnabled(False)
         self.tabs.setEnabled(False)
@@ -122,7 +123,8 @@ class ResultScreen(QWidget):
     def _show_head(self, presentation: Presentation) -> None:
         concluded = presentation.concluded
         self.banner.say(*_banner(presentation.verdict.outcome))
-        self.banner.show()
+        for part in (self.banner, self._subject):
+            part.show()
         self.verdict.setObjectName(
             {Outcome.PASS: "good", Outcome.NO_LIMITS: "heading"}.get(presentation.verdict.outcome, "bad")
         )

@@ -17,7 +17,7 @@ from tumble.procedures.progress import TimeLeft
 from tumble.procedures.steps import Point
 from tumble.window.look.language import tr
 from tumble.window.look.numbers import local, minutes
-from tumble.window.look.sentences import in_language
+from tumble.window.look.sentences import stopped_text
 from tumble.window.screens.run_state import Mood, Phase, RunState
 from tumble.window.screens.run_view import RunView
 from tumble.window.widgets.motion_button import MotionButton
@@ -295,7 +295,7 @@ class RunScreen(QWidget):
         self._broken_off = True
         self.broke_off.emit()
         if isinstance(error, JobError) and error.status is Exit.STOPPED and not self._now.restless:
-            self.view.log.say(in_language(str(error)))
+            self.view.log.say(stopped_text(len(self.view.points)))
         else:
             self.refused.emit(error)
 

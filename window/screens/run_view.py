@@ -122,6 +122,7 @@ class RunView(QWidget):
 
     def _lay_out(self) -> None:
         self._place.insertWidget(0, self.dials)
+        self.ask_nothing()
         self._left = Splitter(Qt.Orientation.Vertical, (self._place, self.overview), (3, 2))
         small = Splitter(Qt.Orientation.Horizontal, (self.temperature, self.samples), (1, 1))
         self._right = Splitter(Qt.Orientation.Vertical, (self.figures, small, self.log), (9, 4, 3))

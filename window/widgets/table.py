@@ -1,12 +1,15 @@
 """A table of texts."""
 
 from collections.abc import Sequence
+from typing import Final
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QBrush, QColor, QGuiApplication, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem, QWidget
 
 from tumble.window.look.plain import as_tooltip
+
+_LEAST_LINES: Final = 6
 
 
 class Table(QTableWidget):
@@ -25,7 +28,7 @@ class Table(QTableWidget):
         header.setStretchLastSection(True)
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        self.setMinimumHeight(100)
+        self._keep_lines()
 
     def fill(self, rows: Sequence[Sequence[str]], colours: Sequence[str | None] = ()) -> None:
         """Show other rows, each in a colour of its own where one is given."""
@@ -56,6 +59,15 @@ class Table(QTableWidget):
         rows = sorted({index.row() for index in self.selectionModel().selectedRows()})
         texts = self.texts()
         return "\n".join("\t".join(texts[row]) for row in rows)
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802  # Qt's name
+        """Keep as many lines in sight with larger text."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._keep_lines()
+
+    def _keep_lines(self) -> None:
+        self.setMinimumHeight(_LEAST_LINES * self.fontMetrics().height())
 
     def widen(self, row: int, column: int) -> None:
         """Give a cell all the room to the end of its row."""
