@@ -250,8 +250,10 @@ class RecordsScreen(QWidget):
 
 def unsettled(record: Record) -> bool:
     """Whether a record has something to be read before its values: found, withheld, or cut off."""
-    withheld = any(parameter.value is None for parameter in record.values.values())
-    return withheld or record.model is Model.AUGMENTED or not record.complete
+    if record.model is Model.AUGMENTED or not record.complete:
+        return True
+    declared, values = record.parameters, record.values
+    return any(each.value is not None and values[name].value is None for name, each in declared.items())
 
 
 def _headline(record: Record) -> str:
