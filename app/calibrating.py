@@ -74,9 +74,14 @@ def write_report(traced: Traced, path: Path, language: Language, chain: Chain[An
     reports.write(traced.report("", 1, chain, contradictions_of(traced)), path, language)
 
 
-def report_record(traced: Traced, record: Record, folder: Path, path: Path, language: Language) -> None:
-    """Write the report of a record in a language, and keep in its store what it says. Raises `JobError`."""
-    report = traced.report(record.id, record.revision, None, contradictions_of(traced))
+def report_record(
+    traced: Traced, record: Record, folder: Path, path: Path, language: Language, chain: Chain[Any] | None = None
+) -> None:
+    """Write the report of a record in a language, and keep in its store what it says.
+
+    `chain` are the experiments that closed the loop, if there were any. Raises `JobError`.
+    """
+    report = traced.report(record.id, record.revision, chain, contradictions_of(traced))
     keep(report, record, folder)
     reports.write(report, path, language)
 
@@ -157,13 +162,30 @@ def conclude(
     analysed = fit(with_what_is_known(read_measurement(recording), folder, effects), folder=folder)
     tell("tracing")
     traced = trace(analysed)
+    return keep_result(traced, folder, tell, language)
+
+
+def keep_result(
+    traced: Traced,
+    folder: Path,
+    tell: Callable[[str], None] = lambda _: None,
+    language: Language = Language.ENGLISH,
+    chain: Chain[Any] | None = None,
+) -> Calibrated:
+    """Store a result and write its report in a language, with the experiments that closed the loop if there were any.
+
+    Raises
+    ------
+    InputError, JobError
+        What went wrong; the raw files are kept.
+    """
     tell("storing")
-    record = store(traced, folder)
+    record, recording = store(traced, folder), traced.measurement.path
     learned = learn(traced, folder)
     tell("reporting")
     report = report_path(folder, record)
     try:
-        report_record(traced, record, folder, report, language)
+        report_record(traced, record, folder, report, language, chain)
     except JobError as error:
         raise JobError(
             Message(

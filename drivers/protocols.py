@@ -45,6 +45,11 @@ class PositionerStatus:
     by_hand: bool = False
     """Whether a person turns the head and reads it: who may take any time, and whose reading is where it stands."""
 
+    @property
+    def turning(self) -> bool:
+        """Whether it moves by itself: one that is turned by hand is awaited."""
+        return self.moving and not self.by_hand
+
 
 @dataclass(frozen=True, kw_only=True)
 class SampleBlock:

@@ -9,6 +9,13 @@ _NUMBER: Final = re.compile(r"(?<![\w./\\])(\d+)\.(\d+)(?=e[+-]?\d|(?![\d_A-Za-z
 """A decimal number; no version and no part of the name of a file."""
 _UNIT: Final = re.compile(r"(?<![A-Za-z_.])(?:[pnµmk]?V|Hz|kHz|ms|s|min|h)(?![A-Za-z_])")
 _RANGE: Final = re.compile(r"(?<=[\d°″%]) to (?=[-−\d])")
+_DATA: Final = re.compile(
+    r"(?<![\w/])(?:~|\.{0,2}|file:)/[^\s:;,()\"']+"  # a path from the root, from home, or from here
+    r"|(?:\b[A-Za-z]:\\|\\\\)[^\s:;,()\"']+"  # one of Windows
+    r"|[\w.~-]+(?:[/\\][\w.~-]+)*\.[a-z]\w{1,5}\b"  # the name of a file or of a host, with a folder or without
+    r"|\d+(?:\.\d+){2,}(?::\d+)?"  # an address, a version
+)
+"""Names and addresses, which are the same in every language."""
 _PER: Final = re.compile(r"(?<=/)(?:run|turn)\b")
 _COUNTED: Final = {
     Language.UKRAINIAN: {"run": "прогін", "turn": "оберт"},
@@ -34,9 +41,20 @@ _TO: Final = {Language.UKRAINIAN: " … ", Language.GERMAN: " bis "}
 
 
 def localised(text: str, language: Language) -> str:
-    """Text with numbers and units in it, with the decimal sign, the ranges and the units of a language."""
+    """Text with numbers and units in it, with the decimal sign, the ranges and the units of a language.
+
+    Paths, names of files, and addresses in it stay as they are.
+    """
     if language is Language.ENGLISH:
         return text
+    written, end = "", 0
+    for data in _DATA.finditer(text):
+        written += _written(text[end : data.start()], language) + data[0]
+        end = data.end()
+    return written + _written(text[end:], language)
+
+
+def _written(text: str, language: Language) -> str:
     written = _RANGE.sub(_TO[language], _NUMBER.sub(r"\1,\2", text))
     written = _PER.sub(lambda word: _COUNTED[language][word[0]], written)
     return _UNIT.sub(lambda unit: _CYRILLIC[unit[0]], written) if language is Language.UKRAINIAN else written

@@ -23,6 +23,7 @@ from tumble.window.widgets.navigation import Navigation
 from tumble.window.widgets.problem import ProblemDialog
 from tumble.window.widgets.screen_area import ScreenArea
 from tumble.window.widgets.stop_bar import StopBar
+from tumble.window.widgets.top_strip import TopStrip
 from tumble.window.work.activity import Activity, Concluded
 from tumble.window.work.background import Background
 from tumble.window.work.bridge import EventBridge
@@ -56,7 +57,7 @@ class MainWindow(QMainWindow):
         )
         self.result = ResultScreen(self.background, lambda: self.worker.session.loaded)
         self.records = RecordsScreen(self.background, lambda: self.store)
-        self.stop_bar, self.dialogs = StopBar(), Dialogs(self._room)
+        self.strip, self.stop_bar, self.dialogs = TopStrip(), StopBar(), Dialogs(self._room)
         self.way_out = WayOut(self.worker, lambda: self.busy, self)
         self._guard = StopGuard(self.stop_bar.button, self)
         self._screens = QStackedWidget()
@@ -126,7 +127,8 @@ class MainWindow(QMainWindow):
     def _room(self) -> int:
         """What navigation, menus and STOP leave of the height."""
         kept = (self.menuBar(), self._navigation, self.stop_bar)
-        return max(self.height() - sum(part.minimumSizeHint().height() for part in kept) - _GAPS, 0)
+        needed = sum(part.minimumSizeHint().height() for part in kept) + self.strip.height()
+        return max(self.height() - needed - _GAPS, 0)
 
     def _lay_out(self) -> None:
         for screen in self._in_order:
@@ -137,6 +139,7 @@ class MainWindow(QMainWindow):
         across.addWidget(self._screens, stretch=1)
         down = QVBoxLayout(middle)
         down.setContentsMargins(0, 0, 0, 0)
+        down.addWidget(self.strip)
         down.addLayout(across, stretch=1)
         down.addWidget(self.dialogs)
         down.addWidget(self.stop_bar)
@@ -155,8 +158,11 @@ class MainWindow(QMainWindow):
         self.bridge.position_seen.connect(bar.show_position)
         self.background.busy.connect(bar.show_busy)
         self.run.state_changed.connect(bar.show_state)
+        self.run.state_changed.connect(lambda text, _fault: self.strip.show_state(text, self.run.mood))
+        self.run.unit_changed.connect(self.strip.show_unit)
         self.run.concluded.connect(self._show_result)
         self.run.resume_wanted.connect(self.records.resume)
+        self.run.analysis_wanted.connect(self.records.analyse_cut_off)
         self.run.broke_off.connect(self.records.refresh)
         self.records.found_cut_off.connect(self.run.offer)
         self.result.experiment_wanted.connect(self._begin)
@@ -186,7 +192,8 @@ class MainWindow(QMainWindow):
         self.records.allow_runs(free)
 
     def _show_stand(self, loaded: LoadedStand) -> None:
-        self.setWindowTitle(f"{loaded.file.name} – tumble")
+        self.setWindowTitle(f"{loaded.file.name} – {self.store.resolve().name} – tumble")
+        self.strip.show_stand(loaded.file.name)
         self.stop_bar.forget_positions()
         self.run.show_stand()
 

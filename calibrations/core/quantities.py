@@ -62,6 +62,15 @@ def format_concise(value: float, uncertainty: float | None, unit: str) -> str:
     return join(f"{text.value}({text.last_place})" if text.uncertainty else text.value, text.unit)
 
 
+def format_in_unit(value: float, uncertainty: float | None, unit: str) -> str:
+    """`0.794(15) V/g`: as `format_concise`, without a prefix, for values that stand below each other."""
+    if uncertainty is None or not math.isfinite(uncertainty) or uncertainty <= 0:
+        return join(_plain(value, 6), prefixed(unit))
+    places = two_digit_places(uncertainty)
+    text = Rounded(value=fixed(value, places), uncertainty=fixed(uncertainty, places), unit=prefixed(unit))
+    return join(f"{text.value}({text.last_place})", text.unit)
+
+
 def format_interval(low: float, high: float, unit: str) -> str:
     """`5 to 38 mV/g`: both ends to two digits of the half width."""
     half = (high - low) / 2

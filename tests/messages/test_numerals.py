@@ -24,6 +24,32 @@ def test_versions_names_of_files_and_dates_stay_what_they_are(name):
     assert [localised(name, language) for language in Language] == [name] * 3
 
 
+@pytest.mark.parametrize(
+    "name",
+    [
+        "127.0.0.1",
+        "127.0.0.1:5025",
+        "/home/h/store",
+        "/srv/s/min/V.toml",
+        "~/h/stand.toml",
+        "./h/s",
+        "h/s.toml",
+        "V.toml",
+        "h.local",
+        r"C:\h\s\min.toml",
+        r"\\server\h\V",
+        "file:///h/s",
+        "TCPIP0::192.168.0.1::inst0::INSTR",
+    ],
+)
+def test_paths_and_addresses_stay_what_they_are(name):
+    assert [localised(f"{name}: 1 V", language) for language in Language] == [f"{name}: 1 {v}" for v in ("V", "В", "V")]
+
+
+def test_a_rate_is_no_path():
+    assert localised("0.5 mV/h, 1.5 V/(g h), V/s", Language.UKRAINIAN) == "0,5 мВ/год, 1,5 В/(g год), В/с"
+
+
 def test_units_are_cyrillic_in_ukrainian():
     assert localised("0.5 to 2.5 mV after 3 s", Language.UKRAINIAN) == "0,5 … 2,5 мВ after 3 с"
 

@@ -3,6 +3,7 @@ from window_driver import STAND
 
 from tumble.procedures.programmes import load_programme
 from tumble.procedures.recording.reader import read_recording
+from tumble.window.work.records import open_record
 
 CUBIC = STAND.replace('preset = "DXL203EB"', 'preset = "DXL203EB"\nnoise_v = 2e-5\neffects = { k_xxx = 5e-4 }')
 SWEEPS = """\
@@ -61,3 +62,14 @@ def test_the_closed_loop_asks_for_an_experiment_that_a_key_runs(driver, write, m
     assert read_recording(probe).complete
     used = len(result.presentation.concluded.traced.calibration.observations)
     assert used == len(read_recording(before).points) + len(read_recording(probe).points)
+    assert_kept(driver, monkeypatch)
+
+
+def assert_kept(driver, monkeypatch):
+    """What both runs say together is a record like any other, with a report, and is opened with both."""
+    shown = driver.window.result.presentation.concluded
+    assert shown.report.is_file()
+    driver.wait(lambda: shown.record_id in [record.id for record in driver.window.records.records])
+    for name in ("fit", "trace"):  # it was analysed often enough
+        monkeypatch.setattr(f"tumble.app.analysing.{name}", lambda *_, **__: None)
+    assert open_record(driver.window.store, shown.record_id).recordings == shown.recordings

@@ -60,7 +60,7 @@ def shown(driver):
     """Every place where the window names or uses a stand."""
     window = driver.window
     return {
-        window.windowTitle().removesuffix(" – tumble"),
+        window.windowTitle().split(" – ")[0],
         window.stand.loaded.file.name,
         window.stand._name.text().split("</b>")[0].removeprefix("<b>"),
         window.worker.session.loaded.file.name,

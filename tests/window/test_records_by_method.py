@@ -78,3 +78,10 @@ def test_a_result_without_uncertainties_is_headed_by_its_first_value():
     values = {"a": parameter("a", None, None), "b": parameter("b", 1.0, None)}
     assert chosen(values, "").name == "b"
     assert chosen({}, "") is None
+
+
+def test_units_in_a_trend_are_told_apart_by_a_key(records):
+    trend = records.trend
+    trend.parameter.setCurrentText("period")
+    assert [unit in trend.key for unit in ("P-1", "P-2", "C-1")] == [True, True, False]
+    assert len({point.brush().color().name() for point in trend._marks.points()}) == 2

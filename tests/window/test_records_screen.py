@@ -1,12 +1,17 @@
 import json
 import shutil
+from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QDate
+from PySide6.QtCore import QDate, Qt
+from PySide6.QtGui import QGuiApplication
 from pytestqt.qtbot import QtBot
 from window_driver import TINY
 
+from tumble.calibrations.core.quantities import format_in_unit
 from tumble.calibrations.records.store import Store
+from tumble.window.screens.records import _FORMATS
+from tumble.window.widgets.dialog import FileDialog
 
 
 @pytest.fixture(scope="module")
@@ -40,11 +45,12 @@ def measured(qtbot, two_records, driver_of, tmp_path, no_report):
     search.verdict.setCurrentIndex(0)
     search.until.setDate(search.until.minimumDate())
     records.said.clear()
+    records.table.sortByColumn(3, Qt.SortOrder.DescendingOrder)
     driver.window.open(records)
     records.refresh()
     driver.wait(lambda: not driver.window.background._under_way)
     records.table.clearSelection()
-    assert units(driver) == ["A-1", "B-2"]
+    assert units(driver) == ["B-2", "A-1"]
     return driver
 
 
@@ -57,7 +63,7 @@ def test_records_are_searched_by_serial_number_verdict_and_day(measured):
     search.serial.setText("b")
     measured.wait(lambda: units(measured) == ["B-2"])
     search.serial.clear()
-    measured.wait(lambda: units(measured) == ["A-1", "B-2"])
+    measured.wait(lambda: units(measured) == ["B-2", "A-1"])
     search.verdict.setCurrentIndex(search.verdict.findText("outside"))
     measured.wait(lambda: units(measured) == [])
     search.verdict.setCurrentIndex(0)
@@ -66,7 +72,7 @@ def test_records_are_searched_by_serial_number_verdict_and_day(measured):
 
 
 def test_a_record_is_opened(measured):
-    measured.window.records.table.selectRow(1)
+    measured.window.records.table.selectRow(0)
     measured.window.records.open_button.click()
     presentation = measured.wait_for_result()
     assert presentation.concluded.traced.provenance.serial_number == "B-2"
@@ -82,7 +88,7 @@ def test_two_records_are_compared(measured):
 
 def test_a_record_is_verified_and_an_altered_raw_file_is_not(measured, tmp_path):
     records = measured.window.records
-    records.table.selectRow(0)
+    records.table.selectRow(1)
     records.verify_button.click()
     measured.wait(lambda: records.said.text().endswith("is verified."))
     (raw,) = (tmp_path / "store").glob("recordings/A-1/*.mcap")
@@ -103,7 +109,7 @@ def test_an_analysis_done_again_is_a_further_revision(measured, tmp_path):
 )
 def test_a_record_is_exported(measured, tmp_path, suffix, begins):
     records, path = measured.window.records, tmp_path / f"out.{suffix}"
-    records.table.selectRow(0)
+    records.table.selectRow(1)
     records.export_to(path)
     measured.wait(lambda: records.said.text() == f"Written: {path}")
     assert path.read_bytes().startswith(begins)
@@ -125,3 +131,59 @@ def test_a_trend_is_drawn_over_units_and_over_time(measured):
     for over in range(2):
         trend.over.setCurrentIndex(over)
         assert trend.drawn == 2
+
+
+def test_a_heading_sorts_and_rows_stay_the_records_that_they_are(measured):
+    records = measured.window.records
+    records.table.sortByColumn(0, Qt.SortOrder.AscendingOrder)
+    assert units(measured) == ["A-1", "B-2"]
+    records.table.selectRow(1)
+    assert [record.provenance.serial_number for record in records._chosen()] == ["B-2"]
+
+
+def test_enter_opens_the_record_that_is_chosen(measured):
+    records = measured.window.records
+    records.table.setCurrentCell(1, 0)
+    measured.press(Qt.Key.Key_Return, at=records.table)
+    assert measured.wait_for_result().concluded.traced.provenance.serial_number == "A-1"
+
+
+def test_a_row_is_copied_whole(measured):
+    table = measured.window.records.table
+    table.selectRow(1)
+    measured.press(Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier, at=table)
+    assert QGuiApplication.clipboard().text().split("\t")[0::2][:2] == ["A-1", "tiny"]
+
+
+@pytest.mark.parametrize("ending", ["JSON (*.json)", "HTML (*.html)", "CSV (*.csv)", "PDF (*.pdf)"])
+def test_an_export_takes_the_ending_of_the_format_that_is_chosen(measured, tmp_path, ending):
+    suffix = ending.split("*")[1].rstrip(")")
+    dialog = FileDialog("Export", tmp_path / "20261127-1.json", _FORMATS, saving=True)
+    measured.bot.addWidget(dialog)
+    dialog.files.selectNameFilter(ending)
+    dialog.files.filterSelected.emit(ending)
+    assert [Path(name).name for name in dialog.files.selectedFiles()] == [f"20261127-1{suffix}"]
+    with measured.bot.waitSignal(dialog.chosen) as chosen:
+        dialog.files.accept()
+    assert chosen.args == [tmp_path / f"20261127-1{suffix}"]
+
+
+def test_a_name_that_is_typed_without_an_ending_gets_one(measured, tmp_path):
+    dialog = FileDialog("Export", tmp_path / "a.json", _FORMATS, saving=True)
+    measured.bot.addWidget(dialog)
+    dialog.files.selectFile("of-today")
+    with measured.bot.waitSignal(dialog.chosen) as chosen:
+        dialog.files.accept()
+    assert chosen.args == [tmp_path / "of-today.json"]
+
+
+def test_the_first_step_of_a_day_is_today(measured):
+    day = measured.window.records.search.until
+    day.stepBy(1)
+    assert day.date() == QDate.currentDate()
+
+
+def test_values_in_a_column_have_one_unit():
+    assert format_in_unit(0.79363, 0.0077, "V/g") == "0.7936(77) V/g"
+    assert format_in_unit(1.01643, 0.00018, "V/g") == "1.01643(18) V/g"
+    assert format_in_unit(2.5, None, "V") == "2.50000 V"

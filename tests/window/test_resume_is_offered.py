@@ -20,11 +20,15 @@ def driver(lent_driver):
 @pytest.fixture
 def interrupted(driver, tiny, tmp_path, monkeypatch):
     """A run of which a fault has left two points."""
+    return interrupt(driver, tiny, tmp_path, monkeypatch, 2)
+
+
+def interrupt(driver, tiny, tmp_path, monkeypatch, points):
     acquire, calls = SimulatedDaq.acquire, []
 
     def failing(*arguments):
         calls.append(arguments)
-        if len(calls) == 3 * 2 + 2:
+        if len(calls) == 3 * points + 2:
             raise DeviceError("voltmeter", "does not answer", "check its cable, then resume the run")
         return acquire(*arguments)
 
@@ -59,8 +63,41 @@ def test_a_run_that_was_stopped_is_offered_and_can_be_left(driver, write, tmp_pa
     driver.press(Qt.Key.Key_F12)
     driver.wait_for_end()
     driver.wait(driver.run.offered.isVisible)
+    assert "kept. F7 goes on, or " in driver.log
+    assert "tumble resume" not in driver.log
     driver.run.offered._decline()
     driver.window.records.refresh()
+    driver.wait(lambda: driver.window.records.cut_off.table.rowCount() == 1)
+    assert not driver.run.offered.isVisible()
+
+
+def test_what_there_is_of_a_run_is_analysed_and_recorded(driver, tiny, tmp_path, monkeypatch, no_report):
+    _, path = interrupt(driver, tiny, tmp_path, monkeypatch, 5)
+    driver.wait(driver.run.offered.isVisible)
+    while driver.window.dialogs.close_newest():
+        pass
+    driver.run.offered.analyse_button.click()
+    concluded = driver.wait_for_result().concluded
+    assert (concluded.recordings, bool(concluded.record_id)) == ((path,), True)
+    driver.wait(lambda: driver.window.records.records)
+    assert not driver.window.records.records[0].complete
+    assert driver.window.records.table.texts()[0][6].startswith("⚠")
+
+
+def test_what_cannot_be_analysed_is_told(driver, tmp_path):
+    driver.window.run.analysis_wanted.emit(tmp_path / "absent.mcap")
+    driver.wait(lambda: bool(driver.complaints))
+    assert "absent.mcap" in driver.complaints[0]
+
+
+def test_a_run_that_is_left_for_good_is_not_offered_by_the_next_window(interrupted):
+    driver, _ = interrupted
+    driver.wait(driver.run.offered.isVisible)
+    driver.run.offered.leave_button.click()
+    before = driver.window
+    driver.running._restart()
+    driver.wait(lambda: driver.window is not before)
+    driver.window.open(driver.run)
     driver.wait(lambda: driver.window.records.cut_off.table.rowCount() == 1)
     assert not driver.run.offered.isVisible()
 

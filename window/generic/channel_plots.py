@@ -72,6 +72,7 @@ class ChannelPlots(Figures):
         for plot in self.plots.values():
             plot.name_axes(self.against.currentText(), tr("mean"))
             plot.forget_key()
+            plot.way_back.home()
         self.draw_later(self._draw)
 
 

@@ -3,12 +3,13 @@
 from typing import Any
 
 import pyqtgraph as pg
-from PySide6.QtCore import QEvent, QSize, Signal
-from PySide6.QtGui import QFont
+from PySide6.QtCore import QEvent, QSize, Qt, Signal
+from PySide6.QtGui import QFont, QKeyEvent
 from PySide6.QtWidgets import QWidget
 
 from tumble.window.look.numbers import local
 from tumble.window.look.theme import Colours, colours
+from tumble.window.look.way_back import WayBack
 
 _WIDE_LINES, _HIGH_LINES = 11, 7
 """Least size, in lines of text."""
@@ -23,7 +24,7 @@ class LocalAxis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph is not typed
 
 
 class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
-    """Axes with a grid; in other colours after the palette has changed, and told so with `recoloured`."""
+    """Axes with a grid, and a way back after the wheel; told with `recoloured` that the palette has changed."""
 
     recoloured = Signal()
     _look: tuple[Colours, QFont] | None = None
@@ -33,6 +34,7 @@ class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
         axes = {side: LocalAxis(side) for side in ("left", "bottom")}
         super().__init__(parent, axisItems=axes, enableMenu=False)
         self.hideButtons()
+        self.way_back = WayBack(self)
         self.getPlotItem().setContentsMargins(0, 4, 8, 0)
         self.name_axes(bottom, left)
         self.setAccessibleName(f"{left}, {bottom}")
@@ -53,7 +55,7 @@ class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
         for side in ("bottom", "left"):
             self.getAxis(side).enableAutoSIPrefix(False)
         self.getAxis("bottom").setLabel(bottom)
-        self._entitle()
+        self.entitle()
 
     def use_bottom_axis(self, axis: pg.AxisItem) -> None:
         """Draw against another kind of axis."""
@@ -64,6 +66,16 @@ class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
     def pen(self, colour: str, width: float = 1.5, **style: Any) -> Any:  # noqa: ANN401  # a QPen
         """A pen that is as wide at every magnification."""
         return pg.mkPen(colour, width=width, **style)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802  # Qt's name
+        """Home shows the whole picture, Backspace what was seen before the last change."""
+        match event.key():
+            case Qt.Key.Key_Home:
+                self.way_back.home()
+            case Qt.Key.Key_Backspace:
+                self.way_back.back()
+            case _:
+                super().keyPressEvent(event)
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802  # Qt's name
         """Take over another palette."""
@@ -85,10 +97,10 @@ class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
             axis.setTextPen(chosen.ink)
             axis.setTickFont(self.font())
             axis.label.setFont(self.font())
-        self._entitle()
+        self.entitle()
         self.showGrid(x=True, y=True, alpha=0.18)
 
-    def _entitle(self, key: str = "") -> None:
+    def entitle(self, key: str = "") -> None:
         """Put a title above the plot: the ordinate, and a `key` to what is drawn, which so never hides it."""
         size = f"{self.font().pointSizeF():g}pt"
         self.getPlotItem().setTitle(self._left + key, color=colours(self).ink, size=size, justify="left")

@@ -1,7 +1,7 @@
 """What happens in a run as sentences in the language of the window."""
 
 from tumble.drivers.manual import format_dms
-from tumble.messages import translate
+from tumble.messages import Message, translate
 from tumble.procedures.events import (
     ConditionAnswered,
     ConditionRequested,
@@ -15,10 +15,11 @@ from tumble.procedures.events import (
     StateChanged,
     WarningRaised,
 )
+from tumble.procedures.plan import Plan
 from tumble.window.look.conditions import ConditionWords
 from tumble.window.look.language import spoken, tr
 from tumble.window.look.names import instrument_name
-from tumble.window.look.numbers import local
+from tumble.window.look.numbers import local, minutes
 
 
 def sentence_of(event: Event, words: ConditionWords) -> str:
@@ -82,6 +83,27 @@ def state_name(state: State) -> str:
         State.STOPPING: tr("Stopping"),
         State.STANDSTILL: tr("The head stands"),
     }[state]
+
+
+def plan_text(plan: Plan) -> str:
+    """What a programme takes: points, mountings, time."""
+    parts = (
+        Message.counted("{count} point", "{count} points", count=plan.dwells),
+        Message.counted("{count} mounting", "{count} mountings", count=plan.requests),
+        Message("about {time}", time=minutes(plan.duration_s)),
+    )
+    return in_language(Message.joined(", ", parts))
+
+
+def stopped_text(points: int) -> str:
+    """What is left of a run that the person stopped after so many points, and what there is to do with it."""
+    return in_language(
+        Message.counted(
+            "Stopped; {count} complete point is kept. F7 goes on, or it is analysed as it is.",
+            "Stopped; {count} complete points are kept. F7 goes on, or they are analysed as they are.",
+            count=points,
+        )
+    )
 
 
 def in_language(text: str) -> str:

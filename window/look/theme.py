@@ -13,7 +13,8 @@ from PySide6.QtWidgets import QApplication, QWidget
 DATA: Final = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 MARKERS: Final = ("o", "s", "t1", "d", "t", "p")
 """Shapes of pyqtgraph beside the colours."""
-_POINT_SIZE: Final = 10.5
+POINT_SIZE: Final = 10.5
+"""Of usual text."""
 _STYLE: Final = "fusion"
 _HALF: Final = 128
 _LOUD: Final = 1.3
@@ -87,7 +88,7 @@ def dress(application: QApplication, shade: Shade, text_scale: float) -> None:
     dark = shade is Shade.DARK or (shade is Shade.DESKTOP and is_dark(application.style().standardPalette()))
     application.setPalette(_palette(DARK if dark else LIGHT, dark))
     font = QFont(application.font())
-    font.setPointSizeF(_POINT_SIZE * text_scale)
+    font.setPointSizeF(POINT_SIZE * text_scale)
     if font != application.font():
         application.setFont(font)
 
@@ -98,7 +99,7 @@ def dress_window(window: QWidget, text_scale: float) -> None:
     All at once, when its parts are in their places: each of them would be dressed anew with every move.
     """
     chosen = DARK if is_dark(QApplication.palette()) else LIGHT
-    window.setStyleSheet(_sheet(chosen, round(4 * text_scale), _LOUD * _POINT_SIZE * text_scale))
+    window.setStyleSheet(_sheet(chosen, round(4 * text_scale), _LOUD * POINT_SIZE * text_scale))
 
 
 def _palette(chosen: Colours, dark: bool) -> QPalette:
@@ -130,6 +131,7 @@ def _sheet(chosen: Colours, space: int, loud_pt: float) -> str:
     return f"""
     QPushButton {{ padding: {space}px {3 * space}px; }}
     QLineEdit, QComboBox, QDateEdit {{ padding: {space // 2}px {space}px; }}
+    QLineEdit {{ border: 1px solid {chosen.pale}; border-radius: 3px; }}
     QLineEdit:focus, QComboBox:focus {{ border: 2px solid {chosen.accent}; border-radius: 3px; }}
     QPushButton#stop {{ background: #B71C1C; color: white; font-weight: bold; font-size: {loud_pt}pt;
         border: 2px solid #7F0000; border-radius: {space}px; padding: {space}px {4 * space}px; }}

@@ -9,8 +9,8 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QTabWidget, QVBoxLayout, QWidget
 
 from tumble.app.headline import headline
-from tumble.calibrations.core.quantities import format_concise
-from tumble.calibrations.core.verdict import Outcome
+from tumble.calibrations.core.quantities import format_in_unit
+from tumble.calibrations.core.verdict import Model, Outcome
 from tumble.calibrations.records.record import Record
 from tumble.procedures.errors import InputError
 from tumble.window.look.language import tr
@@ -21,8 +21,8 @@ from tumble.window.screens.cut_off_view import CutOffView
 from tumble.window.screens.stand_records import StandRecords
 from tumble.window.widgets.dialog import FileDialog, QuestionDialog
 from tumble.window.widgets.record_search import RecordSearch
+from tumble.window.widgets.sortable_table import SortableTable
 from tumble.window.widgets.splitter import Splitter
-from tumble.window.widgets.table import Table
 from tumble.window.widgets.trend_plot import TrendPlot
 from tumble.window.work import records as store
 from tumble.window.work.activity import Resumption
@@ -54,7 +54,7 @@ class RecordsScreen(QWidget):
         self._background, self._folder = background, folder
         self.records: tuple[Record, ...] = ()
         self.search, self.trend, self.cut_off, self.stands = RecordSearch(), TrendPlot(), CutOffView(), StandRecords()
-        self.table = Table(
+        self.table = SortableTable(
             (
                 tr("unit"),
                 tr("method"),
@@ -64,7 +64,8 @@ class RecordsScreen(QWidget):
                 tr("verdict"),
                 tr("result"),
                 tr("record"),
-            )
+            ),
+            newest=3,
         )
         self.said = PlainLabel()
         self.tabs = QTabWidget()
@@ -75,7 +76,7 @@ class RecordsScreen(QWidget):
         self.export_button = self._button(tr("&Export…"), self._choose_export)
         self._lay_out()
         self.search.changed.connect(self.refresh)
-        self.table.itemDoubleClicked.connect(lambda _: self._open())
+        self.table.itemActivated.connect(lambda _: self._open())
         self.table.itemSelectionChanged.connect(self._refresh_buttons)
         self.cut_off.resume_wanted.connect(self.resume)
         self.refresh()
@@ -154,7 +155,7 @@ class RecordsScreen(QWidget):
             (origin.measured_at or f"{record.created_at:%Y-%m-%dT%H:%M}").replace("T", " ")[:16],
             str(record.revision),
             verdicts[record.verdict.outcome],
-            _headline(record),
+            f"⚠ {_headline(record)}" if unsettled(record) else _headline(record),
             record.id,
         )
 
@@ -230,6 +231,10 @@ class RecordsScreen(QWidget):
     def _say_exported(self, path: Path) -> None:
         self.said.setText(tr("Written: {path}", path=path))
 
+    def analyse_cut_off(self, path: Path) -> None:
+        """Make a record of what there is of a run that came to no end."""
+        self._start(partial(store.analyse_cut_off, self._folder(), path), self._show_opened)
+
     def resume(self, path: Path) -> None:
         """Find out what there is to go on with, and ask for that."""
         self._background.start(partial(store.resumption, self._folder(), path), self._begin, self.refused.emit)
@@ -243,11 +248,19 @@ class RecordsScreen(QWidget):
         self.resume_wanted.emit(resumption, resumption.unfinished.recording.points)
 
 
+def unsettled(record: Record) -> bool:
+    """Whether a record has something to be read before its values: found, withheld, or cut off."""
+    if record.model is Model.AUGMENTED or not record.complete:
+        return True
+    declared, values = record.parameters, record.values
+    return any(each.value is not None and values[name].value is None for name, each in declared.items())
+
+
 def _headline(record: Record) -> str:
     """The parameter that stands for the result, with the condition on which it stands; empty where none has a value."""
     parameter = headline(record)
     if parameter is None or parameter.value is None:
         return ""
-    value = local(format_concise(parameter.value, parameter.standard_uncertainty, parameter.unit))
+    value = local(format_in_unit(parameter.value, parameter.standard_uncertainty, parameter.unit))
     condition = f" ({in_language(parameter.condition)})" if parameter.condition else ""
     return f"{parameter.name} = {value}{condition}"

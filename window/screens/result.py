@@ -3,6 +3,7 @@
 from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
+from typing import Final
 
 from PySide6.QtCore import QUrl, Signal
 from PySide6.QtGui import QDesktopServices
@@ -11,21 +12,28 @@ from PySide6.QtWidgets import QHBoxLayout, QPushButton, QTabWidget, QVBoxLayout,
 from tumble.app.running import Job
 from tumble.app.stand import LoadedStand, same_instruments
 from tumble.calibrations.core.verdict import Model, Outcome, Verdict
+from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.first_method import FIRST
 from tumble.procedures.programmes import load_programme
 from tumble.window.look.language import tr
+from tumble.window.look.moments import moment_text
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
 from tumble.window.look.theme import colours
+from tumble.window.look.tints import AMBER, GREEN, GREY, RED, Tint
 from tumble.window.parts import ResultTab
 from tumble.window.registry import window_part
 from tumble.window.screens.loop_view import LoopView
+from tumble.window.widgets.banner import Banner
 from tumble.window.widgets.correlation_table import CorrelationTable
 from tumble.window.widgets.table import Table
 from tumble.window.work.activity import Concluded, FurtherExperiment
 from tumble.window.work.background import Background
 from tumble.window.work.presentation import Presentation
+
+_OF_THE_PAGE: Final = "What that does to the parameters is said below the results."
+"""True of the report; here a tab says it."""
 
 
 class ResultScreen(QWidget):
@@ -41,6 +49,7 @@ class ResultScreen(QWidget):
         self._background, self._stand = background, stand
         self._store = Path()
         self.presentation: Presentation | None = None
+        self.banner = Banner()
         self.verdict, self._subject, self._notices = PlainLabel(), PlainLabel(), PlainLabel()
         self.report_button = QPushButton(tr("Open the &report"))
         self.table = Table(
@@ -73,6 +82,8 @@ class ResultScreen(QWidget):
         self._background.start(partial(window_part(concluded.method).present, concluded), self._show)
 
     def _show_nothing(self) -> None:
+        for part in (self.banner, self._subject, self._notices):
+            part.hide()
         self.verdict.setText(tr("There is no result yet: run a programme, or open a record."))
         self.report_button.setEnabled(False)
         self.tabs.setEnabled(False)
@@ -111,18 +122,23 @@ class ResultScreen(QWidget):
 
     def _show_head(self, presentation: Presentation) -> None:
         concluded = presentation.concluded
+        self.banner.say(*_banner(presentation.verdict.outcome))
+        for part in (self.banner, self._subject):
+            part.show()
         self.verdict.setObjectName(
             {Outcome.PASS: "good", Outcome.NO_LIMITS: "heading"}.get(presentation.verdict.outcome, "bad")
         )
         self.verdict.style().polish(self.verdict)
         self.verdict.setText(self._verdict_text(presentation.verdict))
         origin = concluded.traced.provenance
-        parts = (origin.serial_number, origin.programme_name, origin.measured_at, origin.operator, concluded.record_id)
+        measured_at = moment_text(origin.measured_at)
+        parts = (origin.serial_number, origin.programme_name, measured_at, origin.operator, concluded.record_id)
         self._subject.setText(" · ".join(part for part in parts if part))
-        undecided = [each for each in presentation.verdict.parameters if each.outcome is Outcome.NOT_DECIDED]
-        notices = [*(each.sentence for each in undecided), *presentation.notices]
-        self._notices.setText("\n".join(f"⚠ {in_language(notice)}" for notice in notices))
+        notices = notices_of(presentation)
+        self._notices.setText("\n".join(f"⚠ {notice}" for notice in notices))
         self._notices.setVisible(bool(notices))
+        if notices and presentation.verdict.outcome is Outcome.NO_LIMITS:
+            self.verdict.setText(tr("The programme states no limits; read the warnings before you use a value"))
         self.report_button.setEnabled(concluded.report is not None)
 
     def _verdict_text(self, verdict: Verdict) -> str:
@@ -152,9 +168,6 @@ class ResultScreen(QWidget):
     def _lay_out(self) -> None:
         for label in (self.verdict, self._subject, self._notices):
             label.setWordWrap(True)
-        font = self.verdict.font()
-        font.setPointSizeF(font.pointSizeF() * 1.6)
-        self.verdict.setFont(font)
         head = QHBoxLayout()
         head.addWidget(self.verdict, stretch=1)
         head.addWidget(self.report_button)
@@ -166,6 +179,7 @@ class ResultScreen(QWidget):
             self.tabs.addTab(part, title)
         self._take_tabs_of(FIRST)
         layout = QVBoxLayout(self)
+        layout.addWidget(self.banner)
         layout.addLayout(head)
         layout.addWidget(self._subject)
         layout.addWidget(self._notices)
@@ -202,3 +216,30 @@ class ResultScreen(QWidget):
             self.refused.emit(error)
             return
         self.experiment_wanted.emit(FurtherExperiment(job=job, store=self._store, before=concluded.recordings))
+
+
+def notices_of(presentation: Presentation) -> list[str]:
+    """What must be read before the numbers, each once; files by their names, and without what a page says of itself."""
+    undecided = [each for each in presentation.verdict.parameters if each.outcome is Outcome.NOT_DECIDED]
+    told = [*(each.sentence for each in undecided), *presentation.notices]
+    texts = [in_language(_without(_OF_THE_PAGE, notice)) for notice in told]
+    for path in presentation.concluded.recordings:
+        texts = [text.replace(str(path), path.name) for text in texts]
+    return list(dict.fromkeys(texts))
+
+
+def _without(sentence: str, notice: str) -> str:
+    """A notice of several sentences without one of them."""
+    if not isinstance(notice, Message) or sentence not in notice.fields.values():
+        return notice
+    return Message.joined(" ", [str(part) for part in notice.fields.values() if part != sentence])
+
+
+def _banner(outcome: Outcome) -> tuple[str, Tint]:
+    """The verdict in a word or two, and its colour."""
+    return {
+        Outcome.PASS: (tr("✓ PASS"), GREEN),
+        Outcome.FAIL: (tr("✗ FAIL"), RED),
+        Outcome.NOT_DECIDED: (tr("? NOT DECIDED"), AMBER),
+        Outcome.NO_LIMITS: (tr("NO LIMITS"), GREY),
+    }[outcome]

@@ -17,14 +17,15 @@ from tumble.procedures.progress import TimeLeft
 from tumble.procedures.steps import Point
 from tumble.window.look.language import tr
 from tumble.window.look.numbers import local, minutes
-from tumble.window.look.sentences import in_language
-from tumble.window.screens.run_state import Phase, RunState
+from tumble.window.look.sentences import stopped_text
+from tumble.window.screens.run_state import Mood, Phase, RunState
 from tumble.window.screens.run_view import RunView
 from tumble.window.widgets.motion_button import MotionButton
 from tumble.window.widgets.prompts import ReadingPrompt
 from tumble.window.widgets.resume_offer import ResumeOffer
 from tumble.window.widgets.run_form import RunForm
-from tumble.window.work.activity import Activity, Calibration, Concluded
+from tumble.window.widgets.run_line import RunLine
+from tumble.window.work.activity import PREPARING, Activity, Calibration, Concluded
 from tumble.window.work.background import Background
 from tumble.window.work.bridge import EventBridge
 from tumble.window.work.operator import CONFIRMED, WindowOperator
@@ -45,10 +46,14 @@ class RunScreen(QWidget):
     """`Dialog`."""
     state_changed = Signal(str, bool)
     """Where the run stands, and whether that is a fault."""
+    unit_changed = Signal(str, str)
+    """Serial number and operator."""
     broke_off = Signal()
     """A run ended before its time."""
     resume_wanted = Signal(object)
     """Path of the recording."""
+    analysis_wanted = Signal(object)
+    """The same, of a run that is not to go on."""
 
     def __init__(
         self,
@@ -66,7 +71,7 @@ class RunScreen(QWidget):
         self._setting_deg = 0.0
         self.form, self.reading = RunForm(lambda: worker.session.loaded), ReadingPrompt()
         self.view = RunView(background, self.form.chosen_or_shipped())
-        self.offered = ResumeOffer()
+        self.offered, self.line = ResumeOffer(), RunLine()
         self.start_button = MotionButton(tr("Start"), "F5")
         self.pause_button = MotionButton(tr("Pause"), "F6")
         self.resume_button = MotionButton(tr("Go on"), "F7")
@@ -85,11 +90,17 @@ class RunScreen(QWidget):
         """Where the run stands."""
         return self._now.state
 
+    @property
+    def mood(self) -> Mood:
+        """What that means to whoever sees it from afar."""
+        return self._now.mood
+
     def show_stand(self) -> None:
         """Show what there is to do on the stand that is chosen now."""
         self.form.plan_anew()
         self._forget_positions()
         self._see_rest()
+        self._tell_unit()
 
     def offer(self, runs: "Sequence[CutOff]") -> None:
         """Offer to go on with the run that ended here before its time, or with one that another session left."""
@@ -116,6 +127,8 @@ class RunScreen(QWidget):
             self.refused.emit(error)
             return False
         self.form.serial.setText(activity.job.serial_number)
+        self.unit_changed.emit(activity.job.serial_number, activity.job.operator)
+        self.line.show_run(activity.job, plan)
         self.view.begin(activity.job.programme, plan, points)
         self._bar.setRange(0, plan.dwells)
         self._count(len(points), None)
@@ -135,10 +148,12 @@ class RunScreen(QWidget):
         self.pause_button.clicked.connect(self._pause)
         self.resume_button.clicked.connect(self._go_on)
         self.offered.wanted.connect(self.resume_wanted)
+        self.offered.analysis_wanted.connect(self.analysis_wanted)
         self.form.changed.connect(self._refresh)
+        self.form.changed.connect(self._tell_unit)
         self.form.dialog_wanted.connect(self.dialog_wanted)
         self.view.confirmed.connect(self._confirm)
-        self.reading.answered.connect(self._operator.answer)
+        self.reading.answered.connect(self._answer_reading)
         bridge.announced.connect(self._hear)
         bridge.position_seen.connect(self.view.see)
         bridge.progressed.connect(self._count)
@@ -151,7 +166,7 @@ class RunScreen(QWidget):
         worker.disconnected.connect(self._forget_positions)
         worker.restless.connect(self._see_unrest)
         worker.working.connect(self._refresh)
-        worker.stage.connect(self._conclude)
+        worker.stage.connect(self._show_stage)
         worker.concluded.connect(self._end_well)
         worker.broken_off.connect(self._end_badly)
 
@@ -168,7 +183,7 @@ class RunScreen(QWidget):
         for part, stretch in ((self._state_label, 0), (self._bar, 1), (self._left, 0)):
             progress.addWidget(part, stretch)
         layout = QVBoxLayout(self)
-        for row in (self.offered, self.form, buttons, progress, self.reading):
+        for row in (self.offered, self.line, self.form, buttons, progress, self.reading):
             layout.addWidget(row) if isinstance(row, QWidget) else layout.addLayout(row)
         layout.addWidget(self.view, stretch=1)
 
@@ -184,6 +199,9 @@ class RunScreen(QWidget):
             case RunFinished(at_standstill=at_standstill):
                 self._ask_nothing()
                 self._now.settle(at_standstill)
+
+    def _tell_unit(self) -> None:
+        self.unit_changed.emit(self.form.serial.text().strip(), self.form.operator.text().strip())
 
     def _pause(self) -> None:
         self._now.pausing = True
@@ -225,6 +243,13 @@ class RunScreen(QWidget):
     def _ask_reading(self, prompt: str) -> None:
         self.reading.show()
         self.reading.ask(self._setting_deg, prompt)
+        self._now.reading = True
+        self._refresh()
+
+    def _answer_reading(self, text: str) -> None:
+        self._now.reading = False
+        self._operator.answer(text)
+        self._refresh()
 
     def _confirm(self) -> None:
         if self.view.asks:
@@ -234,6 +259,7 @@ class RunScreen(QWidget):
     def _ask_nothing(self) -> None:
         self.view.ask_nothing()
         self.reading.hide()
+        self._now.reading = False
 
     def _count(self, done: int, left: TimeLeft | None) -> None:
         self._bar.setUpdatesEnabled(False)  # it would be painted at once, and with it whatever else has changed
@@ -241,6 +267,12 @@ class RunScreen(QWidget):
         self._bar.setFormat(f"{done} / {self._bar.maximum()}")
         self._bar.setUpdatesEnabled(True)
         self._left.setText("" if left is None else _time_left(left))
+
+    def _show_stage(self, stage: str) -> None:
+        if stage == PREPARING:
+            self.view.log.say(tr("What was measured so far is analysed first; then the experiment begins."))
+        else:
+            self._conclude(stage)
 
     def _conclude(self, stage: str) -> None:
         self._now.phase = Phase.CONCLUDING
@@ -263,7 +295,7 @@ class RunScreen(QWidget):
         self._broken_off = True
         self.broke_off.emit()
         if isinstance(error, JobError) and error.status is Exit.STOPPED and not self._now.restless:
-            self.view.log.say(in_language(str(error)))
+            self.view.log.say(stopped_text(len(self.view.points)))
         else:
             self.refused.emit(error)
 
@@ -277,7 +309,9 @@ class RunScreen(QWidget):
     def _refresh(self) -> None:
         idle, running = self.phase is Phase.IDLE, self.phase is Phase.RUNNING
         paused, free = self._now.paused, idle and not self._worker.busy
-        self.form.setEnabled(idle)
+        for part in (self.form, self.form.summary):
+            part.setVisible(idle)
+        self.line.setVisible(not idle)
         self.start_button.setEnabled(free and bool(self.form.serial.text().strip()))
         self.offered.button.setEnabled(free)
         self.pause_button.setEnabled(running and not paused and not self._now.pausing)

@@ -2,11 +2,22 @@
 
 from collections.abc import Collection
 from dataclasses import dataclass, field
-from enum import Enum, auto
+from enum import Enum, StrEnum, auto
 
 from tumble.procedures.events import State
 from tumble.window.look.language import tr
 from tumble.window.look.sentences import state_name
+
+
+class Mood(StrEnum):
+    """What a state means to whoever sees it from afar; each has a colour."""
+
+    READY = "ready"
+    MEASURING = "measuring"
+    WAITING = "waiting"
+    """For the person at the stand."""
+    PAUSED = "paused"
+    FAULT = "fault"
 
 
 class Phase(Enum):
@@ -28,6 +39,8 @@ class RunState:
     """Whether a pause was asked for that has not begun."""
     restless: bool = False
     """Whether the standstill of a positioner could not be read back."""
+    reading: bool = False
+    """Whether a reading of the head is awaited."""
     resting: set[str] = field(default_factory=set)
     """Positioners that were seen at rest since then, by name."""
 
@@ -35,6 +48,12 @@ class RunState:
     def paused(self) -> bool:
         """Whether the head stands for a pause."""
         return self.phase is Phase.RUNNING and self.state is State.PAUSED
+
+    @property
+    def waiting(self) -> bool:
+        """Whether nothing goes on before the person at the stand has done something."""
+        asked = self.reading and self.state is State.RUNNING
+        return self.phase is Phase.RUNNING and (asked or self.state is State.AWAITING_OPERATOR)
 
     def change(self, state: State) -> None:
         """Take over what the engine tells."""
@@ -53,7 +72,7 @@ class RunState:
 
     def end(self) -> None:
         """The run is over."""
-        self.phase, self.state, self.pausing = Phase.IDLE, State.IDLE, False
+        self.phase, self.state, self.pausing, self.reading = Phase.IDLE, State.IDLE, False, False
 
     @property
     def text(self) -> str:
@@ -62,10 +81,21 @@ class RunState:
             return tr("Fault: the head's standstill was not read back")
         if self.phase is Phase.CONCLUDING:
             return tr("Analysing")
-        if self.pausing and self.state is State.AWAITING_OPERATOR:
+        if self.pausing and self.waiting:
             return tr("Waits for you, and pauses then")
         if self.pausing:
             return tr("Pausing…")
         if self.phase is Phase.RUNNING and self.state is State.IDLE:
             return tr("Getting ready")
-        return state_name(self.state)
+        return state_name(State.AWAITING_OPERATOR if self.waiting else self.state)
+
+    @property
+    def mood(self) -> Mood:
+        """What that means."""
+        if self.restless:
+            return Mood.FAULT
+        if self.waiting:
+            return Mood.WAITING
+        if self.paused or self.pausing:
+            return Mood.PAUSED
+        return Mood.READY if self.phase is Phase.IDLE else Mood.MEASURING

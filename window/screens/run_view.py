@@ -11,6 +11,7 @@ from tumble.procedures.events import Event, PointCompleted, SamplesAcquired, Ste
 from tumble.procedures.plan import Plan
 from tumble.procedures.programme import Programme
 from tumble.procedures.steps import Ask, Dwell, Point
+from tumble.window.look.plots import Plot
 from tumble.window.look.sentences import sentence_of
 from tumble.window.registry import window_part
 from tumble.window.widgets.dials import Dials
@@ -58,6 +59,8 @@ class RunView(QWidget):
         self._step, self._block = None, None
         self._drawn = -1
         self.samples.begin(programme.layout.channels)
+        for plot in self.findChildren(Plot):
+            plot.way_back.begin_anew()
         self.ask_nothing()
         self.log.clear()
 
@@ -77,6 +80,7 @@ class RunView(QWidget):
     def see(self, name: str, status: PositionerStatus) -> None:
         """Show where a positioner is."""
         self.dials.show_status(name, status)
+        self.prompt.see(name, status)
 
     def ask(self, ask: Ask) -> None:
         """Put what is to be set in the place of the dials."""
@@ -118,6 +122,7 @@ class RunView(QWidget):
 
     def _lay_out(self) -> None:
         self._place.insertWidget(0, self.dials)
+        self.ask_nothing()
         self._left = Splitter(Qt.Orientation.Vertical, (self._place, self.overview), (3, 2))
         small = Splitter(Qt.Orientation.Horizontal, (self.temperature, self.samples), (1, 1))
         self._right = Splitter(Qt.Orientation.Vertical, (self.figures, small, self.log), (9, 4, 3))

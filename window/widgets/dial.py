@@ -29,9 +29,9 @@ class Dial(QWidget):
         return QSize(360, 360)
 
     def show_status(self, status: PositionerStatus | None) -> None:
-        """Show where the head is; None where nobody knows."""
-        self._status = status
-        self.setAccessibleName("" if status is None else local(f"{status.angle_deg:.4f}°"))
+        """Show where the head is; None, and a head that has not found its reference, where nobody knows."""
+        self._status = status if status is not None and status.referenced else None
+        self.setAccessibleName("" if self._status is None else local(f"{self._status.angle_deg:.4f}°"))
         self.update()
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802  # Qt's name
@@ -71,13 +71,13 @@ class Dial(QWidget):
         painter.save()
         painter.rotate(math.fmod(status.angle_deg, 360.0))
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(QColor(chosen.now if status.moving else chosen.accent))
+        painter.setBrush(QColor(chosen.now if status.turning else chosen.accent))
         tip, foot, half = -radius * 0.96, -radius * 0.70, radius * 0.045
         painter.drawPolygon(QPolygonF([QPointF(0, tip), QPointF(half, foot), QPointF(-half, foot)]))
         painter.restore()
 
     def _draw_text(self, painter: QPainter, chosen: Colours, radius: float) -> None:
-        lines = [("—", 0.22)] if self._status is None else _lines(self._status.angle_deg)
+        lines = [("?", 0.22)] if self._status is None else _lines(self._status.angle_deg)
         painter.setPen(QColor(chosen.ink))
         top = -radius * 0.26
         for text, size in lines:

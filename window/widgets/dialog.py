@@ -92,12 +92,21 @@ class FileDialog(Dialog):
         if saving:
             self.files.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
             self.files.selectFile(start.name)
+            self.files.filterSelected.connect(self._take_ending)
+            self._take_ending(self.files.selectedNameFilter())
         self.files.setFileMode(QFileDialog.FileMode.AnyFile)
         self.files.setWindowFlags(Qt.WindowType.Widget)
         self.files.setModal(False)
         self.files.fileSelected.connect(lambda name: self.chosen.emit(Path(name)))
         self.files.finished.connect(self.dismiss)
         self.add(self.files)
+
+    def _take_ending(self, name_filter: str) -> None:
+        """Give the name the ending of the format that is chosen, whatever is typed before it."""
+        ending = name_filter.rpartition("*.")[2].rstrip(")")
+        self.files.setDefaultSuffix(ending)
+        if named := self.files.selectedFiles():
+            self.files.selectFile(Path(named[0]).with_suffix(f".{ending}").name)
 
 
 class Dialogs(QScrollArea):

@@ -4,6 +4,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLineEdit, QVBoxLayout, QWidget
 
 from tumble.drivers.manual import on_the_circle
+from tumble.drivers.protocols import PositionerStatus
 from tumble.procedures.layout import Layout
 from tumble.procedures.steps import Ask
 from tumble.window.look.language import tr
@@ -49,6 +50,9 @@ class ConditionPrompt(QFrame):
         self._value = ask.value
         self._title.say(self.title(ask))
         self._task.setText(self.task(ask))
+
+    def see(self, name: str, status: PositionerStatus) -> None:
+        """A positioner was seen; what is asked for may depend on where it stands."""
 
     def title(self, ask: Ask) -> str:
         """What is asked for in a word or two, large."""

@@ -68,12 +68,23 @@ class RecordSearch(QWidget):
                 self.programme.addItem(name, name)
 
     def _day(self) -> QDateEdit:
-        field = QDateEdit()
+        field = _Day()
         field.setCalendarPopup(True)
         field.setMinimumDate(QDate(2000, 1, 1))
         field.setSpecialValueText(tr("any"))
         field.setDate(field.minimumDate())
         return field
+
+
+class _Day(QDateEdit):
+    """A day, or any; the first step from any is today."""
+
+    def stepBy(self, steps: int) -> None:  # noqa: N802  # Qt's name
+        """Go on by days, months or years."""
+        if self.date() == self.minimumDate():
+            self.setDate(QDate.currentDate())
+        else:
+            super().stepBy(steps)
 
 
 def _moment(field: QDateEdit, at: time) -> datetime | None:

@@ -13,9 +13,8 @@ from tumble.procedures.errors import InputError
 from tumble.procedures.programme import Programme
 from tumble.procedures.programmes import load_programme, shipped_programmes
 from tumble.window.look.language import tr
-from tumble.window.look.numbers import local, minutes
 from tumble.window.look.plain import PlainLabel
-from tumble.window.look.sentences import in_language
+from tumble.window.look.sentences import in_language, plan_text
 from tumble.window.widgets.dialog import FileDialog
 
 
@@ -37,7 +36,7 @@ class RunForm(QWidget):
         self.serial.setPlaceholderText(tr("type or scan"))
         self.serial.returnPressed.connect(self.await_scan)
         self.programme.addItems(shipped_programmes())
-        self.programme.setCurrentText(str(QSettings().value("run/programme", "seed")))
+        self.add_programme(str(QSettings().value("run/programme", "seed")))
         self.programme.setMinimumContentsLength(14)
         self.operator.setText(str(QSettings().value("run/operator", "")))
         self._browse = QPushButton(tr("File…"))
@@ -47,6 +46,7 @@ class RunForm(QWidget):
         self._lay_out()
         self.serial.textChanged.connect(self.changed)
         self.operator.editingFinished.connect(self._remember)
+        self.operator.textChanged.connect(self.changed)
         self.programme.currentTextChanged.connect(self._programme_chosen)
 
     def plan_anew(self) -> None:
@@ -121,10 +121,4 @@ class RunForm(QWidget):
         except InputError as error:
             self.summary.setText(in_language(str(error)))
             return
-        text = tr(
-            "{points} points, {mountings} mountings, about {time}",
-            points=planned.dwells,
-            mountings=planned.requests,
-            time=minutes(planned.duration_s),
-        )
-        self.summary.setText(local(text))
+        self.summary.setText(plan_text(planned))

@@ -10,8 +10,8 @@ from tumble.calibrations.core.arrays import FloatArray
 from tumble.window.look.plots import Plot
 from tumble.window.look.theme import MARKERS
 
-_SIGNS: Final = {"o": "●", "s": "■", "t1": "▲", "d": "◆", "t": "▼", "p": "⬟"}
-"""The shapes of pyqtgraph in writing."""
+SIGNS: Final = {"o": "●", "s": "■", "t1": "▲", "d": "◆", "t": "▼", "p": "⬟"}
+"""The shapes of pyqtgraph in writing, by their names, in the order in which series have them."""
 
 
 class SeriesPlot(Plot):
@@ -32,7 +32,7 @@ class SeriesPlot(Plot):
             self.removeItem(self._series.pop(name))
         if self._named != (named := tuple(self._series)):
             self._named = named
-            self._entitle(self._key())
+            self.entitle(self._key())
 
     def forget_key(self) -> None:
         """Write the key anew with the next series: the axes have other names."""
@@ -58,10 +58,10 @@ class SeriesPlot(Plot):
     def _key(self) -> str:
         """Shape and name of every series, in its colour."""
         styles = {name: self._style(name) for name in self._series}
-        marks = [f'<span style="color: {colour}">{_SIGNS[shape]}</span> {n}' for n, (colour, shape) in styles.items()]
+        marks = [f'<span style="color: {colour}">{SIGNS[shape]}</span> {n}' for n, (colour, shape) in styles.items()]
         return "".join(f" &nbsp; {mark}" for mark in marks)
 
     def _restyle(self) -> None:
         for name, series in self._series.items():
             series.setSymbolBrush(self._style(name)[0])
-        self._entitle(self._key())
+        self.entitle(self._key())

@@ -63,4 +63,4 @@ class StopBar(QWidget):
 def _angle(status: PositionerStatus) -> str:
     if not status.referenced:
         return tr("angle not known")
-    return f"{'↻ ' if status.moving else ''}{local(format_dms(status.angle_deg))}"
+    return f"{'↻ ' if status.turning else ''}{local(format_dms(status.angle_deg))}"

@@ -1,16 +1,19 @@
 """A table of texts."""
 
 from collections.abc import Sequence
+from typing import Final
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QBrush, QColor
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QBrush, QColor, QGuiApplication, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem, QWidget
 
 from tumble.window.look.plain import as_tooltip
 
+_LEAST_LINES: Final = 6
+
 
 class Table(QTableWidget):
-    """Read, selected by rows, copied by the keyboard; columns as wide as their texts, which wrap in the last one."""
+    """Read, selected and copied by rows; columns as wide as their texts, which wrap in the last one."""
 
     def __init__(self, headings: Sequence[str], parent: QWidget | None = None) -> None:
         super().__init__(0, len(headings), parent)
@@ -25,7 +28,7 @@ class Table(QTableWidget):
         header.setStretchLastSection(True)
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        self.setMinimumHeight(100)
+        self._keep_lines()
 
     def fill(self, rows: Sequence[Sequence[str]], colours: Sequence[str | None] = ()) -> None:
         """Show other rows, each in a colour of its own where one is given."""
@@ -34,11 +37,37 @@ class Table(QTableWidget):
         for number, row in enumerate(rows):
             colour = colours[number] if number < len(colours) else None
             for column, text in enumerate(row):
-                item = QTableWidgetItem(text)
+                item = self.item_made(text)
                 item.setToolTip(as_tooltip(text))
                 if colour:
                     item.setForeground(QBrush(QColor(colour)))
                 self.setItem(number, column, item)
+
+    def item_made(self, text: str) -> QTableWidgetItem:
+        """A cell."""
+        return QTableWidgetItem(text)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802  # Qt's name
+        """Copy whole rows, as a spreadsheet takes them; Enter is left to whoever has connected `itemActivated`."""
+        if event.matches(QKeySequence.StandardKey.Copy):
+            QGuiApplication.clipboard().setText(self.copied())
+        else:
+            super().keyPressEvent(event)
+
+    def copied(self) -> str:
+        """The rows that are selected, their cells divided by tabs."""
+        rows = sorted({index.row() for index in self.selectionModel().selectedRows()})
+        texts = self.texts()
+        return "\n".join("\t".join(texts[row]) for row in rows)
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802  # Qt's name
+        """Keep as many lines in sight with larger text."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._keep_lines()
+
+    def _keep_lines(self) -> None:
+        self.setMinimumHeight(_LEAST_LINES * self.fontMetrics().height())
 
     def widen(self, row: int, column: int) -> None:
         """Give a cell all the room to the end of its row."""

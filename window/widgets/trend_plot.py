@@ -2,17 +2,20 @@
 
 from collections.abc import Sequence
 from datetime import datetime
+from html import escape
 
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
 
 from tumble.app.headline import headline
+from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.records.parameter import RecordedParameter
 from tumble.calibrations.records.record import Record
 from tumble.window.look.language import tr
 from tumble.window.look.numbers import local
 from tumble.window.look.plots import LocalAxis, Plot
+from tumble.window.widgets.series_plot import SIGNS
 
 
 class TrendPlot(QWidget):
@@ -31,9 +34,12 @@ class TrendPlot(QWidget):
         self._records: Sequence[Record] = ()
         self.drawn = 0
         """How many records have a value."""
+        self.key = ""
+        """What the colours and shapes mean, as markup."""
         self._lay_out()
-        self.parameter.currentIndexChanged.connect(self._draw)
-        self.over.currentIndexChanged.connect(self._draw)
+        for choice in (self.parameter, self.over):
+            choice.currentIndexChanged.connect(self._draw)
+            choice.currentIndexChanged.connect(self.plot.way_back.home)
         self.plot.recoloured.connect(self._draw)
 
     def show_records(self, records: Sequence[Record]) -> None:
@@ -88,8 +94,21 @@ class TrendPlot(QWidget):
         y = np.array([value for _, value, _ in told])
         low, high = np.array([low for *_, (low, _) in told]), np.array([high for *_, (_, high) in told])
         self._bars.setData(x=x, y=y, top=high - y, bottom=y - low, pen=self.plot.pen(self.plot.colours.pale))
-        self._marks.setData(x, y, brush=self.plot.colours.accent, pen=None)
+        self._mark([record.provenance.serial_number for record, *_ in told], x, y)
         self.plot.name_axes(self.over.currentText(), local(f"{name} ({unit.replace('^2', '²')})" if name else ""))
+        self.plot.entitle(self.key)
+
+    def _mark(self, units: Sequence[str], x: FloatArray, y: FloatArray) -> None:
+        """Draw every unit in a colour and shape of its own; those that there are no more of look alike."""
+        shades, distinct = self.plot.colours.data, list(dict.fromkeys(units))
+        styles = dict(zip(distinct, zip(shades, SIGNS, strict=False), strict=False))
+        other = (self.plot.colours.pale, "o")
+        drawn = [styles.get(unit, other) for unit in units]
+        self._marks.setData(x, y, brush=[shade for shade, _ in drawn], symbol=[shape for _, shape in drawn], pen=None)
+        told = [(shade, SIGNS[shape], unit) for unit, (shade, shape) in styles.items()]
+        rest = [tr("and {count} more", count=len(distinct) - len(styles))] if len(distinct) > len(styles) else []
+        marks = [f'<span style="color: {shade}">{sign}</span> {escape(unit)}' for shade, sign, unit in told]
+        self.key = "".join(f" &nbsp; {mark}" for mark in (*marks, *rest))
 
     def _places(self, records: Sequence[Record]) -> "np.ndarray[tuple[int], np.dtype[np.float64]]":
         """Where records stand on the abscissa, which is dressed for it."""

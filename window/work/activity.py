@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, Final, Protocol
 
 from tumble.app.running import Job, failure
 from tumble.app.simulation import Past
@@ -18,6 +18,8 @@ if TYPE_CHECKING:  # the analysis and the store take half a second: a window is 
     from tumble.app.resuming import Unfinished
 
 Tell = Callable[[str], None]
+PREPARING: Final = "preparing"
+"""The stage before a run in which what is there already is analysed."""
 
 
 class Activity(Protocol):
@@ -111,7 +113,7 @@ class Resumption:
 
 @dataclass(frozen=True, kw_only=True)
 class FurtherExperiment:
-    """An experiment that the closed loop asked for, and the loop closed again with it."""
+    """An experiment that the closed loop asked for, the loop closed again with it, and what both say stored."""
 
     job: Job
     store: Path
@@ -123,8 +125,12 @@ class FurtherExperiment:
     def carry_out(self, connected: Connected, listeners: Sequence[Listener], tell: Tell) -> Concluded:
         """Do it."""
         from tumble.app.acting import AtStand, prepare, run_experiment
+        from tumble.app.analysing import fit
+        from tumble.app.calibrating import keep_result, make_ready
         from tumble.app.closing import begin, follow
 
+        make_ready(self.store)
+        tell(PREPARING)
         job, clock = self.job, connected.stand.clock
         at = AtStand(
             stand=job.stand,
@@ -140,7 +146,9 @@ class FurtherExperiment:
         recording = run_experiment(at, offer, listeners)
         tell("tracing")
         closing = follow(closing, asked, recording, clock.monotonic_s() - began_s, at)
-        return Concluded(method=job.programme.method, traced=closing.traced, recordings=closing.files)
+        refitted = closing.traced.refitted(fit(closing.traced.measurement, job.serial_number, folder=self.store))
+        done = keep_result(refitted, self.store, tell, spoken(), closing.chain)
+        return _stored(job, done, closing.files)
 
 
 def progress_of(activity: Activity, connected: Connected) -> Progress:
@@ -148,11 +156,12 @@ def progress_of(activity: Activity, connected: Connected) -> Progress:
     return Progress(activity.job.plan(), connected.stand.clock, activity.points_done)
 
 
-def _stored(job: Job, done: "Calibrated") -> Concluded:
+def _stored(job: Job, done: "Calibrated", recordings: tuple[Path, ...] = ()) -> Concluded:
+    """What was kept of one recording, or of several together."""
     return Concluded(
         method=job.programme.method,
         traced=done.analysed,
-        recordings=(done.recording,),
+        recordings=recordings or (done.recording,),
         record_id=done.record.id,
         report=done.report,
     )

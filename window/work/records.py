@@ -86,7 +86,7 @@ def open_record(folder: Path, record_id: str) -> Concluded:
     return Concluded(
         method=record.method,
         traced=traced,
-        recordings=(measurement.path,),
+        recordings=tuple(each.path for each in (measurement, *measurement.others)),
         record_id=record.id,
         report=page if page.is_file() else None,
     )
@@ -102,6 +102,21 @@ def analyse_again(folder: Path, record_id: str) -> Concluded:
     page = report_path(folder, record)
     report_record(concluded.traced, record, folder, page, spoken())
     return replace(concluded, record_id=record.id, report=page)
+
+
+def analyse_cut_off(folder: Path, path: Path) -> Concluded:
+    """Analyse a run that came to no end as far as it goes, and store what comes of it."""
+    from tumble.app.calibrating import conclude, make_ready
+
+    make_ready(folder)
+    done = conclude(path, folder, language=spoken())
+    return Concluded(
+        method=done.record.method,
+        traced=done.analysed,
+        recordings=(path,),
+        record_id=done.record.id,
+        report=done.report,
+    )
 
 
 def differences(folder: Path, first: str, second: str) -> "tuple[Difference, ...]":

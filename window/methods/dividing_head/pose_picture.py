@@ -20,6 +20,8 @@ _UP: Final = np.array([-0.16, 0.93, -0.34])
 """On the paper, of X to the right, Y up and Z, the head's axis, towards the reader."""
 _TOWARDS: Final = np.cross(_RIGHT, _UP)
 _ARROW: Final = 1.15
+_ZERO_LABEL: Final = (0.3, 1.4)
+"""Where the mark of 0° is named: outside the rim, beside any axis of the unit that points there."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -79,7 +81,7 @@ class PosePicture(QWidget):
             painter.setBrush(QColor(chosen.grid))
             painter.drawPolygon(_polygon(rim + np.array([0.0, 0.0, depth]), scale))
         painter.drawLine(_flat(np.array([0, 1.25, seat_z]), scale), _flat(np.array([0, 1.08, seat_z]), scale))
-        _write(painter, _flat(np.array([0.0, 1.0, seat_z]), scale), "0°", QColor(chosen.ink), scale * 0.13)
+        _write(painter, _flat(np.array([*_ZERO_LABEL, seat_z]), scale), "0°", QColor(chosen.ink), scale * 0.13)
 
     def _draw_face(self, painter: QPainter, chosen: Colours, scale: float, face: _Face) -> None:
         lightness = {0: 118, 1: 100, 2: 135}[face.axis]

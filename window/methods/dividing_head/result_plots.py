@@ -17,6 +17,7 @@ class FitPlot(OutputPlot):
     def show_presentation(self, presentation: Presentation) -> None:
         """Draw the rows of the declared model."""
         rows = models_of(presentation)["declared"]
+        self.way_back.home()
         self.draw_curves(rows.curves)
         self.draw(rows.mounts, rows.abscissae["angle"], rows.output_v)
 
@@ -79,6 +80,7 @@ class ResidualFigure(QWidget):
         self.plot.name_axes(self._label(name), tr("residual (µV)"))
         self._band.setRegion((-rows.scatter_uv, rows.scatter_uv))
         self.plot.forget_key()
+        self.plot.way_back.home()
         self.plot.draw(rows.mounts, rows.abscissae[name], rows.residual_uv)
 
     def _recolour(self) -> None:

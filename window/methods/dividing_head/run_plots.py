@@ -80,6 +80,7 @@ class ResidualPlot(AnglePlot):
         if fit is None:
             self.draw_points((), np.empty(0))
             self._rings.clear()
+            self._band.setRegion((0, 0))
             return
         residual_uv, fitted = fit.residual_v * _MICRO, points[: fit.points]
         self.draw_points(fitted, residual_uv)

@@ -1,0 +1,63 @@
+"""A table whose rows are put into order by any of its columns."""
+
+import re
+from collections.abc import Sequence
+from typing import Final
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QTableWidgetItem, QWidget
+
+from tumble.window.widgets.table import Table
+
+_NUMBER: Final = re.compile(r"([-−]?\d+(?:[.,]\d+)?)")
+_ROW: Final = Qt.ItemDataRole.UserRole
+
+
+class _Item(QTableWidgetItem):
+    """Comes before another by the numbers in their texts, and by the row that they had where these are alike."""
+
+    def __lt__(self, other: QTableWidgetItem) -> bool:
+        return (_parts(self.text()), self.data(_ROW)) < (_parts(other.text()), other.data(_ROW))
+
+
+class SortableTable(Table):
+    """A click on a heading sorts by it, at first by the column `newest`, the last on top.
+
+    Rows go by the numbers that they had when they were filled in, wherever they stand.
+    """
+
+    def __init__(self, headings: Sequence[str], newest: int, parent: QWidget | None = None) -> None:
+        super().__init__(headings, parent)
+        self.setSortingEnabled(True)
+        self.sortByColumn(newest, Qt.SortOrder.DescendingOrder)
+
+    def fill(self, rows: Sequence[Sequence[str]], colours: Sequence[str | None] = ()) -> None:
+        """Show other rows in the order that is chosen."""
+        self.setSortingEnabled(False)
+        super().fill(rows, colours)
+        for number in range(self.rowCount()):
+            for column in range(self.columnCount()):
+                self.model().setData(self.model().index(number, column), number, _ROW)
+        self.setSortingEnabled(True)
+
+    @property
+    def chosen(self) -> list[int]:
+        """Numbers of the rows that are selected, as they were filled in, the lowest first."""
+        return sorted(self._number(row) for row in super().chosen)
+
+    def item_made(self, text: str) -> QTableWidgetItem:
+        """A cell that knows its order."""
+        return _Item(text)
+
+    def _number(self, row: int) -> int:
+        return int(self.model().index(row, 0).data(_ROW))
+
+
+def _parts(text: str) -> list[tuple[int, float, str]]:
+    """Text and numbers in turn, each comparable with any other."""
+    found = _NUMBER.split(text.casefold())
+    return [
+        (0, float(part.replace(",", ".").replace("−", "-")), "") if place % 2 else (1, 0.0, part)
+        for place, part in enumerate(found)
+        if part
+    ]
