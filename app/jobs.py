@@ -68,9 +68,11 @@ def job_names() -> list[str]:
 
 
 def method_of_table(path: Path) -> str:
-    """The method whose unit a table is of; of a table of none of them the first, which says what is wrong with it."""
+    """The method whose unit a table is of; of a table of none of them that which can say what is wrong with it."""
     first, *others = names = job_names()
     if not others:
         return first
-    method = reader(map(method_called, names), read_header(path))
-    return method.name if method else first
+    known, header = [method_called(name) for name in names], read_header(path)
+    if method := reader(known, header):
+        return method.name
+    return next((method.name for method in known if method.hint(header, ())), first)

@@ -198,7 +198,7 @@ def _texts(name: str, cells: list[str], column: Column, lines: list[int], path: 
             known = ", ".join(column.choices)
             raise TableError(
                 Message(
-                    "{path}, line {line}, column {name}: {cell} is no {name}; the {name}s are {known}",
+                    "{path}, line {line}, column {name}: {cell} is no {name}; known are {known}",
                     path=path,
                     line=line,
                     name=name,

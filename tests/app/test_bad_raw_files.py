@@ -29,8 +29,7 @@ BAD_TABLES = {
     ),
     "an unknown mount": (
         "angle_deg,voltage_V,mount\n0,2.5,side\n",
-        ", line 2, column mount: 'side' is no mount; the mounts are face-up, face-up-90, face-down, edge, edge-back, "
-        "end",
+        ", line 2, column mount: 'side' is no mount; known are face-up, face-up-90, face-down, edge, edge-back, end",
     ),
     "no UTF-8": (TABLE.encode() + b"# \xe4\n", ", line 4: not UTF-8 (byte 0xe4); save the table as UTF-8"),
     "overloads only": ("angle_deg,voltage_V\n0,9.9e37\n", ": no usable row (1 set aside); measure again"),

@@ -13,7 +13,7 @@ from tumble.calibrations.methods.gyrocompass.geometry import (
 )
 from tumble.calibrations.methods.gyrocompass.lean import Lean, leans
 from tumble.calibrations.methods.gyrocompass.model import best_angle, direction
-from tumble.calibrations.methods.gyrocompass.observations import GyrocompassObservations
+from tumble.calibrations.methods.gyrocompass.observations import GyrocompassObservations, read_gyrocompass_table
 
 DELTA_DEG = np.arange(0.0, 360.0, 20.0)
 LATITUDE_DEG = np.full(len(DELTA_DEG), 50.45)
@@ -108,3 +108,11 @@ def test_the_best_angle_is_found_from_no_start(alpha_deg):
 @pytest.mark.parametrize(("angle_deg", "expected"), [(180.0, 180.0), (-180.0, 180.0), (181.0, -179.0), (0.0, 0.0)])
 def test_angles_are_above_minus_180_up_to_180(angle_deg, expected):
     assert wrapped_deg(angle_deg) == pytest.approx(expected)
+
+
+def test_near_a_pole_there_is_no_heading(tmp_path):
+    (tmp_path / "pole.csv").write_text(
+        "azimuth_deg,latitude_deg,rate_deg_h\n" + "".join(f"{90 * k},89.5,{0.1 * k}\n" for k in range(4)), "utf-8"
+    )
+    rows = read_gyrocompass_table(tmp_path / "pole.csv")
+    assert (len(rows), len(rows.set_aside)) == (0, 4)

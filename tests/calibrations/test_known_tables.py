@@ -219,3 +219,16 @@ def test_a_method_that_fails_at_a_hint_hides_none(tmp_path):
     with pytest.raises(TableError) as beside:
         recognised(path, (*methods(), Strange("odd")))
     assert str(beside.value).startswith(str(without.value).split("; tumble reads")[0])
+
+
+@pytest.mark.parametrize(
+    ("header", "hint"),
+    [
+        ("time_s,level_g,output_ug", "this looks like a table of vibrated dwells, and it lacks ai_g"),
+        ("time_s,azimuth_deg,latitude_deg", "this looks like a table of a gyrocompass, and it lacks rate_deg_h"),
+    ],
+)
+def test_what_a_table_of_another_method_lacks_is_named(tmp_path, header, hint):
+    (tmp_path / "unit.csv").write_text(f"{header}\n" + ",".join("1" for _ in header.split(",")) + "\n", "utf-8")
+    with pytest.raises(TableError, match=hint):
+        recognised(tmp_path / "unit.csv", methods())

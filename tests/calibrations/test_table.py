@@ -88,7 +88,7 @@ def test_a_last_line_without_an_end_is_read_with_a_warning(tmp_path):
         (
             "angle_deg,mount,voltage_V\n0,upside-down,2.5\n",
             "unit.csv, line 2, column mount: 'upside-down' is no mount; "
-            "the mounts are face-up, face-up-90, face-down, edge, edge-back, end",
+            "known are face-up, face-up-90, face-down, edge, edge-back, end",
         ),
         (
             "angle_deg,direction,voltage_V\n0,2,2.5\n",

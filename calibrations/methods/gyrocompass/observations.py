@@ -15,7 +15,8 @@ from tumble.calibrations.core.table import read_rows
 
 _MOST_DEG: Final = 1e6
 """Beyond any turntable: 2,777 turns."""
-_MOST_LATITUDE_DEG: Final = 90.0
+_MOST_LATITUDE_DEG: Final = 89.0
+"""So near a pole next to nothing of the earth rate is level, and there is no heading."""
 
 
 @dataclass(frozen=True, kw_only=True)

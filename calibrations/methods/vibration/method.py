@@ -8,6 +8,7 @@ from typing import Any, Final
 from tumble.calibrations.core.joining import joined
 from tumble.calibrations.core.known_tables import misspelt
 from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.core.sentences import series
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.vibration.at_the_stand import loop_at
 from tumble.calibrations.methods.vibration.budget import VibrationUncertainty
@@ -26,6 +27,8 @@ from tumble.calibrations.tracing.sentences import set_aside_section
 from tumble.messages import Message
 
 NEEDED: Final = ("output_ug", "ai_g")
+_SHOWING: Final = (*NEEDED, "mii_g2", "level_g", "drive_i")
+"""Columns that no other table has."""
 """Columns by which a table of dwells is known; mii_g2 may stand in place of ai_g."""
 
 
@@ -77,7 +80,14 @@ class VibrationMethod:
         """What to do with samples of dwells, and what is misspelt in a table that looks like one of dwells."""
         if are_samples(header):
             return Message("these are samples of dwells; `tumble reduce` makes a table of dwells of them")
-        return misspelt(header, [*VibrationObservations.spelt()], NEEDED)
+        if asked := misspelt(header, [*VibrationObservations.spelt()], NEEDED):
+            return asked
+        if not any(name in _SHOWING for name in header):
+            return ""
+        return Message(
+            "this looks like a table of vibrated dwells, and it lacks {missing}",
+            missing=series([name for name in NEEDED if name not in header]),
+        )
 
     def are_samples(self, header: Sequence[str]) -> bool:
         """Whether a table holds samples of dwells."""
