@@ -1,7 +1,7 @@
 """The method `gyrocompass`: heading and drift of a gyro platform on an azimuth turntable."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -9,13 +9,14 @@ from tumble.calibrations.core.joining import joined
 from tumble.calibrations.core.known_tables import misspelt
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.sentences import series
-from tumble.calibrations.core.view import Section
+from tumble.calibrations.core.view import Quantity, Section
 from tumble.calibrations.methods.gyrocompass.at_the_stand import loop_at
 from tumble.calibrations.methods.gyrocompass.budget import TurntableUncertainty
 from tumble.calibrations.methods.gyrocompass.document import document
 from tumble.calibrations.methods.gyrocompass.entry import VERSION, entry
 from tumble.calibrations.methods.gyrocompass.loop import GyrocompassLoop, asked_next, close_gyrocompass_loop
 from tumble.calibrations.methods.gyrocompass.observations import GyrocompassObservations, read_gyrocompass_table
+from tumble.calibrations.methods.gyrocompass.quantities import QUANTITIES
 from tumble.calibrations.methods.gyrocompass.sections import sections
 from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.tracing.sentences import set_aside_section
@@ -65,6 +66,7 @@ class GyrocompassMethod:
     title: str = Message("Gyrocompassing on an azimuth turntable")
     columns: str = Message("a gyrocompass in several azimuths (azimuth_deg, latitude_deg, rate_deg_h)")
     headline: str = "alpha0"
+    quantities: Mapping[str, Quantity] = field(default_factory=lambda: QUANTITIES)
 
     def reads(self, header: Sequence[str], numbers: Sequence[str] | None) -> bool:  # noqa: ARG002  # by names alone
         """Whether a table holds the angle of the turntable and the rate."""

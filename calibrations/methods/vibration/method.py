@@ -1,7 +1,7 @@
 """The method `vibration`: rectification of an accelerometer under vibration."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Final
 
@@ -9,7 +9,7 @@ from tumble.calibrations.core.joining import joined
 from tumble.calibrations.core.known_tables import misspelt
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.sentences import series
-from tumble.calibrations.core.view import Section
+from tumble.calibrations.core.view import Quantity, Section
 from tumble.calibrations.methods.vibration.at_the_stand import loop_at
 from tumble.calibrations.methods.vibration.budget import VibrationUncertainty
 from tumble.calibrations.methods.vibration.document import NAME, document
@@ -21,6 +21,7 @@ from tumble.calibrations.methods.vibration.loop import VibrationLoop, asked_next
 from tumble.calibrations.methods.vibration.observations import VibrationObservations, read_vibration_table
 from tumble.calibrations.methods.vibration.prediction import PredictedShown, predicted
 from tumble.calibrations.methods.vibration.profile import read_spectrum, shipped_profiles
+from tumble.calibrations.methods.vibration.quantities import QUANTITIES
 from tumble.calibrations.methods.vibration.sections import sections
 from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.tracing.sentences import set_aside_section
@@ -71,6 +72,7 @@ class VibrationMethod:
     title: str = Message("Vibration rectification of an accelerometer")
     columns: str = Message("dwells at rest and under vibration (output_ug, and ai_g or mii_g2)")
     headline: str = "k_ii"
+    quantities: Mapping[str, Quantity] = field(default_factory=lambda: QUANTITIES)
 
     def reads(self, header: Sequence[str], numbers: Sequence[str] | None) -> bool:  # noqa: ARG002  # by names alone
         """Whether a table holds outputs of dwells and how they were vibrated."""
