@@ -55,7 +55,7 @@ _LONGEST_NAME = 60
 _RESERVED = {"CON", "PRN", "AUX", "NUL", *(f"{port}{n}" for port in ("COM", "LPT") for n in range(10))}
 """Names of devices on Windows."""
 
-_FINISHED: Final = {
+FINISHED: Final = {
     FinishReason.COMPLETED: Exit.GOOD,
     FinishReason.STOPPED: Exit.STOPPED,
     FinishReason.UNANSWERED: Exit.BAD_INPUT,
@@ -218,7 +218,7 @@ def _warn_of_what_is_due(job: Job, clock: Clock, announcer: Announcer) -> None:
 
 def failure(outcome: Outcome, recording: Path) -> JobError | None:
     """The error of a run that was not completed: what happened, what was kept, what to do; None after a whole run."""
-    status = _FINISHED[outcome.reason]
+    status = FINISHED[outcome.reason]
     if status is Exit.GOOD:
         return None
     kept = Message.counted(

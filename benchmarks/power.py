@@ -26,6 +26,7 @@ os.environ["OPENBLAS_NUM_THREADS"] = "1"
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 from scipy.special import fdtri, ncfdtr
 
 from benchmarks.bank import DEVELOPMENT, REPORTED, Spec, Stage, make_stage, make_table, power
@@ -40,7 +41,7 @@ from tumble.calibrations.methods.dividing_head.loop.loop import close_loop
 from tumble.calibrations.methods.dividing_head.loop.table import dividing_head_table
 from tumble.calibrations.methods.dividing_head.model import PARAMETERS
 from tumble.calibrations.methods.dividing_head.observations import Observations
-from tumble.calibrations.report.drawing import COLOURS, INK, sheet, styled
+from tumble.calibrations.report.figure import COLOURS, INK
 from tumble.calibrations.tracing.candidates import candidates
 from tumble.calibrations.tracing.penalties import FALSE_ALARM
 
@@ -181,11 +182,12 @@ def _largest_shortfall(by_cell: dict[Cell, list[Record]]) -> str:
     return f"Largest shortfall from 50 % on: {100.0 * short[worst]:.1f} points, {effect} at {units:g} noise units."
 
 
-@styled
 def draw(by_cell: dict[Cell, list[Record]], path: Path) -> None:
     """One panel for each effect: power against signal, `close_loop` as marks with intervals, the F test as a line."""
     effects = list(dict.fromkeys(effect for effect, _ in by_cell))
-    figure, panels = sheet(9.2, 0.6 + 2.5 * -(-len(effects) // 3), -(-len(effects) // 3), min(len(effects), 3))
+    rows, across = -(-len(effects) // 3), min(len(effects), 3)
+    figure = Figure(figsize=(9.2, 0.6 + 2.5 * rows), layout="constrained")
+    panels = list(figure.subplots(rows, across, sharex=True, sharey=True, squeeze=False).flat)
     for panel, effect in zip(panels, effects, strict=False):
         _draw_effect(panel, {units: records for (name, units), records in by_cell.items() if name == effect})
         panel.set_title(effect)

@@ -140,6 +140,8 @@ class Store:
     ) -> tuple[Record, ...]:
         """Records that stand (no newer revision) and fit everything given, in the order of measurement.
 
+        Those of the same second are in the order in which they were stored.
+
         `since` and `until`, both included, need a time zone.
         """
         conditions = [
@@ -151,7 +153,11 @@ class Store:
             RECORDS.c.outcome == str(verdict) if verdict else None,
         ]
         given: list[ColumnElement[bool]] = [condition for condition in conditions if condition is not None]
-        return self._records(select(RECORDS).where(_STANDS, *given).order_by(_MEASURED_AT, RECORDS.c.id))
+        return self._records(
+            select(RECORDS)
+            .where(_STANDS, *given)
+            .order_by(_MEASURED_AT, RECORDS.c.created_at, RECORDS.c.sequence, RECORDS.c.id)
+        )
 
     def standing(self) -> tuple[str, ...]:
         """Ids of the records that stand, in the order of measurement; damaged ones too."""

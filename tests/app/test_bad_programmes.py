@@ -62,7 +62,7 @@ def test_an_unknown_programme_is_answered_with_those_that_come_along(tmp_path, m
     complaint = refused("sead", tmp_path, monkeypatch)
 
     assert complaint.startswith("sead: there is no such file; give a TOML file or one of probe-back, ")
-    assert ", quick, reversal, seed, 12, " in complaint
+    assert ", quick, reversal, seed, 0-120-240, " in complaint
 
 
 def test_a_programme_beyond_the_limits_of_the_head_moves_nothing(write, tmp_path, monkeypatch):

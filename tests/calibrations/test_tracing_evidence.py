@@ -49,7 +49,7 @@ def test_a_wave_that_would_fit_nine_settings_is_withheld_and_says_why():
     (wave,) = nine().withheld
     assert (wave.name, wave.reason) == (
         "daq_nonlinearity",
-        "9 settings differ by as much without it (p = 0.00012; 1e-06 is asked for)",
+        "9 settings differ by as much without it (p = 0.00011; 1e-06 is asked for)",
     )
 
 

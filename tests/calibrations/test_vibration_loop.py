@@ -50,7 +50,7 @@ def test_a_fourth_order_is_told_from_the_second():
 
 @pytest.mark.parametrize("ratio", [0.15, -0.1])
 def test_sideways_motion_is_fitted_in_full(ratio):
-    rows = dwells(*FIXTURES)
+    rows = dwells(*FIXTURES, shaken((HALF, -HALF, 0.0), (HALF, HALF, 0.0), P))
     shares = CROSS.shares(scene_of(rows), ratio)
     loop = close_vibration_loop(measured(rows, shares.added(K)))
     assert names(loop) == ["shaker_cross"]
@@ -58,6 +58,15 @@ def test_sideways_motion_is_fitted_in_full(ratio):
     assert found.value == pytest.approx(ratio, abs=4.0 * found.standard_uncertainty)
     cross = loop.augmented.parameters["k_io"]
     assert cross.value == pytest.approx(K[3], abs=4.0 * cross.standard_uncertainty)
+
+
+def test_without_a_second_fixture_two_ratios_give_the_same_dwells_and_both_are_said():
+    """Of k_io the plain mountings tell its product with the ratio, one at 45° a sum of both: a quadratic equation."""
+    rows = dwells(*FIXTURES)
+    loop = close_vibration_loop(measured(rows, CROSS.shares(scene_of(rows), 0.15).added(K)))
+    cross = loop.augmented.parameters["k_io"]
+    assert cross.value is None
+    assert min(abs(value - K[3]) for value in cross.given.values()) < 0.4
 
 
 def test_a_resonance_is_named_by_its_frequency():

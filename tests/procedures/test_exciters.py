@@ -5,7 +5,8 @@ from itertools import pairwise
 import pytest
 from shaken_stand import LOST, ShakenStand, fail
 
-from tumble.app.exits import FINISHED, Exit
+from tumble.app.exits import Exit
+from tumble.app.running import FINISHED
 from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
 from tumble.drivers.excitation import REST, excitation_of
 from tumble.drivers.protocols import ExciterStatus, Identity

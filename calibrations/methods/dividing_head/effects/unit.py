@@ -102,15 +102,6 @@ UNIT_EFFECTS: tuple[Effect[Scene], ...] = (
         report=plain("bias_temperature", "V/K"),
     ),
     Effect(
-        name=Message.named("bias_temperature_square", "second-order bias temperature sensitivity"),
-        belongs_to="unit",
-        depends_on="temperature",
-        symbol="k_TT (T - T0)²",
-        source="IEEE Std 1293-2018, bias temperature sensitivity",
-        forms=lambda scene: single(None if scene.temperature_k is None else scene.temperature_k**2),
-        report=plain("bias_temperature_square", "V/K^2"),
-    ),
-    Effect(
         name=Message.named("scale_temperature", "scale factor temperature sensitivity"),
         belongs_to="unit",
         depends_on="temperature",
