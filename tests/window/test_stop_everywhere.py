@@ -1,5 +1,6 @@
 import ast
 import re
+from contextlib import suppress
 
 import pytest
 from dialogs_of_the_window import DIALOGS, POPUPS, ROOT, SOURCES
@@ -7,6 +8,7 @@ from PySide6.QtCore import QPoint, QSettings, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
+from pytestqt.exceptions import TimeoutError as WaitedTooLong
 from window_driver import STAND
 
 from tumble.messages import Language
@@ -38,9 +40,16 @@ def moving(qtbot, connected, driver_of):
         window.stand.connect_button.click()
     driver.wait(window.stand.jog.isEnabled)
 
+    def opened():
+        return window.dialogs.open or QApplication.activePopupWidget()
+
     def begin(open_it, *arguments):
         open_it(driver, *arguments)
-        driver.wait(lambda: window.dialogs.open or QApplication.activePopupWidget())
+        with suppress(WaitedTooLong):  # a screen that is only coming up may close a menu
+            driver.wait(opened, 5)
+        if not opened():
+            open_it(driver, *arguments)
+        driver.wait(opened)
         window.worker.move_to("head", -170.0 if head_deg(driver) > 300.0 else 750.0)
         driver.wait(lambda: window.worker.busy)
         return driver
