@@ -35,6 +35,7 @@ _OF_THE_GENERATOR: Final[tuple[Kind, ...]] = ("error_queued", "swapped", "power_
 _OF_A_METER: Final[tuple[Kind, ...]] = ("error_queued", "swapped", "power_loss", "nan", "overload")
 _HAND: Final = "by hand"
 _MOST: Final = 3
+_MARGIN_S: Final = 0.5
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -45,14 +46,19 @@ class Case:
     kind: Kind
     on_a_ramp: bool = False
 
+    @property
+    def lasts_s(self) -> float:
+        """A generator is stuck until no stop waits for it any longer."""
+        return 0.1 if self.kind in _WIRE else 4.0 if self.kind == "stuck" else 1.0
+
     def happen_at(self, stand: ShakerStand) -> None:
-        """Have it happen; what lasts is over soon after the run was stopped, but for a generator that is stuck."""
+        """Have it happen; what lasts is over soon after the run was stopped."""
         at = At(point=2)
         if self.device == "exciter":  # its amplitude for 3 g, and one on the way there
             at = At(command=1, containing="VOLT 0.") if self.on_a_ramp else At(command=1, containing="VOLT 3")
         if self.kind == "swapped":  # which is seen when the link comes back
             stand.suffer("drop", at, 0.1, self.device)
-        stand.suffer(self.kind, at, 0.1 if self.kind in _WIRE else 4.0 if self.kind == "stuck" else 1.0, self.device)
+        stand.suffer(self.kind, at, self.lasts_s, self.device)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -102,7 +108,7 @@ def carried_out(case: Case, folder: Path, speed: float = SPEED) -> Result:
         resumed, last = 0, outcome
         while last.reason is not FinishReason.COMPLETED and resumed < _MOST:
             resumed += 1
-            stand.clock.sleep(3.0 * speed)  # until what lasted is over
+            stand.clock.sleep((case.lasts_s + _MARGIN_S) * speed)  # until what lasted is over
             with stand.connected() as connected:
                 last = resume(find(recording), stand.job, connected, [listen], 10.0)
         whole = last.reason is FinishReason.COMPLETED

@@ -35,7 +35,7 @@ def test_a_fault_loses_and_doubles_nothing_and_leaves_nothing_driving(case, reas
     result = carried_out(case, tmp_path, speed=20.0)
     assert result.reason is reason, result.message
     assert (result.happened, result.lost, result.doubled, result.safe, result.told) == (True, 0, 0, True, told)
-    assert (result.resumed > 0) == (reason is not FinishReason.COMPLETED)
+    assert result.resumed == (0 if reason is FinishReason.COMPLETED else 1)
 
 
 def test_there_are_more_than_twenty_kinds():

@@ -42,7 +42,9 @@ def loop(tmp_path_factory):
 
 @pytest.mark.parametrize("draw", [figures.heading_circle, figures.rate_figure, figures.drift_figure])
 def test_figures_are_drawn(loop, draw):
-    assert draw(loop).__html__().startswith("<svg ")
+    picture = draw(loop).__html__()
+    assert picture.startswith("<svg ")
+    assert 'role="img"' in picture
 
 
 def test_the_answer_comes_first_and_every_picture_has_a_caption(loop):
