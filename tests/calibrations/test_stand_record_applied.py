@@ -10,7 +10,8 @@ from tumble.calibrations.core.provenance import Provenance
 from tumble.calibrations.methods.dividing_head.analysis import analyse
 from tumble.calibrations.methods.dividing_head.budget import StandUncertainty
 from tumble.calibrations.methods.dividing_head.loop.loop import close_loop
-from tumble.calibrations.methods.dividing_head.stand.applying import contradictions, corrected
+from tumble.calibrations.methods.dividing_head.stand.applying import corrected
+from tumble.calibrations.stand_records.contradicting import contradictions
 from tumble.calibrations.stand_records.corrections import Corrections
 from tumble.calibrations.stand_records.terms import Term
 

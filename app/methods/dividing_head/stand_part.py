@@ -9,6 +9,7 @@ from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.methods.dividing_head.questions import questioned
 from tumble.calibrations.methods.dividing_head.stand import applying, evidence
 from tumble.calibrations.methods.dividing_head.stand.validity import validity_of
+from tumble.calibrations.stand_records.contradicting import contradictions
 from tumble.calibrations.stand_records.corrections import Corrections
 from tumble.calibrations.stand_records.record import StandRecord, Validity
 from tumble.calibrations.stand_records.terms import Term
@@ -46,7 +47,7 @@ class DividingHeadRun:
 
     def contradictions(self, record: StandRecord) -> Sequence[str]:
         """Where it contradicts the stand record that was applied to it."""
-        return tuple(applying.contradictions(self.run, record))
+        return tuple(contradictions(self.run, record))
 
     def validity(self, measured_at: str) -> Validity:
         """Over what it was measured."""

@@ -7,54 +7,30 @@ from typing import Final
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
-from tumble.calibrations.core.sentences import series
 from tumble.calibrations.methods.gyrocompass.loop import GyrocompassLoop
 from tumble.calibrations.methods.gyrocompass.observations import GyrocompassObservations
 from tumble.calibrations.methods.gyrocompass.stand.terms import LASTING, columns, term_of
 from tumble.calibrations.stand_records.corrections import Corrections
+from tumble.calibrations.stand_records.loop_run import LoopRun
 from tumble.calibrations.stand_records.record import Validity
 from tumble.calibrations.stand_records.terms import Term
-from tumble.messages import Message
 
 _SEEN: Final = 1e-3
 """A term of which less than this part is left beside all others is not told from them."""
 
 
 @dataclass(frozen=True, kw_only=True)
-class GyrocompassRun:
+class GyrocompassRun(LoopRun):
     """A table with the loop closed on it, as far as its turntable is concerned."""
 
+    lasting = LASTING
+
     loop: GyrocompassLoop
-    highest_order: int = 0
-    """An error of the pickoff of any shape is not fitted."""
 
     @property
     def terms(self) -> tuple[Term, ...]:
         """Errors of the turntable that the run tells apart."""
         return tuple(term_of(each) for each in self.loop.effects if each.name in LASTING and not each.also_possible)
-
-    @property
-    def objections(self) -> tuple[str, ...]:
-        """Why nothing may be learned from the run, as parts of a sentence."""
-        reasons = {
-            Message("it was cut off"): not self.loop.observations.complete,
-            Message("the table is in doubt"): bool(self.loop.doubts),
-            Message("part of what it leaves is unexplained"): self.loop.unexplained is not None,
-        }
-        return tuple(reason for reason, holds in reasons.items() if holds)
-
-    @property
-    def doubts(self) -> tuple[str, ...]:
-        """Of what the run does not tell whether it is the turntable's."""
-        return tuple(
-            Message(
-                "in this run alone {effect} is not distinguishable from {others}: by itself it says nothing of it",
-                effect=effect.name,
-                others=series(effect.also_possible, "or"),
-            )
-            for effect in self.loop.effects
-            if effect.also_possible and set(LASTING) & {effect.name, *effect.also_possible}
-        )
 
     def estimate(self, terms: Sequence[Term]) -> Corrections:
         """Coefficients of those of these terms that the positions tell, fitted together with what else was found."""
@@ -67,6 +43,10 @@ class GyrocompassRun:
         return Corrections(
             terms=told, values=(inverse @ misfit)[:size], covariance=(variance * inverse @ inverse.T)[:size, :size]
         )
+
+    def validity(self, measured_at: str) -> Validity:
+        """Over what it was measured."""
+        return validity_of(self.loop.observations, measured_at)
 
     def _tells(self, term: Term, terms: Sequence[Term]) -> bool:
         """Whether a term keeps something of its own beside the others and the model."""

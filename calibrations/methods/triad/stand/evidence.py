@@ -8,15 +8,14 @@ from typing import Final
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
-from tumble.calibrations.core.sentences import series
 from tumble.calibrations.methods.triad.loop import TriadLoop
 from tumble.calibrations.methods.triad.model import INTERNAL
 from tumble.calibrations.methods.triad.observations import TriadObservations
 from tumble.calibrations.methods.triad.stand.columns import LASTING, form_of
 from tumble.calibrations.stand_records.corrections import Corrections
+from tumble.calibrations.stand_records.loop_run import LoopRun
 from tumble.calibrations.stand_records.record import Validity
 from tumble.calibrations.stand_records.terms import Term
-from tumble.messages import Message
 
 _SCANNED: Final = {"daq_nonlinearity": ("period_V",), "range_step": ("threshold_V",)}
 _SEEN: Final = 1e-3
@@ -24,12 +23,12 @@ _SEEN: Final = 1e-3
 
 
 @dataclass(frozen=True, kw_only=True)
-class TriadRun:
+class TriadRun(LoopRun):
     """A table with the loop closed on it, as far as its stand is concerned."""
 
+    lasting = LASTING
+
     loop: TriadLoop
-    highest_order: int = 0
-    """An error of an axis of any shape is not fitted."""
 
     @property
     def terms(self) -> tuple[Term, ...]:
@@ -41,29 +40,6 @@ class TriadRun:
             )
             for effect in self.loop.effects
             if effect.name in LASTING and not effect.also_possible
-        )
-
-    @property
-    def objections(self) -> tuple[str, ...]:
-        """Why nothing may be learned from the run, as parts of a sentence."""
-        reasons = {
-            Message("it was cut off"): not self.loop.observations.complete,
-            Message("the table is in doubt"): bool(self.loop.doubts),
-            Message("part of what it leaves is unexplained"): self.loop.unexplained is not None,
-        }
-        return tuple(reason for reason, holds in reasons.items() if holds)
-
-    @property
-    def doubts(self) -> tuple[str, ...]:
-        """Of what the run does not tell whether it is the stand's."""
-        return tuple(
-            Message(
-                "in this run alone {effect} is not distinguishable from {others}: by itself it says nothing of it",
-                effect=effect.name,
-                others=series(effect.also_possible, "or"),
-            )
-            for effect in self.loop.effects
-            if effect.also_possible and set(LASTING) & {effect.name, *effect.also_possible}
         )
 
     def estimate(self, terms: Sequence[Term]) -> Corrections:
@@ -83,6 +59,10 @@ class TriadRun:
             values=(inverse @ misfit)[here],
             covariance=(variance * inverse @ inverse.T)[here, here],
         )
+
+    def validity(self, measured_at: str) -> Validity:
+        """Over what it was measured."""
+        return validity_of(self.loop.observations, measured_at)
 
     def _whitened(self, columns: Sequence[FloatArray], names: Sequence[str]) -> tuple[FloatArray, FloatArray, float]:
         """Declared model, these columns and what else was found: design and outputs, white, and their variance.
