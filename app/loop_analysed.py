@@ -6,88 +6,25 @@ A method derives from both classes and adds its documents and its sections.
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar, Protocol, Self
+from typing import Any, ClassVar, Self
 
 from tumble.app.measurement import Measurement
 from tumble.app.section_report import section_report
 from tumble.calibrations.core.method import Method
-from tumble.calibrations.core.parameter import ModelFit, Parameter
+from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.provenance import LimitCheck, Provenance
 from tumble.calibrations.core.quantities import format_number
 from tumble.calibrations.core.rows import Rows
 from tumble.calibrations.core.sentences import series
 from tumble.calibrations.core.verdict import Judgement, Model, Outcome, Verdict
 from tumble.calibrations.core.view import Drawn, Section
-from tumble.calibrations.records.entry import Entry
+from tumble.calibrations.records.entry import Entry, loop_entry
 from tumble.calibrations.report.document import Report
 from tumble.calibrations.tracing.chain import Chain
+from tumble.calibrations.tracing.closed import ClosedLoop, DeclaredFit
 from tumble.calibrations.tracing.experiments import Experiment
 from tumble.calibrations.tracing.explained import Explained
-from tumble.calibrations.tracing.findings import EffectFound
 from tumble.messages import Message
-
-
-class Declared(Protocol):
-    """The declared model fitted to a table."""
-
-    @property
-    def observations(self) -> Rows:
-        """Rows in use."""
-        ...
-
-    @property
-    def doubts(self) -> tuple[str, ...]:
-        """Questions about the table; where there are any, nothing is stated."""
-        ...
-
-    @property
-    def model(self) -> ModelFit:
-        """Parameters and residual."""
-        ...
-
-
-class Loop(Protocol):
-    """The loop closed on it; a frozen dataclass with the field `experiments`."""
-
-    @property
-    def observations(self) -> Rows:
-        """Rows in use."""
-        ...
-
-    @property
-    def doubts(self) -> tuple[str, ...]:
-        """Questions about the table; where there are any, nothing is stated."""
-        ...
-
-    @property
-    def explained(self) -> Explained[Any, Any]:
-        """What it rests on."""
-        ...
-
-    @property
-    def effects(self) -> tuple[EffectFound, ...]:
-        """What was found."""
-        ...
-
-    @property
-    def unit(self) -> str:
-        """Of the output."""
-        ...
-
-    @property
-    def held_out_rms(self) -> float | None:
-        """Error of rows that are held out, with what was found."""
-        ...
-
-    @property
-    def augmented(self) -> ModelFit:
-        """Parameters with what was found."""
-        ...
-
-    @property
-    def experiments(self) -> tuple[Experiment, ...]:
-        """What to measure next."""
-        ...
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -100,8 +37,7 @@ class LoopAnalysed(ABC):
 
     measurement: Measurement
     provenance: Provenance
-    declared: Any
-    """What the method's fit made, a `Declared`."""
+    declared: DeclaredFit
     limits: tuple[LimitCheck, ...] = ()
     """Of the values to use."""
 
@@ -117,12 +53,12 @@ class LoopAnalysed(ABC):
     @property
     def parameters(self) -> Mapping[str, Parameter]:
         """The values to use, by name."""
-        return self._fitted.model.parameters
+        return self.declared.model.parameters
 
     @property
     def warnings(self) -> tuple[str, ...]:
         """What is to be asked of the run, and what was odd in it."""
-        return (*self._fitted.doubts, *self._fitted.observations.warnings)
+        return (*self.declared.doubts, *self.declared.observations.warnings)
 
     @property
     def verdict(self) -> Verdict:
@@ -144,16 +80,16 @@ class LoopAnalysed(ABC):
 
     def in_short(self) -> Sequence[str]:
         """Dwells and residual, in a line."""
-        residual, rows = self._fitted.model.residual_rms, len(self._fitted.observations)
+        residual, rows = self.declared.model.residual_rms, len(self.declared.observations)
         if residual is None:
             return (Message("{rows} dwells", rows=rows),)
         shown = format_number(residual, self.output_unit)
         return (Message("{rows} dwells, residual {residual} r.m.s.", rows=rows, residual=shown),)
 
     def details(self) -> Sequence[str]:
-        """The same with the parameters that the positions do not tell."""
+        """The same with the parameters that the dwells do not tell."""
         unseen = [name for name, each in self.parameters.items() if each.value is None]
-        told = Message("not told by these positions: {names}", names=series(unseen)) if unseen else ""
+        told = Message("not told by these dwells: {names}", names=series(unseen)) if unseen else ""
         return tuple(filter(None, [*self.in_short(), told]))
 
     def figure(self) -> Drawn | None:
@@ -163,11 +99,6 @@ class LoopAnalysed(ABC):
     def as_json(self) -> dict[str, Any]:
         """The result as `tumble.fit/1`, with the verdict."""
         return self.fit_document() | self._beside()
-
-    @property
-    def _fitted(self) -> Declared:
-        fitted: Declared = self.declared
-        return fitted
 
     def _beside(self) -> dict[str, Any]:
         """What every document of it has: the verdict, and the stand record that was applied, where one was."""
@@ -187,8 +118,7 @@ class LoopAnalysed(ABC):
 class LoopTraced(LoopAnalysed):
     """The same with the loop closed. Fits `tumble.app.analysed.Traced`."""
 
-    loop: Any
-    """What the method's loop made, a `Loop`."""
+    loop: ClosedLoop[Any, Any, Any]
     loop_warnings: tuple[str, ...] = ()
     shows_values: bool = False
 
@@ -203,41 +133,34 @@ class LoopTraced(LoopAnalysed):
     @property
     def explained(self) -> Explained[Any, Any] | None:
         """What the loop rests on; None of a table in doubt."""
-        return None if self._closed.doubts else self._closed.explained
+        return None if self.loop.doubts else self.loop.explained
 
     @property
     def next_experiment(self) -> tuple[Experiment, ...]:
         """What to measure next."""
-        return self._closed.experiments
+        return self.loop.experiments
 
     @property
     def model(self) -> Model:
         """Whose values are to be used."""
-        return Model.AUGMENTED if self._closed.effects else Model.DECLARED
+        return Model.AUGMENTED if self.loop.effects else Model.DECLARED
 
     @property
     def parameters(self) -> Mapping[str, Parameter]:
         """The values to use, by name."""
-        return self._closed.augmented.parameters
+        return self.loop.augmented.parameters
 
     @property
     def rows(self) -> Rows:
         """The rows without gross errors."""
-        return self._closed.observations
+        fitted: DeclaredFit = self.loop.declared_fit
+        return fitted.observations
 
     @property
     def entry(self) -> Entry:
         """The result as the store takes it."""
-        result = self.loop_json()
-        return Entry(
-            method=self.method.name,
-            method_version=self.method.version,
-            result=result,
-            parameters=result["declared"]["parameters"],
-            augmented=result["augmented"]["parameters"],
-            limits=self.limits,
-            verdict=self.verdict,
-        )
+        found = loop_entry(self.method.name, self.method.version, self.loop_json())
+        return replace(found, limits=self.limits, verdict=self.verdict)
 
     def as_json(self) -> dict[str, Any]:
         """The result as `tumble.fit/1`, with the closed loop under `loop`."""
@@ -258,8 +181,3 @@ class LoopTraced(LoopAnalysed):
     def report(self, record_id: str, revision: int, chain: Chain[Any] | None, contradictions: Sequence[str]) -> Report:
         """What is reported of it."""
         return section_report(self.method, self, record_id, revision, chain, contradictions)
-
-    @property
-    def _closed(self) -> Loop:
-        closed: Loop = self.loop
-        return closed

@@ -16,10 +16,10 @@ from tumble.calibrations.core.coverage import coverage_factor
 from tumble.calibrations.methods.vibration.dwells.reduction import reduced
 from tumble.calibrations.methods.vibration.dwells.samples import SampledDwells, Samples
 from tumble.calibrations.methods.vibration.fit import fit_vibration
-from tumble.calibrations.methods.vibration.loop import nothing_found
 from tumble.calibrations.methods.vibration.model import COEFFICIENTS
 from tumble.calibrations.methods.vibration.table import vibration_table
 from tumble.calibrations.methods.vibration.weights import row_weights
+from tumble.calibrations.tracing.trace import nothing_found
 
 _SEED = 9_000_000
 

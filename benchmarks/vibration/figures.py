@@ -4,11 +4,11 @@ import numpy as np
 
 from tumble.calibrations.methods.vibration.effects.stand import arm_ug, partial_period_ug
 from tumble.calibrations.methods.vibration.fit import fit_vibration
-from tumble.calibrations.methods.vibration.loop import nothing_found
 from tumble.calibrations.methods.vibration.model import NAMES, name_of
 from tumble.calibrations.methods.vibration.observations import VibrationObservations
 from tumble.calibrations.methods.vibration.probes import Mounting, VibrationProbe, circle, phased, shaken
 from tumble.calibrations.methods.vibration.table import vibration_table
+from tumble.calibrations.tracing.trace import nothing_found
 from tumble.messages import Message
 
 I, O, P = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)  # noqa: E741  # the axes of the standard

@@ -35,3 +35,15 @@ class Entry:
         models = {"declared": named(self.parameters)}
         augmented = {"augmented": named(self.augmented)} if self.augmented else {}
         return {model: [plain(each) for each in listed] for model, listed in (models | augmented).items()}
+
+
+def loop_entry(method: str, version: int, result: Mapping[str, Any]) -> Entry:
+    """A closed loop (`tumble.loop/1`): to be used is what was found with it, if anything was."""
+    return Entry(
+        method=method,
+        method_version=version,
+        result=result,
+        parameters=result["declared"]["parameters"],
+        augmented=result["augmented"]["parameters"],
+        verdict=Verdict(judged=Model.AUGMENTED if result["effects"] else Model.DECLARED, parameters=()),
+    )

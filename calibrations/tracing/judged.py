@@ -15,7 +15,7 @@ from tumble.calibrations.tracing.noise import SETTINGS, WHITE, scaled_levels
 from tumble.calibrations.tracing.rivals import Rival, near_rivals, with_best_names
 from tumble.calibrations.tracing.scan import Scan
 from tumble.calibrations.tracing.table import Table
-from tumble.calibrations.tracing.trace import Trace, Tracer, penalised_deviance, refined
+from tumble.calibrations.tracing.trace import Trace, Tracer, nothing_found, penalised_deviance, refined
 
 _ROUNDS = 3
 """How often a table is traced again without what did not stand."""
@@ -80,6 +80,12 @@ def judged(table: _T) -> Judged[_T]:
     if not withheld and trace.named and judgement.lack.alike < _CLEARLY_P:
         return replace(judgement, near=_near_in_levels(tracer, trace))
     return judgement
+
+
+def untraced(table: _T) -> Judged[_T]:
+    """What a table in doubt is traced to: nothing is looked for where nothing would be stated."""
+    scan = Scan(table.axes)
+    return Judged(tracer=Tracer(table), trace=nothing_found(table), near={}, scan=scan, evidence={}, withheld=())
 
 
 def _standing(table: Table, trace: Trace) -> tuple[Trace, dict[str, Evidence], list[Evidence]]:

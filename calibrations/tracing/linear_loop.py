@@ -13,9 +13,8 @@ from tumble.calibrations.tracing.explained import Explained, unless_rivals_diffe
 from tumble.calibrations.tracing.findings import EffectFound, Unexplained, effects_found
 from tumble.calibrations.tracing.judged import judged
 from tumble.calibrations.tracing.linear import LinearFit, fit_linear
-from tumble.calibrations.tracing.noise import NoiseModel
 from tumble.calibrations.tracing.table import Table
-from tumble.calibrations.tracing.trace import Trace
+from tumble.calibrations.tracing.trace import nothing_found
 from tumble.messages import Message
 
 _T = TypeVar("_T", bound=Table)
@@ -60,7 +59,7 @@ def explain_linear(table: _T, units: Mapping[str, str]) -> LinearExplained[_T]:
     """Trace what a linear declared model leaves; `units` names its parameters, each with its unit."""
     found = judged(table)
     trace = found.trace
-    nothing = Trace(found=(), noise=NoiseModel(), deviance=table.deviance((), NoiseModel()))
+    nothing = nothing_found(table)
     before, best = fit_linear(table, nothing, units), fit_linear(table, trace, units)
     return LinearExplained(judged=found, before=before, best=best)
 

@@ -88,6 +88,11 @@ class Trace:
         return tuple(found for found in self.found if isinstance(found.effect, Structure))
 
 
+def nothing_found(table: Table) -> Trace:
+    """The declared model alone, in white noise."""
+    return Trace(found=(), noise=NoiseModel(), deviance=table.deviance((), NoiseModel()))
+
+
 _T = TypeVar("_T", bound=Table)
 
 
@@ -150,7 +155,7 @@ class Tracer(Generic[_T]):
         noise, it is made again in such noise, and the cheaper explanation is taken.
         """
         if self.table.rows < self.table.fewest_rows:
-            return Trace(found=(), noise=NoiseModel(), deviance=self.table.deviance((), NoiseModel()))
+            return nothing_found(self.table)
         white = self._searched(self.noise)
         others = [self._adapted(self._settled(noise, white)) for noise in self._other_noises(white)]
         best = min((self._with_random_effects(trace) for trace in (white, *others)), key=penalised_deviance)

@@ -5,12 +5,14 @@ import pytest
 from triad_tables import TRUTH, made, read
 
 from tumble.calibrations.core.gravity import Gravity
+from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.methods.triad.at_the_stand import declared_at, loop_at
 from tumble.calibrations.methods.triad.budget import MeterUncertainty, TwoAxisUncertainty
 from tumble.calibrations.methods.triad.correction import correction
 from tumble.calibrations.methods.triad.document import document, fit_document
 from tumble.calibrations.methods.triad.loop import close_triad_loop, declared_fit
 from tumble.calibrations.methods.triad.sections import sections
+from tumble.calibrations.report.budget_sections import simulation_section
 
 NOTHING = TwoAxisUncertainty()
 SCANNER = MeterUncertainty(name="scanner", channels=(0, 1, 2), gain=2e-5, offset_v=5e-6)
@@ -116,3 +118,10 @@ def test_documents_and_report_have_budget_and_check(declared, tmp_path):
     shown = {str(section.title): section for section in sections(loop)}
     assert len(shown["Uncertainty budget"].rows) == 14
     assert len(shown["Check by propagation of distributions"].rows) == 14
+
+
+def test_what_was_simulated_stands_under_its_heading():
+    bias = Parameter(name="bias_x", unit="V", value=1.0, standard_uncertainty=2e-4, interval_95=(0.9996, 1.0004))
+    section = simulation_section([bias], {"bias_x": (3e-4, (0.9994, 1.0006))})
+    row = dict(zip(section.headings, section.rows[0], strict=True))
+    assert (row["u, budget"], row["u, simulated"]) == ("200 µV", "300 µV")

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Any
 
 from tumble.app.loop_analysed import LoopAnalysed, LoopTraced
 from tumble.calibrations.core.view import Section
@@ -11,15 +11,13 @@ from tumble.calibrations.methods.gyrocompass.loop import GyrocompassDeclared, Gy
 from tumble.calibrations.methods.gyrocompass.method import METHOD
 from tumble.calibrations.methods.gyrocompass.sections import sections_beside_values
 
-RATE_UNIT: Final = "°/h"
-
 
 @dataclass(frozen=True, kw_only=True)
 class GyrocompassAnalysed(LoopAnalysed):
     """A raw file and what the declared model says of it."""
 
     method = METHOD
-    output_unit = RATE_UNIT
+    output_unit = "°/h"
 
     declared: GyrocompassDeclared
 

@@ -26,20 +26,11 @@ from tumble.calibrations.methods.gyrocompass.models import augmented, held_out_d
 from tumble.calibrations.methods.gyrocompass.observations import GyrocompassObservations
 from tumble.calibrations.methods.gyrocompass.readmitted import still_gross
 from tumble.calibrations.methods.gyrocompass.table import GyrocompassTable, gyrocompass_table
-from tumble.calibrations.tracing.experiments import Experiment
+from tumble.calibrations.tracing.closed import ClosedLoop
 from tumble.calibrations.tracing.explained import Explained
-from tumble.calibrations.tracing.findings import (
-    EffectFound,
-    Unexplained,
-    Withheld,
-    effects_found,
-    unexplained,
-    withheld,
-)
-from tumble.calibrations.tracing.judged import Judged, judged
-from tumble.calibrations.tracing.noise import NoiseModel
-from tumble.calibrations.tracing.scan import Scan
-from tumble.calibrations.tracing.trace import Trace, Tracer
+from tumble.calibrations.tracing.findings import EffectFound
+from tumble.calibrations.tracing.judged import judged, untraced
+from tumble.calibrations.tracing.trace import nothing_found
 from tumble.messages import Message
 
 FEWEST_POSITIONS: Final = 2
@@ -65,18 +56,15 @@ class GyrocompassDeclared:
 
 
 @dataclass(frozen=True, kw_only=True)
-class GyrocompassLoop:
+class GyrocompassLoop(ClosedLoop[GyrocompassDeclared, GyrocompassTable, GyrocompassFit]):
     """The loop closed on a table of a gyrocompass."""
 
-    declared_fit: GyrocompassDeclared
-    explained: Explained[GyrocompassTable, GyrocompassFit]
-    augmented: ModelFit
+    unit = "deg_h"
+
     misread: tuple[Misreading, ...]
     pure_error: PureError
     """Scatter of a mean rate between repeats of a position."""
     augmented_budget: Budget = field(default_factory=Budget)
-    experiments: tuple[Experiment, ...] = ()
-    """What to measure next, where that was asked; see `asked_next`."""
 
     @property
     def observations(self) -> GyrocompassObservations:
@@ -84,52 +72,15 @@ class GyrocompassLoop:
         return self.declared_fit.observations
 
     @property
-    def doubts(self) -> tuple[str, ...]:
-        """Questions about the table; where there are any, nothing is stated."""
-        return self.declared_fit.doubts
-
-    @property
-    def declared(self) -> ModelFit:
-        """Heading and drift without what was found."""
-        return self.declared_fit.model
-
-    @property
     def before(self) -> GyrocompassFit:
         """The fit without what was found."""
         return self.declared_fit.fit
 
     @property
-    def best(self) -> GyrocompassFit:
-        """The fit with what was found."""
-        return self.explained.best
-
-    @property
-    def unit(self) -> str:
-        """Of the rates, as keys end in it."""
-        return "deg_h"
-
-    @property
-    def held_out_rms(self) -> float | None:
-        """Error of rates that are held out, with what was found, in °/h."""
-        return self.augmented.held_out_rms
-
-    @property
     def effects(self) -> tuple[EffectFound, ...]:
-        """What was found, in the order of the evidence; nothing of a table in doubt."""
-        if self.doubts:
-            return ()
-        found = effects_found(self.explained.table, self.explained.judged, self.best, self.explained.close)
-        return tuple(sorted((*found, *as_effect(self.misread)), key=lambda effect: effect.p_value))
-
-    @property
-    def withheld(self) -> tuple[Withheld, ...]:
-        """What would fit the rows and is not stated."""
-        return () if self.doubts else withheld(self.explained.table, self.explained.judged)
-
-    @property
-    def unexplained(self) -> Unexplained | None:
-        """The largest structure that no effect of the catalogue explains; None where there is none."""
-        return None if self.doubts else unexplained(self.explained.trace, self.explained.alike)
+        """What was found, misread angles among it, in the order of the evidence; nothing of a table in doubt."""
+        found = (*super().effects, *as_effect(self.misread))
+        return () if self.doubts else tuple(sorted(found, key=lambda effect: effect.p_value))
 
     @property
     def not_traced(self) -> str:
@@ -181,7 +132,7 @@ def declared_fit(
 
 
 def _declared(used: GyrocompassObservations, table: GyrocompassTable) -> GyrocompassDeclared:
-    nothing = _nothing(table)
+    nothing = nothing_found(table)
     fit = fit_gyrocompass(table, nothing)
     asked = doubts(table, fit)
     headings_deg = possible_headings_deg(table, fit.dwell)
@@ -245,7 +196,7 @@ def _closed(
 def _explained(before: GyrocompassDeclared) -> Explained[GyrocompassTable, GyrocompassFit]:
     """What a table was traced to; nothing where it is in doubt, or where several headings are possible."""
     if before.doubts or len(before.headings_deg) > 1:
-        return Explained(judged=_untraced(before.table), best=before.fit)
+        return Explained(judged=untraced(before.table), best=before.fit)
     found = judged(before.table)
     return Explained(judged=found, best=fit_gyrocompass(before.table, found.trace))
 
@@ -273,13 +224,3 @@ def asked_next(loop: GyrocompassLoop) -> GyrocompassLoop:
     if loop.doubts:
         return loop
     return replace(loop, experiments=next_experiments(loop.explained, loop.declared_fit.headings_deg))
-
-
-def _nothing(table: GyrocompassTable) -> Trace:
-    """The declared model alone."""
-    return Trace(found=(), noise=NoiseModel(), deviance=table.deviance((), NoiseModel()))
-
-
-def _untraced(table: GyrocompassTable) -> Judged[GyrocompassTable]:
-    """What a table in doubt is traced to: nothing is looked for where nothing would be stated."""
-    return Judged(tracer=Tracer(table), trace=_nothing(table), near={}, scan=Scan(table.axes), evidence={}, withheld=())

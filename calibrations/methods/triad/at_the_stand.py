@@ -20,15 +20,11 @@ def loop_at(loop: TriadLoop, stand: TwoAxisUncertainty, trials: int = TRIALS) ->
     """A closed loop with the same in both models; only the one with what was found is checked by simulation."""
     if loop.doubts:
         return loop
-    table = loop.explained.table
-    before = assessed(loop.declared, loop.before, table, stand, 0)
-    after = assessed(loop.augmented, loop.best, table, stand, trials)
+    after = assessed(loop.augmented, loop.best, loop.explained.table, stand, trials)
     return replace(
         loop,
-        before=before.fit,
+        declared_fit=declared_at(loop.declared_fit, stand, 0),
         explained=replace(loop.explained, best=after.fit),
-        declared=before.model,
         augmented=after.model,
-        declared_budget=before.budget,
         augmented_budget=after.budget,
     )

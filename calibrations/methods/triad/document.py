@@ -26,7 +26,7 @@ def document(loop: TriadLoop) -> dict[str, Any]:
             for channel, error in zip(CHANNELS, loop.pure_errors, strict=True)
         },
         "warnings": [*loop.doubts, *rows.warnings],
-        "declared": _model(loop.declared) | loop.declared_budget.as_json(),
+        "declared": _model(loop.declared) | loop.declared_fit.budget.as_json(),
         "effects": [effect_json(effect) for effect in loop.effects],
         "withheld": [{"name": each.name, "reason": each.reason} for each in loop.withheld],
         "unexplained": unexplained_json(loop.unexplained),

@@ -21,88 +21,15 @@ from tumble.calibrations.methods.triad.readmitted import still_gross
 from tumble.calibrations.methods.triad.scalar import ScalarFit, fit_scalar
 from tumble.calibrations.methods.triad.table import TriadTable, triad_table
 from tumble.calibrations.methods.triad.weights import channel_weights
+from tumble.calibrations.tracing.closed import ClosedLoop
 from tumble.calibrations.tracing.components import Component
-from tumble.calibrations.tracing.experiments import Experiment
 from tumble.calibrations.tracing.explained import Explained
-from tumble.calibrations.tracing.findings import (
-    EffectFound,
-    Unexplained,
-    Withheld,
-    effects_found,
-    unexplained,
-    withheld,
-)
-from tumble.calibrations.tracing.judged import Judged, judged
-from tumble.calibrations.tracing.noise import NoiseModel
-from tumble.calibrations.tracing.scan import Scan
-from tumble.calibrations.tracing.trace import Trace, Tracer
+from tumble.calibrations.tracing.judged import judged, untraced
+from tumble.calibrations.tracing.trace import nothing_found
 from tumble.messages import Message
 
 FEWEST_POSITIONS = 5
 """With fewer positions than this the fourteen parameters are not determined by any choice of them."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class TriadLoop:
-    """The loop closed on a table of a triad."""
-
-    observations: TriadObservations
-    """Rows in use; those that are not stand in its `set_aside`."""
-    doubts: tuple[str, ...]
-    """Questions about the table; where there are any, nothing is stated."""
-    before: TriadFit
-    explained: Explained[TriadTable, TriadFit]
-    declared: ModelFit
-    augmented: ModelFit
-    scalar: ScalarFit | None
-    pure_errors: tuple[PureError, ...]
-    """Scatter of a dwell mean of each channel between repeats."""
-    declared_budget: Budget = field(default_factory=Budget)
-    augmented_budget: Budget = field(default_factory=Budget)
-    experiments: tuple[Experiment, ...] = ()
-    """What to measure next, where that was asked; see `asked_next`."""
-
-    @property
-    def best(self) -> TriadFit:
-        """The fit with what was found."""
-        return self.explained.best
-
-    @property
-    def unit(self) -> str:
-        """Of the outputs."""
-        return "V"
-
-    @property
-    def held_out_rms(self) -> float | None:
-        """Error of positions that are held out, with what was found, in volts."""
-        return self.augmented.held_out_rms
-
-    @property
-    def explained_v(self) -> FloatArray:
-        """What was found, in each dwell and channel, shape (dwells, 3), in volts."""
-        shares = [
-            item.form.columns @ self.best.coefficients[columns]
-            for item, columns in zip(self.best.found, self.best.columns, strict=True)
-        ]
-        return np.asarray(sum(shares, self.best.drawn_v).reshape(-1, 3))
-
-    @property
-    def effects(self) -> tuple[EffectFound, ...]:
-        """What was found, in the order of the evidence; nothing of a table in doubt."""
-        if self.doubts:
-            return ()
-        found = effects_found(self.explained.table, self.explained.judged, self.best, self.explained.close)
-        return tuple(sorted(found, key=lambda effect: effect.p_value))
-
-    @property
-    def withheld(self) -> tuple[Withheld, ...]:
-        """What would fit the rows and is not stated."""
-        return () if self.doubts else withheld(self.explained.table, self.explained.judged)
-
-    @property
-    def unexplained(self) -> Unexplained | None:
-        """The largest structure that no effect of the catalogue explains; None where there is none."""
-        return None if self.doubts else unexplained(self.explained.trace, self.explained.alike)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -119,6 +46,37 @@ class TriadDeclared:
     budget: Budget = field(default_factory=Budget)
 
 
+@dataclass(frozen=True, kw_only=True)
+class TriadLoop(ClosedLoop[TriadDeclared, TriadTable, TriadFit]):
+    """The loop closed on a table of a triad."""
+
+    unit = "V"
+
+    scalar: ScalarFit | None
+    pure_errors: tuple[PureError, ...]
+    """Scatter of a dwell mean of each channel between repeats."""
+    augmented_budget: Budget = field(default_factory=Budget)
+
+    @property
+    def observations(self) -> TriadObservations:
+        """Rows in use; those that are not stand in its `set_aside`."""
+        return self.declared_fit.observations
+
+    @property
+    def before(self) -> TriadFit:
+        """The fit without what was found."""
+        return self.declared_fit.fit
+
+    @property
+    def explained_v(self) -> FloatArray:
+        """What was found, in each dwell and channel, shape (dwells, 3), in volts."""
+        shares = [
+            item.form.columns @ self.best.coefficients[columns]
+            for item, columns in zip(self.best.found, self.best.columns, strict=True)
+        ]
+        return np.asarray(sum(shares, self.best.drawn_v).reshape(-1, 3))
+
+
 @one_blas_thread
 def declared_fit(observations: TriadObservations, reference_temperature_degc: float = 23.0) -> TriadDeclared:
     """Fit fourteen parameters to a table. Raises `ValueError` where there are too few positions."""
@@ -132,7 +90,7 @@ def _declared(
     """The same without gross errors that are known."""
     used = observations.without(tuple(gross))
     table = triad_table(used, reference_temperature_degc)
-    nothing = _nothing(table)
+    nothing = nothing_found(table)
     fit = fit_triad(table, nothing)
     asked = doubts(table, fit.deviations_v)
     model = silent(asked[0]) if asked else modelled(fit, fit.parameters(), held_out_declared(table, nothing))
@@ -171,7 +129,7 @@ def close_triad_loop(observations: TriadObservations, reference_temperature_degc
 def _explained(before: TriadDeclared) -> Explained[TriadTable, TriadFit]:
     """What a table was traced to; nothing where it is in doubt."""
     if before.doubts:
-        return Explained(judged=_untraced(before.table), best=before.fit)
+        return Explained(judged=untraced(before.table), best=before.fit)
     found = judged(before.table)
     return Explained(judged=found, best=fit_triad(before.table, found.trace))
 
@@ -179,11 +137,8 @@ def _explained(before: TriadDeclared) -> Explained[TriadTable, TriadFit]:
 def _loop(before: TriadDeclared, explained: Explained[TriadTable, TriadFit]) -> TriadLoop:
     used, asked = before.observations, before.doubts
     return TriadLoop(
-        observations=used,
-        doubts=asked,
-        before=before.fit,
+        declared_fit=before,
         explained=explained,
-        declared=before.model,
         augmented=silent(asked[0]) if asked else augmented(explained),
         scalar=None if asked else _scalar(used, explained.best, explained.trace.components),
         pure_errors=_pure_errors(used),
@@ -193,16 +148,6 @@ def _loop(before: TriadDeclared, explained: Explained[TriadTable, TriadFit]) -> 
 def asked_next(loop: TriadLoop) -> TriadLoop:
     """The same with what to measure next, of all lists that come along."""
     return loop if loop.doubts else replace(loop, experiments=next_experiments(loop.explained))
-
-
-def _nothing(table: TriadTable) -> Trace:
-    """The declared model alone."""
-    return Trace(found=(), noise=NoiseModel(), deviance=table.deviance((), NoiseModel()))
-
-
-def _untraced(table: TriadTable) -> Judged[TriadTable]:
-    """What a table in doubt is traced to: nothing is looked for where nothing would be stated."""
-    return Judged(tracer=Tracer(table), trace=_nothing(table), near={}, scan=Scan(table.axes), evidence={}, withheld=())
 
 
 def _scalar(observations: TriadObservations, best: TriadFit, components: Sequence[Component]) -> ScalarFit | None:

@@ -23,7 +23,7 @@ def document(loop: VibrationLoop) -> dict[str, Any]:
             "degrees_of_freedom": error.degrees_of_freedom,
         },
         "warnings": list(rows.warnings),
-        "declared": _model(loop.declared) | loop.before.budget.as_json(),
+        "declared": _model(loop.declared) | loop.declared_fit.budget.as_json(),
         "effects": [effect_json(effect) for effect in loop.effects],
         "withheld": [{"name": each.name, "reason": each.reason} for each in loop.withheld],
         "unexplained": unexplained_json(loop.unexplained),

@@ -24,20 +24,11 @@ from tumble.calibrations.methods.vibration.table import (
     settings,
     vibration_table,
 )
-from tumble.calibrations.tracing.experiments import Experiment
+from tumble.calibrations.tracing.closed import ClosedLoop
 from tumble.calibrations.tracing.explained import Explained
-from tumble.calibrations.tracing.findings import (
-    SHAPELESS_P,
-    EffectFound,
-    Unexplained,
-    Withheld,
-    effects_found,
-    unexplained,
-    withheld,
-)
+from tumble.calibrations.tracing.findings import SHAPELESS_P
 from tumble.calibrations.tracing.judged import Judged, judged
-from tumble.calibrations.tracing.noise import NoiseModel
-from tumble.calibrations.tracing.trace import Trace, penalised_deviance
+from tumble.calibrations.tracing.trace import nothing_found, penalised_deviance
 from tumble.messages import Message
 
 FEWEST_VIBRATED: Final = 2
@@ -62,60 +53,26 @@ class VibrationDeclared:
     model: ModelFit
     budget: Budget = field(default_factory=Budget)
 
+    @property
+    def doubts(self) -> tuple[str, ...]:
+        """Questions about the table: a table of dwells is refused or taken as it is."""
+        return ()
+
 
 @dataclass(frozen=True, kw_only=True)
-class VibrationLoop:
+class VibrationLoop(ClosedLoop[VibrationDeclared, VibrationTable, VibrationFit]):
     """The loop closed on vibrated dwells."""
 
-    before: VibrationDeclared
-    explained: Explained[VibrationTable, VibrationFit]
-    augmented: ModelFit
+    unit = "µg"
+
     pure_error: PureError
     """Scatter of a dwell mean between repeats of a setting."""
     augmented_budget: Budget = field(default_factory=Budget)
-    experiments: tuple[Experiment, ...] = ()
-    """What to measure next, where that was asked; see `asked_next`."""
 
     @property
     def observations(self) -> VibrationObservations:
         """Rows in use; those that are not stand in its `set_aside`."""
-        return self.before.observations
-
-    @property
-    def declared(self) -> ModelFit:
-        """The declared model."""
-        return self.before.model
-
-    @property
-    def best(self) -> VibrationFit:
-        """The fit with what was found."""
-        return self.explained.best
-
-    @property
-    def unit(self) -> str:
-        """Of the outputs."""
-        return "µg"
-
-    @property
-    def held_out_rms(self) -> float | None:
-        """Error of settings that are held out, with what was found, in µg."""
-        return self.augmented.held_out_rms
-
-    @property
-    def effects(self) -> tuple[EffectFound, ...]:
-        """What was found, in the order of the evidence."""
-        found = effects_found(self.explained.table, self.explained.judged, self.best, self.explained.close)
-        return tuple(sorted(found, key=lambda effect: effect.p_value))
-
-    @property
-    def withheld(self) -> tuple[Withheld, ...]:
-        """What would fit the rows and is not stated."""
-        return withheld(self.explained.table, self.explained.judged)
-
-    @property
-    def unexplained(self) -> Unexplained | None:
-        """The largest structure that no effect of the catalogue explains; None where there is none."""
-        return unexplained(self.explained.trace, self.explained.alike)
+        return self.declared_fit.observations
 
 
 @one_blas_thread
@@ -168,7 +125,7 @@ def close_vibration_loop(
         explained = explained_rows(before.table)
     setting = settings(before.table.scene)
     return VibrationLoop(
-        before=before,
+        declared_fit=before,
         explained=explained,
         augmented=augmented(explained),
         pure_error=pure_error(before.observations.output_ug, setting, before.table.weights),
@@ -268,8 +225,3 @@ def _relinearised(table: VibrationTable, found: Judged[VibrationTable], fit: Vib
         if name not in old or (name in names and abs(point.value - old[name].value) > _MOVED * abs(point.value))
     ]
     return table.at(points) if far else None
-
-
-def nothing_found(table: VibrationTable) -> Trace:
-    """The declared model alone."""
-    return Trace(found=(), noise=NoiseModel(), deviance=table.deviance((), NoiseModel()))

@@ -3,99 +3,38 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from tumble.calibrations.core.parameter import Parameter
-from tumble.calibrations.core.quantities import format_concise, format_number
+from tumble.calibrations.core.quantities import format_concise
 from tumble.calibrations.core.view import Section
-from tumble.calibrations.methods.vibration.budget_sections import budget_section
 from tumble.calibrations.methods.vibration.line import Line
 from tumble.calibrations.methods.vibration.loop import VibrationLoop
 from tumble.calibrations.methods.vibration.shown import Shown, shown
+from tumble.calibrations.report.budget_sections import budget_section
 from tumble.calibrations.report.figure import Figure
-from tumble.calibrations.tracing.sentences import findings, unexplained_sentence
+from tumble.calibrations.tracing.loop_sections import errors_section, parameters_section, traced_section
+from tumble.calibrations.tracing.sentences import findings
 from tumble.messages import Message
 
 
 def sections(loop: VibrationLoop) -> Iterator[Section]:
     """What is shown of a table of vibrated dwells."""
-    return _composed(loop, _parameters(loop))
+    return _composed(loop, parameters_section(loop))
 
 
 def sections_beside_values(loop: VibrationLoop) -> Iterator[Section]:
     """The same where the values to use are shown anyway: before and after, one by one, are details then."""
-    return _composed(loop, replace(_parameters(loop), brief=False))
+    return _composed(loop, replace(parameters_section(loop), brief=False))
 
 
 def _composed(loop: VibrationLoop, parameters: Section) -> Iterator[Section]:
     beside = shown(loop)
-    yield _traced(loop)
+    yield traced_section(loop, findings(loop.effects))
     yield parameters
-    yield _errors(loop)
+    yield errors_section(loop, Message("Held out are whole settings, with all their repeats."), "µg")
     yield Section(title=Message("What to measure next"), lines=[each.why for each in loop.experiments], brief=True)
     yield _lines(beside)
     yield _bands(beside)
-    yield budget_section(loop)
-
-
-def _parameters(loop: VibrationLoop) -> Section:
-    before, after = loop.declared.parameters, loop.augmented.parameters
-    return Section(
-        title=Message("Parameters"),
-        lines=[each.remark for each in after.values() if each.remark],
-        headings=(Message("Parameter"), Message("Declared model"), Message("With what was found")),
-        rows=[
-            (name, _value(before[name]) if name in before else "", _value(parameter))
-            for name, parameter in after.items()
-        ],
-        brief=True,
-    )
-
-
-def _value(parameter: Parameter) -> str:
-    if parameter.value is None or parameter.standard_uncertainty is None:
-        return Message("not identifiable: {reason}", reason=parameter.reason)
-    return format_concise(parameter.value, parameter.standard_uncertainty, parameter.unit)
-
-
-def _traced(loop: VibrationLoop) -> Section:
-    lines = []
-    if unexplained := loop.unexplained:
-        lines.append(unexplained_sentence(unexplained))
-    if not (loop.effects or lines):
-        lines.append(Message("Nothing is left that the scatter of the data does not explain."))
-    return Section(
-        title=Message("To what it was traced"),
-        lines=lines,
-        headings=(
-            Message("Effect"),
-            Message("Belongs to"),
-            Message("Could also be"),
-            Message("Coefficients"),
-            "p",
-        ),
-        rows=[
-            (each.name, each.belongs_to, each.also_possible or Message("told apart"), each.coefficients, each.p_value)
-            for each in findings(loop.effects)
-        ],
-        brief=True,
-    )
-
-
-def _errors(loop: VibrationLoop) -> Section:
-    models = (loop.declared, loop.augmented)
-    return Section(
-        title=Message("Before and after"),
-        lines=(Message("Held out are whole settings, with all their repeats."),),
-        headings=("", Message("Declared model"), Message("With what was found")),
-        rows=[
-            (Message("residual, r.m.s."), *(_ug(model.residual_rms) for model in models)),
-            (Message("held-out error, r.m.s."), *(_ug(model.held_out_rms) for model in models)),
-        ],
-        brief=True,
-    )
-
-
-def _ug(value: float | None) -> str:
-    return Message("none") if value is None else format_number(value, "µg")
+    stated = [parameter for parameter in loop.augmented.parameters.values() if parameter.value is not None]
+    yield budget_section(stated, loop.augmented_budget.lines)
 
 
 def _lines(beside: Shown) -> Section:

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
@@ -10,7 +11,8 @@ from tumble.calibrations.core.quantities import format_concise, format_number
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.dividing_head.report.results import freedom
 from tumble.calibrations.methods.dividing_head.report.subject import Subject
-from tumble.calibrations.report.budget import Column, compared, reasons
+from tumble.calibrations.report.budget import Column
+from tumble.calibrations.report.budget_sections import simulation_section
 from tumble.calibrations.report.correlation import correlation_picture
 from tumble.messages import Message
 
@@ -48,33 +50,13 @@ def budget_sections(subject: Subject) -> Iterator[Section]:
         ),
         rows=[*sources, *((name, "", "", "", *cells) for name, cells in sums.items())],
     )
-    checks = compared(stated, calibration.monte_carlo)
-    yield Section(
-        title=Message("Check by propagation of distributions") if checks else "",
-        lines=reasons(checks),
+    yield replace(
+        simulation_section(stated, calibration.monte_carlo),
         caption=Message(
             "The budget against simulated calibrations (JCGM 101). The intervals agree where their ends differ by no "
             "more than half a unit of the first digit of u (8.1) or than the trials resolve."
         ),
-        headings=(
-            Message("Parameter"),
-            Message("u, budget"),
-            Message("u, simulated"),
-            Message("95% interval, budget"),
-            Message("95% interval, simulated"),
-            Message("ends differ by"),
-            Message("allowed"),
-            Message("Verdict"),
-        ),
-        rows=[
-            tuple(
-                check[key]
-                for key in ("name", "standard", "simulated", "interval", "simulated_interval", "difference",
-                            "tolerance", "verdict")
-            )
-            for check in checks
-        ],
-    )  # fmt: skip
+    )
 
 
 def correlation_sections(subject: Subject) -> Iterator[Section]:
