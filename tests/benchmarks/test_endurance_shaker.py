@@ -4,8 +4,9 @@ import os
 
 import pytest
 
+from benchmarks.endurance.killed_runs import killed, whole_run
 from benchmarks.endurance.shaker_faults import Case, carried_out, cases
-from benchmarks.endurance.shaker_kills import in_process, killed, whole_run
+from benchmarks.endurance.shaker_kills import KILLING, in_process
 from tumble.procedures.events import FinishReason
 
 posix = pytest.mark.skipif(os.name == "nt", reason="SIGKILL is POSIX's")
@@ -16,7 +17,7 @@ posix = pytest.mark.skipif(os.name == "nt", reason="SIGKILL is POSIX's")
 def test_a_kill_loses_and_doubles_nothing(what, number, tmp_path):
     with in_process(tmp_path) as stand:
         whole = whole_run(stand, tmp_path / "whole.mcap")
-        result = killed(stand, tmp_path / "killed.mcap", what, number, whole)
+        result = killed(KILLING, stand, tmp_path / "killed.mcap", what, number, whole)
     assert (result.lost, result.doubled, result.changed) == (0, 0, 0)
 
 
