@@ -33,6 +33,18 @@ def pose_of(gravity_g: FloatArray) -> Coordinate:
     )
 
 
+def temperature_of(degc: FloatArray) -> Coordinate:
+    """The temperature of each row, in °C, shape (rows,)."""
+    return Coordinate(
+        word="temperature",
+        depends_on="temperature",
+        values=degc,
+        shown="{:.1f} °C".format,
+        phrase=Message("that follows the temperature"),
+        unit="°C",
+    )
+
+
 def shown_in_seconds(hours: float) -> str:
     """A time for a reader."""
     return f"{3600.0 * hours:.0f} s"

@@ -1,13 +1,12 @@
 """The method `gyrocompass`: heading and drift of a gyro platform on an azimuth turntable."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from tumble.calibrations.core.joining import joined
 from tumble.calibrations.core.known_tables import misspelt
-from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.sentences import series
 from tumble.calibrations.core.view import Quantity, Section
 from tumble.calibrations.methods.gyrocompass.at_the_stand import loop_at
@@ -19,7 +18,7 @@ from tumble.calibrations.methods.gyrocompass.observations import GyrocompassObse
 from tumble.calibrations.methods.gyrocompass.quantities import QUANTITIES
 from tumble.calibrations.methods.gyrocompass.sections import sections
 from tumble.calibrations.records.entry import Entry
-from tumble.calibrations.tracing.sentences import set_aside_section
+from tumble.calibrations.records.loop_result import LoopResult
 from tumble.messages import Message
 
 NEEDED = ("azimuth_deg", "rate_deg_h")
@@ -28,20 +27,10 @@ _ASKED = (*NEEDED, "latitude_deg")
 
 
 @dataclass(frozen=True, kw_only=True)
-class GyrocompassResult:
+class GyrocompassResult(LoopResult):
     """Tables of one platform, taken together."""
 
     loop: GyrocompassLoop
-
-    @property
-    def warnings(self) -> tuple[str, ...]:
-        """What is to be asked of the table, and what was odd in it."""
-        return (*self.loop.doubts, *self.loop.observations.warnings)
-
-    @property
-    def parameters(self) -> Mapping[str, Parameter]:
-        """With what was found."""
-        return self.loop.augmented.parameters
 
     def document(self) -> dict[str, Any]:
         """The result as `tumble.loop/1`."""
@@ -51,10 +40,9 @@ class GyrocompassResult:
         """The result as the store takes it."""
         return entry(self.loop)
 
-    def sections(self) -> Sequence[Section]:
-        """What is shown."""
-        rows = self.loop.observations
-        return [*sections(self.loop), set_aside_section(rows.source, rows.set_aside)]
+    def shown(self) -> Iterator[Section]:
+        """What is shown of the loop, the answer first."""
+        return sections(self.loop)
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,7 @@
 """The method `triad`: three accelerometers on a two-axis stand."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -9,7 +9,6 @@ from typing import Any
 from tumble.calibrations.core.files import read_header
 from tumble.calibrations.core.joining import joined
 from tumble.calibrations.core.known_tables import misspelt
-from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.sentences import series
 from tumble.calibrations.core.view import Quantity, Section
 from tumble.calibrations.methods.triad.at_the_stand import loop_at
@@ -23,7 +22,7 @@ from tumble.calibrations.methods.triad.observations import TriadObservations, re
 from tumble.calibrations.methods.triad.quantities import QUANTITIES
 from tumble.calibrations.methods.triad.sections import sections
 from tumble.calibrations.records.entry import Entry
-from tumble.calibrations.tracing.sentences import set_aside_section
+from tumble.calibrations.records.loop_result import LoopResult
 from tumble.messages import Message
 
 NEEDED = ("outer_deg", "inner_deg", "u_x_V", "u_y_V", "u_z_V")
@@ -32,20 +31,10 @@ _OUTPUT = re.compile(r"u_[xyz]_|acc\w*_[xyz]")
 
 
 @dataclass(frozen=True, kw_only=True)
-class TriadResult:
+class TriadResult(LoopResult):
     """Tables of one triad, taken together."""
 
     loop: TriadLoop
-
-    @property
-    def warnings(self) -> tuple[str, ...]:
-        """What is to be asked of the table, and what was odd in it."""
-        return (*self.loop.doubts, *self.loop.observations.warnings)
-
-    @property
-    def parameters(self) -> Mapping[str, Parameter]:
-        """With what was found."""
-        return self.loop.augmented.parameters
 
     def document(self) -> dict[str, Any]:
         """The result as `tumble.loop/1`."""
@@ -55,10 +44,9 @@ class TriadResult:
         """The result as the store takes it."""
         return entry(self.loop)
 
-    def sections(self) -> Sequence[Section]:
-        """What is shown."""
-        rows = self.loop.observations
-        return [*sections(self.loop), set_aside_section(rows.source, rows.set_aside)]
+    def shown(self) -> Iterator[Section]:
+        """What is shown of the loop, the answer first."""
+        return sections(self.loop)
 
 
 @dataclass(frozen=True)

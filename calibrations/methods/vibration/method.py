@@ -1,13 +1,12 @@
 """The method `vibration`: rectification of an accelerometer under vibration."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Final
 
 from tumble.calibrations.core.joining import joined
 from tumble.calibrations.core.known_tables import misspelt
-from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.sentences import series
 from tumble.calibrations.core.view import Quantity, Section
 from tumble.calibrations.methods.vibration.at_the_stand import loop_at
@@ -24,7 +23,7 @@ from tumble.calibrations.methods.vibration.profile import read_spectrum, shipped
 from tumble.calibrations.methods.vibration.quantities import QUANTITIES
 from tumble.calibrations.methods.vibration.sections import sections
 from tumble.calibrations.records.entry import Entry
-from tumble.calibrations.tracing.sentences import set_aside_section
+from tumble.calibrations.records.loop_result import LoopResult
 from tumble.messages import Message
 
 NEEDED: Final = ("output_ug", "ai_g")
@@ -34,20 +33,10 @@ _SHOWING: Final = (*NEEDED, "mii_g2", "level_g", "drive_i")
 
 
 @dataclass(frozen=True, kw_only=True)
-class VibrationResult:
+class VibrationResult(LoopResult):
     """Tables of one unit, taken together."""
 
     loop: VibrationLoop
-
-    @property
-    def warnings(self) -> tuple[str, ...]:
-        """What was odd in the table."""
-        return self.loop.observations.warnings
-
-    @property
-    def parameters(self) -> Mapping[str, Parameter]:
-        """With what was found."""
-        return self.loop.augmented.parameters
 
     def document(self) -> dict[str, Any]:
         """The result as `tumble.loop/1`."""
@@ -57,10 +46,9 @@ class VibrationResult:
         """The result as the store takes it."""
         return entry(self.loop)
 
-    def sections(self) -> Sequence[Section]:
-        """What is shown."""
-        rows = self.loop.observations
-        return [*sections(self.loop), set_aside_section(rows.source, rows.set_aside)]
+    def shown(self) -> Iterator[Section]:
+        """What is shown of the loop, the answer first."""
+        return sections(self.loop)
 
 
 @dataclass(frozen=True)

@@ -5,6 +5,7 @@ offset between realisations and of the angle between mountings have names.
 """
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Final
 
 import numpy as np
@@ -13,7 +14,7 @@ from numpy.typing import NDArray
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.repeats import labels
 from tumble.calibrations.methods.dividing_head.effects.scene import Scene
-from tumble.calibrations.tracing.common_coordinates import pose_of, shown_in_seconds, time_of
+from tumble.calibrations.tracing.common_coordinates import pose_of, shown_in_seconds, temperature_of, time_of
 from tumble.calibrations.tracing.components import Axis, Channel, axes
 from tumble.calibrations.tracing.coordinate import Coordinate
 from tumble.messages import Message
@@ -97,15 +98,7 @@ def _of_the_time(scene: Scene) -> Iterator[Coordinate]:
 def _of_the_warmth(scene: Scene) -> Iterator[Coordinate]:
     if scene.temperature_k is None or not np.ptp(scene.temperature_k):
         return
-    yield Coordinate(
-        word="temperature",
-        depends_on="temperature",
-        values=scene.temperature_k + scene.reference_temperature_degc,
-        shown="{:.1f} °C".format,
-        steps=True,
-        phrase=Message("that follows the temperature"),
-        unit="°C",
-    )
+    yield replace(temperature_of(scene.temperature_k + scene.reference_temperature_degc), steps=True)
     if scene.hours is not None and np.ptp(scene.hours):
         smooth = np.polynomial.Polynomial.fit(scene.hours, scene.temperature_k, min(_SMOOTHED, scene.rows // 20 + 1))
         yield Coordinate(

@@ -12,7 +12,7 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.triad.observations import CHANNELS
 from tumble.calibrations.methods.triad.scene import TriadScene
-from tumble.calibrations.tracing.common_coordinates import pose_of, time_of
+from tumble.calibrations.tracing.common_coordinates import pose_of, temperature_of, time_of
 from tumble.calibrations.tracing.components import Axis, Channel, axes
 from tumble.calibrations.tracing.coordinate import Coordinate
 from tumble.messages import Message
@@ -100,14 +100,7 @@ def _of_the_time(scene: TriadScene) -> Iterator[Coordinate]:
 
 def _of_the_warmth(scene: TriadScene, place: int) -> Iterator[Coordinate]:
     if scene.temperature_k is not None and np.ptp(scene.temperature_k[:, place]):
-        yield Coordinate(
-            word="temperature",
-            depends_on="temperature",
-            values=scene.temperature_k[:, place] + scene.reference_temperature_degc,
-            shown="{:.1f} °C".format,
-            phrase=Message("that follows the temperature"),
-            unit="°C",
-        )
+        yield temperature_of(scene.temperature_k[:, place] + scene.reference_temperature_degc)
 
 
 def _of_the_moves(scene: TriadScene) -> Iterator[Coordinate]:

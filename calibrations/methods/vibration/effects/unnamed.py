@@ -8,7 +8,7 @@ import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.vibration.scene import VibrationScene
-from tumble.calibrations.tracing.common_coordinates import time_of
+from tumble.calibrations.tracing.common_coordinates import temperature_of, time_of
 from tumble.calibrations.tracing.components import Axis, Channel, axes
 from tumble.calibrations.tracing.coordinate import Coordinate
 from tumble.messages import Message
@@ -79,11 +79,4 @@ def _of_the_time(scene: VibrationScene) -> Iterator[Coordinate]:
 
 def _of_the_warmth(scene: VibrationScene) -> Iterator[Coordinate]:
     if scene.temperature_k is not None and np.ptp(scene.temperature_k):
-        yield Coordinate(
-            word="temperature",
-            depends_on="temperature",
-            values=scene.temperature_k + scene.reference_temperature_degc,
-            shown="{:.1f} °C".format,
-            phrase=Message("that follows the temperature"),
-            unit="°C",
-        )
+        yield temperature_of(scene.temperature_k + scene.reference_temperature_degc)
