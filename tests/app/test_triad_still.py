@@ -67,3 +67,11 @@ def test_short_dwells_tell_none():
 
     assert "allan" not in closed("positions.mcap", "still.mcap")
     assert "How long to average" not in Path("loop.html").read_text("utf-8")
+
+
+def test_a_record_of_files_beside_its_store_is_verified():
+    run("still", STILL.format(dwell_s=600))
+    ran = tumble("close-loop", "positions.mcap", "still.mcap", "--record", "--store", "s")
+    assert ran.status == 0, ran.err
+
+    assert "1 of 1 records agree" in tumble("records", "verify", "--store", "s").out
