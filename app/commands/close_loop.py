@@ -93,8 +93,9 @@ def command(
         _tell_tables(method, files, known.folder if record else None, verbose, json_path, page)
         return
     if files and not most:
-        traced = _traced(files, wanted, known, budget=bool(page or record))
-        _tell(traced, None, json_path, page, store(traced, known.folder) if record else None)
+        folder = known.folder if record else None
+        traced = _traced(files, wanted, known, None if page or record else 0, folder)
+        _tell(traced, None, json_path, page, store(traced, folder) if folder else None)
         return
     closing = _closed(wanted, files, MOST_EXPERIMENTS if most is None else most, known)
     traced = closing.traced
@@ -125,11 +126,13 @@ def _tell_tables(
         reports.write(report, page, language())
 
 
-def _traced(files: tuple[Path, ...], wanted: Wanted, known: options.Known, *, budget: bool) -> Traced:
-    """What files say, without a stand to ask."""
+def _traced(
+    files: tuple[Path, ...], wanted: Wanted, known: options.Known, trials: int | None, folder: Path | None
+) -> Traced:
+    """What files say, without a stand to ask; `folder` is that of the store, None where there will be no record."""
     stand = read_stand(wanted.stand_path).recorded if wanted.stand_path else None
     measurement = with_what_is_known(read_together(files, stand), known.folder, known.effects)
-    return trace(fit(measurement, wanted.serial_number, trials=None if budget else 0))
+    return trace(fit(measurement, wanted.serial_number, trials, folder))
 
 
 def _closed(wanted: Wanted, files: tuple[Path, ...], most: int, known: options.Known) -> Closing:

@@ -20,6 +20,8 @@ from tumble.procedures.programmes import load_programme, programme_from_text
 
 _LIMITS: Final = "limits_deg = [-190.0, 190.0]\nspeed_deg_s = 90.0\nsteps_per_deg = 3600.0\n"
 _NOWHERE: Final = "socket://127.0.0.1:0"
+_ELSEWHERE: Final = "socket://127.0.0.1:1"
+"""Another line than that."""
 ZABER: Final = "\n".join(
     f'[positioners.{name}]\ndriver = "zaber"\nurl = "{{{name}}}"\naxis = {axis}\n{_LIMITS}'
     for axis, name in enumerate(("outer", "inner"), start=1)
@@ -27,6 +29,8 @@ ZABER: Final = "\n".join(
 """Two axes of one controller on one line."""
 ZABER_CHAIN: Final = ZABER.replace("axis = 1", "device = 1").replace("axis = 2", "device = 2")
 """Two stages in one chain."""
+ZABER_LINES: Final = ZABER.replace("axis = 2", "axis = 1").replace("{inner}", "{second}")
+"""Two heads, each on a line of its own."""
 CIA402: Final = "\n".join(
     f'[positioners.{name}]\ndriver = "cia402"\nurl = "{{{name}}}"\nnode = {node}\n{_LIMITS}'
     for node, name in enumerate(("outer", "inner"), start=1)
@@ -118,6 +122,7 @@ def stand_of(folder: Path, instruments: str, where: Mapping[str, str], world: st
         on_can = on_can or ('"can"' in instruments and name in ("x", "y", "z"))
         nowhere = "virtual:anywhere" if on_can else _NOWHERE
         text = text.replace(f"{{{name}}}", where.get(name, nowhere))
+    text = text.replace("{second}", where.get("inner", _ELSEWHERE))
     _write_dbc_files(folder)
     file = folder / "stand.toml"
     file.write_text(f'name = "two axes"\n{text}\n{world}', "utf-8")

@@ -20,6 +20,7 @@ from benchmarks.endurance.two_axes import (
     SIMULATED,
     ZABER,
     ZABER_CHAIN,
+    ZABER_LINES,
     job_at,
     served,
     stand_of,
@@ -42,6 +43,7 @@ list = "24"
 PAIRS: Final = {
     "two axes of a Zaber controller, scanner": (ZABER, SCANNER),
     "chain of two Zaber stages, three multimeters": (ZABER_CHAIN, METERS),
+    "two Zaber heads on a line each, scanner": (ZABER_LINES, SCANNER),
     "two CiA 402 nodes, scanner": (CIA402, SCANNER),
     "two CiA 402 nodes, three CAN DAQs": (CIA402, CAN_DAQS),
     "two axes set by hand, scanner": (MANUAL, SCANNER),

@@ -1,4 +1,4 @@
-"""Effects of the simulated world, by their word of the contract, and kinds that no catalogue has."""
+"""Effects of the simulated world, by their word of the contract."""
 
 from collections.abc import Mapping
 
@@ -101,33 +101,3 @@ STAND: Mapping[str, Stand] = {
     "inner_wobble": _inner_wobble,
     "level_drift": _level_drift,
 }
-
-
-def _saturation(_: Dwells, gravity: Array, __: Array, size: float) -> Array:
-    beyond = np.maximum(np.abs(gravity[:, 0]) - 0.8, 0.0) * np.sign(gravity[:, 0])
-    return _in_channel(0, -5 * size * beyond)
-
-
-def _dead_zone(_: Dwells, gravity: Array, __: Array, size: float) -> Array:
-    return _in_channel(1, -8 * size * gravity[:, 1] * np.exp(-((gravity[:, 1] / 0.1) ** 2)))
-
-
-NOVEL_UNIT: Mapping[str, tuple[Unit, str]] = {
-    "saturation": (_saturation, "acceleration"),
-    "dead_zone": (_dead_zone, "acceleration"),
-    "quartic": (lambda _, g, __, s: _in_channel(2, s * g[:, 2] ** 4), "acceleration"),
-    "log_drift": (lambda d, _, __, s: _in_channel(0, s * np.log1p(d.time_s / 900.0)), "time"),
-    "jump": (lambda d, _, __, s: _in_channel(1, s * (d.time_s > 0.43 * d.time_s[-1])), "time"),
-    "wave": (lambda d, _, __, s: _in_channel(2, s * np.sin(2 * np.pi * d.time_s / 2310.0)), "time"),
-    "thermal_bend": (
-        lambda d, _, __, s: _in_channel(0, 20 * s * (d.temperature_k[:, 0] - 0.2) ** 2),
-        "temperature",
-    ),
-}
-
-
-def _third(dwells: Dwells, size: float) -> None:
-    dwells.inner_error = dwells.inner_error + size * np.sin(3 * np.deg2rad(dwells.inner_deg) + 0.3)
-
-
-NOVEL_STAND: Mapping[str, tuple[Stand, str]] = {"third_harmonic": (_third, "angle")}

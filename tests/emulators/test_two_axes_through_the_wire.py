@@ -14,6 +14,7 @@ from benchmarks.endurance.two_axes import (
     SIMULATED,
     ZABER,
     ZABER_CHAIN,
+    ZABER_LINES,
     job_at,
     served,
     stand_of,
@@ -34,8 +35,22 @@ settle_tolerance_v = 1.0
 [[procedure]]
 list = "8o"
 """
-PAIRS = [(ZABER, SCANNER), (ZABER_CHAIN, METERS), (CIA402, SCANNER), (CIA402, CAN_DAQS), (MANUAL, SCANNER)]
-NAMES = ["zaber-scanner", "zaber chain-meters", "cia402-scanner", "cia402-can daqs", "manual-scanner"]
+PAIRS = [
+    (ZABER, SCANNER),
+    (ZABER_CHAIN, METERS),
+    (ZABER_LINES, SCANNER),
+    (CIA402, SCANNER),
+    (CIA402, CAN_DAQS),
+    (MANUAL, SCANNER),
+]
+NAMES = [
+    "zaber-scanner",
+    "zaber chain-meters",
+    "zaber lines-scanner",
+    "cia402-scanner",
+    "cia402-can daqs",
+    "manual-scanner",
+]
 
 
 def measured(job, connected, path):

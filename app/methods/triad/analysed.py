@@ -2,9 +2,13 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 from tumble.app.loop_analysed import LoopAnalysed, LoopTraced
+from tumble.calibrations.allan import sections as allan_sections
+from tumble.calibrations.allan.recording import StillRecording
+from tumble.calibrations.allan.result import AllanResult, allan
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.triad.document import document, fit_document
 from tumble.calibrations.methods.triad.loop import TriadDeclared, TriadLoop
@@ -31,11 +35,24 @@ class TriadTraced(TriadAnalysed, LoopTraced):
     """The same with the loop closed."""
 
     loop: TriadLoop
+    still: StillRecording | None = None
+    """What the runs hold of a unit that was left alone."""
+
+    @cached_property
+    def noise(self) -> AllanResult | None:
+        """How the noise falls with averaging; None without a still recording."""
+        return None if self.still is None else allan(self.still)
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What is to be asked of the run, and what was odd in it and in its noise."""
+        return (*super().warnings, *(self.noise.warnings if self.noise else ()))
 
     def loop_document(self) -> dict[str, Any]:
         """The closed loop as `tumble.loop/1`."""
-        return document(self.loop)
+        return document(self.loop) | ({"allan": self.noise.document()} if self.noise else {})
 
     def sections(self) -> Sequence[Section]:
-        """What was found, before and after, and what to measure next."""
-        return tuple(sections_beside_values(self.loop))
+        """What was found, before and after, what to measure next, and how long to average."""
+        of_the_noise = allan_sections.sections(self.noise) if self.noise else ()
+        return (*sections_beside_values(self.loop), *of_the_noise)

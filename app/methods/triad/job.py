@@ -11,6 +11,7 @@ from tumble.app.measurement import Measurement
 from tumble.app.measurements import check_limits
 from tumble.app.methods.triad.analysed import TriadAnalysed, TriadTraced
 from tumble.app.methods.triad.stand_part import STAND, TriadStand
+from tumble.app.methods.triad.still import still_of
 from tumble.app.methods.triad.uncertainty import uncertainty_of
 from tumble.app.stand import LoadedStand
 from tumble.calibrations.core.propagation import TRIALS
@@ -62,7 +63,7 @@ class TriadJob:
         loop = close_triad_loop(_rows(measurement), measurement.reference_temperature_degc)
         loop = loop_at(loop, uncertainty_of(measurement))
         limits = check_limits(loop.augmented.parameters, measurement.programme)
-        return TriadTraced(**{**vars(analysed), "limits": limits}, loop=loop)
+        return TriadTraced(**{**vars(analysed), "limits": limits}, loop=loop, still=still_of(measurement))
 
     def suggested(self, traced: TriadTraced) -> tuple[Experiment, ...]:
         """What to measure next, of all lists that come along."""

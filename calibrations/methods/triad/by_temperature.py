@@ -1,11 +1,13 @@
 """Parameters of a triad at each temperature of a sequence: the table that the method `temperature` traces."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.methods.triad.loop import FEWEST_POSITIONS, declared_fit
 from tumble.calibrations.methods.triad.model import NAMES, UNITS
 from tumble.calibrations.methods.triad.observations import TriadObservations
@@ -13,6 +15,14 @@ from tumble.messages import Message
 
 APART_K: Final = 2.0
 """Where the unit is so much warmer or colder than when a run began, another run begins."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class AtTemperature:
+    """The declared model fitted to the dwells at one temperature."""
+
+    temperature_degc: float
+    parameters: Mapping[str, Parameter]
 
 
 def parameter_runs(tables: Sequence[TriadObservations]) -> dict[str, list[float]]:
@@ -23,18 +33,31 @@ def parameter_runs(tables: Sequence[TriadObservations]) -> dict[str, list[float]
     ValueError
         A table without temperatures, a run of too few positions, or one that is in doubt.
     """
-    runs = [run for table in tables for run in _runs(table)]
-    fitted = [(temperature_degc, _parameters(rows)) for temperature_degc, rows in runs]
-    told = [name for name in NAMES if all(name in values for _, values in fitted)]
+    fitted = [_fitted(*run) for table in tables for run in runs(table)]
+    values = {name: [each.parameters[name].value for each in fitted] for name in NAMES}
+    told = {name: [value for value in listed if value is not None] for name, listed in values.items()}
     return {
         "run": [float(number) for number in range(1, len(fitted) + 1)],
-        "temperature_degC": [temperature_degc for temperature_degc, _ in fitted],
-        **{f"{name}_{UNITS[name].replace('/', '_per_')}": [values[name] for _, values in fitted] for name in told},
+        "temperature_degC": [each.temperature_degc for each in fitted],
+        **{
+            f"{name}_{UNITS[name].replace('/', '_per_')}": listed
+            for name, listed in told.items()
+            if len(listed) == len(fitted)
+        },
     }
 
 
-def _runs(table: TriadObservations) -> Iterator[tuple[float, TriadObservations]]:
-    """Temperature and dwells of each run."""
+def at_each_temperature(table: TriadObservations) -> tuple[AtTemperature, ...]:
+    """The parameters at each temperature of a sequence, in its order; none where there is one temperature alone.
+
+    Raises `ValueError` as `parameter_runs`.
+    """
+    found = list(runs(table))
+    return tuple(_fitted(*run) for run in found) if len(found) > 1 else ()
+
+
+def runs(table: TriadObservations) -> Iterator[tuple[float, TriadObservations]]:
+    """Temperature and dwells of each run of a table. Raises `ValueError` where a temperature is missing."""
     temperature_degc = _temperature(table)
     start = 0
     for end in range(1, len(table) + 1):
@@ -54,8 +77,8 @@ def _temperature(table: TriadObservations) -> FloatArray:
     return np.asarray(np.mean(known, axis=0), dtype=float)
 
 
-def _parameters(rows: TriadObservations) -> dict[str, float]:
-    """Those that the positions of a run tell. Raises `ValueError`."""
+def _fitted(temperature_degc: float, rows: TriadObservations) -> AtTemperature:
+    """The parameters of a run. Raises `ValueError`."""
     if len(np.unique(rows.positions)) < FEWEST_POSITIONS:
         raise ValueError(
             Message(
@@ -67,5 +90,4 @@ def _parameters(rows: TriadObservations) -> dict[str, float]:
     declared = declared_fit(rows)
     if declared.doubts:
         raise ValueError(declared.doubts[0])
-    found = declared.model.parameters
-    return {name: each.value for name, each in found.items() if each.value is not None}
+    return AtTemperature(temperature_degc=temperature_degc, parameters=declared.model.parameters)

@@ -17,7 +17,7 @@ from tumble.calibrations.methods.triad.fit import TriadFit, fit_triad
 from tumble.calibrations.methods.triad.gross import gross_errors
 from tumble.calibrations.methods.triad.models import augmented, held_out_declared, modelled, silent
 from tumble.calibrations.methods.triad.observations import TriadObservations
-from tumble.calibrations.methods.triad.readmitted import still_gross
+from tumble.calibrations.methods.triad.readmitted import MORE_THAN_A_FEW, still_gross, still_off
 from tumble.calibrations.methods.triad.scalar import ScalarFit, fit_scalar
 from tumble.calibrations.methods.triad.table import TriadTable, triad_table
 from tumble.calibrations.methods.triad.weights import channel_weights
@@ -119,11 +119,24 @@ def close_triad_loop(observations: TriadObservations, reference_temperature_degc
     before = declared_fit(observations, reference_temperature_degc)
     explained = _explained(before)
     gross = [each for each in before.observations.set_aside if each not in observations.set_aside]
-    left = still_gross(observations, gross, explained) if gross and not before.doubts else gross
+    left = gross if before.doubts else _left(observations, gross, explained, reference_temperature_degc)
     if len(left) < len(gross):
         before = _declared(observations, left, reference_temperature_degc)
         explained = _explained(before)
     return _loop(before, explained)
+
+
+def _left(
+    observations: TriadObservations,
+    gross: Sequence[SetAside],
+    explained: Explained[TriadTable, TriadFit],
+    reference_temperature_degc: float,
+) -> Sequence[SetAside]:
+    """The gross errors that are left by what was found without them or, where they are many, with all of them."""
+    left = still_gross(observations, gross, explained) if gross else gross
+    if len(left) < len(gross) or len(gross) < MORE_THAN_A_FEW:
+        return left
+    return still_off(gross, _explained(_declared(observations, (), reference_temperature_degc)))
 
 
 def _explained(before: TriadDeclared) -> Explained[TriadTable, TriadFit]:

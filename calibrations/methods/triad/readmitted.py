@@ -1,7 +1,7 @@
 """Dwells that were set aside as gross errors, and that what was found explains after all.
 
 A list of positions that goes where no other dwell was shows an effect for the first time; by the declared model alone
-it stands out as a misreading would.
+it stands out as a misreading would. And where more than a few stand out, as after a jump, they may be the structure.
 """
 
 from collections.abc import Iterator, Sequence
@@ -19,6 +19,9 @@ from tumble.calibrations.tracing.explained import Explained
 from tumble.calibrations.tracing.quantified import form_in
 from tumble.calibrations.tracing.trace import Trace
 
+MORE_THAN_A_FEW = 4
+"""So many dwells may be structure."""
+
 
 def still_gross(
     observations: TriadObservations, gross: Sequence[SetAside], explained: Explained[TriadTable, TriadFit]
@@ -32,6 +35,16 @@ def still_gross(
         within |= np.abs(_off(table, scene, trace)).max(axis=1) < limit
     readmitted = set(observations.row[within].tolist())
     return tuple(each for each in gross if each.row not in readmitted)
+
+
+def still_off(gross: Sequence[SetAside], everything: Explained[TriadTable, TriadFit]) -> tuple[SetAside, ...]:
+    """Those of the dwells set aside that an explanation of all dwells, them too, leaves as far off."""
+    if not (everything.trace.names or everything.trace.components):
+        return tuple(gross)
+    table, fit = everything.table, everything.best
+    off = np.abs(fit.deviations_v * np.sqrt(table.further_weights)).max(axis=1) / fit.dwell
+    far = set(table.observations.row[off > gross_sigmas(table.rows)].tolist())
+    return tuple(each for each in gross if each.row in far)
 
 
 def _explanations(explained: Explained[TriadTable, TriadFit]) -> Iterator[Trace]:

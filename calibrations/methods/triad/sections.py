@@ -7,6 +7,7 @@ from tumble.calibrations.core.quantities import format_concise, format_number
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.triad.correction import correction
 from tumble.calibrations.methods.triad.loop import TriadLoop
+from tumble.calibrations.methods.triad.over_temperature import temperature_section
 from tumble.calibrations.methods.triad.picture_sections import picture_sections
 from tumble.calibrations.report.budget_sections import budget_section, simulation_section
 from tumble.calibrations.tracing.loop_sections import errors_section, parameters_section, traced_section, value_text
@@ -33,6 +34,7 @@ def _composed(loop: TriadLoop, parameters: Section) -> Iterator[Section]:
     yield errors_section(loop, Message("Held out are whole positions, with all their repeats."), "V")
     yield _scalar(loop)
     yield Section(title=Message("What to measure next"), lines=[each.why for each in loop.experiments], brief=True)
+    yield temperature_section(loop.observations)
     yield from picture_sections(loop)
     stated = [parameter for parameter in loop.augmented.parameters.values() if parameter.value is not None]
     yield budget_section(stated, loop.augmented_budget.lines)

@@ -1,0 +1,77 @@
+"""A still recording among the runs of a triad: its noise in the result, the report and the sections of the window."""
+
+import json
+from pathlib import Path
+
+import pytest
+from app_jobs import tumble
+
+POSITIONS = """method = "triad"
+name = "positions"
+dwell_s = 0.2
+settle_s = 0.1
+
+[[procedure]]
+list = "12o"
+"""
+STILL = """method = "triad"
+name = "left-alone"
+dwell_s = {dwell_s}
+settle_s = 0.1
+
+[[procedure]]
+positions = [[90, 0]]
+"""
+
+
+def run(name, text):
+    Path(f"{name}.toml").write_text(text, "utf-8")
+    ran = tumble("run", "--programme", f"{name}.toml", "--serial", "T1", "--out", f"{name}.mcap")
+    assert ran.status == 0, ran.err
+
+
+@pytest.fixture(scope="module", autouse=True)
+def figures():
+    """They are drawn here."""
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    run("positions", POSITIONS)
+    return tmp_path
+
+
+def closed(*files):
+    ran = tumble("close-loop", *files, "--json", "loop.json", "--report", "loop.html")
+    assert ran.status == 0, ran.err
+    return json.loads(Path("loop.json").read_text("utf-8"))
+
+
+def test_a_dwell_of_ten_minutes_tells_the_noise():
+    run("still", STILL.format(dwell_s=600))
+
+    noise = closed("positions.mcap", "still.mcap")["allan"]
+
+    assert noise["samples"] == 30_000
+    assert {*noise["outputs"]} == {"u_x_V", "u_y_V", "u_z_V"}
+    white = noise["outputs"]["u_x_V"]["coefficients"]["N"]
+    assert white["value"] > 3.0 * white["standard_uncertainty"]
+    page = Path("loop.html").read_text("utf-8")
+    assert "How long to average" in page
+    assert "Allan deviation over averaging time" in page
+
+
+def test_short_dwells_tell_none():
+    run("still", STILL.format(dwell_s=100))
+
+    assert "allan" not in closed("positions.mcap", "still.mcap")
+    assert "How long to average" not in Path("loop.html").read_text("utf-8")
+
+
+def test_a_record_of_files_beside_its_store_is_verified():
+    run("still", STILL.format(dwell_s=600))
+    ran = tumble("close-loop", "positions.mcap", "still.mcap", "--record", "--store", "s")
+    assert ran.status == 0, ran.err
+
+    assert "1 of 1 records agree" in tumble("records", "verify", "--store", "s").out
