@@ -34,8 +34,15 @@ def unnamed(scene: Scene) -> tuple[Axis, ...]:
     offset = Channel(word="offset", gain=np.ones(scene.rows), phrase=Message("an offset of the output"), unit="V")
     scale = Channel(word="scale", gain=scene.ax_g, phrase=Message("a change of the response to ax"), unit="V/g")
     error = Channel(word="angle", gain=scene.slope_v_per_deg, phrase=Message("an error of the angle"), unit="deg")
+    product_g2 = scene.gravity_g[:, 0] * scene.gravity_g[:, 1]
+    cross = Channel(word="cross", gain=product_g2, phrase=Message("a change of the response to ax·ay"), unit="V/g²")
+    changing = (*_of_the_time(scene), *_of_the_warmth(scene))
     return axes(
-        (error, (*angle, *passing)), (offset, (*response, *angle, *passing)), (scale, passing), expected=_DRIFTS
+        (error, (*angle, *passing)),
+        (offset, (*response, *angle, *passing)),
+        (scale, passing),
+        (cross, changing),
+        expected=_DRIFTS,
     )
 
 
