@@ -18,7 +18,7 @@ from tumble.calibrations.methods.gyrocompass.observations import GyrocompassObse
 from tumble.calibrations.methods.gyrocompass.quantities import QUANTITIES
 from tumble.calibrations.methods.gyrocompass.sections import sections
 from tumble.calibrations.records.entry import Entry
-from tumble.calibrations.records.loop_result import LoopResult
+from tumble.calibrations.tracing.loop_result import LoopResult
 from tumble.messages import Message
 
 NEEDED = ("azimuth_deg", "rate_deg_h")

@@ -22,7 +22,7 @@ from tumble.calibrations.methods.triad.observations import TriadObservations, re
 from tumble.calibrations.methods.triad.quantities import QUANTITIES
 from tumble.calibrations.methods.triad.sections import sections
 from tumble.calibrations.records.entry import Entry
-from tumble.calibrations.records.loop_result import LoopResult
+from tumble.calibrations.tracing.loop_result import LoopResult
 from tumble.messages import Message
 
 NEEDED = ("outer_deg", "inner_deg", "u_x_V", "u_y_V", "u_z_V")

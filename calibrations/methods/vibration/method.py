@@ -23,7 +23,7 @@ from tumble.calibrations.methods.vibration.profile import read_spectrum, shipped
 from tumble.calibrations.methods.vibration.quantities import QUANTITIES
 from tumble.calibrations.methods.vibration.sections import sections
 from tumble.calibrations.records.entry import Entry
-from tumble.calibrations.records.loop_result import LoopResult
+from tumble.calibrations.tracing.loop_result import LoopResult
 from tumble.messages import Message
 
 NEEDED: Final = ("output_ug", "ai_g")

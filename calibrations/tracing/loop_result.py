@@ -3,13 +3,15 @@
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.view import Section
-from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.tracing.closed import ClosedLoop
 from tumble.calibrations.tracing.sentences import set_aside_section
+
+if TYPE_CHECKING:
+    from tumble.calibrations.records.entry import Entry
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -23,7 +25,7 @@ class LoopResult(ABC):
         """The result as `tumble.loop/1`."""
 
     @abstractmethod
-    def entry(self) -> Entry:
+    def entry(self) -> "Entry":
         """The result as the store takes it."""
 
     @abstractmethod
