@@ -159,7 +159,7 @@ def explain_questioned(
     stated = assess(best.joint, uncertainty, trials=0, further=best.shapes)
     stated = with_held_out(stated, before, explained.tracer, trace, explained.table)
     whole, others = explained.table.with_components(trace.components), explained.alike
-    augmented = without_alike(without_rivals(stated, whole, explained.near), whole, trace, others)
+    augmented = without_alike(without_rivals(stated, whole, close), whole, trace, others)
     augmented = resting_on_absence(augmented, set(trace.names))
     rivals = neighbours(explained.tracer, trace, explained.near, (*others, *explained.judged.nearly))
     courses = best.courses(whole, trace)
