@@ -84,3 +84,37 @@ def test_a_cross_term_that_fades_is_found_along_the_time_since_seating(seated):
 
 def test_the_cross_term_may_be_that_at_rest(seated):
     assert inside(seated.augmented.parameters["kxy"], UNIT["kxy"])
+
+
+CREEP_V = 1e-3
+"""What a spring gives back, once it has taken the set of an input of 1 g."""
+
+
+@pytest.fixture(scope="module")
+def crept():
+    """A spring that remembers what acted on it for some two minutes."""
+
+    def creeping_v(columns):
+        ax_g = np.array(
+            [
+                gravity_on(mount, np.array([angle_deg]))[0][0]
+                for mount, angle_deg in zip(columns["mount"], columns["angle_deg"], strict=True)
+            ]
+        )
+        set_g, now_g = np.empty(len(ax_g)), ax_g[0]
+        for row, waited_s in enumerate(np.diff(columns["time_s"], prepend=columns["time_s"][0])):
+            now_g = ax_g[row] + (now_g - ax_g[row]) * np.exp(-waited_s / 130.0)
+            set_g[row] = now_g
+        return CREEP_V * (set_g - ax_g)
+
+    return close_loop(runs(RUN, extra_v=creeping_v))
+
+
+def test_a_spring_that_creeps_is_found_by_what_acted_on_it(crept):
+    assert (crept.unexplained.channel, crept.unexplained.variable) == ("offset", "acceleration")
+    assert not crept.effects
+
+
+def test_the_scale_factor_is_that_before_it_creeps(crept):
+    assert inside(crept.augmented.parameters["kx"], UNIT["kx"])
+    assert crept.augmented.parameters["kx"].standard_uncertainty < CREEP_V / 4

@@ -61,7 +61,7 @@ def test_no_scale_follows_the_input_that_it_scales(rich):
 def test_every_channel_and_variable_is_described_in_plain_words(rich):
     for axis in rich:
         for text in (axis.channel.phrase, axis.coordinate.phrase):
-            assert re.fullmatch(r"[A-Za-z ·]+", text)
+            assert re.fullmatch(r"[A-Za-z0-9 ·]+", text)
             assert text[0].islower()
 
 

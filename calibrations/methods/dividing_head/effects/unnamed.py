@@ -4,7 +4,7 @@ A scale that follows ax, or an angle that follows it, is an offset that does: th
 offset between realisations and of the angle between mountings have names.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import Final
 
@@ -23,6 +23,14 @@ _SMOOTHED: Final = 8
 """Degree of the polynomial in time from which the rate of the temperature is taken."""
 
 
+_REMEMBERED_S: Final[Mapping[float, Message]] = {
+    60.0: Message("that follows ax of the last 60 s"),
+    100.0: Message("that follows ax of the last 100 s"),
+    160.0: Message("that follows ax of the last 160 s"),
+    260.0: Message("that follows ax of the last 260 s"),
+}
+"""For how long a spring that creeps remembers: what lasts between two of them looks much like the nearer one."""
+
 _DRIFTS: Final = (("offset", "time"), ("offset", "temperature"))
 """A bias that drifts, or follows the temperature, is commoner than all the others."""
 
@@ -39,7 +47,7 @@ def unnamed(scene: Scene) -> tuple[Axis, ...]:
     changing = (*_of_the_time(scene), *_of_the_warmth(scene))
     return axes(
         (error, (*angle, *passing)),
-        (offset, (*response, *angle, *passing)),
+        (offset, (*response, *_of_the_input_lately(scene), *angle, *passing)),
         (scale, passing),
         (cross, changing),
         expected=_DRIFTS,
@@ -89,6 +97,35 @@ def _of_the_input(scene: Scene) -> Iterator[Coordinate]:
     yield pose_of(scene.gravity_g)
 
 
+def _of_the_input_lately(scene: Scene) -> Iterator[Coordinate]:
+    """What acted on a spring that creeps, less what acts now, which is part of the scale factor."""
+    if scene.hours is None:
+        return
+    for lasting_s, phrase in _REMEMBERED_S.items():
+        yield Coordinate(
+            word="acceleration",
+            depends_on="acceleration",
+            values=_remembered(scene.ax_g, scene.hours * 3600.0, lasting_s) - scene.ax_g,
+            shown="{:.2f} g".format,
+            phrase=phrase,
+            detail=f"ax of the last {lasting_s:g} s",
+            unit="g",
+        )
+
+
+def _remembered(values: FloatArray, time_s: FloatArray, lasting_s: float) -> FloatArray:
+    """Mean of what acted up to each row, what is older by `lasting_s` weighing less by e, shape (rows,).
+
+    The head moves first and stands then: the time between two rows is that of the second.
+    """
+    kept = np.exp(-np.diff(time_s, prepend=time_s[0]) / lasting_s)
+    remembered, now = np.empty_like(values), values[0]
+    for row, value in enumerate(values):
+        now = kept[row] * now + (1.0 - kept[row]) * value
+        remembered[row] = now
+    return remembered
+
+
 def _of_the_time(scene: Scene) -> Iterator[Coordinate]:
     if scene.hours is not None:
         yield time_of(scene.hours)
@@ -125,6 +162,7 @@ def _of_the_order(scene: Scene) -> Iterator[Coordinate]:
         depends_on="order",
         values=_since(scene.realisation, count),
         waves=True,
+        overtones=True,
         phrase=Message("that follows the number of dwells in the realisation"),
         detail="in the realisation",
     )
