@@ -16,7 +16,7 @@ from tumble.calibrations.core.repeats import labels
 from tumble.calibrations.methods.dividing_head.effects.scene import Scene
 from tumble.calibrations.tracing.common_coordinates import pose_of, shown_in_seconds, temperature_of, time_of
 from tumble.calibrations.tracing.components import Axis, Channel, axes
-from tumble.calibrations.tracing.coordinate import Coordinate
+from tumble.calibrations.tracing.coordinate import MOST_VALUES, Coordinate
 from tumble.messages import Message
 
 _SMOOTHED: Final = 8
@@ -157,12 +157,13 @@ def _of_the_warmth(scene: Scene) -> Iterator[Coordinate]:
 
 def _of_the_order(scene: Scene) -> Iterator[Coordinate]:
     count = np.arange(scene.rows, dtype=float)
+    place = _since(scene.realisation, count)
     yield Coordinate(
         word="order",
         depends_on="order",
-        values=_since(scene.realisation, count),
+        values=place,
         waves=True,
-        overtones=True,
+        overtones=place.max() >= MOST_VALUES,  # with few dwells it would follow their settings, one after the other
         phrase=Message("that follows the number of dwells in the realisation"),
         detail="in the realisation",
     )
