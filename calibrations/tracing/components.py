@@ -32,7 +32,7 @@ class Channel:
     """What of the model changes."""
 
     word: str
-    """Of the contract: offset, scale or angle."""
+    """What a method calls it: offset, scale, angle."""
     gain: FloatArray
     """What one unit of it adds to the output, shape (rows,)."""
     phrase: Message

@@ -22,7 +22,7 @@ class Course:
     """What a channel does along a variable, at places of the variable."""
 
     channel: str
-    """Of the contract: offset, scale or angle."""
+    """Of the component: offset, scale, angle."""
     unit: str
     """Of the channel: what is added to the output, to the response to ax, or to the angle of the head."""
     variable: str

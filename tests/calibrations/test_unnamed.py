@@ -45,8 +45,13 @@ def test_every_variable_of_the_contract_is_looked_along(rich):
     assert {axis.coordinate.word: axis.coordinate.depends_on for axis in rich} == CONTRACT
 
 
-def test_offset_scale_and_angle_are_looked_at(rich):
-    assert {axis.channel.word for axis in rich} == {"offset", "scale", "angle"}
+def test_offset_scale_cross_term_and_angle_are_looked_at(rich):
+    assert {axis.channel.word for axis in rich} == {"offset", "scale", "cross", "angle"}
+
+
+def test_a_cross_term_changes_with_time_and_temperature_alone(rich):
+    followed = {axis.coordinate.word for axis in rich if axis.channel.word == "cross"}
+    assert followed == {"time", "time_since_seating", "temperature"}
 
 
 def test_no_scale_follows_the_input_that_it_scales(rich):
@@ -56,7 +61,7 @@ def test_no_scale_follows_the_input_that_it_scales(rich):
 def test_every_channel_and_variable_is_described_in_plain_words(rich):
     for axis in rich:
         for text in (axis.channel.phrase, axis.coordinate.phrase):
-            assert re.fullmatch(r"[A-Za-z ]+", text)
+            assert re.fullmatch(r"[A-Za-z0-9 ·]+", text)
             assert text[0].islower()
 
 

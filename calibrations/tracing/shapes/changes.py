@@ -22,6 +22,8 @@ _MOST: Final = 12
 """Levels change so often at most."""
 _DWELLS_EACH: Final = 12
 """So many dwells a level has at least, in the mean."""
+_IN_VAIN: Final = 4
+"""So many further changes that explain too little are the last: a jump to and fro is two."""
 _ROUNDS: Final = 2
 """So often each change is moved."""
 _ALIKE: Final = 1e-6
@@ -42,6 +44,8 @@ def changes(along: Along) -> Iterator[Shape]:
     for count in range(1, most + 1):
         chosen = steps.settled([*chosen, steps.best_beside(chosen)])
         told.append((steps.gain(chosen)[0] - 2.0 * np.log(comb(len(places), count)), chosen))
+        if count - len(max(told)[1]) == _IN_VAIN:
+            break
     at, gained = _exact(along, places[sorted(max(told)[1])])
     rest = along.undetermined(np.ones(along.rows))
     yield Shape(

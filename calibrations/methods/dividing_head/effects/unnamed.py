@@ -4,7 +4,7 @@ A scale that follows ax, or an angle that follows it, is an offset that does: th
 offset between realisations and of the angle between mountings have names.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import Final
 
@@ -16,12 +16,20 @@ from tumble.calibrations.core.repeats import labels
 from tumble.calibrations.methods.dividing_head.effects.scene import Scene
 from tumble.calibrations.tracing.common_coordinates import pose_of, shown_in_seconds, temperature_of, time_of
 from tumble.calibrations.tracing.components import Axis, Channel, axes
-from tumble.calibrations.tracing.coordinate import Coordinate
+from tumble.calibrations.tracing.coordinate import MOST_VALUES, Coordinate
 from tumble.messages import Message
 
 _SMOOTHED: Final = 8
 """Degree of the polynomial in time from which the rate of the temperature is taken."""
 
+
+_REMEMBERED_S: Final[Mapping[float, Message]] = {
+    60.0: Message("that follows ax of the last 60 s"),
+    100.0: Message("that follows ax of the last 100 s"),
+    160.0: Message("that follows ax of the last 160 s"),
+    260.0: Message("that follows ax of the last 260 s"),
+}
+"""For how long a spring that creeps remembers: what lasts between two of them looks much like the nearer one."""
 
 _DRIFTS: Final = (("offset", "time"), ("offset", "temperature"))
 """A bias that drifts, or follows the temperature, is commoner than all the others."""
@@ -34,8 +42,15 @@ def unnamed(scene: Scene) -> tuple[Axis, ...]:
     offset = Channel(word="offset", gain=np.ones(scene.rows), phrase=Message("an offset of the output"), unit="V")
     scale = Channel(word="scale", gain=scene.ax_g, phrase=Message("a change of the response to ax"), unit="V/g")
     error = Channel(word="angle", gain=scene.slope_v_per_deg, phrase=Message("an error of the angle"), unit="deg")
+    product_g2 = scene.gravity_g[:, 0] * scene.gravity_g[:, 1]
+    cross = Channel(word="cross", gain=product_g2, phrase=Message("a change of the response to ax·ay"), unit="V/g²")
+    changing = (*_of_the_time(scene), *_of_the_warmth(scene))
     return axes(
-        (error, (*angle, *passing)), (offset, (*response, *angle, *passing)), (scale, passing), expected=_DRIFTS
+        (error, (*angle, *passing)),
+        (offset, (*response, *_of_the_input_lately(scene), *angle, *passing)),
+        (scale, passing),
+        (cross, changing),
+        expected=_DRIFTS,
     )
 
 
@@ -82,6 +97,35 @@ def _of_the_input(scene: Scene) -> Iterator[Coordinate]:
     yield pose_of(scene.gravity_g)
 
 
+def _of_the_input_lately(scene: Scene) -> Iterator[Coordinate]:
+    """What acted on a spring that creeps, less what acts now, which is part of the scale factor."""
+    if scene.hours is None:
+        return
+    for lasting_s, phrase in _REMEMBERED_S.items():
+        yield Coordinate(
+            word="acceleration",
+            depends_on="acceleration",
+            values=_remembered(scene.ax_g, scene.hours * 3600.0, lasting_s) - scene.ax_g,
+            shown="{:.2f} g".format,
+            phrase=phrase,
+            detail=f"ax of the last {lasting_s:g} s",
+            unit="g",
+        )
+
+
+def _remembered(values: FloatArray, time_s: FloatArray, lasting_s: float) -> FloatArray:
+    """Mean of what acted up to each row, what is older by `lasting_s` weighing less by e, shape (rows,).
+
+    The head moves first and stands then: the time between two rows is that of the second.
+    """
+    kept = np.exp(-np.diff(time_s, prepend=time_s[0]) / lasting_s)
+    remembered, now = np.empty_like(values), values[0]
+    for row, value in enumerate(values):
+        now = kept[row] * now + (1.0 - kept[row]) * value
+        remembered[row] = now
+    return remembered
+
+
 def _of_the_time(scene: Scene) -> Iterator[Coordinate]:
     if scene.hours is not None:
         yield time_of(scene.hours)
@@ -113,11 +157,13 @@ def _of_the_warmth(scene: Scene) -> Iterator[Coordinate]:
 
 def _of_the_order(scene: Scene) -> Iterator[Coordinate]:
     count = np.arange(scene.rows, dtype=float)
+    place = _since(scene.realisation, count)
     yield Coordinate(
         word="order",
         depends_on="order",
-        values=_since(scene.realisation, count),
+        values=place,
         waves=True,
+        overtones=place.max() >= MOST_VALUES,  # with few dwells it would follow their settings, one after the other
         phrase=Message("that follows the number of dwells in the realisation"),
         detail="in the realisation",
     )

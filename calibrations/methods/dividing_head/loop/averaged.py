@@ -36,9 +36,19 @@ class _Fitted:
     """By the scatter of the data alone."""
 
 
-def averaged(calibration: Calibration, table: DividingHeadTable, listed: Sequence[Neighbour]) -> Calibration:
-    """The same parameters, their uncertainty widened by what other explanations say of them."""
+def averaged(
+    calibration: Calibration,
+    table: DividingHeadTable,
+    listed: Sequence[Neighbour],
+    meant: Sequence[FloatArray] = (),
+) -> Calibration:
+    """The same parameters, their uncertainty widened by what other explanations say of them.
+
+    `meant` are values of all parameters, shape (6,), that the explanation which is stated may as well mean.
+    """
     fits = [fit for each in listed if (fit := _fitted(table, each)) is not None]
+    deviations = np.array([parameter.type_a or 0.0 for parameter in calibration.parameters.values()])
+    fits += [_Fitted(odds=1.0, theta=theta, deviations=deviations) for theta in meant]
     parameters = {
         name: _widened(parameter, index, fits) for index, (name, parameter) in enumerate(calibration.parameters.items())
     }

@@ -16,6 +16,7 @@ from tumble.calibrations.methods.dividing_head.effects import CATALOGUE
 from tumble.calibrations.methods.dividing_head.effects.scene import Scene
 from tumble.calibrations.methods.dividing_head.gross import unlike_repeats
 from tumble.calibrations.methods.dividing_head.joint import Joint, fit_jointly, fit_without
+from tumble.calibrations.methods.dividing_head.loop.at_rest import at_rest
 from tumble.calibrations.methods.dividing_head.loop.augmented import Augmented, augment
 from tumble.calibrations.methods.dividing_head.loop.averaged import averaged
 from tumble.calibrations.methods.dividing_head.loop.hidden import resting_on_absence
@@ -158,17 +159,18 @@ def explain_questioned(
     stated = assess(best.joint, uncertainty, trials=0, further=best.shapes)
     stated = with_held_out(stated, before, explained.tracer, trace, explained.table)
     whole, others = explained.table.with_components(trace.components), explained.alike
-    augmented = without_alike(without_rivals(stated, whole, explained.near), whole, trace, others)
+    augmented = without_alike(without_rivals(stated, whole, close), whole, trace, others)
     augmented = resting_on_absence(augmented, set(trace.names))
     rivals = neighbours(explained.tracer, trace, explained.near, (*others, *explained.judged.nearly))
-    augmented = averaged(augmented, explained.table, rivals)
+    courses = best.courses(whole, trace)
+    augmented = averaged(augmented, explained.table, rivals, at_rest(best.joint.fit.theta, courses))
     said = scatter_and_wandering(explained.table, trace, best.joint)
     augmented = replace(augmented, warnings=(*augmented.warnings, *said))
     loop = Loop(
         declared=resting_on_absence(before, set(trace.names)),
         augmented=augmented,
         effects=_effects(explained, close, misread),
-        unexplained=unexplained(explained.judged, _reach(explained), others, best.courses(whole, trace)),
+        unexplained=unexplained(explained.judged, _reach(explained), others, courses),
         misread=misread,
         not_traced=explained.table.not_traced,
         withheld=withheld(explained.table, explained.judged),
