@@ -27,7 +27,7 @@ def loop_of(folder, sizes=(), **noise):
 
 
 def said(loop):
-    (shown,) = (each for each in sections(loop) if each.title == "If the gyro is as declared")
+    (shown,) = (each for each in sections(loop) if each.title == "In the declared noise")
     return list(shown.lines)
 
 
@@ -57,7 +57,7 @@ def test_a_gyro_that_scatters_more_than_declared_is_said_to(tmp_path):
     _, loop = loop_of(tmp_path, angle_random_walk_deg_sqrt_h=WHITE / 3.0)
 
     assert loop.in_declared_noise.contradicted
-    assert said(loop)[1] == "It is not as declared: its rates scatter 2.9 times as much. Correct its noise."
+    assert said(loop)[1] == "The gyro is not as declared: its rates scatter 2.9 times as much. Correct its noise."
 
 
 def test_a_table_that_declares_nothing_says_nothing(tmp_path):

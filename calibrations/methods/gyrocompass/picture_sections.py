@@ -41,7 +41,7 @@ def checks(loop: GyrocompassLoop) -> Section:
 
 def if_as_declared(loop: GyrocompassLoop) -> Section:
     """Heading and drift in the noise that is declared, and whether the gyro is so; no lines where none is."""
-    return Section(title=Message("If the gyro is as declared"), lines=[*_in_declared_noise(loop)], brief=True)
+    return Section(title=Message("In the declared noise"), lines=[*_in_declared_noise(loop)], brief=True)
 
 
 def _in_declared_noise(loop: GyrocompassLoop) -> Iterator[str]:
@@ -49,13 +49,13 @@ def _in_declared_noise(loop: GyrocompassLoop) -> Iterator[str]:
     if found is None:
         return
     yield Message(
-        "α0 = {alpha0}, drift {drift}: as near as rates with the declared noise can tell them, without the stand.",
+        "If the gyro is as declared, α0 = {alpha0} and the drift is {drift}, by its noise alone, without the stand.",
         alpha0=format_concise(found.values["alpha0"], found.standard_uncertainties["alpha0"], "°"),
         drift=format_concise(found.values["drift"], found.standard_uncertainties["drift"], "°/h"),
     )
     if found.contradicted:
         yield Message(
-            "It is not as declared: its rates scatter {ratio:.2g} times as much. Correct its noise.",
+            "The gyro is not as declared: its rates scatter {ratio:.2g} times as much. Correct its noise.",
             ratio=found.scatter_ratio,
         )
 
