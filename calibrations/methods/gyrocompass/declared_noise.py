@@ -1,7 +1,7 @@
 """Heading and drift in the noise that is declared of the gyro, beside what was found: at the Cramér-Rao bound.
 
 Columns of the table declare N, B, K or a Gauss-Markov process; a programme declares them for its run. What was found
-is fitted with heading and drift anew, so that its own uncertainty is in theirs.
+is fitted with heading and drift anew, so that its own uncertainty is in theirs; what was scanned for stays.
 """
 
 from collections.abc import Mapping
