@@ -83,5 +83,5 @@ def _exported(beginning: bytes) -> bool:
 
     line, end, _ = beginning.partition(b"\n")
     columns = line.decode("utf-8", "replace").split(",")
-    known = (method.procedure_part.exported for method in usable_methods()) if end and len(columns) > 1 else ()
-    return any(columns in exported for exported in known)
+    known = usable_methods() if end and len(columns) > 1 else ()
+    return any(method.procedure_part.exports(columns) for method in known)

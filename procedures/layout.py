@@ -47,6 +47,8 @@ class ChannelColumns:
     samples: Column
     temperature: Column | None = None
     """By a thermometer of its own, °C; None for a method that knows one temperature of the whole."""
+    optional: bool = False
+    """Whether a stand may be without the channel."""
 
     def described(self) -> dict[str, tuple[str, str]]:
         """JSON type and meaning of the columns, by their names."""
@@ -105,7 +107,8 @@ class Layout:
         for name, position in self.positions.items():
             fields[position.position_deg.name] = point.positions_deg[name]
         for name, channel in self.channels.items():
-            fields |= channel.fields(point.readings[name])
+            if not channel.optional or name in point.readings:
+                fields |= channel.fields(point.readings[name])
         fields["time_s"] = point.time_s
         for name, position in self.positions.items():
             fields[position.direction.name] = point.directions[name]
@@ -119,7 +122,11 @@ class Layout:
             index=fields["index"],
             positions_deg={name: float(fields[it.position_deg.name]) for name, it in self.positions.items()},
             directions={name: fields[it.direction.name] for name, it in self.positions.items()},
-            readings={name: _reading(it, fields) for name, it in self.channels.items()},
+            readings={
+                name: _reading(it, fields)
+                for name, it in self.channels.items()
+                if not it.optional or it.mean.name in fields
+            },
             time_s=float(fields["time_s"]),
             temperature_degc=None if temperature is None else float(temperature),
             procedure=fields["procedure"],
@@ -138,7 +145,8 @@ class Layout:
         columns = {name: it.position_deg.name for name, it in self.positions.items()}
         return Dwell(
             targets_deg={name: float(fields[column]) for name, column in columns.items() if column in fields},
-            channels=tuple(self.channels),
+            channels=tuple(name for name, it in self.channels.items() if not it.optional),
+            further=tuple(name for name, it in self.channels.items() if it.optional),
             procedure=fields["procedure"],
             realisation=fields["realisation"],
             conditions=self._conditions(fields),

@@ -89,7 +89,7 @@ class Measuring:
     def measure(self, dwell: Dwell) -> Taken:
         """Measure where a dwell says. Raises `DeviceError`."""
         go = partial(self._axes.travel, dwell.targets_deg, self._checkpoint)
-        return self._recovery.persist(partial(self._take, go, dwell.channels), self._axes.places)
+        return self._recovery.persist(partial(self._take, go, dwell.channels, dwell.further), self._axes.places)
 
     def measure_again(self, point: Point) -> Taken:
         """Measure where a point was taken, coming there as then. Raises `DeviceError`."""
@@ -108,7 +108,9 @@ class Measuring:
         """Leave every positioner in the revolution about its zero. Raises `DeviceError`."""
         self._recovery.persist(partial(self._axes.unwind, self._checkpoint))
 
-    def _take(self, go: Callable[[], dict[str, float]], channels: tuple[str, ...]) -> Taken:
+    def _take(
+        self, go: Callable[[], dict[str, float]], channels: tuple[str, ...], further: tuple[str, ...] = ()
+    ) -> Taken:
         positions_deg = go()
         self._exciters.sustain()
         settled = settle(self._sampling.channels, self._clock, self._acquisition, self._checkpoint)
@@ -116,12 +118,14 @@ class Measuring:
         blocks = self._sampling.blocks(self._acquisition.samples, self._acquisition.rate_hz)
         self._axes.check_rest(positions_deg)
         self._exciters.inspect(blocks)
+        sampled = channels_of(blocks)
+        kept = wanted(sampled, channels) | {name: sampled[name] for name in further if name in sampled}
         return Taken(
             positions_deg=positions_deg,
             directions=self._axes.directions(positions_deg),
             began_s=began_s,
             blocks=blocks,
-            readings=with_temperatures(reduce_channels(wanted(channels_of(blocks), channels)), blocks),
+            readings=with_temperatures(reduce_channels(kept), blocks),
             settled=settled,
         )
 

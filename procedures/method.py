@@ -1,6 +1,6 @@
 """What a calibration method brings along for the stand: programmes, columns, and the table that its analysis reads."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from importlib.resources.abc import Traversable
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeAlias, TypeVar
@@ -44,6 +44,8 @@ class ProcedurePart(Generic[Table]):
     method. Raises `ValueError` where it cannot be read."""
     derived: frozenset[str] = frozenset()
     """Columns of the table that are worked out from those of a recording."""
+    lacking: frozenset[str] = frozenset()
+    """Columns of the table that some recordings have and others lack, besides the temperature."""
     demand: Demand = demand_nothing
     """What its table needs of the stand file; asked before anything moves."""
     stand: Traversable | None = None
@@ -54,12 +56,11 @@ class ProcedurePart(Generic[Table]):
         """The columns of its points."""
         return self.programme.layout
 
-    @property
-    def exported(self) -> list[list[str]]:
-        """Columns of the table of a recording, as tables spell them, with and without a temperature."""
-        recorded = self.layout.described().keys() | self.derived
-        spelt = {name: field for name, field in self.rows.spelt().items() if field in recorded}
-        return [list(spelt), [name for name, field in spelt.items() if field != _TEMPERATURE]]
+    def exports(self, columns: Sequence[str]) -> bool:
+        """Whether the table of a recording has these columns, as tables spell them, in this order."""
+        recorded, lacking = self.layout.described().keys() | self.derived, self.lacking | {_TEMPERATURE}
+        spelt = {name: field for name, field in self.rows.spelt().items() if field in recorded | self.lacking}
+        return list(columns) == [name for name, field in spelt.items() if name in columns or field not in lacking]
 
 
 class Method(Protocol):

@@ -46,6 +46,8 @@ class Dwell:
     """Which repeat it belongs to, from 1."""
     conditions: Mapping[str, str] = field(default_factory=dict)
     """What must have been asked for and confirmed before, by condition."""
+    further: tuple[str, ...] = ()
+    """What is measured besides where the stand has it."""
 
 
 Step: TypeAlias = Ask | Dwell

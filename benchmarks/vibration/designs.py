@@ -106,7 +106,7 @@ def centrifuge(rng: np.random.Generator, up: str, passes: int, repeats: int = 1)
 
 
 def shakers(rng: np.random.Generator, passes: int) -> Iterator[Dwell]:
-    """Three shakers: each alone, two and three together, in phases that vary."""
+    """Three shakers: each alone, two and three together, in phases that vary; every level comes at every frequency."""
     together = ("i", "o", "p", "i", "io", "io", "io", "ip", "ip", "ip", "iop", "i", "o", "p", "iop", "i")
     for realisation in range(1, passes + 1):
         common = {"apparatus": "multi-shaker", "mounting": 1, "realisation": realisation, "gravity_g": -O}
@@ -117,7 +117,7 @@ def shakers(rng: np.random.Generator, passes: int) -> Iterator[Dwell]:
             frequency, peak, phase = np.zeros(3), np.zeros(3), np.zeros(3)
             for order, axis in enumerate(axes):
                 unequal = axes == "iop" and place % 2
-                frequency[_AXES[axis]] = (50.0, 100.0, 200.0)[(place + realisation) % 3] * (
+                frequency[_AXES[axis]] = (50.0, 100.0, 200.0)[(place + 2 * realisation) % 3] * (
                     1.0 + 0.37 * order * unequal
                 )
                 peak[_AXES[axis]] = level * (1.0 if order == 0 else 0.8)

@@ -144,7 +144,7 @@ def _step(run: Run, size: float) -> None:
 
 def _tempco(run: Run, size: float) -> None:
     """K_ii follows the temperature."""
-    run.added_ug += size * np.array([each.peak_g[0] ** 2 for each in run.dwells]) / 2.0 * (run.temperature_degc - 23.0)
+    run.added_ug += size * run.along_input_g2 * (run.temperature_degc - 23.0)
 
 
 NOVEL: Mapping[str, tuple[Effect, float, tuple[str, ...]]] = {

@@ -54,6 +54,12 @@ class Run:
         return np.array([each.level_g**2 * (1.0 if each.random else 0.5) for each in self.dwells])
 
     @property
+    def along_input_g2(self) -> Array:
+        """Mean square of the motion along the input axis, sine or random."""
+        random = np.array([each.random * (each.level_g * each.drive[0]) ** 2 for each in self.dwells])
+        return random + 0.5 * np.array([each.peak_g[0] ** 2 for each in self.dwells])
+
+    @property
     def frequency_hz(self) -> Array:
         """The highest of the three."""
         return np.array([each.frequency_hz.max() for each in self.dwells])

@@ -2,6 +2,7 @@
 
 import json
 from dataclasses import replace
+from importlib.resources import files
 from pathlib import Path
 
 import numpy as np
@@ -161,3 +162,36 @@ def test_a_plan_without_a_noise_promises_nothing(folder):
     ran = tumble("plan", "short.toml", "--json", "plan.json")
     assert "heading" not in ran.out
     assert "expected_heading" not in json.loads((folder / "plan.json").read_text())
+
+
+def test_a_platform_without_the_azimuth_channel_is_run_all_the_same(folder):
+    built_in = (files("tumble.procedures.methods.gyrocompass") / "stand.toml").read_text()
+    without = 'rate_hz = 10.0\nchannels = ["levelling_rate_deg_h", "tilt_gamma_deg"]'
+    (folder / "stand.toml").write_text(built_in.replace("rate_hz = 10.0", without))
+
+    recorded = run("short.toml", "--stand", "stand.toml")
+
+    assert {*recorded.points[0].readings} == {"levelling_rate_deg_h", "tilt_gamma_deg"}
+    done = json.loads(tumble("close-loop", "run.mcap", "--json", "-").out)
+    alpha0 = done["augmented"]["parameters"]["alpha0"]
+    assert abs(alpha0["value"] - TRUTH["alpha0"]) < 4.0 * alpha0["standard_uncertainty"]
+    assert done["azimuth_drift"] == {
+        "value": None,
+        "reason": "its rate was not measured: azimuth_rate_deg_h in two dwells at least",
+    }
+
+
+def test_a_programme_declares_the_noise_in_which_its_run_is_read(folder):
+    (folder / "noisy.toml").write_text(SHORT + "\n[noise]\nangle_random_walk_deg_sqrt_h = 5e-4\n")
+    run("noisy.toml")
+    tumble("export", "run.mcap", "--out", "run.csv")
+
+    of_recording, of_table = (
+        json.loads(tumble("close-loop", name, "--json", "-").out)["declared_noise"] for name in ("run.mcap", "run.csv")
+    )
+
+    assert tumble("export", "run.mcap", "--out", "run.csv").status == 0  # over its own
+    assert of_recording["noise"] == {"angle_random_walk_deg_sqrt_h": 5e-4}
+    for name, true in TRUTH.items():
+        assert abs(of_recording[name]["value"] - true) < 4.0 * of_recording[name]["standard_uncertainty"]
+        assert of_table[name]["value"] == pytest.approx(of_recording[name]["value"], abs=1e-6)

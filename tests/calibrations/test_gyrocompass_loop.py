@@ -48,6 +48,13 @@ def test_a_clean_table_gives_heading_and_drift_back(looped):
     assert abs(loop.closure.value) < 3 * loop.closure.standard_uncertainty
 
 
+def test_what_a_drift_wanders_by_has_no_mean_over_the_dwells(tmp_path):
+    write(tmp_path / "table.csv", simulated().columns)
+    table = declared_fit(read_gyrocompass_table(tmp_path / "table.csv")).table
+    wandering = (table.memory.modes / np.sqrt(table.weights)[:, None])[table.rates, 1:]
+    assert np.abs(wandering.mean(axis=0)).max() < 1e-12
+
+
 @pytest.mark.parametrize(
     ("name", "size"),
     [

@@ -4,10 +4,12 @@ import numpy as np
 import pytest
 from vibration_tables import CENTRIFUGE, HALF, I, K, O, P, dwells, measured, with_columns
 
+from benchmarks.vibration.__main__ import closed, drawn
 from tumble.calibrations.methods.vibration.document import document
 from tumble.calibrations.methods.vibration.effects.curved import CLIPPING, CROSS, RESPONSE
 from tumble.calibrations.methods.vibration.effects.stand import arm_ug, partial_period_ug, warmth
 from tumble.calibrations.methods.vibration.effects.unit import fourth_order
+from tumble.calibrations.methods.vibration.effects.unnamed import unnamed
 from tumble.calibrations.methods.vibration.experiments import next_experiments
 from tumble.calibrations.methods.vibration.loop import close_vibration_loop
 from tumble.calibrations.methods.vibration.probes import PROBES, circle, shaken
@@ -149,6 +151,24 @@ def test_a_mode_of_the_fixture_is_a_matter_of_frequency():
     near = np.exp(-0.5 * (np.log2(np.maximum(scene.frequency_hz, 1.0) / 80.0) / 0.4) ** 2)
     loop = close_vibration_loop(measured(rows, 0.9 * scene.products_g2[:, 0] * near))
     assert (loop.effects, loop.unexplained.depends_on) == ((), "frequency")
+
+
+def test_a_course_of_the_level_is_no_name_that_stands_because_another_fell():
+    _, made, where = drawn("novel", 1_000_461)
+    assert where == "single"
+    loop = closed(made)
+    assert (loop.effects, loop.unexplained.depends_on) == ((), "amplitude")
+
+
+def test_what_follows_the_frequency_leaves_random_vibration_out():
+    rows = dwells(*SINGLE)
+    random = (rows.level > 0.0) & (np.arange(len(rows)) % 4 == 1)
+    mixed = with_columns(rows, mii_g2=np.where(random, 2.0, np.nan), ai_g=np.where(random, 0.0, np.asarray(rows.ai_g)))
+    following = [axis for axis in unnamed(scene_of(mixed)) if axis.coordinate.word == "frequency"]
+    assert len(following) == 2
+    for axis in following:
+        assert not axis.channel.gain[random].any()
+        assert axis.channel.gain[(rows.level > 0.0) & ~random].all()
 
 
 def test_one_direction_of_the_drive_says_what_it_takes_for_a_coefficient():

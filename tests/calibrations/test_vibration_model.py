@@ -53,6 +53,10 @@ def test_a_rounded_phase_is_no_sight_of_a_cross_term():
     assert declared_fit(measured(rounded)).model.parameters["k_ip"].value is None
 
 
+def test_sines_in_quadrature_have_no_cross_product_not_even_that_of_rounding():
+    assert not mean_products(dwells(circle(1)))[:, 3:].any()
+
+
 def test_cross_products_of_sines_follow_their_phases():
     products = mean_products(dwells(phased()))
     assert products[:, 3].max() == pytest.approx(12.5)

@@ -65,7 +65,8 @@ class ChannelPlots(Figures):
                 return point.positions_deg[name]
 
     def _means(self, channel: str) -> FloatArray:
-        means = np.array([point.readings[channel].mean for point in self.points], dtype=float)
+        readings = [point.readings.get(channel) for point in self.points]
+        means = np.array([np.nan if each is None else each.mean for each in readings], dtype=float)
         return np.where(np.abs(means) < _OVERLOAD, means, np.nan)
 
     def _name_axes(self) -> None:

@@ -63,7 +63,7 @@ class PointTable(Overview):
     def _row(self, point: Point) -> tuple[str, ...]:
         conditions, positions, channels = self._names
         places = (_angle(point.positions_deg[name]) for name in positions)
-        means = (_mean(point.readings[name]) for name in channels)
+        means = (_mean(point.readings.get(name)) for name in channels)
         return (str(point.index + 1), *(point.conditions.get(name, "") for name in conditions), *places, *means)
 
     def _fill(self) -> None:
@@ -74,6 +74,8 @@ def _angle(angle_deg: float) -> str:
     return local(f"{angle_deg:z.4f}")
 
 
-def _mean(reading: Reading) -> str:
-    """With as many digits as the scatter of the samples leaves."""
+def _mean(reading: Reading | None) -> str:
+    """With as many digits as the scatter of the samples leaves; empty where the stand has no such channel."""
+    if reading is None:
+        return ""
     return local(rounded(reading.mean, reading.sd / math.sqrt(reading.samples), "").value)

@@ -17,9 +17,12 @@ from tumble.calibrations.methods.gyrocompass.fit import GyrocompassFit
 from tumble.calibrations.methods.gyrocompass.geometry import heading_functions, up_rate
 from tumble.calibrations.methods.gyrocompass.model import ALPHA0, direction
 from tumble.calibrations.methods.gyrocompass.table import GyrocompassTable
+from tumble.messages import Message
 
 HOURS: Final = (0.25, 0.5, 1.0, 2.0, 4.0)
 """After which the heading is stated."""
+NOT_MEASURED: Final = Message("its rate was not measured: azimuth_rate_deg_h in two dwells at least")
+"""Why a table says nothing of ω2."""
 
 
 @dataclass(frozen=True, kw_only=True)

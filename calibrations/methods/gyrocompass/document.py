@@ -4,6 +4,7 @@ from typing import Any
 
 from tumble.calibrations.core.documents import rows_json
 from tumble.calibrations.core.parameter import ModelFit
+from tumble.calibrations.methods.gyrocompass.azimuth_channel import NOT_MEASURED
 from tumble.calibrations.methods.gyrocompass.loop import GyrocompassDeclared, GyrocompassLoop
 from tumble.calibrations.methods.gyrocompass.misreading import MISREADING, misread_json
 from tumble.calibrations.tracing.document import SCHEMA, effect_json, experiment_json, unexplained_json
@@ -45,15 +46,17 @@ def fit_document(declared: GyrocompassDeclared) -> dict[str, Any]:
 
 
 def _beside(loop: GyrocompassLoop) -> dict[str, Any]:
-    """What else the rows say: other headings, closure, the published formula, the azimuth channel, an azimuth mark."""
+    """What else the rows say: other headings, checks of the heading, the azimuth channel, values in declared noise."""
     closure, baseline, drift, mark = loop.closure, loop.baseline, loop.azimuth_drift, loop.mark
+    noise = loop.in_declared_noise
     u_deg = loop.augmented.parameters["alpha0"].standard_uncertainty
     return {
         "headings_deg": list(loop.declared_fit.headings_deg),
         "closure": closure.as_json() if closure else None,
         "baseline": baseline.as_json() if baseline else None,
-        "azimuth_drift": drift.as_json(u_deg or 0.0) if drift else None,
+        "azimuth_drift": drift.as_json(u_deg or 0.0) if drift else {"value": None, "reason": NOT_MEASURED},
         "azimuth_mark": mark.as_json() if mark else None,
+        "declared_noise": noise.as_json() if noise else None,
     }
 
 

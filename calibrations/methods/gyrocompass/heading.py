@@ -12,6 +12,7 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.gyrocompass.geometry import heading_functions
 from tumble.calibrations.methods.gyrocompass.lean import Lean
+from tumble.calibrations.tracing.linearised import directions, orthogonal_to
 
 _CIRCLE: Final = np.linspace(0.0, 2.0 * np.pi, 64, endpoint=False)
 _ROUNDS: Final = 12
@@ -27,6 +28,8 @@ class Heading:
     drift_deg_h: FloatArray
     covariance: FloatArray
     """Of α0 in degrees and the drift, shape (..., 2, 2): the Cramér-Rao bound at the estimate."""
+    chi_square: FloatArray
+    """What is left of the rates, in the variances of the noise, shape (runs,) or a number."""
 
     @property
     def standard_uncertainties(self) -> FloatArray:
@@ -35,7 +38,12 @@ class Heading:
 
 
 def estimated(
-    rate_deg_h: FloatArray, delta_rad: FloatArray, latitude_deg: FloatArray, lean: Lean, covariance: FloatArray
+    rate_deg_h: FloatArray,
+    delta_rad: FloatArray,
+    latitude_deg: FloatArray,
+    lean: Lean,
+    covariance: FloatArray,
+    beside: FloatArray | None = None,
 ) -> Heading:
     """Heading and drift from mean rates.
 
@@ -47,24 +55,36 @@ def estimated(
         Pickoff angle, latitude and lean of each dwell.
     covariance
         Of the mean rates, shape (dwells, dwells), in (°/h)².
+    beside
+        What else the rates hold in sizes that are not known, shape (dwells, n).
     """
     factor = np.linalg.cholesky(covariance)
     functions = heading_functions(delta_rad, latitude_deg, lean)
     white = np.linalg.solve(factor, np.column_stack([functions, np.ones(len(delta_rad))]))
     rates = np.linalg.solve(factor, np.atleast_2d(rate_deg_h).T)
+    if beside is not None and beside.size:
+        others = directions(np.linalg.solve(factor, beside))
+        white, rates = orthogonal_to(others, white), orthogonal_to(others, rates)
     one = white[:, 2] / np.linalg.norm(white[:, 2])
     f, z = white[:, :2] - np.outer(one, one @ white[:, :2]), rates - np.outer(one, one @ rates)
     alpha0 = best_angles(f.T @ f, (f.T @ z).T)
     point = _directions(alpha0)
     drift = (white[:, 2] @ (rates - white[:, :2] @ point.T)) / float(white[:, 2] @ white[:, 2])
+    left = rates - white[:, :2] @ point.T - np.outer(white[:, 2], drift)
     found = Heading(
         alpha0_deg=-((-np.rad2deg(alpha0) + 180.0) % 360.0 - 180.0),
         drift_deg_h=drift,
         covariance=_bounds(white, _directions(alpha0 + np.pi / 2)),
+        chi_square=np.sum(left**2, axis=0),
     )
     if np.ndim(rate_deg_h) > 1:
         return found
-    return Heading(alpha0_deg=found.alpha0_deg[0], drift_deg_h=found.drift_deg_h[0], covariance=found.covariance[0])
+    return Heading(
+        alpha0_deg=found.alpha0_deg[0],
+        drift_deg_h=found.drift_deg_h[0],
+        covariance=found.covariance[0],
+        chi_square=found.chi_square[0],
+    )
 
 
 def best_angles(gram: FloatArray, along: FloatArray) -> FloatArray:

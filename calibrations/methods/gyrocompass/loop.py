@@ -16,6 +16,7 @@ from tumble.calibrations.methods.gyrocompass.azimuth_channel import AzimuthDrift
 from tumble.calibrations.methods.gyrocompass.azimuth_mark import MarkCheck, mark_check
 from tumble.calibrations.methods.gyrocompass.baseline import Baseline, baseline_of
 from tumble.calibrations.methods.gyrocompass.closure import Closure, closure_of
+from tumble.calibrations.methods.gyrocompass.declared_noise import InDeclaredNoise, in_declared_noise
 from tumble.calibrations.methods.gyrocompass.doubts import doubts
 from tumble.calibrations.methods.gyrocompass.experiments import next_experiments
 from tumble.calibrations.methods.gyrocompass.fit import GyrocompassFit, fit_gyrocompass
@@ -110,6 +111,13 @@ class GyrocompassLoop(ClosedLoop[GyrocompassDeclared, GyrocompassTable, Gyrocomp
     def mark(self) -> MarkCheck | None:
         """The heading against an azimuth mark; None where the table has none."""
         return None if self.doubts else mark_check(self.explained.table, self.best)
+
+    @cached_property
+    def in_declared_noise(self) -> InDeclaredNoise | None:
+        """Heading and drift if the gyro is as the table declares it; None where it declares nothing."""
+        if self.doubts:
+            return None
+        return in_declared_noise(self.explained.table, self.best, self.augmented.parameters)
 
     @property
     def drawn_deg_h(self) -> FloatArray:

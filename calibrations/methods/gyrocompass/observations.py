@@ -47,6 +47,16 @@ class GyrocompassObservations(Rows):
     """Mean rate S2 of the azimuth channel, in degrees per hour."""
     reference_alpha_deg: FloatArray | None = column("reference_alpha_deg", unknown=np.nan)
     """Angle α of the platform's axis from north by an azimuth mark, in degrees, counterclockwise."""
+    angle_random_walk_deg_sqrt_h: FloatArray | None = column("angle_random_walk_deg_sqrt_h", unknown=np.nan)
+    """N of the gyro as declared; of this and the next ones the first row that tells them counts."""
+    bias_instability_deg_h: FloatArray | None = column("bias_instability_deg_h", unknown=np.nan)
+    """B of the gyro as declared."""
+    rate_random_walk_deg_h_sqrt_h: FloatArray | None = column("rate_random_walk_deg_h_sqrt_h", unknown=np.nan)
+    """K of the gyro as declared."""
+    gauss_markov_deg_h: FloatArray | None = column("gauss_markov_deg_h", unknown=np.nan)
+    """Standard deviation of a Gauss-Markov process as declared."""
+    correlation_s: FloatArray | None = column("correlation_s", unknown=np.nan)
+    """Its correlation time as declared."""
 
     @property
     def base_numbers(self) -> NDArray[np.int64]:

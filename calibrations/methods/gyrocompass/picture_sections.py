@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from tumble.calibrations.core.quantities import format_concise, format_probability
 from tumble.calibrations.core.view import Section
-from tumble.calibrations.methods.gyrocompass.azimuth_channel import HOURS, heading_uncertainty_deg
+from tumble.calibrations.methods.gyrocompass.azimuth_channel import HOURS, NOT_MEASURED, heading_uncertainty_deg
 from tumble.calibrations.methods.gyrocompass.loop import GyrocompassLoop
 from tumble.calibrations.report.figure import Figure
 from tumble.messages import Message
@@ -39,6 +39,27 @@ def checks(loop: GyrocompassLoop) -> Section:
     return Section(title=Message("Checks"), lines=[*_closure(loop), *_baseline(loop), *_channel(loop), *_mark(loop)])
 
 
+def if_as_declared(loop: GyrocompassLoop) -> Section:
+    """Heading and drift in the noise that is declared, and whether the gyro is so; no lines where none is."""
+    return Section(title=Message("In the declared noise"), lines=[*_in_declared_noise(loop)], brief=True)
+
+
+def _in_declared_noise(loop: GyrocompassLoop) -> Iterator[str]:
+    found = loop.in_declared_noise
+    if found is None:
+        return
+    yield Message(
+        "If the gyro is as declared, α0 = {alpha0} and the drift is {drift}, by its noise alone, without the stand.",
+        alpha0=format_concise(found.values["alpha0"], found.standard_uncertainties["alpha0"], "°"),
+        drift=format_concise(found.values["drift"], found.standard_uncertainties["drift"], "°/h"),
+    )
+    if found.contradicted:
+        yield Message(
+            "The gyro is not as declared: its rates scatter {ratio:.2g} times as much. Correct its noise.",
+            ratio=found.scatter_ratio,
+        )
+
+
 def _closure(loop: GyrocompassLoop) -> Iterator[str]:
     if closure := loop.closure:
         yield Message(
@@ -61,6 +82,7 @@ def _baseline(loop: GyrocompassLoop) -> Iterator[str]:
 def _channel(loop: GyrocompassLoop) -> Iterator[str]:
     drift, u_deg = loop.azimuth_drift, loop.augmented.parameters["alpha0"].standard_uncertainty
     if drift is None:
+        yield Message("Drift of the azimuth channel: withheld, {reason}.", reason=NOT_MEASURED)
         return
     yield Message(
         "Drift of the azimuth channel {value}; take it off in dead reckoning.",

@@ -6,7 +6,7 @@ from dataclasses import replace
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.gyrocompass.loop import GyrocompassLoop
 from tumble.calibrations.methods.gyrocompass.misreading import MISREADING, misread_text
-from tumble.calibrations.methods.gyrocompass.picture_sections import checks, picture_sections
+from tumble.calibrations.methods.gyrocompass.picture_sections import checks, if_as_declared, picture_sections
 from tumble.calibrations.report.budget_sections import budget_section, simulation_section
 from tumble.calibrations.tracing.loop_sections import errors_section, parameters_section, traced_section
 from tumble.calibrations.tracing.sentences import Finding, findings
@@ -34,6 +34,7 @@ def _composed(loop: GyrocompassLoop, parameters: Section) -> Iterator[Section]:
         Message("Held out are the rates of whole realisations, or of dwells dealt out where these are few."),
         "°/h",
     )
+    yield if_as_declared(loop)
     yield checks(loop)
     yield Section(title=Message("What to measure next"), lines=[each.why for each in loop.experiments], brief=True)
     yield from picture_sections(loop)

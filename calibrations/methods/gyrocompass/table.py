@@ -175,11 +175,13 @@ def seen_from(scene: GyrocompassScene, weights: FloatArray, known: FloatArray) -
 def _modes(scene: GyrocompassScene, weights: FloatArray) -> FloatArray:
     """A constant and cosines over the run, along which the drift wanders and a tilt does not, shape (rows, n).
 
-    There are nearly as many as dwells, lest the steps of a strong walk from dwell to dwell pass for white noise.
+    There are nearly as many as dwells, lest the steps of a strong walk from dwell to dwell pass for white noise. Beside
+    a walk the drift is its mean over the dwells: the cosines have none, however unevenly the dwells lie in the run.
     """
     hours, count = scene.dwell_hours, min(MODES, scene.dwells - _SPARE_MODES)
     if hours is None or count < _SPARE_MODES or not np.ptp(hours) > 0:
         return np.empty((scene.rows, 0))
     phase = np.pi * np.outer((hours - hours.min()) / np.ptp(hours), np.arange(1, count + 1))
-    waves = np.column_stack([np.ones(scene.dwells), np.sqrt(2.0) * np.cos(phase)])
+    cosines = np.sqrt(2.0) * np.cos(phase)
+    waves = np.column_stack([np.ones(scene.dwells), cosines - cosines.mean(axis=0)])
     return scene.in_rows(waves) * np.sqrt(weights)[:, None]

@@ -158,12 +158,12 @@ def explained_rows(table: VibrationTable) -> Explained[VibrationTable, Vibration
     """What a table is traced to; structure without a name where several names would stand for one course of the level.
 
     Of a few levels of one drive any two effects that follow the level alone make up almost any course of it: where one
-    without a name explains about as much, the names are forced upon it. And where effects fell that stood for
-    something, it is looked for once more without them.
+    without a name explains about as much, the names are forced upon it, even where one of them fell already. And where
+    effects fell that stood for something, it is looked for once more without them.
     """
     named = _explained(table)
-    forced = tuple(str(name) for name in named.trace.names if name in OF_THE_LEVEL)
     fallen = tuple(each.name for each in named.judged.withheld if not each.unnamed)
+    forced = {*map(str, named.trace.names), *fallen}.intersection(OF_THE_LEVEL)
     if len(forced) < 2 and not (fallen and _differs(named)):
         return named
     unnamed = _explained(table.without(*(OF_THE_LEVEL if len(forced) > 1 else fallen)))

@@ -12,6 +12,8 @@ PAIRS: Final = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2))
 _FIELDS: Final = ("mii_g2", "moo_g2", "mpp_g2", "mio_g2", "mip_g2")
 _EQUAL: Final = 1e-6
 """Relative difference below which two frequencies are one."""
+_QUADRATURE: Final = 2e-4
+"""Cosine of 90° as far as phases are stated, to a hundredth of a degree: what rounding leaves of it is no product."""
 
 
 def mean_products(rows: VibrationObservations) -> FloatArray:
@@ -41,6 +43,7 @@ def _of_sines(rows: VibrationObservations) -> FloatArray:
     for first, second in PAIRS:
         apart = np.abs(frequency_hz[:, first] - frequency_hz[:, second])
         one = apart <= _EQUAL * np.maximum(frequency_hz[:, first], frequency_hz[:, second])
-        product = 0.5 * peak_g[:, first] * peak_g[:, second] * np.cos(phase_rad[:, first] - phase_rad[:, second])
-        columns.append(np.where(one, product, 0.0))
+        cosine = np.cos(phase_rad[:, first] - phase_rad[:, second])
+        together = one & (np.abs(cosine) > _QUADRATURE)
+        columns.append(np.where(together, 0.5 * peak_g[:, first] * peak_g[:, second] * cosine, 0.0))
     return np.column_stack(columns)

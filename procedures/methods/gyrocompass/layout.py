@@ -13,7 +13,6 @@ BASE: Final = "base"
 LEVELLING_RATE: Final = "levelling_rate_deg_h"
 AZIMUTH_RATE: Final = "azimuth_rate_deg_h"
 TILT_GAMMA: Final = "tilt_gamma_deg"
-CHANNELS: Final = (LEVELLING_RATE, AZIMUTH_RATE, TILT_GAMMA)
 TILT_BETA: Final = "tilt_beta_deg"
 """How far the platform is off level; heeded while it settles, where the stand has such a channel."""
 _SAMPLES: Final = Column(name="samples", meaning="number of samples in each mean")
@@ -36,6 +35,7 @@ LAYOUT: Final = Layout(
             mean=Column(name=AZIMUTH_RATE, meaning="mean rate of the azimuth channel over the dwell, °/h"),
             sd=Column(name="azimuth_rate_sd_deg_h", meaning="standard deviation of the single samples of it, °/h"),
             samples=_SAMPLES,
+            optional=True,
         ),
         TILT_GAMMA: ChannelColumns(
             mean=Column(name=TILT_GAMMA, meaning="mean tilt of the levelling axis, positive where it points down, deg"),
@@ -61,10 +61,11 @@ LAYOUT: Final = Layout(
 
 
 def dwell_at(azimuth_deg: float, realisation: int, base: int | None) -> Dwell:
-    """A dwell of all channels with the turntable at an angle, on a base that leans in some way; None for any."""
+    """A dwell of rate, tilt and any azimuth channel with the turntable at an angle, `base` leaning; None for any."""
     return Dwell(
         targets_deg={AZIMUTH: azimuth_deg},
-        channels=CHANNELS,
+        channels=(LEVELLING_RATE, TILT_GAMMA),
+        further=(AZIMUTH_RATE,),
         procedure="position",
         realisation=realisation,
         conditions={} if base is None else {BASE: str(base)},

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any, Final
 
 from tumble.calibrations.methods.gyrocompass.observations import GyrocompassObservations
 from tumble.procedures.method import ProcedurePart
+from tumble.procedures.methods.gyrocompass.layout import AZIMUTH_RATE
 from tumble.procedures.methods.gyrocompass.positions import programme_of_list
-from tumble.procedures.methods.gyrocompass.programme import GyrocompassProgramme
+from tumble.procedures.methods.gyrocompass.programme import GyrocompassProgramme, NoiseTable
 
 if TYPE_CHECKING:
     from tumble.procedures.recording.recorded import Recording
@@ -41,6 +42,7 @@ PROCEDURE_PART: Final = ProcedurePart(
     rows=GyrocompassObservations,
     table=_table,
     derived=frozenset({"latitude_deg", "dwell_s", "rate_deg_h"}),
+    lacking=frozenset({AZIMUTH_RATE, *NoiseTable.model_fields}),
     demand=_demand,
     listed=programme_of_list,
     stand=files(__package__) / "stand.toml",

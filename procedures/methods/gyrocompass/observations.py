@@ -1,6 +1,7 @@
 """A recording as the table that the analysis reads."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,8 @@ from tumble.drivers.tables import DaqTable
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.methods.gyrocompass.layout import AZIMUTH, AZIMUTH_RATE, BASE, LEVELLING_RATE, TILT_GAMMA
+from tumble.procedures.methods.gyrocompass.programme import GyrocompassProgramme
+from tumble.procedures.programmes import programme_from_text
 from tumble.procedures.recording.endings import warnings
 from tumble.procedures.recording.recorded import Recording
 from tumble.procedures.steps import Point
@@ -54,12 +57,12 @@ def observations(recording: Recording) -> GyrocompassObservations:
         rate_deg_h=_means(points, LEVELLING_RATE) + up_rate(stated_deg) * np.sin(np.deg2rad(tilt_deg)),
         rate_sd_deg_h=_numbers([point.readings[LEVELLING_RATE].sd for point in points]),
         samples=np.array(samples, dtype=np.int64),
-        azimuth_rate_deg_h=_means(points, AZIMUTH_RATE),
+        azimuth_rate_deg_h=_means(points, AZIMUTH_RATE) if _all_have(points, AZIMUTH_RATE) else None,
         warnings=tuple(warnings(recording)),
         complete=recording.complete,
         source=str(recording.path),
     )
-    return without_missing(table, ("rate_deg_h",))
+    return without_missing(replace(table, **_declared_noise(recording)), ("rate_deg_h",))
 
 
 def rate_hz(stand: Mapping[str, Any]) -> float:
@@ -75,6 +78,18 @@ def _numbers(values: Sequence[float]) -> FloatArray:
 
 def _means(points: Sequence[Point], channel: str) -> FloatArray:
     return _numbers([point.readings[channel].mean for point in points])
+
+
+def _declared_noise(recording: Recording) -> dict[str, Any]:
+    """Columns of the noise that the programme declares of the gyro; none where it declares none."""
+    programme = programme_from_text(recording.header.programme_text, str(recording.path))
+    noise = programme.noise if isinstance(programme, GyrocompassProgramme) else None
+    told = {} if noise is None else noise.model_dump(exclude_defaults=True)
+    return {name: np.full(len(recording.points), size) for name, size in told.items()}
+
+
+def _all_have(points: Sequence[Point], channel: str) -> bool:
+    return all(channel in point.readings for point in points)
 
 
 def _known(values: Sequence[float | None]) -> FloatArray | None:

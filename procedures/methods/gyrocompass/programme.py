@@ -22,7 +22,7 @@ _HORIZONTAL_DEG_H = 9.6
 
 
 class NoiseTable(BaseModel):
-    """How the rate of the gyro wanders, for planning: coefficients of an Allan deviation, or a Gauss-Markov process."""
+    """How the rate of the gyro wanders, as declared: coefficients of an Allan deviation, or a Gauss-Markov process."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
@@ -62,7 +62,7 @@ class GyrocompassProgramme(Programme):
     tilt_rate_deg_h: float | None = Field(default=None, gt=0.0)
     """How fast it may still be levelling then, by two consecutive blocks; without it, what noise explains."""
     noise: NoiseTable | None = None
-    """With it, a plan says how uncertain the heading will be."""
+    """With it, a plan says how uncertain the heading will be, and a run what it is if the gyro is so."""
     limits: Mapping[GyrocompassParameter, Limit] = Field(default_factory=dict)  # type: ignore[assignment]  # fewer keys
 
     @model_validator(mode="after")

@@ -21,6 +21,7 @@ def unnamed(scene: VibrationScene) -> tuple[Axis, ...]:
     level, frequency = _level(scene), _frequency(scene)
     slow = (*_of_the_time(scene), *_of_the_warmth(scene))
     offset = Channel(word="offset", gain=np.ones(scene.rows), phrase=Message("an offset of the output"), unit="µg")
+    sine = scene.frequency_hz > 0.0
     moved = replace(
         offset, gain=(scene.power_g2 > 0.0).astype(float), phrase=Message("an offset under vibration"), detail="moved"
     )
@@ -32,8 +33,10 @@ def unnamed(scene: VibrationScene) -> tuple[Axis, ...]:
     )
     return axes(
         (offset, (level, *slow)),
-        (moved, (level, frequency)),
-        (response, (frequency, *slow)),
+        (moved, (level,)),
+        (replace(moved, gain=sine.astype(float)), (frequency,)),
+        (replace(response, gain=response.gain * sine), (frequency,)),
+        (response, slow),
         expected=(("offset", "time"),),
     )
 
@@ -66,7 +69,7 @@ def _frequency(scene: VibrationScene) -> Coordinate:
 
 
 def _octaves(frequency_hz: FloatArray) -> FloatArray:
-    """Above 1 Hz; of dwells without a frequency, which the channels leave out, those of the lowest one."""
+    """Above 1 Hz; of dwells without one, which the channels leave out, that of the lowest."""
     moved = frequency_hz > 0.0
     lowest = float(frequency_hz[moved].min()) if moved.any() else 1.0
     return np.asarray(np.log2(np.where(moved, frequency_hz, lowest)))
