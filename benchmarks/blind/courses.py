@@ -1,5 +1,6 @@
 """Structure without a name as a result states it (`unexplained`, `courses`), in rows that the table did not hold."""
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Final
 
@@ -7,6 +8,7 @@ import numpy as np
 from scipy.spatial import KDTree
 
 from benchmarks.blind.geometry import FloatArray
+from benchmarks.blind.unnamed.waves import lagged
 from benchmarks.blind.world import Acts, Effect, World
 
 Json = Mapping[str, Any]
@@ -24,6 +26,8 @@ _ALONG: Final[Mapping[str, Callable[[World], FloatArray]]] = {
     "order in the realisation": lambda world: world.run.place.astype(float),
 }
 """Variables that another realisation goes through again."""
+_LATELY: Final = re.compile(r"acceleration ax of the last (\d+) s")
+"""So is what acted in the time before, less what acts now."""
 _ONCE: Final = frozenset({"time", "realisation"})
 """Variables that never come back: in another realisation, what followed them is expected at its mean."""
 
@@ -33,7 +37,7 @@ def stated_courses(unexplained: Json | None) -> list[Effect] | None:
     if unexplained is None:
         return []
     told = unexplained.get("courses", ())
-    known = all(each["variable"] in _ONCE or _variable(each) in _ALONG for each in told)
+    known = all(each["variable"] in _ONCE or _along(_variable(each)) is not None for each in told)
     return [_effect(each) for each in told] if told and known else None
 
 
@@ -41,9 +45,17 @@ def _variable(course: Json) -> str:
     return f"{course['variable']} {course['detail']}".strip()
 
 
+def _along(variable: str) -> Callable[[World], FloatArray] | None:
+    """Return how a variable is read in a world; None where it is not known."""
+    if lately := _LATELY.fullmatch(variable):
+        return lambda world: lagged(world.ax, world.run.time_s, float(lately[1])) - world.ax
+    return _ALONG.get(variable)
+
+
 def _effect(course: Json) -> Effect:
     def amount(world: World) -> FloatArray:
-        return np.asarray(_followed(course, world) * (world.ax if course["channel"] == "scale" else 1.0))
+        acted = {"scale": world.ax, "cross": world.ax * world.ay}.get(course["channel"], 1.0)
+        return np.asarray(_followed(course, world) * acted)
 
     acts = Acts.ANGLE if course["channel"] == "angle" else Acts.OUTPUT
     return Effect(name=_variable(course), acts=acts, amount=amount, coefficients={})
@@ -53,7 +65,9 @@ def _followed(course: Json, world: World) -> FloatArray:
     at, value = np.array(course["at"]), np.array(course["value"])
     if course["variable"] in _ONCE:
         return np.full(len(world.run.time_s), value.mean())
-    here = _ALONG[_variable(course)](world)
+    along = _along(_variable(course))
+    assert along is not None, "courses along what is not known are left out"
+    here = along(world)
     if at.ndim > 1:
         return np.asarray(value[KDTree(at).query(here)[1]])
     return np.asarray(np.interp(here, at, value, period=360.0 if course["variable"] == "angle" else None))
