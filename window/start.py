@@ -13,12 +13,12 @@ from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QSessionManager
 from PySide6.QtWidgets import QApplication
 
+from tumble.window.faults import keep_details
 from tumble.window.look.language import speak
 from tumble.window.look.theme import dress, dress_window
 from tumble.window.main_window import MainWindow
-from tumble.window.menus import language, shade, text_scale
 from tumble.window.place import keep_on_screen
-from tumble.window.widgets.problem import keep_details
+from tumble.window.preferences import language, shade, text_scale
 
 _TURN_S: Final = 5e-4
 """How long another thread may compute before the event loop has its turn; Python's own 5 ms are felt."""
