@@ -17,6 +17,7 @@ from PySide6.QtCore import QPoint, QSettings
 from PySide6.QtGui import QColor, QImage, QRegion
 from PySide6.QtWidgets import (
     QAbstractButton,
+    QApplication,
     QComboBox,
     QFileDialog,
     QLabel,
@@ -84,7 +85,7 @@ def painted_contrast(part: QWidget) -> float:
 def _ground(part: QWidget) -> QColor:
     """What is painted behind a part, as its window shows it at the part's corner."""
     shown = part.window().grab(part.rect().translated(part.mapTo(part.window(), part.rect().topLeft()))).toImage()
-    return shown.pixelColor(0, shown.height() // 2)
+    return shown.pixelColor(shown.width() - 1, 0)
 
 
 def _contrast(one: int, other: int) -> float:
@@ -160,15 +161,10 @@ def _is_foreign(part: QWidget, language: Language) -> bool:
 class Tour:
     """A window that is taken through its states."""
 
-    def __init__(self, folder: Path) -> None:
-        self._qt = application()
-        QSettings.setDefaultFormat(QSettings.Format.IniFormat)
-        QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, str(folder))
-        QSettings().setValue("simulation/speed", 0)
-        QSettings().setValue("simulation/imagined", "true")
+    def __init__(self, running: Application, folder: Path) -> None:
+        self._running = running
         self._programme = folder / "tour.toml"
         self._programme.write_text(_PROGRAMME, encoding="utf-8")
-        self._running = Application(self._qt, folder / "store")
 
     @property
     def window(self) -> MainWindow:
@@ -221,7 +217,7 @@ class Tour:
         """Let the window come to rest."""
         self._wait(lambda: not self.window.background._under_way)
         for _ in range(20):
-            self._qt.processEvents()
+            QApplication.processEvents()
 
     def leave(self) -> None:
         """Close the window."""
@@ -230,7 +226,17 @@ class Tour:
 
     def _wait(self, condition: Callable[[], bool]) -> None:
         while not condition():
-            self._qt.processEvents()
+            QApplication.processEvents()
+
+
+def _application_in(folder: Path) -> Application:
+    """A window with settings and a store of its own, and a simulated stand that takes no time."""
+    qt = application()
+    QSettings.setDefaultFormat(QSettings.Format.IniFormat)
+    QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, str(folder))
+    QSettings().setValue("simulation/speed", 0)
+    QSettings().setValue("simulation/imagined", "true")
+    return Application(qt, folder / "store")
 
 
 def main() -> None:
@@ -242,7 +248,7 @@ def main() -> None:
     found: list[str] = []
     with tempfile.TemporaryDirectory() as name:
         os.environ["XDG_STATE_HOME"] = name
-        tour = Tour(Path(name))
+        tour = Tour(_application_in(Path(name)), Path(name))
         sizes = _SIZES[: 1 if chosen.quick else None]
         looks = product(Language, (Shade.LIGHT, Shade.DARK, Shade.CONTRAST), sizes, _SCALES)
         for language, shade, size, scale in looks:

@@ -47,12 +47,12 @@ class Shortcut:
 
 
 def shortcuts(window: QWidget) -> list[Shortcut]:
-    """Every key of a window that may be changed, in the order of its parts."""
+    """Every key of a window that may be changed; those that start motion are the last."""
     found: dict[str, list[MotionButton | KeyedAction]] = {}
     for each in _keyed(window):
         if each.usual_key != YES_KEY:
             found.setdefault(each.usual_key, []).append(each)
-    return [
+    listed = [
         Shortcut(
             usual=usual,
             title=" / ".join(dict.fromkeys(part.key_title for part in parts)),
@@ -60,6 +60,7 @@ def shortcuts(window: QWidget) -> list[Shortcut]:
         )
         for usual, parts in found.items()
     ]
+    return sorted(listed, key=lambda each: (each.moves, each.usual if each.moves else ""))
 
 
 def take_keys(window: QWidget) -> None:

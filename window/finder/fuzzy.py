@@ -2,8 +2,8 @@
 
 from typing import Final
 
-_AT_A_WORD: Final = 8
-_IN_A_ROW: Final = 5
+_AT_A_WORD: Final = 6
+_IN_A_ROW: Final = 8
 _LATER: Final = 0.1
 """What every letter costs that is passed over."""
 
@@ -16,7 +16,7 @@ def score(typed: str, name: str) -> float | None:
     wanted, text = "".join(typed.casefold().split()), name.casefold()
     if not wanted:
         return 0.0
-    best: dict[int, float] = {-1: 0.0}  # by the place of the letter that was found last
+    best: dict[int, float] = {-2: 0.0}  # by the place of the letter that was found last
     for letter in wanted:
         found: dict[int, float] = {}
         for place, here in enumerate(text):

@@ -31,6 +31,8 @@ class Colours:
     other_row: str
     """Every second row of a table."""
     button: str
+    outline: str
+    """Round buttons."""
     ink: str
     pale: str
     """What is less important, yet readable."""
@@ -53,6 +55,7 @@ LIGHT: Final = Colours(
     paper="#FFFFFF",
     other_row="#F6F8FA",
     button="#E6EAEF",
+    outline="#A9B2BD",
     ink="#1B222C",
     pale="#5B6573",
     disabled="#606975",
@@ -70,6 +73,7 @@ DARK: Final = Colours(
     paper="#1B1F26",
     other_row="#222730",
     button="#2A303A",
+    outline="#5A6472",
     ink="#E8ECF2",
     pale="#A3ADBA",
     disabled="#929BA7",
@@ -87,6 +91,7 @@ CONTRAST: Final = Colours(
     paper="#000000",
     other_row="#161616",
     button="#000000",
+    outline="#FFFFFF",
     ink="#FFFFFF",
     pale="#E0E0E0",
     disabled="#A8A8A8",

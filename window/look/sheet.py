@@ -2,7 +2,7 @@
 
 from typing import Final
 
-from tumble.window.look.shades import Colours
+from tumble.window.look.shades import CONTRAST, Colours
 
 _LOUD: Final = 1.3
 """How much larger STOP and the state are than other text."""
@@ -15,7 +15,11 @@ def style_sheet(chosen: Colours, text_scale: float, point_size: float) -> str:
     space, loud_pt = round(_SPACE_PX * text_scale), _LOUD * point_size * text_scale
     small_pt = point_size * text_scale
     return f"""
-    QPushButton {{ padding: {space}px {3 * space}px; }}
+    QPushButton {{ padding: {space}px {3 * space}px; background: {chosen.button}; color: {chosen.ink};
+        border: 1px solid {chosen.outline}; border-radius: {space}px; }}
+    QPushButton:hover, QPushButton:focus {{ border-color: {chosen.accent}; }}
+    QPushButton:pressed {{ background: {chosen.grid}; }}
+    QPushButton:disabled {{ color: {chosen.disabled}; border-color: {chosen.grid}; }}
     QLineEdit, QComboBox, QDateEdit {{ padding: {space // 2}px {space}px; }}
     QLineEdit {{ border: 1px solid {chosen.pale}; border-radius: 3px; }}
     QLineEdit:focus, QComboBox:focus {{ border: 2px solid {chosen.accent}; border-radius: 3px; }}
@@ -24,7 +28,7 @@ def style_sheet(chosen: Colours, text_scale: float, point_size: float) -> str:
     QPushButton#stop:hover {{ background: #D32F2F; }}
     QPushButton#primary {{ font-weight: bold; border: 2px solid {chosen.accent}; border-radius: {space}px; }}
     QPushButton#primary:disabled {{ border-color: {chosen.grid}; }}
-    QToolButton#rail {{ border: 1px solid transparent; border-radius: {space}px; padding: {space}px;
+    QToolButton#rail {{ border: 1px solid transparent; border-radius: {space}px; padding: {space // 2}px;
         background: transparent; color: {chosen.ink}; font-size: {small_pt}pt; }}
     QToolButton#rail:hover, QToolButton#rail:focus {{ border-color: {chosen.accent}; }}
     QToolButton#rail:checked {{ background: {chosen.accent}; color: {chosen.paper}; }}
@@ -41,4 +45,20 @@ def style_sheet(chosen: Colours, text_scale: float, point_size: float) -> str:
     QLabel#pale {{ color: {chosen.pale}; }}
     QLabel#good {{ color: {chosen.good}; font-weight: bold; }}
     QLabel#bad {{ color: {chosen.bad}; font-weight: bold; }}
+    QTabBar::tab {{ padding: {space}px {3 * space}px; color: {chosen.ink}; border-bottom: 3px solid transparent; }}
+    QTabBar::tab:selected {{ border-bottom-color: {chosen.accent}; font-weight: bold; }}
+    QTabBar::tab:hover {{ border-bottom-color: {chosen.outline}; }}
+    QTabBar::tab:disabled {{ color: {chosen.disabled}; }}
+    """ + (_outlines(chosen) if chosen is CONTRAST else "")
+
+
+def _outlines(chosen: Colours) -> str:
+    """Edges of what would be black on black: the style paints them darker than the window."""
+    return f"""
+    QComboBox, QDateEdit, QTabWidget::pane, QTableWidget, QListWidget, QPlainTextEdit, QTextBrowser, QProgressBar
+        {{ border: 1px solid {chosen.outline}; }}
+    QCheckBox::indicator {{ border: 2px solid {chosen.outline}; width: 12px; height: 12px; }}
+    QCheckBox::indicator:checked {{ background: {chosen.accent}; }}
+    QSplitter::handle {{ background: {chosen.grid}; }}
+    QToolTip {{ border: 1px solid {chosen.outline}; }}
     """

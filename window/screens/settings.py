@@ -72,8 +72,8 @@ class SettingsScreen(QWidget):
         self.keys.show_keys()
 
     def _connect(self) -> None:
-        self.language.activated.connect(lambda _: self.language_wanted.emit(self.language.currentData()))
-        self.shade.activated.connect(lambda _: self.shade_wanted.emit(self.shade.currentData()))
+        self.language.activated.connect(lambda _: self.language_wanted.emit(Language(self.language.currentData())))
+        self.shade.activated.connect(lambda _: self.shade_wanted.emit(Shade(self.shade.currentData())))
         self.scale.activated.connect(lambda _: self.scale_wanted.emit(self.scale.currentData()))
         self.sound.toggled.connect(preferences.choose_sound)
         self.flash.toggled.connect(preferences.choose_flash)

@@ -14,6 +14,7 @@ from tumble.procedures.events import Event, Identified
 from tumble.window.look.language import tr
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
+from tumble.window.widgets.column import Column
 from tumble.window.widgets.dialog import FileDialog
 from tumble.window.widgets.dials import Dials
 from tumble.window.widgets.instrument_table import InstrumentTable
@@ -111,12 +112,7 @@ class StandScreen(QWidget):
         choice.addWidget(self._name, stretch=1)
         for button in (self._browse, self._built_in, self.connect_button, self.disconnect_button):
             choice.addWidget(button)
-        facts = QWidget()
-        column = QVBoxLayout(facts)
-        column.setContentsMargins(0, 0, 0, 0)
-        for part in (self.table, self.simulation, self._notice, self.jog):
-            column.addWidget(part)
-        column.addStretch(1)
+        facts = Column((self.table, self.simulation, self._notice, self.jog))
         halves = Splitter(Qt.Orientation.Horizontal, (self.dials, facts), (1, 1))
         layout = QVBoxLayout(self)
         layout.addLayout(choice)

@@ -19,6 +19,8 @@ _LINES_ALONE: Final = 1.25
 """The same where there is no room for titles."""
 _HIGH_ALONE: Final = 1.75
 """Height of a button then, in lines."""
+_AROUND_PX: Final = 20
+"""Above, between and below six of them."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -88,7 +90,8 @@ class RailButton(QToolButton):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QColor(colours(self).paper))
         painter.setBrush(QColor(self.badge.tint.ground))
-        centre = QPointF(self.width() / 2 + self.iconSize().width() / 2, radius + 3)
+        across = min((self.width() + self.iconSize().width()) / 2, self.width() - radius - 2)
+        centre = QPointF(across, radius + 3)
         painter.drawEllipse(centre, radius, radius)
         font = self.font()
         font.setBold(True)
@@ -117,7 +120,8 @@ class Rail(QWidget):
         self._group = QActionGroup(self)
         self.buttons: list[RailButton] = []
         column = QVBoxLayout(self)
-        column.setContentsMargins(4, 6, 0, 6)
+        column.setContentsMargins(4, 4, 0, 4)
+        column.setSpacing(2)
         for number, place in enumerate(places):
             if place.is_apart and not places[number - 1].is_apart:
                 column.addStretch(1)
@@ -129,7 +133,7 @@ class Rail(QWidget):
     def minimumSizeHint(self) -> QSize:  # noqa: N802  # Qt's name
         """As high as the signs alone are, and as wide as what is shown."""
         high = _HIGH_ALONE * len(self.buttons) * self.fontMetrics().height()
-        return QSize(self._needed().width(), round(high))
+        return QSize(self._needed().width(), round(high) + _AROUND_PX)
 
     def sizeHint(self) -> QSize:  # noqa: N802  # Qt's name
         """As large as what is shown."""
