@@ -26,6 +26,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from tumble.app.stand import load_stand
 from tumble.messages import Language, translate
 from tumble.window.look.language import spoken
 from tumble.window.look.shades import Shade
@@ -36,6 +37,8 @@ LEAST_CONTRAST = 4.5
 """WCAG 2.1, 1.4.3."""
 _SHARPNESS = 3
 """Times larger than on screen: a stroke is then wide enough to have a pixel in its own colour."""
+_EDGE_PX = 2
+"""Width of what is drawn around a field or a button; it is no ground of letters."""
 _SIZES = ((1280, 800), (1920, 1080), (3840, 2160))
 _SCALES = (1.0, 2.0)
 _PROGRAMME = """\
@@ -47,6 +50,19 @@ settle_s = 0.0
 kind = "sweep"
 step_deg = 30.0
 points = 12
+"""
+
+_STAND = """\
+name = "tour"
+
+[head]
+driver = "simulated"
+
+[daq]
+driver = "simulated"
+
+[simulated]
+preset = "DXL203EB"
 """
 
 
@@ -77,15 +93,22 @@ def painted_contrast(part: QWidget) -> float:
     image.setDevicePixelRatio(_SHARPNESS)
     image.fill(_ground(part))
     part.render(image, QPoint(), QRegion(), QWidget.RenderFlag.DrawChildren)
-    colours, counts = np.unique(np.frombuffer(image.constBits(), np.uint32), return_counts=True)
-    ground = int(colours[counts.argmax()])
+    edge = _EDGE_PX * _SHARPNESS
+    colours, ground = _colours(image.copy(image.rect().adjusted(edge, edge, -edge, -edge)))
     return max(_contrast(ground, int(each)) for each in colours)
 
 
 def _ground(part: QWidget) -> QColor:
-    """What is painted behind a part, as its window shows it at the part's corner."""
-    shown = part.window().grab(part.rect().translated(part.mapTo(part.window(), part.rect().topLeft()))).toImage()
-    return shown.pixelColor(shown.width() - 1, 0)
+    """What is painted behind a part, and around its letters, as its window shows it."""
+    place = part.rect().translated(part.mapTo(part.window(), part.rect().topLeft()))
+    return QColor(_colours(part.window().grab(place).toImage())[1])
+
+
+def _colours(image: QImage) -> tuple[np.ndarray, int]:
+    """The colours of an image, and the one that is most frequent."""
+    pixels = np.frombuffer(image.convertToFormat(QImage.Format.Format_RGB32).constBits(), np.uint32)
+    colours, counts = np.unique(pixels, return_counts=True)
+    return colours, int(colours[counts.argmax()])
 
 
 def _contrast(one: int, other: int) -> float:
@@ -165,6 +188,8 @@ class Tour:
         self._running = running
         self._programme = folder / "tour.toml"
         self._programme.write_text(_PROGRAMME, encoding="utf-8")
+        self._stand = folder / "stand.toml"
+        self._stand.write_text(_STAND, encoding="utf-8")
 
     @property
     def window(self) -> MainWindow:
@@ -201,6 +226,12 @@ class Tour:
             self.settle()
             yield place.sign
         window.open(window.stand)
+        window.stand.open(self._stand)
+        window.stand.edit()
+        self.settle()
+        yield "editor"
+        window.stand.editor.leave()
+        window.stand.use(load_stand())
         window.tell(ValueError("bent"))
         window.stand.open(self._programme)
         window.way_out._ask()

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from datetime import UTC, datetime
 from pathlib import Path
 
-from tumble.app.exits import status_of
+from tumble.app.exits import sentence_of, status_of
 from tumble.drivers.private_files import state_folder
 from tumble.messages import Message
 from tumble.window.look.language import tr
@@ -20,8 +20,8 @@ def is_known(error: BaseException) -> bool:
 
 def fault_notice(error: BaseException, action: Action | None) -> Notice:
     """What went wrong; of a fault of the program that, and in which file the details are."""
-    if is_known(error):
-        return Notice(text=in_language(str(error)), kind=Kind.FAULT, action=action)
+    if isinstance(error, Exception) and status_of(error) is not None:
+        return Notice(text=in_language(sentence_of(error)), kind=Kind.FAULT, action=action)
     said, place = f"{type(error).__name__}: {error}", keep_details(error)
     return Notice(
         text=tr("A fault of the program; the head was told to stop."),

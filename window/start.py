@@ -1,5 +1,6 @@
 """The application: one window, its colours and its language, and what becomes of exceptions and signals."""
 
+import gc
 import signal
 import sys
 import threading
@@ -114,7 +115,10 @@ class Application(QObject):
 
 def application() -> QApplication:
     """The one `QApplication`, with the name under which settings are kept."""
-    made = QApplication.instance() or QApplication(sys.argv[:1])
+    made = QApplication.instance()
+    if made is None:
+        gc.freeze()  # what was imported stays, and need not be looked at whenever garbage is collected
+        made = QApplication(sys.argv[:1])
     assert isinstance(made, QApplication), "another kind of application was made before"
     made.setOrganizationName("tumble")
     made.setApplicationName("tumble")

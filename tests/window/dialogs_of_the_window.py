@@ -48,12 +48,21 @@ def _export_over(driver, path):
     driver.window.records._export_unless_there(path)
 
 
+def _leave_changed(driver, path):
+    editor = driver.window.stand.editor
+    editor.open(path)
+    editor.text.appendPlainText("# a remark")
+    editor.leave()
+
+
 DIALOGS = {
     "stand file": lambda driver, path: driver.window.stand._choose(),
     "programme": lambda driver, path: driver.run.form._choose_file(),
     "export": lambda driver, path: driver.window.records._ask_for_export("20260101-1"),
     "replace": _export_over,
     "another stand": lambda driver, path: driver.window.beginning.begin(_Elsewhere(path)),
+    "copy of the stand file": lambda driver, path: driver.window.stand.editor._choose_place(),
+    "leave the stand file": _leave_changed,
     "leave": lambda driver, path: driver.window.way_out._ask(),
 }
 """Each is called with the driver and with the path of a stand file, and opens a `Dialog`."""
@@ -89,6 +98,8 @@ SOURCES = {
     ("beginning.py", "QuestionDialog"),
     ("way_out.py", "QuestionDialog"),
     ("screens/stand.py", "FileDialog"),
+    ("screens/stand_editor.py", "FileDialog"),
+    ("screens/stand_editor.py", "QuestionDialog"),
     ("screens/records.py", "FileDialog"),
     ("screens/records.py", "QuestionDialog"),
     ("widgets/run_form.py", "FileDialog"),

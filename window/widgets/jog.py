@@ -84,7 +84,7 @@ class Jog(QFrame):
     def _keep_readable(self) -> None:
         """Have room for an example of an angle, with what is around it."""
         example = f"{self.angle.placeholderText()}MM"
-        self.angle.setMinimumWidth(self.angle.fontMetrics().horizontalAdvance(example))
+        self.angle.setMinimumWidth(self.fontMetrics().horizontalAdvance(example))
 
     def _go(self) -> None:
         try:

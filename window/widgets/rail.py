@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from tumble.window.look.icons import icon
 from tumble.window.look.keys import KeyedAction, key_text
+from tumble.window.look.shades import Colours
 from tumble.window.look.theme import colours
 from tumble.window.look.tints import Tint
 
@@ -52,10 +53,11 @@ class RailButton(QToolButton):
     def __init__(self, place: Place, action: KeyedAction, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._place = place
+        self._painted_in: Colours | None = None
         self.badge: Badge | None = None
-        self.setObjectName("rail")
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setDefaultAction(action)
+        self.setObjectName("rail")
         self._recolour()
         self.wear(None)
 
@@ -76,9 +78,9 @@ class RailButton(QToolButton):
         self.update()
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802  # Qt's name
-        """Take over another palette or text size."""
+        """Take over another palette."""
         super().changeEvent(event)
-        if event.type() in (QEvent.Type.PaletteChange, QEvent.Type.FontChange):
+        if event.type() == QEvent.Type.PaletteChange and self.defaultAction() is not None:
             self._recolour()
 
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: N802  # Qt's name
@@ -105,9 +107,9 @@ class RailButton(QToolButton):
 
     def _recolour(self) -> None:
         chosen = colours(self)
-        action = self.defaultAction()
-        if action is not None:
-            action.setIcon(icon(self._place.sign, chosen.ink, chosen.paper))
+        if chosen is not self._painted_in:
+            self._painted_in = chosen
+            self.defaultAction().setIcon(icon(self._place.sign, chosen.ink, chosen.paper))
 
 
 class Rail(QWidget):
