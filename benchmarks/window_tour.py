@@ -57,6 +57,7 @@ name = "tour"
 
 [head]
 driver = "simulated"
+limits_deg = [-180.0, 760.0]
 
 [daq]
 driver = "simulated"

@@ -22,7 +22,6 @@ def style_sheet(chosen: Colours, text_scale: float, point_size: float) -> str:
     QPushButton:disabled {{ color: {chosen.disabled}; border-color: {chosen.grid}; }}
     QLineEdit, QComboBox, QDateEdit {{ padding: {space // 2}px {space}px; }}
     QLineEdit {{ border: 1px solid {chosen.pale}; border-radius: 3px; }}
-    QComboBox {{ background: {chosen.button}; border: 1px solid {chosen.outline}; border-radius: 3px; }}
     QComboBox:disabled, QCheckBox:disabled {{ color: {chosen.disabled}; }}
     QLineEdit:focus, QComboBox:focus {{ border: 2px solid {chosen.accent}; border-radius: 3px; }}
     QPushButton#stop {{ background: #B71C1C; color: white; font-weight: bold; font-size: {loud_pt}pt;
@@ -57,7 +56,7 @@ def style_sheet(chosen: Colours, text_scale: float, point_size: float) -> str:
 def _outlines(chosen: Colours) -> str:
     """Edges of what would be black on black: the style paints them darker than the window."""
     return f"""
-    QDateEdit, QTabWidget::pane, QTableWidget, QListWidget, QPlainTextEdit, QTextBrowser, QProgressBar
+    QComboBox, QDateEdit, QTabWidget::pane, QTableWidget, QListWidget, QPlainTextEdit, QTextBrowser, QProgressBar
         {{ border: 1px solid {chosen.outline}; }}
     QCheckBox::indicator {{ border: 2px solid {chosen.outline}; width: 12px; height: 12px; }}
     QCheckBox::indicator:checked {{ background: {chosen.accent}; }}

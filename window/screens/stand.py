@@ -78,7 +78,7 @@ class StandScreen(QWidget):
 
     def _show_stand(self, loaded: LoadedStand) -> None:
         place = str(loaded.path) if loaded.path else tr("the simulated stand that is built in")
-        self._name.setText(f"<b>{escape(loaded.file.name)}</b><br>{escape(place)}")
+        self._name.setText(f"<b>{escape(loaded.file.name)}</b><br>{_breakable(escape(place))}")
         self.table.show_stand(loaded)
         self.jog.show_positioners(tuple(loaded.file.positioners))
         self.simulation.setVisible(loaded.file.simulates)
@@ -198,6 +198,11 @@ class StandScreen(QWidget):
         self.connect_button.setEnabled(free and not self._connected)
         self.disconnect_button.setEnabled(free and self._connected)
         self.jog.setEnabled(free and self._connected and not self._by_hand)
+
+
+def _breakable(path: str) -> str:
+    """Markup that may begin a new line after each folder."""
+    return path.replace("/", "/<wbr>").replace("\\", "\\<wbr>")
 
 
 def remembered_stand() -> tuple[LoadedStand, InputError | None]:
