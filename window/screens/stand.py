@@ -4,7 +4,7 @@ from html import escape
 from pathlib import Path
 
 from PySide6.QtCore import QSettings, Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
 
 from tumble.app.stand import LoadedStand, load_stand
 from tumble.app.wiring import Attendant
@@ -18,6 +18,7 @@ from tumble.window.screens.stand_editor import StandEditor
 from tumble.window.widgets.column import Column
 from tumble.window.widgets.dialog import FileDialog
 from tumble.window.widgets.dials import Dials
+from tumble.window.widgets.folding_row import FoldingRow, buttons_beside
 from tumble.window.widgets.instrument_table import InstrumentTable
 from tumble.window.widgets.jog import Jog
 from tumble.window.widgets.simulation_settings import SimulationSettings
@@ -78,7 +79,7 @@ class StandScreen(QWidget):
 
     def _show_stand(self, loaded: LoadedStand) -> None:
         place = str(loaded.path) if loaded.path else tr("the simulated stand that is built in")
-        self._name.setText(f"<b>{escape(loaded.file.name)}</b><br>{_breakable(escape(place))}")
+        self._name.setText(f"<b>{escape(loaded.file.name)}</b><br>{escape(place)}")
         self.table.show_stand(loaded)
         self.jog.show_positioners(tuple(loaded.file.positioners))
         self.simulation.setVisible(loaded.file.simulates)
@@ -115,15 +116,13 @@ class StandScreen(QWidget):
         self._name.setWordWrap(True)
         self._notice.setWordWrap(True)
         self._notice.setObjectName("bad")
-        choice = QHBoxLayout()
-        choice.addWidget(self._name, stretch=1)
-        for button in (self._browse, self._built_in, self.edit_button, self.connect_button, self.disconnect_button):
-            choice.addWidget(button)
+        files = buttons_beside((self._browse, self._built_in, self.edit_button))
+        links = buttons_beside((self.connect_button, self.disconnect_button))
         facts = Column((self.table, self.simulation, self._notice, self.jog))
         self._facts = Splitter(Qt.Orientation.Horizontal, (self.dials, facts), (1, 1))
         self.editor.hide()
         layout = QVBoxLayout(self)
-        layout.addLayout(choice)
+        layout.addWidget(FoldingRow((self._name, files, links)))
         layout.addWidget(self._facts, stretch=1)
         layout.addWidget(self.editor, stretch=1)
 
@@ -198,11 +197,6 @@ class StandScreen(QWidget):
         self.connect_button.setEnabled(free and not self._connected)
         self.disconnect_button.setEnabled(free and self._connected)
         self.jog.setEnabled(free and self._connected and not self._by_hand)
-
-
-def _breakable(path: str) -> str:
-    """Markup that may begin a new line after each folder."""
-    return path.replace("/", "/<wbr>").replace("\\", "\\<wbr>")
 
 
 def remembered_stand() -> tuple[LoadedStand, InputError | None]:

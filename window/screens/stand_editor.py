@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Final
 
 from PySide6.QtCore import Signal
-from PySide6.QtGui import QColor, QFontDatabase, QTextCursor, QTextFormat
+from PySide6.QtGui import QColor, QTextCursor, QTextFormat
 from PySide6.QtWidgets import QHBoxLayout, QPlainTextEdit, QPushButton, QTextEdit, QVBoxLayout, QWidget
 
 from tumble.app.stand import LoadedStand, check_stand_text
@@ -40,9 +40,9 @@ class StandEditor(QWidget):
         super().__init__(parent)
         self._now, self._path = now, Path()
         self._before: str | None = None
-        self.title, self.said, self.text = PlainLabel(), PlainLabel(), QPlainTextEdit()
-        self.title.setObjectName("heading")
+        self.said, self.text = PlainLabel(), QPlainTextEdit()
         self.said.setWordWrap(True)
+        self.text.setObjectName("code")
         self.text.setAccessibleName(tr("Stand file"))
         self.save_button = _button(tr("&Save"), self._save)
         self.copy_button = _button(tr("Save &as…"), self._choose_place)
@@ -80,9 +80,7 @@ class StandEditor(QWidget):
 
     def _show(self, path: Path, text: str) -> None:
         self._path, self._before = path, text
-        self.title.setText(str(path))
         self.text.setPlainText(text)
-        self.text.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
 
     def _check(self) -> None:
         """Say what is wrong, and mark its line."""
@@ -133,14 +131,13 @@ class StandEditor(QWidget):
 
     def _lay_out(self) -> None:
         buttons = QHBoxLayout()
-        buttons.addWidget(self.title, stretch=1)
+        buttons.addWidget(self.said, stretch=1)
         for button in (self.save_button, self.copy_button, self.back_button):
             buttons.addWidget(button)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.addLayout(buttons)
         column.addWidget(self.text, stretch=1)
-        column.addWidget(self.said)
 
 
 def _button(text: str, do: Callable[[], None]) -> QPushButton:
