@@ -54,7 +54,8 @@ class Frame(QWidget):
     def _room(self) -> int:
         """What everything else leaves of the height for dialogs."""
         kept = sum(part.minimumSizeHint().height() for part in (self.rail, self.stop_bar))
-        return max(self.window().height() - kept - self.strip.height() - self._above() - _GAPS_PX, 0)
+        strip = max(self.strip.height(), self.strip.minimumSizeHint().height())
+        return max(self.window().height() - kept - strip - self._above() - _GAPS_PX, 0)
 
     def _lay_out(self) -> None:
         for screen in self.screens:

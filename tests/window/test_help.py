@@ -65,3 +65,12 @@ def test_without_a_handbook_the_keys_are_shown(lent_driver, monkeypatch):
     monkeypatch.setattr(screen, "_folder", None)
     screen.open_handbook()
     assert screen.reader.toPlainText().startswith("Keys")
+
+
+@pytest.mark.parametrize("width", [900, 1264])
+def test_pictures_are_as_wide_as_their_share_of_the_page(lent_driver, screen, width):
+    screen.open_handbook()
+    lent_driver.window.resize(width, 760)
+    room = round(0.42 * screen.reader.viewport().width())
+    widths = {part.charFormat().toImageFormat().width() for part in screen.reader._pictures()}
+    assert widths == {room}

@@ -4,7 +4,9 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeySequence
 
+from tumble.messages import Language
 from tumble.window.look.keys import chosen_key, forget_keys
+from tumble.window.look.language import speak
 from tumble.window.screens.run_state import Phase
 from tumble.window.shortcuts import Shortcut, refusal, shortcuts
 
@@ -15,6 +17,11 @@ def driver(lent_driver):
     yield lent_driver
     forget_keys()
     lent_driver.window.settings.keys.changed.emit()
+
+
+@pytest.fixture(autouse=True)
+def english(qapp):
+    speak(Language.ENGLISH)
 
 
 PAUSE = Shortcut(usual="F6", title="Pause", moves=True)

@@ -18,8 +18,10 @@ _LINES: Final = 1.7
 """Height of a sign in lines of text."""
 _LINES_ALONE: Final = 1.25
 """The same where there is no room for titles."""
-_HIGH_ALONE: Final = 1.75
-"""Height of a button then, in lines."""
+_LEAST_PX: Final = 16
+"""The same where there is least room."""
+_LEAST_BUTTON_PX: Final = 28
+"""Height of a button then."""
 _AROUND_PX: Final = 20
 """Above, between and below six of them."""
 
@@ -61,13 +63,20 @@ class RailButton(QToolButton):
         self._recolour()
         self.wear(None)
 
-    def name_it(self, named: bool) -> None:
-        """Show its title below its sign, or the sign alone."""
+    def name_it(self) -> None:
+        """Show its title below its sign."""
         style = Qt.ToolButtonStyle
-        wanted = named and not self._place.is_apart
-        edge = round((_LINES if named else _LINES_ALONE) * self.fontMetrics().height())
+        self.setToolButtonStyle(style.ToolButtonIconOnly if self._place.is_apart else style.ToolButtonTextUnderIcon)
+        self._size_sign(round(_LINES * self.fontMetrics().height()))
+
+    def show_sign(self, height: int) -> None:
+        """Show its sign alone, as large as a height allows."""
+        self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
+        around = self.sizeHint().height() - self.iconSize().height()
+        self._size_sign(max(_LEAST_PX, min(height - around, round(_LINES_ALONE * self.fontMetrics().height()))))
+
+    def _size_sign(self, edge: int) -> None:
         self.setIconSize(QSize(edge, edge))
-        self.setToolButtonStyle(style.ToolButtonTextUnderIcon if wanted else style.ToolButtonIconOnly)
 
     def wear(self, badge: Badge | None) -> None:
         """Show another badge, or none."""
@@ -133,9 +142,8 @@ class Rail(QWidget):
         self.buttons[0].defaultAction().setChecked(True)
 
     def minimumSizeHint(self) -> QSize:  # noqa: N802  # Qt's name
-        """As high as the signs alone are, and as wide as what is shown."""
-        high = _HIGH_ALONE * len(self.buttons) * self.fontMetrics().height()
-        return QSize(self._needed().width(), round(high) + _AROUND_PX)
+        """As high as the least signs alone, and as wide as what is shown."""
+        return QSize(self._needed().width(), _LEAST_BUTTON_PX * len(self.buttons) + _AROUND_PX)
 
     def sizeHint(self) -> QSize:  # noqa: N802  # Qt's name
         """As large as what is shown."""
@@ -167,11 +175,11 @@ class Rail(QWidget):
             self._name_them()
 
     def _name_them(self) -> None:
-        for named in (True, False):
+        for button in self.buttons:
+            button.name_it()
+        if self._needed().height() > self.height():
             for button in self.buttons:
-                button.name_it(named)
-            if self._needed().height() <= self.height():
-                break
+                button.show_sign((self.height() - _AROUND_PX) // len(self.buttons))
         self.updateGeometry()
 
     def _needed(self) -> QSize:
