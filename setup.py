@@ -1,5 +1,6 @@
 """Looks whether a checkout is whole and compiles its catalogues; what is built stands in pyproject.toml."""
 
+import shutil
 import sys
 from pathlib import Path
 from typing import ClassVar
@@ -10,6 +11,8 @@ from setuptools import Command, setup
 from setuptools.command.build_py import build_py
 
 HERE = Path(__file__).parent
+HANDBOOK = ("*.md", "*.png", "window/*.png", "decisions/*.md")
+"""What the window shows of `docs`."""
 LINKED = ("app", "calibrations", "drivers", "emulators", "procedures", "window")
 
 for name in LINKED:
@@ -39,12 +42,22 @@ class CompileCatalogues(Command):
 
 
 class BuildWithCatalogues(build_py):
-    """Builds what stands in pyproject.toml, the compiled catalogues included."""
+    """Builds what stands in pyproject.toml, the compiled catalogues and the handbook included."""
 
     def finalize_options(self) -> None:
         """Compile before the files that a package brings along are counted."""
         self.run_command("compile_catalogues")
         super().finalize_options()
+
+    def run(self) -> None:
+        """Build, and put the handbook into the package; a checkout reads it where it is written."""
+        super().run()
+        if self.editable_mode:
+            return
+        for page in (page for pattern in HANDBOOK for page in (HERE / "docs").glob(pattern)):
+            place = Path(self.build_lib) / "tumble" / "handbook" / page.relative_to(HERE / "docs")
+            place.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(page, place)
 
 
 setup(cmdclass={"build_py": BuildWithCatalogues, "compile_catalogues": CompileCatalogues})

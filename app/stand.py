@@ -124,21 +124,23 @@ def load_stand(path: Path | None = None, method: str = FIRST) -> LoadedStand:
     InputError
         Unreadable or invalid, or a driver cannot be loaded: file, line, what is wrong and what to do.
     """
-    text = _Text.at(path, method)
-    written = text.written()
-    drivers = {place: text.driver(place) for place in places(text.data)}
-    file = text.checked({place: driver.table if driver else place.kind for place, driver in drivers.items()})
-    positioners, samplers, environments, exciters = (
-        {place.name: driver for place, driver in drivers.items() if place.kind is kind}
-        for kind in (HeadTable, DaqTable, ChamberTable, ExciterTable)
-    )
-    return LoadedStand(
-        **vars(written) | {"file": file},
-        positioner_drivers=positioners,
-        sampler_drivers=samplers,
-        environment_drivers=environments,
-        exciter_drivers=exciters,
-    )
+    return _Text.at(path, method).loaded()
+
+
+def check_stand_text(text: str, path: Path) -> None:
+    """Find out whether a text would do as the stand file at a path, as far as that is known without running a file.
+
+    Raises
+    ------
+    InputError
+        As `read_stand`.
+    """
+    _Text(text=text, source=str(path), path=path).written()
+
+
+def load_stand_text(text: str, path: Path) -> LoadedStand:
+    """What `load_stand` would give if a text were the stand file at a path. Raises as that."""
+    return _Text(text=text, source=str(path), path=path).loaded()
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -174,6 +176,22 @@ class _Text:
             sha256=sha256(self.text.encode()).hexdigest(),
             recorded=without_simulated(self.data),
             code_sha256={name: hash_of_file(name, self.folder) for name in sorted(_code_of(file))},
+        )
+
+    def loaded(self) -> LoadedStand:
+        written = self.written()
+        drivers = {place: self.driver(place) for place in places(self.data)}
+        file = self.checked({place: driver.table if driver else place.kind for place, driver in drivers.items()})
+        positioners, samplers, environments, exciters = (
+            {place.name: driver for place, driver in drivers.items() if place.kind is kind}
+            for kind in (HeadTable, DaqTable, ChamberTable, ExciterTable)
+        )
+        return LoadedStand(
+            **vars(written) | {"file": file},
+            positioner_drivers=positioners,
+            sampler_drivers=samplers,
+            environment_drivers=environments,
+            exciter_drivers=exciters,
         )
 
     def checked(self, tables: Mapping[Place, type[BaseModel]]) -> StandFile:

@@ -1,38 +1,45 @@
-"""The frame around the screens: navigation, dialogs, STOP, menus, and the way out."""
+"""The window: screens and threads put together, and the way out."""
 
+from collections.abc import Callable
 from pathlib import Path
-from typing import Final
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QCloseEvent, QKeyEvent, QShowEvent
-from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QMainWindow, QWidget
 
 from tumble.app.stand import LoadedStand
+from tumble.window.badges import Badges
+from tumble.window.beginning import Beginning
+from tumble.window.call import Caller
+from tumble.window.choices import Choices
+from tumble.window.faults import fault_notice
+from tumble.window.finding import Finding
+from tumble.window.frame import Frame
+from tumble.window.look.icons import window_icon
+from tumble.window.look.keys import KeyedAction
 from tumble.window.look.language import tr
 from tumble.window.menus import Menus
 from tumble.window.place import keep_on_screen, remember_place, restore_place
+from tumble.window.recent import remember_stand
+from tumble.window.remedies import Remedies
+from tumble.window.screens.help import HelpScreen
 from tumble.window.screens.records import RecordsScreen
 from tumble.window.screens.result import ResultScreen
 from tumble.window.screens.run import RunScreen
 from tumble.window.screens.run_state import Phase
+from tumble.window.screens.settings import SettingsScreen
 from tumble.window.screens.stand import StandScreen, remembered_stand
+from tumble.window.shortcuts import Shortcut, shortcuts, take_keys
 from tumble.window.stop_guard import STOP_KEYS, StopGuard
 from tumble.window.way_out import WayOut
-from tumble.window.widgets.dialog import Dialog, Dialogs, QuestionDialog
-from tumble.window.widgets.navigation import Navigation
-from tumble.window.widgets.problem import ProblemDialog
-from tumble.window.widgets.screen_area import ScreenArea
-from tumble.window.widgets.stop_bar import StopBar
-from tumble.window.widgets.top_strip import TopStrip
-from tumble.window.work.activity import Activity, Concluded
+from tumble.window.widgets.notice import ACT_KEY, Notice
+from tumble.window.widgets.rail import Place
+from tumble.window.work.activity import Concluded
 from tumble.window.work.background import Background
 from tumble.window.work.bridge import EventBridge
 from tumble.window.work.operator import WindowOperator
 from tumble.window.work.session import StandIdentity
 from tumble.window.work.stand_worker import StandWorker
-
-_GAPS: Final = 24
-"""Pixels between the parts of the window, together."""
 
 
 class MainWindow(QMainWindow):
@@ -51,29 +58,39 @@ class MainWindow(QMainWindow):
         self.bridge, self.operator, self.background = EventBridge(self), WindowOperator(self), Background(self)
         loaded, trouble = remembered_stand()
         self.worker = StandWorker(self.bridge, loaded, self)
-        self.stand = StandScreen(self.worker, self.bridge, self.operator)
-        self.run = RunScreen(
-            self.worker, self.bridge, self.stand.attendant, self.operator, self.background, lambda: self.store
-        )
-        self.result = ResultScreen(self.background, lambda: self.worker.session.loaded)
-        self.records = RecordsScreen(self.background, lambda: self.store)
-        self.strip, self.stop_bar, self.dialogs = TopStrip(), StopBar(), Dialogs(self._room)
         self.way_out = WayOut(self.worker, lambda: self.busy, self)
-        self._guard = StopGuard(self.stop_bar.button, self)
-        self._screens = QStackedWidget()
-        titles = (tr("Stand"), tr("Run"), tr("Result"), tr("Records"))
-        self._navigation = Navigation(titles)
-        self.menus = Menus(self.menuBar(), lambda: self.busy, self)
-        self._lay_out()
+        self.choices = Choices(lambda: self.busy, self)
+        self._make_screens()
+        self.frame = Frame(_places(), self._in_order, lambda: self.menuBar().minimumSizeHint().height())
+        self.strip, self.stop_bar, self.dialogs = self.frame.strip, self.frame.stop_bar, self.frame.dialogs
+        self.notices, self.finder = self.frame.notices, self.frame.finder
+        self.setCentralWidget(self.frame)
+        self.setWindowIcon(window_icon())
+        self.menus, self._guard = Menus(self.menuBar(), self), StopGuard(self.stop_bar.button, self)
+        self._badges, self._caller = Badges(self.frame.rail), Caller(self)
+        self._remedies = Remedies(
+            is_free=lambda: not (self.busy or self.worker.session.is_connected),
+            connect=self.stand.connect_button.click,
+            resume=self.records.resume,
+        )
+        self.finding = Finding(
+            frame=self.frame,
+            menus=self.menuBar(),
+            background=self.background,
+            store=lambda: self.store,
+            open_stand=self._open_stand,
+            show_unit=self._show_unit,
+        )
+        self.beginning = Beginning(self.run, self.stand, lambda: self.worker.session, lambda: self.busy, self)
         self._connect()
-        self._navigation.choose(restore_place(self))
+        self.frame.rail.choose(restore_place(self))
         self._show_stand(loaded)
         if trouble is not None:
             self.tell(trouble)
 
     @property
     def _in_order(self) -> tuple[QWidget, ...]:
-        return (self.stand, self.run, self.result, self.records)
+        return (self.stand, self.run, self.result, self.records, self.settings, self.help)
 
     @property
     def busy(self) -> bool:
@@ -82,11 +99,11 @@ class MainWindow(QMainWindow):
 
     def open(self, screen: QWidget) -> None:
         """Show one of the screens."""
-        self._navigation.choose(self._in_order.index(screen))
+        self.frame.open(screen)
 
     def tell(self, error: BaseException) -> None:
-        """Show what went wrong; does not wait."""
-        self.dialogs.show_dialog(ProblemDialog(error))
+        """Show what went wrong, and what helps; does not wait."""
+        self.notices.show_notice(fault_notice(error, self._remedies.remedy_of(error)))
 
     def fail(self, error: BaseException) -> None:
         """Bring the head to rest after a fault of the program, and show it."""
@@ -102,7 +119,7 @@ class MainWindow(QMainWindow):
         if not self.way_out.is_open():
             event.ignore()
             return
-        remember_place(self, self._navigation.current)
+        remember_place(self, self.frame.rail.current)
         self.worker.leave()
         self.background.leave()
         event.accept()
@@ -114,75 +131,123 @@ class MainWindow(QMainWindow):
         keep_on_screen(self)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802  # Qt's name
-        """Esc closes the newest dialog; where there is none it says what stops instead."""
+        """Esc closes the dialog or the newest notice; where there is none it says what stops instead."""
         if event.key() != Qt.Key.Key_Escape:
             super().keyPressEvent(event)
-        elif not self.dialogs.close_newest() and self.busy:
+        elif not self.frame.close_newest() and self.busy:
             self._say_what_stops()
 
+    def find_keys(self) -> list[Shortcut]:
+        """Keys that may be changed."""
+        return shortcuts(self)
+
+    def _open_stand(self, path: str) -> None:
+        self.open(self.stand)
+        self.stand.open(Path(path))
+
+    def _show_unit(self, serial_number: str) -> None:
+        self.open(self.records)
+        self.records.search.serial.setText(serial_number)
+
     def _say_what_stops(self) -> None:
-        text = tr("Esc stops nothing: it closes dialogs. STOP is {key}.", key=STOP_KEYS[0])
-        self.dialogs.show_dialog(Dialog(tr("Not stopped"), text, "fault"))
+        text = tr("Esc stops nothing: it closes dialogs and notices. STOP is {key}.", key=STOP_KEYS[0])
+        self.notices.show_notice(Notice(text=text))
 
-    def _room(self) -> int:
-        """What navigation, menus and STOP leave of the height."""
-        kept = (self.menuBar(), self._navigation, self.stop_bar)
-        needed = sum(part.minimumSizeHint().height() for part in kept) + self.strip.height()
-        return max(self.height() - needed - _GAPS, 0)
-
-    def _lay_out(self) -> None:
-        for screen in self._in_order:
-            self._screens.addWidget(ScreenArea(screen))
-        middle = QWidget()
-        across = QHBoxLayout()
-        across.addWidget(self._navigation)
-        across.addWidget(self._screens, stretch=1)
-        down = QVBoxLayout(middle)
-        down.setContentsMargins(0, 0, 0, 0)
-        down.addWidget(self.strip)
-        down.addLayout(across, stretch=1)
-        down.addWidget(self.dialogs)
-        down.addWidget(self.stop_bar)
-        self.setCentralWidget(middle)
+    def _make_screens(self) -> None:
+        self.stand = StandScreen(self.worker, self.bridge, self.operator)
+        self.run = RunScreen(
+            self.worker, self.bridge, self.stand.attendant, self.operator, self.background, lambda: self.store
+        )
+        self.result = ResultScreen(self.background, lambda: self.worker.session.loaded)
+        self.records = RecordsScreen(self.background, lambda: self.store)
+        self.settings, self.help = SettingsScreen(self.find_keys), HelpScreen(self.find_keys, lambda: self.store)
 
     def _connect(self) -> None:
+        self._connect_stand()
+        self._connect_screens()
+        self._connect_choices()
+        self._connect_troubles()
+
+    def _connect_stand(self) -> None:
         worker, bar = self.worker, self.stop_bar
-        self._navigation.chosen.connect(self._screens.setCurrentIndex)
         for stop in (bar.stop_wanted, self._guard.wanted):
             stop.connect(worker.stop)
         worker.working.connect(self._show_working)
         worker.position_seen.connect(bar.show_position)
         worker.connected.connect(self._show_connected)
         worker.disconnected.connect(bar.forget_positions)
+        worker.disconnected.connect(lambda: self._badges.show_connected(False))
         worker.chosen.connect(self._show_stand)
         self.bridge.position_seen.connect(bar.show_position)
         self.background.busy.connect(bar.show_busy)
-        self.run.state_changed.connect(bar.show_state)
-        self.run.state_changed.connect(lambda text, _fault: self.strip.show_state(text, self.run.mood))
-        self.run.unit_changed.connect(self.strip.show_unit)
-        self.run.concluded.connect(self._show_result)
-        self.run.resume_wanted.connect(self.records.resume)
-        self.run.analysis_wanted.connect(self.records.analyse_cut_off)
-        self.run.broke_off.connect(self.records.refresh)
-        self.records.found_cut_off.connect(self.run.offer)
-        self.result.experiment_wanted.connect(self._begin)
-        self.records.opened.connect(self._show_result)
-        self.records.resume_wanted.connect(self._begin)
-        self.menus.dress_wanted.connect(self.dress_wanted)
-        self.menus.restart_wanted.connect(self.restart_wanted)
-        self.menus.quit_wanted.connect(self.close)
+
+    def _connect_screens(self) -> None:
+        run, records = self.run, self.records
+        run.state_changed.connect(self._show_state)
+        run.unit_changed.connect(self.strip.show_unit)
+        run.concluded.connect(self._conclude)
+        run.resume_wanted.connect(records.resume)
+        run.analysis_wanted.connect(records.analyse_cut_off)
+        run.broke_off.connect(records.refresh)
+        records.found_cut_off.connect(run.offer)
+        records.found_cut_off.connect(lambda found: self._badges.show_cut_off(len(found)))
+        records.opened.connect(self._show_result)
+        records.resume_wanted.connect(self.beginning.begin)
+        self.result.experiment_wanted.connect(self.beginning.begin)
+        self.beginning.begun.connect(lambda: self.open(self.run))
+        self.frame.rail.chosen.connect(self._see)
+
+    def _connect_choices(self) -> None:
+        menus, settings, choices = self.menus, self.settings, self.choices
+        for shade_wanted in (menus.shade_wanted, settings.shade_wanted):
+            shade_wanted.connect(choices.choose_shade)
+        for language_wanted in (menus.language_wanted, settings.language_wanted):
+            language_wanted.connect(choices.choose_language)
+        menus.larger_wanted.connect(choices.enlarge)
+        settings.scale_wanted.connect(choices.choose_scale)
+        settings.keys_changed.connect(lambda: take_keys(self))
+        for shows in (menus.show_choices, settings.show_choices, self.dress_wanted.emit):
+            choices.dress_wanted.connect(shows)
+        choices.restart_wanted.connect(self.restart_wanted)
+        choices.notice_wanted.connect(self.notices.show_notice)
+        menus.find_wanted.connect(self.finding.begin)
+        menus.handbook_wanted.connect(lambda: self._help(self.help.open_handbook))
+        menus.about_wanted.connect(lambda: self._help(self.help.open_about))
+        menus.quit_wanted.connect(self.close)
+        act = KeyedAction(tr("Do what the newest notice offers"), ACT_KEY, self)
+        act.triggered.connect(self.notices.act_newest)
+        self.addAction(act)
+
+    def _connect_troubles(self) -> None:
         self.way_out.clear.connect(self.close)
-        for asking in (self.stand, self.run, self.records, self.menus, self.way_out):
+        for asking in (self.stand, self.run, self.records, self.beginning, self.way_out):
             asking.dialog_wanted.connect(self.dialogs.show_dialog)
         screens = (self.stand.refused, self.run.refused, self.result.refused, self.records.refused)
         refused = (*screens, self.way_out.refused)
-        for trouble in (*refused, worker.failed, self.background.failed, self.bridge.failed):
+        for trouble in (*refused, self.worker.failed, self.background.failed, self.bridge.failed):
             trouble.connect(self._show_failure)
 
     def _show_failure(self, error: BaseException) -> None:
         self.tell(error)
 
+    def _help(self, show: Callable[[], None]) -> None:
+        self.open(self.help)
+        show()
+
+    def _see(self, _number: int) -> None:
+        """A screen was opened; a result that is on it is new no more."""
+        if self.frame.current is self.result:
+            self._badges.show_result(seen=True)
+
+    def _show_state(self, text: str, fault: bool) -> None:
+        mood = self.run.mood
+        self.stop_bar.show_state(text, fault)
+        self.strip.show_state(text, mood)
+        self._badges.show_mood(mood, text)
+        self._caller.hear(mood)
+
     def _show_connected(self, identity: StandIdentity) -> None:
+        self._badges.show_connected(True)
         for name, status in identity.statuses.items():
             self.stop_bar.show_position(name, status)
 
@@ -193,40 +258,35 @@ class MainWindow(QMainWindow):
 
     def _show_stand(self, loaded: LoadedStand) -> None:
         self.setWindowTitle(f"{loaded.file.name} – {self.store.resolve().name} – tumble")
+        if loaded.path is not None:
+            remember_stand(loaded.path)
         self.strip.show_stand(loaded.file.name)
         self.stop_bar.forget_positions()
+        self._badges.show_connected(False)
         self.run.show_stand()
-
-    def _begin(self, activity: Activity, points: tuple[object, ...] = ()) -> None:
-        """Begin a run on the stand that is on screen; one of another stand asks for that first."""
-        its, shown = activity.job.stand, self.worker.session
-        if self.busy or shown.is_of(its):
-            self._begin_here(activity, points)
-            return
-        text = tr(
-            "This run was measured at the stand {its} ({path}); on screen is the stand {shown}. "
-            "Leave that one, and go on with the run at {its}?",
-            its=its.file.name,
-            path=its.path or tr("the simulated stand that is built in"),
-            shown=shown.loaded.file.name,
-        )
-        question = QuestionDialog(
-            tr("Another stand"),
-            text,
-            tr("Take the stand {its}, and go on", its=its.file.name),
-        )
-        question.agreed.connect(lambda: self._begin_there(activity, points))
-        self.dialogs.show_dialog(question)
-
-    def _begin_there(self, activity: Activity, points: tuple[object, ...]) -> None:
-        if self.stand.use(activity.job.stand):
-            self._begin_here(activity, points)
-
-    def _begin_here(self, activity: Activity, points: tuple[object, ...]) -> None:
-        if self.run.begin(activity, points):  # type: ignore[arg-type]  # signals carry objects
-            self.open(self.run)
 
     def _show_result(self, concluded: Concluded) -> None:
         self.result.show_result(concluded, self.store)
         self.records.refresh()
         self.open(self.result)
+
+    def _conclude(self, concluded: Concluded) -> None:
+        """Show the result of a run to whoever watched the run, and a badge to whoever is elsewhere."""
+        if self.frame.current is self.run and self.run.phase is Phase.IDLE:
+            self._show_result(concluded)
+            return
+        self.result.show_result(concluded, self.store)
+        self.records.refresh()
+        self._badges.show_result(seen=self.frame.current is self.result)
+
+
+def _places() -> tuple[Place, ...]:
+    """The screens as the rail shows them, in its order."""
+    return (
+        Place(sign="stand", title=tr("Stand"), usual_key="Ctrl+1"),
+        Place(sign="run", title=tr("Run"), usual_key="Ctrl+2"),
+        Place(sign="result", title=tr("Result"), usual_key="Ctrl+3"),
+        Place(sign="records", title=tr("Records"), usual_key="Ctrl+4"),
+        Place(sign="settings", title=tr("Settings"), usual_key="Ctrl+,", is_apart=True),
+        Place(sign="help", title=tr("Help"), usual_key="F1", is_apart=True),
+    )

@@ -1,5 +1,6 @@
 """The application: one window, its colours and its language, and what becomes of exceptions and signals."""
 
+import gc
 import signal
 import sys
 import threading
@@ -13,12 +14,12 @@ from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QSessionManager
 from PySide6.QtWidgets import QApplication
 
+from tumble.window.faults import keep_details
 from tumble.window.look.language import speak
 from tumble.window.look.theme import dress, dress_window
 from tumble.window.main_window import MainWindow
-from tumble.window.menus import language, shade, text_scale
 from tumble.window.place import keep_on_screen
-from tumble.window.widgets.problem import keep_details
+from tumble.window.preferences import language, shade, text_scale
 
 _TURN_S: Final = 5e-4
 """How long another thread may compute before the event loop has its turn; Python's own 5 ms are felt."""
@@ -114,7 +115,10 @@ class Application(QObject):
 
 def application() -> QApplication:
     """The one `QApplication`, with the name under which settings are kept."""
-    made = QApplication.instance() or QApplication(sys.argv[:1])
+    made = QApplication.instance()
+    if made is None:
+        gc.freeze()  # what was imported stays, and need not be looked at whenever garbage is collected
+        made = QApplication(sys.argv[:1])
     assert isinstance(made, QApplication), "another kind of application was made before"
     made.setOrganizationName("tumble")
     made.setApplicationName("tumble")

@@ -165,6 +165,12 @@ class Store:
         with storage_errors(self.path), reading(self._engine) as connection:
             return tuple(connection.execute(query).scalars())
 
+    def serial_numbers(self) -> tuple[str, ...]:
+        """Units of which there are records, by name."""
+        query = select(RECORDS.c.serial_number).distinct().order_by(RECORDS.c.serial_number)
+        with storage_errors(self.path), reading(self._engine) as connection:
+            return tuple(connection.execute(query).scalars())
+
     def latest(self, serial_number: str) -> Record | None:
         """Return the record of a unit that was measured last, in its last revision."""
         query = select(RECORDS).where(_STANDS, RECORDS.c.serial_number == serial_number)

@@ -73,6 +73,14 @@ def test_it_is_imported_from_where_it_is_installed_and_under_one_name(installed)
     assert others == ["None", "None"]
 
 
+def test_it_brings_the_handbook_along(installed):
+    asked = "from tumble.window.handbook import handbook; print(*sorted(page.name for page in handbook().iterdir()))"
+
+    pages = installed.run("python", "-c", asked).split()
+
+    assert {"index.md", "window.md", "window"} <= set(pages)
+
+
 def test_it_does_the_whole_job_and_reports(installed):
     installed.run("tumble", "calibrate", "--programme", "quick", "--serial", "W-1", "--store", "records")
 

@@ -7,7 +7,7 @@ from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtWidgets import QApplication, QMenu
 
 from tumble.app.stand import load_stand
-from tumble.window import menus
+from tumble.window import main_window
 
 
 class _Elsewhere:
@@ -48,20 +48,32 @@ def _export_over(driver, path):
     driver.window.records._export_unless_there(path)
 
 
+def _leave_changed(driver, path):
+    editor = driver.window.stand.editor
+    editor.open(path)
+    editor.text.appendPlainText("# a remark")
+    editor.leave()
+
+
 DIALOGS = {
-    "what went wrong": lambda driver, path: driver.window.tell(ValueError("bent")),
-    "what a person can mend": lambda driver, path: driver.window.stand.open(path.with_name("absent.toml")),
-    "keys": lambda driver, path: driver.window.menus._show_keys(),
-    "language": lambda driver, path: driver.window.menus._tell_language_later(),
     "stand file": lambda driver, path: driver.window.stand._choose(),
     "programme": lambda driver, path: driver.run.form._choose_file(),
     "export": lambda driver, path: driver.window.records._ask_for_export("20260101-1"),
     "replace": _export_over,
-    "another stand": lambda driver, path: driver.window._begin(_Elsewhere(path)),
+    "another stand": lambda driver, path: driver.window.beginning.begin(_Elsewhere(path)),
+    "copy of the stand file": lambda driver, path: driver.window.stand.editor._choose_place(),
+    "leave the stand file": _leave_changed,
     "leave": lambda driver, path: driver.window.way_out._ask(),
-    "esc stops nothing": lambda driver, path: driver.window._say_what_stops(),
 }
 """Each is called with the driver and with the path of a stand file, and opens a `Dialog`."""
+
+OVER_THE_SCREENS = {
+    "what went wrong": lambda driver, path: driver.window.tell(ValueError("bent")),
+    "what a person can mend": lambda driver, path: driver.window.stand.open(path.with_name("absent.toml")),
+    "esc stops nothing": lambda driver, path: driver.window._say_what_stops(),
+    "finder": lambda driver, path: driver.window.finding.begin(),
+}
+"""Each is called likewise, and opens what lies over the screens."""
 
 POPUPS = {
     "menu view": _menu(0),
@@ -80,22 +92,20 @@ POPUPS = {
 """Each is called with the driver, and opens what takes keyboard and mouse to itself."""
 
 SOURCES = {
-    ("menus.py", "Dialog"),
     ("menus.py", "QMenu"),
-    ("main_window.py", "Dialog"),
-    ("main_window.py", "Dialogs"),
-    ("main_window.py", "ProblemDialog"),
-    ("main_window.py", "QuestionDialog"),
+    ("finder/sources.py", "QMenu"),
+    ("frame.py", "Dialogs"),
+    ("beginning.py", "QuestionDialog"),
     ("way_out.py", "QuestionDialog"),
     ("screens/stand.py", "FileDialog"),
+    ("screens/stand_editor.py", "FileDialog"),
+    ("screens/stand_editor.py", "QuestionDialog"),
     ("screens/records.py", "FileDialog"),
     ("screens/records.py", "QuestionDialog"),
     ("widgets/run_form.py", "FileDialog"),
     ("widgets/dialog.py", "Dialog"),
     ("widgets/dialog.py", "QFileDialog"),
-    ("widgets/dialog.py", "QuestionDialog"),
-    ("widgets/problem.py", "Dialog"),
 }
 """Where in the package the window's dialogs are named: whoever adds one adds it above, too."""
 
-ROOT = Path(menus.__file__).parent
+ROOT = Path(main_window.__file__).parent

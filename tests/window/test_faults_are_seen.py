@@ -20,7 +20,7 @@ def driver(lent_driver):
 
 
 def told(driver):
-    return [dialog.informativeText() for dialog in driver.window.dialogs.open]
+    return [card.notice.details for card in driver.window.notices.cards]
 
 
 def still_works(driver):
@@ -127,5 +127,6 @@ def test_every_thread_and_timer_is_known_here():
         ("work/order_thread.py", "Thread"),
         ("work/background.py", "ThreadPoolExecutor"),
         ("screens/run_view.py", "QTimer"),
+        ("widgets/notice.py", "QTimer"),
         ("start.py", "QTimer"),
     }

@@ -48,8 +48,7 @@ def cut_off_at_b(driver, stands, tiny, tmp_path, monkeypatch):
     driver.wait_for_end()
     monkeypatch.undo()
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
-    while driver.window.dialogs.close_newest():
-        pass
+    driver.dismiss_all()
     driver.window.stand.open(a)
     driver.wait(lambda: not driver.window.busy)
     (path,) = (tmp_path / "store").glob("recordings/SN-1/*.mcap")

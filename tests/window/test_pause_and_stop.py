@@ -94,7 +94,7 @@ def test_the_button_stops_a_jog(slow):
     assert stand.dials.of("head").accessibleName() != "700.0000°"
 
 
-def test_the_stop_key_stops_a_run_with_a_dialog_open_which_stays(slow, long, tmp_path):
+def test_the_stop_key_stops_a_run_with_a_notice_open_which_stays(slow, long, tmp_path):
     reach(slow, long, State.RUNNING)
     slow.window.tell(ValueError("something else"))
     slow.bot.keyClick(slow.window.windowHandle(), Qt.Key.Key_F12)

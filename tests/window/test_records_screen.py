@@ -39,8 +39,7 @@ def measured(qtbot, two_records, driver_of, tmp_path, no_report):
     records, search = driver.window.records, driver.window.records.search
     driver.window.store = tmp_path / "store"
     driver.window.result.presentation = None
-    while driver.window.dialogs.close_newest():
-        pass
+    driver.dismiss_all()
     search.serial.clear()
     search.verdict.setCurrentIndex(0)
     search.until.setDate(search.until.minimumDate())

@@ -13,7 +13,8 @@ from tumble.calibrations.core.verdict import Judgement, Model, Outcome, Verdict
 from tumble.messages import Language, Message
 from tumble.window.look.language import speak
 from tumble.window.look.moments import moment_text
-from tumble.window.look.theme import Shade, dress, dress_window
+from tumble.window.look.shades import Shade
+from tumble.window.look.theme import dress, dress_window
 from tumble.window.screens.result import notices_of
 
 BELOW = Message("What that does to the parameters is said below the results.")

@@ -47,8 +47,7 @@ def test_a_run_that_a_fault_ended_goes_on_where_one_stands(interrupted, no_repor
     text = driver.run.offered.text()
     assert text.startswith("Not at its end: unit SN-1, programme tiny, 2 points done at the stand simulated, begun 2")
     assert text.endswith(": device fault.")
-    while driver.window.dialogs.close_newest():
-        pass
+    driver.dismiss_all()
     driver.press(Qt.Key.Key_F7)
     presentation = driver.wait_for_result()
     assert presentation.concluded.record_id
@@ -74,8 +73,7 @@ def test_a_run_that_was_stopped_is_offered_and_can_be_left(driver, write, tmp_pa
 def test_what_there_is_of_a_run_is_analysed_and_recorded(driver, tiny, tmp_path, monkeypatch, no_report):
     _, path = interrupt(driver, tiny, tmp_path, monkeypatch, 5)
     driver.wait(driver.run.offered.isVisible)
-    while driver.window.dialogs.close_newest():
-        pass
+    driver.dismiss_all()
     driver.run.offered.analyse_button.click()
     concluded = driver.wait_for_result().concluded
     assert (concluded.recordings, bool(concluded.record_id)) == ((path,), True)

@@ -2,15 +2,16 @@
 
 import pytest
 from PySide6.QtCore import QSettings, Qt
-from PySide6.QtGui import QColor
+from PySide6.QtGui import QColor, QFontMetrics
 from window_driver import STAND, TINY
 
 from tumble.calibrations.core.verdict import Outcome
 from tumble.window.look import tints
+from tumble.window.look.theme import POINT_SIZE
 from tumble.window.look.tints import AMBER, BLUE, GREEN, GREY, RED, VIOLET
 from tumble.window.screens.result import _banner
 from tumble.window.screens.run_state import Mood
-from tumble.window.widgets.banner import LEAST_PT
+from tumble.window.widgets.banner import LEAST_PT, Banner
 from tumble.window.widgets.table import Table
 
 PERSON = STAND.replace('driver = "simulated"\nlimits', 'driver = "manual"\nserial = "OG-7"\nlimits')
@@ -133,3 +134,17 @@ def luminance(colour):
     """WCAG 2.1, relative luminance."""
     parts = [part / 12.92 if part <= 0.03928 else ((part + 0.055) / 1.055) ** 2.4 for part in QColor(colour).getRgbF()]
     return 0.2126 * parts[0] + 0.7152 * parts[1] + 0.0722 * parts[2]
+
+
+@pytest.mark.parametrize("width", range(640, 960, 16))
+def test_words_that_were_made_smaller_to_stay_on_a_line_stay_there(qtbot, qapp, width):
+    banner = Banner()
+    qtbot.addWidget(banner)
+    font = banner.font()
+    font.setPointSizeF(2 * POINT_SIZE)
+    banner.setFont(font)
+    banner.say("Готово до роботи", GREY)
+    size_pt = banner.point_size(width)
+    one_line = QFontMetrics(banner._sized(size_pt)).height()
+    assert size_pt > LEAST_PT
+    assert banner.heightForWidth(width) < 1.5 * one_line

@@ -5,7 +5,8 @@ from PySide6.QtCore import QSettings, Qt
 from PySide6.QtWidgets import QWidget
 from window_driver import STAND
 
-from tumble.window.look.theme import DARK, LIGHT, colours
+from tumble.window.look.shades import DARK, LIGHT
+from tumble.window.look.theme import colours
 
 
 @pytest.fixture

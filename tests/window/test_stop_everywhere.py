@@ -3,7 +3,7 @@ import re
 from contextlib import suppress
 
 import pytest
-from dialogs_of_the_window import DIALOGS, POPUPS, ROOT, SOURCES
+from dialogs_of_the_window import DIALOGS, OVER_THE_SCREENS, POPUPS, ROOT, SOURCES
 from PySide6.QtCore import QPoint, QSettings, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
@@ -12,7 +12,7 @@ from pytestqt.exceptions import TimeoutError as WaitedTooLong
 from window_driver import STAND
 
 from tumble.messages import Language
-from tumble.window import menus
+from tumble.window.preferences import SCALES
 from tumble.window.stop_guard import STOP_KEYS
 from tumble.window.widgets.dialog import Dialog
 
@@ -41,7 +41,8 @@ def moving(qtbot, connected, driver_of):
     driver.wait(window.stand.jog.isEnabled)
 
     def opened():
-        return window.dialogs.open or QApplication.activePopupWidget()
+        over = window.notices.cards or window.finder.isVisible()
+        return window.dialogs.open or over or QApplication.activePopupWidget()
 
     def begin(open_it, *arguments):
         open_it(driver, *arguments)
@@ -57,8 +58,7 @@ def moving(qtbot, connected, driver_of):
     yield begin, path
     while popup := QApplication.activePopupWidget():
         popup.close()
-    while window.dialogs.close_newest():
-        pass
+    driver.dismiss_all()
     driver.wait(lambda: not window.worker.busy)
 
 
@@ -89,6 +89,14 @@ def test_stop_is_clicked_with_every_dialog_open(moving, name):
     assert driver.window.dialogs.open, "STOP is no answer to a question"
 
 
+@pytest.mark.parametrize("name", OVER_THE_SCREENS)
+def test_stop_is_clicked_with_whatever_lies_over_the_screens(moving, name):
+    begin, path = moving
+    driver = begin(OVER_THE_SCREENS[name], path)
+    press_stop(driver.window)
+    assert_stops(driver)
+
+
 @pytest.mark.parametrize("name", POPUPS)
 def test_stop_is_clicked_with_every_menu_and_list_open(moving, name):
     begin, _ = moving
@@ -97,10 +105,11 @@ def test_stop_is_clicked_with_every_menu_and_list_open(moving, name):
     assert_stops(driver)
 
 
-@pytest.mark.parametrize("name", [*DIALOGS, *POPUPS])
+@pytest.mark.parametrize("name", [*DIALOGS, *OVER_THE_SCREENS, *POPUPS])
 def test_the_stop_key_stops_whatever_has_the_keyboard(moving, name):
     begin, path = moving
-    driver = begin(DIALOGS[name], path) if name in DIALOGS else begin(POPUPS[name])
+    opened = DIALOGS | OVER_THE_SCREENS
+    driver = begin(opened[name], path) if name in opened else begin(POPUPS[name])
     QTest.keyClick(driver.window.windowHandle(), Qt.Key.Key_F12)
     assert_stops(driver)
 
@@ -123,13 +132,13 @@ def test_every_stop_key_stops_from_a_text_field(moving, key, modifiers):
 
 def test_esc_closes_a_dialog_and_stops_nothing(moving):
     begin, path = moving
-    driver = begin(DIALOGS["keys"], path)
+    driver = begin(DIALOGS["stand file"], path)
     QTest.keyClick(driver.window.windowHandle(), Qt.Key.Key_Escape)
     assert driver.window.dialogs.open == []
     assert driver.window.worker.busy
     QTest.keyClick(driver.window.windowHandle(), Qt.Key.Key_Escape)
-    (said,) = driver.window.dialogs.open
-    assert said.text() == f"Esc stops nothing: it closes dialogs. STOP is {STOP_KEYS[0]}."
+    (said,) = driver.window.notices.cards
+    assert said.notice.text == f"Esc stops nothing: it closes dialogs and notices. STOP is {STOP_KEYS[0]}."
     press_stop(driver.window)
     assert_stops(driver)
 
@@ -141,7 +150,7 @@ def test_esc_closes_a_dialog_and_stops_nothing(moving):
         (Language.ENGLISH, 2.0),
         (Language.UKRAINIAN, 1.0),
         (Language.UKRAINIAN, 2.0),
-        (Language.UKRAINIAN, menus.SCALES[-1]),
+        (Language.UKRAINIAN, SCALES[-1]),
     ],
 )
 def test_stop_is_wholly_on_screen(driver_of, qtbot, shared_window, language, scale, connected):
@@ -151,10 +160,10 @@ def test_stop_is_wholly_on_screen(driver_of, qtbot, shared_window, language, sca
     for screen in driver.window._in_order:
         driver.window.open(screen)
         assert_whole(driver.window)
-    for open_it in DIALOGS.values():
+    for open_it in (DIALOGS | OVER_THE_SCREENS).values():
         open_it(driver, connected[1])
         assert_whole(driver.window)
-        driver.window.dialogs.close_newest()
+        driver.dismiss_all()
 
 
 def speak_and_dress(driver, language, scale):

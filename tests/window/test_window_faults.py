@@ -9,8 +9,8 @@ from tumble.drivers.errors import DeviceError
 from tumble.drivers.simulated.daq import SimulatedDaq
 from tumble.procedures.events import FinishReason
 from tumble.procedures.recording.reader import read_recording
+from tumble.window.faults import keep_details
 from tumble.window.methods.dividing_head.live_fit import fit_live
-from tumble.window.widgets.problem import ProblemDialog, keep_details
 
 LOST = DeviceError("voltmeter", "does not answer", "check its cable, then resume the run")
 
@@ -58,8 +58,7 @@ def test_a_run_that_a_fault_ended_is_offered_and_goes_on_to_its_record(driver, t
     driver.start(tiny)
     driver.wait_for_end()
     monkeypatch.undo()
-    for dialog in driver.window.findChildren(ProblemDialog):
-        dialog.accept()
+    driver.dismiss_all()
     records = driver.window.records
     driver.window.open(records)
     records.refresh()
@@ -80,7 +79,7 @@ def test_a_run_that_a_fault_ended_is_offered_and_goes_on_to_its_record(driver, t
     driver.wait(lambda: records.cut_off.table.rowCount() == 0 and records.table.rowCount() == 1)
 
 
-def test_an_exception_anywhere_becomes_a_dialog_and_stops_the_run(driver, long, tmp_path):
+def test_an_exception_anywhere_becomes_a_notice_and_stops_the_run(driver, long, tmp_path):
     driver.window.stand.simulation.speed.setCurrentIndex(2)
     driver.start(long)
     driver.wait_for_points(1)
@@ -91,14 +90,14 @@ def test_an_exception_anywhere_becomes_a_dialog_and_stops_the_run(driver, long, 
     finally:
         sys.excepthook = hook
     driver.wait_for_end()
-    (dialog,) = (one for one in driver.window.findChildren(ProblemDialog) if one.isVisible())
-    assert dialog.text() == "A fault of the program; the head was told to stop."
-    assert str(tmp_path / "state" / "tumble" / "window-faults.log") in dialog.informativeText()
+    (card,) = driver.window.notices.cards
+    assert card.notice.text == "A fault of the program; the head was told to stop."
+    assert str(tmp_path / "state" / "tumble" / "window-faults.log") in card.notice.details
     assert "ZeroDivisionError" in (tmp_path / "state" / "tumble" / "window-faults.log").read_text("utf-8")
     assert recording(tmp_path).ending.reason is FinishReason.STOPPED
 
 
-def test_a_fault_in_the_analysis_is_a_dialog_too(driver, tiny, monkeypatch):
+def test_a_fault_in_the_analysis_is_a_notice_too(driver, tiny, monkeypatch):
     monkeypatch.setattr("tumble.app.methods.dividing_head.job.explain_questioned", lambda *_: 1 / 0)
     driver.start(tiny)
     driver.wait(lambda: driver.complaints)
@@ -137,5 +136,5 @@ def test_details_of_a_user_without_a_home_are_kept_nowhere(monkeypatch):
     def homeless():
         raise RuntimeError("Could not determine home directory.")
 
-    monkeypatch.setattr("tumble.window.widgets.problem.state_folder", homeless)
+    monkeypatch.setattr("tumble.window.faults.state_folder", homeless)
     assert keep_details(ZeroDivisionError("x")) == Path("-")

@@ -4,6 +4,7 @@ from PySide6.QtCore import Qt
 
 from tumble.app.stand import load_stand
 from tumble.window.screens.run import Phase
+from tumble.window.widgets.notice import Kind
 
 STAND = """\
 name = "bench-1"
@@ -68,8 +69,7 @@ class Driver:
         self.wait_for_end()
         window.stand.use(load_stand())
         self.wait(lambda: not (window.worker.session.is_connected or window.background._under_way))
-        while window.dialogs.close_newest():
-            pass
+        self.dismiss_all()
 
     @property
     def window(self):
@@ -126,7 +126,10 @@ class Driver:
 
     @property
     def complaints(self):
-        """What the dialogs that are open say."""
-        from tumble.window.widgets.problem import ProblemDialog
+        """What the notices of faults say, the oldest first."""
+        return [card.notice.text for card in self.window.notices.cards if card.notice.kind is Kind.FAULT]
 
-        return [dialog.text() for dialog in self.window.findChildren(ProblemDialog) if dialog.isVisible()]
+    def dismiss_all(self):
+        """Close dialogs and notices."""
+        while self.window.frame.close_newest():
+            pass

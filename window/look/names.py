@@ -5,6 +5,7 @@ The words of the contracts (`scale_drift`) stay what they are in programmes, tab
 
 from tumble.messages import Message, with_wording
 from tumble.window.look.language import spoken, tr
+from tumble.window.look.shades import Shade
 
 
 def instrument_name(name: str) -> str:
@@ -21,3 +22,13 @@ def in_words(word: str) -> str:
     """A word of a contract in the words that it was declared with; any other as it is."""
     known = with_wording(word)
     return known.worded(spoken()) if isinstance(known, Message) else known
+
+
+def shade_name(shade: Shade) -> str:
+    """Colours of the window as an operator reads them."""
+    return {
+        Shade.DESKTOP: tr("As the desktop"),
+        Shade.LIGHT: tr("Light"),
+        Shade.DARK: tr("Dark"),
+        Shade.CONTRAST: tr("High contrast"),
+    }[shade]

@@ -8,7 +8,8 @@ from PySide6.QtGui import QFont, QKeyEvent
 from PySide6.QtWidgets import QWidget
 
 from tumble.window.look.numbers import local
-from tumble.window.look.theme import Colours, colours
+from tumble.window.look.shades import Colours
+from tumble.window.look.theme import colours
 from tumble.window.look.way_back import WayBack
 
 _WIDE_LINES, _HIGH_LINES = 11, 7

@@ -4,7 +4,7 @@ from html import escape
 from pathlib import Path
 
 from PySide6.QtCore import QSettings, Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
 
 from tumble.app.stand import LoadedStand, load_stand
 from tumble.app.wiring import Attendant
@@ -14,8 +14,11 @@ from tumble.procedures.events import Event, Identified
 from tumble.window.look.language import tr
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
+from tumble.window.screens.stand_editor import StandEditor
+from tumble.window.widgets.column import Column
 from tumble.window.widgets.dialog import FileDialog
 from tumble.window.widgets.dials import Dials
+from tumble.window.widgets.folding_row import FoldingRow, buttons_beside
 from tumble.window.widgets.instrument_table import InstrumentTable
 from tumble.window.widgets.jog import Jog
 from tumble.window.widgets.simulation_settings import SimulationSettings
@@ -49,7 +52,7 @@ class StandScreen(QWidget):
             QPushButton(tr("&Connect")),
             QPushButton(tr("&Disconnect")),
         )
-        self._name, self._notice = QLabel(), PlainLabel()
+        self._name, self._notice, self.editor = QLabel(), PlainLabel(), StandEditor()
         self._lay_out()
         self._connect(bridge)
         self._show_stand(self.loaded)
@@ -92,6 +95,10 @@ class StandScreen(QWidget):
         self.jog.angle_wanted.connect(worker.move_to)
         self.jog.home_wanted.connect(worker.home)
         self.jog.misunderstood.connect(lambda sentence: self.refused.emit(InputError(sentence)))
+        self.editor.saved.connect(self.use)
+        self.editor.left.connect(lambda: self._edit(False))
+        self.editor.refused.connect(self.refused)
+        self.editor.dialog_wanted.connect(self.dialog_wanted)
         worker.chosen.connect(self._show_stand)
         worker.connected.connect(self._show_connected)
         worker.disconnected.connect(self._show_disconnected)
@@ -104,23 +111,20 @@ class StandScreen(QWidget):
         self._browse, self._built_in = QPushButton(tr("Stand &file…")), QPushButton(tr("&Built-in"))
         self._browse.clicked.connect(self._choose)
         self._built_in.clicked.connect(lambda: self.use(load_stand()))
+        self.edit_button = QPushButton(tr("&Edit…"))
+        self.edit_button.clicked.connect(self.edit)
         self._name.setWordWrap(True)
         self._notice.setWordWrap(True)
         self._notice.setObjectName("bad")
-        choice = QHBoxLayout()
-        choice.addWidget(self._name, stretch=1)
-        for button in (self._browse, self._built_in, self.connect_button, self.disconnect_button):
-            choice.addWidget(button)
-        facts = QWidget()
-        column = QVBoxLayout(facts)
-        column.setContentsMargins(0, 0, 0, 0)
-        for part in (self.table, self.simulation, self._notice, self.jog):
-            column.addWidget(part)
-        column.addStretch(1)
-        halves = Splitter(Qt.Orientation.Horizontal, (self.dials, facts), (1, 1))
+        files = buttons_beside((self._browse, self._built_in, self.edit_button))
+        links = buttons_beside((self.connect_button, self.disconnect_button))
+        facts = Column((self.table, self.simulation, self._notice, self.jog))
+        self._facts = Splitter(Qt.Orientation.Horizontal, (self.dials, facts), (1, 1))
+        self.editor.hide()
         layout = QVBoxLayout(self)
-        layout.addLayout(choice)
-        layout.addWidget(halves, stretch=1)
+        layout.addWidget(FoldingRow((self._name, files, links)))
+        layout.addWidget(self._facts, stretch=1)
+        layout.addWidget(self.editor, stretch=1)
 
     def _choose(self) -> None:
         dialog = FileDialog(tr("Stand file"), self.loaded.folder, tr("Stand files (*.toml)"))
@@ -133,6 +137,24 @@ class StandScreen(QWidget):
             self.use(load_stand(path))
         except InputError as error:
             self.refused.emit(error)
+
+    def edit(self) -> None:
+        """Show the stand file as text."""
+        path = self.loaded.path
+        if path is None:
+            return
+        try:
+            self.editor.open(path)
+        except InputError as error:
+            self.refused.emit(error)
+            return
+        self._edit(True)
+        self.editor.text.setFocus()
+
+    def _edit(self, wanted: bool) -> None:
+        self.editor.setVisible(wanted)
+        self._facts.setVisible(not wanted)
+        self._refresh()
 
     def _show_connected(self, identity: StandIdentity) -> None:
         self._connected = True
@@ -169,6 +191,9 @@ class StandScreen(QWidget):
         free = not self._worker.busy
         for button in (self._browse, self._built_in, self.simulation):
             button.setEnabled(free)
+        editing = not self.editor.isHidden()
+        self.editor.allow(free)
+        self.edit_button.setEnabled(free and not editing and self.loaded.path is not None)
         self.connect_button.setEnabled(free and not self._connected)
         self.disconnect_button.setEnabled(free and self._connected)
         self.jog.setEnabled(free and self._connected and not self._by_hand)

@@ -13,6 +13,8 @@ LEAST_PT: Final = 38.0
 _MARGIN: Final = 8
 _WRAPPED: Final = int(Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap)
 _ENDLESS: Final = 10_000
+_FILLED: Final = 0.97
+"""Of the width, at most: letters do not grow quite as their size does, and must not wrap for that."""
 
 
 class Banner(QWidget):
@@ -41,7 +43,7 @@ class Banner(QWidget):
         """Size of its letters at a width in pixels: wrapped words have the least."""
         wished = LEAST_PT * self.font().pointSizeF() / POINT_SIZE
         needed = QFontMetrics(self._sized(wished)).horizontalAdvance(self._text)
-        return max(LEAST_PT, min(wished, wished * (width - 2 * _MARGIN) / max(needed, 1)))
+        return max(LEAST_PT, min(wished, _FILLED * wished * (width - 2 * _MARGIN) / max(needed, 1)))
 
     def heightForWidth(self, width: int) -> int:  # noqa: N802  # Qt's name
         """As high as the words are at a width."""

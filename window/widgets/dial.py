@@ -10,7 +10,8 @@ from PySide6.QtWidgets import QWidget
 from tumble.drivers.manual import format_dms
 from tumble.drivers.protocols import PositionerStatus
 from tumble.window.look.numbers import local
-from tumble.window.look.theme import Colours, colours
+from tumble.window.look.shades import Colours
+from tumble.window.look.theme import colours
 
 _TICK_DEG: Final = 10
 _LABEL_DEG: Final = 30

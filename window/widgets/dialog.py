@@ -1,4 +1,4 @@
-"""Dialogs that are parts of the window.
+"""Dialogs that are parts of the window: what a person has to decide. What there is only to tell is a notice.
 
 None is a window of its own and none is modal: STOP is never behind one, and whatever is shown stays usable.
 """
@@ -17,7 +17,7 @@ from tumble.window.widgets.motion_button import MotionButton
 YES_KEY: Final = "F3"
 """No scanner types it, and nothing else uses it."""
 _MOST: Final = 0.45
-"""Of the height of the window, for all dialogs together."""
+"""Of the height of the window."""
 
 
 class Dialog(QFrame):
@@ -34,7 +34,7 @@ class Dialog(QFrame):
         self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._text.setVisible(bool(text))
         heading = QLabel(title)
-        heading.setObjectName("bad" if kind == "fault" else "heading")
+        heading.setObjectName("heading")
         self._close = QPushButton(tr("Close  [Esc]"))
         self._close.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._close.clicked.connect(self.dismiss)
@@ -110,7 +110,7 @@ class FileDialog(Dialog):
 
 
 class Dialogs(QScrollArea):
-    """Where dialogs are shown: the newest on top, scrolled where they take more than the `room`, in pixels."""
+    """Where the dialog is shown, one at a time, scrolled where it takes more than the `room`, in pixels."""
 
     def __init__(self, room: Callable[[], int], parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -130,10 +130,9 @@ class Dialogs(QScrollArea):
         return sorted((dialog for dialog in there if not dialog.isHidden()), key=self._column.indexOf)
 
     def show_dialog(self, dialog: Dialog) -> None:
-        """Show a dialog; one that says the same is there once, and one question at a time."""
+        """Show a dialog in the place of the one that is there, which is so declined: there are never two."""
         for other in self.open:
-            if type(other) is type(dialog) and (other.text() == dialog.text() or isinstance(other, QuestionDialog)):
-                other.dismiss()
+            other.dismiss()
         self._column.insertWidget(0, dialog)
         dialog.dismissed.connect(self._fit)
         dialog.show()
@@ -141,7 +140,7 @@ class Dialogs(QScrollArea):
         self.verticalScrollBar().setValue(0)
 
     def close_newest(self) -> bool:
-        """Close the newest dialog; false where there is none."""
+        """Close the dialog; false where there is none."""
         shown = self.open
         if shown:
             shown[0].dismiss()

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import Final
 
-from PySide6.QtCore import QSettings, Signal
+from PySide6.QtCore import QEvent, QSettings, Signal
 from PySide6.QtWidgets import QComboBox, QFrame, QGridLayout, QLabel, QLineEdit, QWidget
 
 from tumble.drivers.manual import parse_reading
@@ -73,6 +73,18 @@ class Jog(QFrame):
                 grid.addWidget(part, row, column)
         grid.addWidget(self.positioner, 2, 0, 1, 4)
         grid.setColumnStretch(1, 1)
+        self._keep_readable()
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802  # Qt's name
+        """Grow with the text."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._keep_readable()
+
+    def _keep_readable(self) -> None:
+        """Have room for an example of an angle, with what is around it."""
+        example = f"{self.angle.placeholderText()}MM"
+        self.angle.setMinimumWidth(self.fontMetrics().horizontalAdvance(example))
 
     def _go(self) -> None:
         try:

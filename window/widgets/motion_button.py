@@ -1,8 +1,10 @@
 """A button that starts motion."""
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QKeyEvent, QKeySequence
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QPushButton, QWidget
+
+from tumble.window.look.keys import chosen_key, key_text
 
 
 class MotionButton(QPushButton):
@@ -11,13 +13,23 @@ class MotionButton(QPushButton):
     It takes no focus, so that neither Enter nor a space ever presses it.
     """
 
-    def __init__(self, text: str, key: str, parent: QWidget | None = None) -> None:
-        sequence = QKeySequence(key)
-        super().__init__(f"{text}  [{sequence.toString(QKeySequence.SequenceFormat.NativeText)}]", parent)
+    def __init__(self, text: str, usual_key: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.usual_key, self._title = usual_key, text
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setAutoDefault(False)
-        self.setShortcut(sequence)
         self.setAccessibleName(text)
+        self.take_key()
+
+    @property
+    def key_title(self) -> str:
+        """What its key does."""
+        return self.accessibleName()
+
+    def take_key(self) -> None:
+        """Go by the key that is chosen now."""
+        self.setText(f"{self._title}  [{key_text(self.usual_key)}]")
+        self.setShortcut(chosen_key(self.usual_key))  # the text takes it away
 
     def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802  # Qt's name
         """Leave every key to others: the function key comes as a shortcut."""

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.window.look.plots import Plot
-from tumble.window.look.theme import MARKERS
+from tumble.window.look.shades import MARKERS
 
 SIGNS: Final = {"o": "●", "s": "■", "t1": "▲", "d": "◆", "t": "▼", "p": "⬟"}
 """The shapes of pyqtgraph in writing, by their names, in the order in which series have them."""

@@ -13,7 +13,8 @@ from PySide6.QtWidgets import QWidget
 from tumble.procedures.layout import Layout
 from tumble.procedures.methods.dividing_head.layout import HEAD, MOUNT
 from tumble.procedures.steps import Dwell, Point
-from tumble.window.look.theme import Colours, colours
+from tumble.window.look.shades import Colours
+from tumble.window.look.theme import colours
 from tumble.window.methods.dividing_head.mounts import mount_name
 from tumble.window.parts import Overview
 

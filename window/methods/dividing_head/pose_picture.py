@@ -10,7 +10,8 @@ from PySide6.QtWidgets import QWidget
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.dividing_head.geometry import MOUNTS
-from tumble.window.look.theme import Colours, colours
+from tumble.window.look.shades import Colours
+from tumble.window.look.theme import colours
 from tumble.window.methods.dividing_head.mounts import mount_name
 
 _HALF_SIZES: Final = (0.62, 0.42, 0.16)

@@ -8,13 +8,13 @@ import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.quantities import format_correlation
-from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.window.work.activity import Concluded
 from tumble.window.work.presentation import Correlations, LoopSummary, ParameterLine, Presentation
 
-if TYPE_CHECKING:  # the report takes half a second: a window is up before that
+if TYPE_CHECKING:  # analysis and report take half a second: a window is up before that
     from tumble.calibrations.methods.dividing_head.loop.loop import Loop
     from tumble.calibrations.methods.dividing_head.report.results import ResultRow
+    from tumble.calibrations.methods.dividing_head.result import Calibration
 
 _MICRO = 1e6
 
@@ -107,7 +107,7 @@ def _summary(loop: "Loop") -> LoopSummary:
     )
 
 
-def rows_of(calibration: Calibration) -> Rows:
+def rows_of(calibration: "Calibration") -> Rows:
     """What plots need of a calibration."""
     from tumble.calibrations.methods.dividing_head.report.figures import model_curve
 

@@ -1,0 +1,1 @@
+"""Finding whatever the window can do by a part of its name."""
