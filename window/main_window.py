@@ -68,6 +68,7 @@ class MainWindow(QMainWindow):
         self._connect()
         self._navigation.choose(restore_place(self))
         self._show_stand(loaded)
+        self.run.queue.open()
         if trouble is not None:
             self.tell(trouble)
 
@@ -104,6 +105,7 @@ class MainWindow(QMainWindow):
             return
         remember_place(self, self._navigation.current)
         self.worker.leave()
+        self.run.course.leave()
         self.background.leave()
         event.accept()
         self.left.emit()
@@ -158,15 +160,18 @@ class MainWindow(QMainWindow):
         self.bridge.position_seen.connect(bar.show_position)
         self.background.busy.connect(bar.show_busy)
         self.run.state_changed.connect(bar.show_state)
-        self.run.state_changed.connect(lambda text, _fault: self.strip.show_state(text, self.run.mood))
+        self.run.state_changed.connect(lambda text, _fault: self.strip.show_state(text, self.run.course.now.mood))
         self.run.unit_changed.connect(self.strip.show_unit)
-        self.run.concluded.connect(self._show_result)
-        self.run.resume_wanted.connect(self.records.resume)
-        self.run.analysis_wanted.connect(self.records.analyse_cut_off)
+        self.run.concluded.connect(self._show_run_result)
+        self.run.queue_view.record_wanted.connect(self.records.open_record)
+        self.run.offered.discard_wanted.connect(self.records.discard)
+        self.run.offered.wanted.connect(self.records.resume)
+        self.run.offered.analysis_wanted.connect(self.records.analyse_cut_off)
         self.run.broke_off.connect(self.records.refresh)
         self.records.found_cut_off.connect(self.run.offer)
         self.result.experiment_wanted.connect(self._begin)
         self.records.opened.connect(self._show_result)
+        self.records.opened.connect(self.run.queue.hear_result)
         self.records.resume_wanted.connect(self._begin)
         self.menus.dress_wanted.connect(self.dress_wanted)
         self.menus.restart_wanted.connect(self.restart_wanted)
@@ -200,7 +205,7 @@ class MainWindow(QMainWindow):
     def _begin(self, activity: Activity, points: tuple[object, ...] = ()) -> None:
         """Begin a run on the stand that is on screen; one of another stand asks for that first."""
         its, shown = activity.job.stand, self.worker.session
-        if self.busy or shown.is_of(its):
+        if self.worker.busy or shown.is_of(its):
             self._begin_here(activity, points)
             return
         text = tr(
@@ -225,6 +230,13 @@ class MainWindow(QMainWindow):
     def _begin_here(self, activity: Activity, points: tuple[object, ...]) -> None:
         if self.run.begin(activity, points):  # type: ignore[arg-type]  # signals carry objects
             self.open(self.run)
+
+    def _show_run_result(self, concluded: Concluded) -> None:
+        """Show what a run gave, unless the next one goes on, which is looked at."""
+        if self.run.phase is Phase.RUNNING:
+            self.records.refresh()
+        else:
+            self._show_result(concluded)
 
     def _show_result(self, concluded: Concluded) -> None:
         self.result.show_result(concluded, self.store)

@@ -57,6 +57,7 @@ DIALOGS = {
     "programme": lambda driver, path: driver.run.form._choose_file(),
     "export": lambda driver, path: driver.window.records._ask_for_export("20260101-1"),
     "replace": _export_over,
+    "discard": lambda driver, path: driver.window.records.discard(path),
     "another stand": lambda driver, path: driver.window._begin(_Elsewhere(path)),
     "leave": lambda driver, path: driver.window.way_out._ask(),
     "esc stops nothing": lambda driver, path: driver.window._say_what_stops(),

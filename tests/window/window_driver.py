@@ -55,6 +55,7 @@ class Driver:
         window.run.view.log.clear()
         window.run.offered.offer([])
         window.run._broken_off = False
+        window.run.queue.open()
         window.result.presentation = None
         window.records.tabs.setCurrentIndex(0)
         window.records.refresh()

@@ -8,15 +8,17 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QTabWidget, QVBoxLayout, QWidget
 
+from tumble.app.discarding import FOLDER
 from tumble.app.headline import headline
 from tumble.calibrations.core.quantities import format_in_unit
-from tumble.calibrations.core.verdict import Model, Outcome
+from tumble.calibrations.core.verdict import Model
 from tumble.calibrations.records.record import Record
 from tumble.procedures.errors import InputError
 from tumble.window.look.language import tr
 from tumble.window.look.numbers import local
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
+from tumble.window.look.verdicts import verdict_mark
 from tumble.window.screens.cut_off_view import CutOffView
 from tumble.window.screens.stand_records import StandRecords
 from tumble.window.widgets.dialog import FileDialog, QuestionDialog
@@ -142,19 +144,13 @@ class RecordsScreen(QWidget):
 
     def _line(self, record: Record, titles: Mapping[str, str]) -> tuple[str, ...]:
         origin = record.provenance
-        verdicts = {
-            Outcome.PASS: tr("✓ inside"),
-            Outcome.FAIL: tr("✗ outside"),
-            Outcome.NOT_DECIDED: tr("? not decided"),
-            Outcome.NO_LIMITS: tr("not judged"),
-        }
         return (
             origin.serial_number,
             in_language(titles.get(record.method, record.method)),
             origin.programme_name,
             (origin.measured_at or f"{record.created_at:%Y-%m-%dT%H:%M}").replace("T", " ")[:16],
             str(record.revision),
-            verdicts[record.verdict.outcome],
+            verdict_mark(record.verdict.outcome),
             f"⚠ {_headline(record)}" if unsettled(record) else _headline(record),
             record.id,
         )
@@ -179,7 +175,11 @@ class RecordsScreen(QWidget):
 
     def _open(self) -> None:
         for record in self._chosen()[:1]:
-            self._start(partial(store.open_record, self._folder(), record.id), self._show_opened)
+            self.open_record(record.id)
+
+    def open_record(self, record_id: str) -> None:
+        """Show a record on the screen Result."""
+        self._start(partial(store.open_record, self._folder(), record_id), self._show_opened)
 
     def _analyse_again(self) -> None:
         for record in self._chosen()[:1]:
@@ -234,6 +234,22 @@ class RecordsScreen(QWidget):
     def analyse_cut_off(self, path: Path) -> None:
         """Make a record of what there is of a run that came to no end."""
         self._start(partial(store.analyse_cut_off, self._folder(), path), self._show_opened)
+
+    def discard(self, path: Path) -> None:
+        """Take a run out of the way once that is agreed to."""
+        text = tr(
+            "Discard the run {name}? It is not analysed and not offered again; its files are moved to the folder "
+            "{folder} of the store, and not deleted.",
+            name=path.name,
+            folder=FOLDER,
+        )
+        question = QuestionDialog(tr("Discard"), text, tr("Discard it"))
+        question.agreed.connect(lambda: self._start(partial(store.discard, self._folder(), path), self._say_discarded))
+        self.dialog_wanted.emit(question)
+
+    def _say_discarded(self, place: Path) -> None:
+        self.said.setText(tr("Moved to {place}.", place=place))
+        self.refresh()
 
     def resume(self, path: Path) -> None:
         """Find out what there is to go on with, and ask for that."""

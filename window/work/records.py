@@ -119,6 +119,13 @@ def analyse_cut_off(folder: Path, path: Path) -> Concluded:
     )
 
 
+def discard(folder: Path, path: Path) -> Path:
+    """Take a run that nobody needs out of the way, and return where it lies now. Raises `InputError`, `JobError`."""
+    from tumble.app.discarding import discard
+
+    return discard(folder, path)
+
+
 def differences(folder: Path, first: str, second: str) -> "tuple[Difference, ...]":
     """Compare two records."""
     from tumble.app.opening import open_store
