@@ -106,6 +106,7 @@ class MainWindow(QMainWindow):
         remember_place(self, self._navigation.current)
         self.worker.leave()
         self.run.course.leave()
+        self.records.surveyor.leave()
         self.background.leave()
         event.accept()
         self.left.emit()
