@@ -50,7 +50,7 @@ def test_a_trend_offers_the_parameters_of_the_records(records):
 
 def test_the_parameter_that_is_chosen_stays_chosen_with_other_records(records):
     records.trend.parameter.setCurrentText("late")
-    records.trend.show_records(records.records[:1])
+    records.trend.show_records(records.records[1:])
     assert records.trend.parameter.currentText() == "late"
 
 

@@ -147,7 +147,7 @@ class RecordsScreen(QWidget):
         self.shown.emit()
 
     def _draw_trend(self) -> None:
-        self.trend.show_records(self.records[::-1])
+        self.trend.show_records(self.records)
 
     def _show_around(self, around: store.Around) -> None:
         self.search.offer(around.programmes)

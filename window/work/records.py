@@ -34,7 +34,7 @@ class Found:
     """What was looked for."""
 
     records: tuple[Record, ...]
-    """The newest first."""
+    """The newest of them, in the order in which they were measured."""
     more: bool
     """Whether there are older ones."""
     titles: Mapping[str, str]
@@ -60,7 +60,7 @@ def search(folder: Path, wanted: Wanted) -> Found:
     if not (folder / DATABASE).is_file():
         return Found(records=(), more=False, titles=method_titles())
     found = open_store(folder).newest(wanted, SHOWN + 1)
-    return Found(records=found[:SHOWN], more=len(found) > SHOWN, titles=method_titles())
+    return Found(records=found[:SHOWN][::-1], more=len(found) > SHOWN, titles=method_titles())
 
 
 def look_around(folder: Path) -> Around:
