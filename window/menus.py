@@ -114,6 +114,9 @@ def _keys() -> Dialog:
     keys = {
         ", ".join(STOP_KEYS): tr("stop the head, whatever is going on"),
         "Esc": tr("close a dialog; it stops nothing"),
+        "F2": tr("add to the queue; while a run goes on, open the form for that first"),
+        "F4": tr("start the queue, or hold it"),
+        "Alt+↑ Alt+↓ Del": tr("in the queue: move a line, take it out"),
         "F5": tr("start the run"),
         "F6": tr("pause"),
         "F7": tr("go on after a pause"),

@@ -55,7 +55,7 @@ def test_units_are_measured_one_after_the_other_to_their_records(driver, tiny, n
     driver.press(Qt.Key.Key_F4)
     wait_for(driver, Stage.JUDGED, Stage.JUDGED)
     assert states(driver) == ["not judged", "not judged"]
-    assert driver.run.queue_view.said.text() == "The queue is done."
+    assert driver.run.queue_view.said.text() == "Everything in the queue was measured."
     driver.wait(lambda: len(driver.window.records.records) == 2)
     assert {record.id for record in driver.window.records.records} == {entry.record_id for entry in entries(driver)}
 

@@ -125,7 +125,7 @@ class QueueRunner(QObject):
             return
         entry = self.queue.next_waiting()
         if entry is None:
-            self._hold(tr("The queue is done."))
+            self._hold(tr("Everything in the queue was measured."))
             return
         try:
             job, plan = self._planned(entry)

@@ -15,8 +15,7 @@ from tumble.window.look.numbers import local
 from tumble.window.look.sentences import in_language
 from tumble.window.look.tints import AMBER
 from tumble.window.widgets.huge_label import HugeLabel
-from tumble.window.widgets.motion_button import MotionButton
-from tumble.window.widgets.waiting_page import WaitingPage
+from tumble.window.widgets.waiting_page import WaitingPage, answer_button
 
 
 class ConditionPrompt(WaitingPage):
@@ -31,8 +30,7 @@ class ConditionPrompt(WaitingPage):
         super().__init__(picture, parent)
         self._ask: Ask | None = None
         self._statuses: dict[str, PositionerStatus] = {}
-        self.confirm = MotionButton(self.button_text(), "F9")
-        self.confirm.setObjectName("primary")
+        self.confirm = answer_button(self.button_text())
         self.confirm.clicked.connect(self.confirmed)
         self.column.addWidget(self.confirm)
 
@@ -103,8 +101,7 @@ class UnitPrompt(WaitingPage):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent=parent)
-        self.confirm = MotionButton(tr("It is there"), "F9")
-        self.confirm.setObjectName("primary")
+        self.confirm = answer_button(tr("It is there"))
         self.confirm.clicked.connect(self.confirmed)
         self.column.addWidget(self.confirm)
 

@@ -8,8 +8,10 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QVBoxLayout, QWidget
 
 from tumble.window.look.tints import AMBER
 from tumble.window.widgets.banner import Banner
+from tumble.window.widgets.motion_button import MotionButton
 
 _ROUND: Final = 8
+_ANSWER_PT: Final = 20
 
 
 class WaitingPage(QFrame):
@@ -26,8 +28,8 @@ class WaitingPage(QFrame):
         self.column.addStretch(1)
         across = QHBoxLayout(self)
         if picture is not None:
-            across.addWidget(_on_paper(picture), stretch=2)
-        across.addLayout(self.column, stretch=3)
+            across.addWidget(_on_paper(picture), stretch=1)
+        across.addLayout(self.column, stretch=2)
 
     def show_unit(self, serial_number: str) -> None:
         """Say which unit it is."""
@@ -44,6 +46,16 @@ class WaitingPage(QFrame):
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(QColor(AMBER.ground))
         painter.drawRoundedRect(self.rect(), _ROUND, _ROUND)
+
+
+def answer_button(text: str) -> MotionButton:
+    """What says that it is done: as dark on amber as the words, light or dark the window."""
+    button = MotionButton(text, "F9")
+    button.setStyleSheet(
+        f"background: {AMBER.ink}; color: {AMBER.ground}; border: none; border-radius: {_ROUND}px; "
+        f"font-weight: bold; font-size: {_ANSWER_PT}pt;"
+    )
+    return button
 
 
 def _say(banner: Banner, text: str) -> None:
