@@ -10,6 +10,7 @@ from window_driver import STAND, TINY
 from tumble.app import calibrating
 from tumble.drivers.errors import DeviceError
 from tumble.drivers.simulated.daq import SimulatedDaq
+from tumble.window.look.tints import AMBER
 from tumble.window.work.run_queue import Stage
 
 
@@ -233,3 +234,39 @@ def test_the_file_says_which_version_it_is(driver, tiny, tmp_path):
 
 
 ONCE = {"repeats": 1, "stage": "waiting"}
+
+
+@pytest.fixture
+def asking_nothing(monkeypatch):
+    """Programmes that ask for nothing before their first dwell."""
+    monkeypatch.setattr("tumble.window.screens.queue_runner._asks_first", lambda _plan: False)
+
+
+def test_another_unit_is_asked_for_where_its_programme_does_not(asking_nothing, driver, tiny, no_report):
+    add(driver, tiny, "A-1", "B-2")
+    driver.press(Qt.Key.Key_F4)
+    driver.wait(driver.run.view.unit.isVisible)
+    assert stages(driver)[1] == ("B-2", Stage.MOUNTING)
+    assert "put B-2 in its place" in driver.run.view.unit.words.text
+    assert driver.window.strip.state.tint is AMBER
+    driver.press(Qt.Key.Key_F9)
+    wait_for(driver, Stage.JUDGED, Stage.JUDGED)
+    assert not driver.run.view.unit.isVisible()
+
+
+def test_a_repeat_of_a_unit_asks_for_none(asking_nothing, driver, tiny, no_report):
+    driver.window.open(driver.run)
+    driver.run.controls.repeats.setValue(2)
+    add(driver, tiny, "A-1")
+    driver.press(Qt.Key.Key_F4)
+    wait_for(driver, Stage.JUDGED, Stage.JUDGED)
+
+
+def test_stop_while_another_unit_is_awaited_holds_the_queue(asking_nothing, driver, tiny, no_report):
+    add(driver, tiny, "A-1", "B-2")
+    driver.press(Qt.Key.Key_F4)
+    driver.wait(driver.run.view.unit.isVisible)
+    driver.press(Qt.Key.Key_F12)
+    driver.wait(lambda: stages(driver)[1] == ("B-2", Stage.WAITING), 10)
+    assert not driver.run.view.unit.isVisible()
+    assert driver.run.queue_view.said.text() == "The queue is held: it was stopped. F4 goes on with it."

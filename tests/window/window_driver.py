@@ -56,6 +56,7 @@ class Driver:
         window.run.offered.offer([])
         window.run._broken_off = False
         window.run.queue.open()
+        window.run.queue._seated = ""
         window.result.presentation = None
         window.records.tabs.setCurrentIndex(0)
         window.records.refresh()
