@@ -2,6 +2,7 @@
 
 from typing import Final
 
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QSpinBox, QVBoxLayout, QWidget
 
 from tumble.procedures.progress import TimeLeft
@@ -9,6 +10,7 @@ from tumble.window.look.language import tr
 from tumble.window.look.numbers import minutes
 from tumble.window.screens.run_state import RunState
 from tumble.window.widgets.motion_button import MotionButton
+from tumble.window.widgets.splitter import Splitter
 
 _MOST_REPEATS: Final = 99
 
@@ -82,21 +84,30 @@ class RunControls(QWidget):
         self.repeats.setSuffix(" ×")
         self.repeats.setAccessibleName(tr("How often it is measured"))
         self.repeats.setToolTip(self.repeats.accessibleName())
-        buttons = QHBoxLayout()
+        run, queue = QHBoxLayout(), QHBoxLayout()
         for button in (self.start, self.pause, self.resume):
-            buttons.addWidget(button)
-        buttons.addWidget(self._summary, stretch=1)
-        buttons.addStretch()
+            run.addWidget(button)
+        run.addWidget(self._summary, stretch=1)
+        run.addStretch()
+        queue.addStretch()
         for part in (self.repeats, self.add, self.start_queue, self.hold_queue):
-            buttons.addWidget(part)
+            queue.addWidget(part)
+        buttons = Splitter(Qt.Orientation.Horizontal, (_row(run), _row(queue)), (3, 2))  # folds where it is narrow
         progress = QHBoxLayout()
         progress.addWidget(self.state)
         progress.addWidget(self._bar, stretch=1)
         progress.addWidget(self._left)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        layout.addLayout(buttons)
+        layout.addWidget(buttons)
         layout.addLayout(progress)
+
+
+def _row(parts: QHBoxLayout) -> QWidget:
+    row = QWidget()
+    parts.setContentsMargins(0, 0, 0, 0)
+    row.setLayout(parts)
+    return row
 
 
 def _time_left(left: TimeLeft) -> str:
