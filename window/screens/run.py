@@ -105,12 +105,11 @@ class RunScreen(QWidget):
 
     def begin(self, activity: Activity, points: tuple[Point, ...] = ()) -> bool:
         """Begin a run, whichever it is, unless the stand is at work; returns whether it was begun."""
-        begun = self._begin(activity, points)
-        if begun:
-            self._adding = False
-            self.form.serial.setText(activity.job.serial_number)
-            self._refresh()
-        return begun
+        self._adding = False
+        if not self._begin(activity, points):
+            return False
+        self.form.serial.setText(activity.job.serial_number)
+        return True
 
     def showEvent(self, event: QShowEvent) -> None:  # noqa: N802  # Qt's name
         """Be ready for the scanner."""
@@ -288,8 +287,8 @@ class RunScreen(QWidget):
 
     def _refresh(self) -> None:
         now, free = self.course.now, self.course.is_free
-        for part in (self.form.setVisible, self.controls.show_form):
-            part(not now.running or self._adding)
+        self.form.setVisible(not now.running or self._adding)
+        self.controls.show_form(not now.running or self._adding)
         self.line.setVisible(now.running)
         self.controls.show_state(now, free, bool(self.form.serial.text().strip()))
         self.offered.allow(free)
