@@ -131,6 +131,23 @@ def calibrate(
     InputError, JobError
         What went wrong; the recording is kept whenever there is one.
     """
+    return conclude(measure(job, connected, folder, listeners, effects), folder, tell, language, effects)
+
+
+def measure(
+    job: Job,
+    connected: Connected,
+    folder: Path,
+    listeners: Sequence[Listener] = (),
+    effects: Path | None = None,
+) -> Path:
+    """Run what is to be calibrated, and return its recording, which `conclude` takes; arguments as of `calibrate`.
+
+    Raises
+    ------
+    InputError, JobError
+        What went wrong; the recording is kept whenever there is one.
+    """
     find_job(job.programme.method)
     job.plan()
     make_ready(folder)
@@ -139,7 +156,7 @@ def calibrate(
     outcome = run(job, connected, recording, listeners, "calibrate")
     if error := failure(outcome, recording):
         raise error
-    return conclude(recording, folder, tell, language, effects)
+    return recording
 
 
 def conclude(

@@ -56,10 +56,9 @@ def _cut_off(path: Path) -> Iterator[CutOff]:
         )
 
 
-def _recorded(folder: Path) -> set[Path]:
-    """The raw files of every record that stands."""
+def _recorded(folder: Path) -> frozenset[Path]:
+    """The raw files of every record."""
     try:
-        store = open_store(folder)
-        return {path.resolve() for record in store.find() for path in store.raw_files(record)}
+        return frozenset(path.resolve() for path in open_store(folder).recorded_files())
     except (InputError, StoreError):
-        return set()
+        return frozenset()

@@ -101,6 +101,11 @@ def is_set_aside(path: Path) -> bool:
     return _CUT.fullmatch(path.stem) is not None
 
 
+def files_of(run: Path) -> tuple[Path, ...]:
+    """The recording of a run, and what was set aside of it; empty where there is neither."""
+    return tuple(path for path in (*_set_aside_before(run), run) if path.is_file())
+
+
 def lived_through(paths: Sequence[Path], stand: LoadedStand, now: Recording | None = None) -> list[Past]:
     """The runs of recordings that were made at a stand, and the one that goes on `now`.
 

@@ -44,7 +44,6 @@ from tumble.procedures.recording.header import Header
 from tumble.procedures.recording.reader import iter_samples
 from tumble.procedures.steps import Dwell, Point
 from tumble.window.look.plots import Plot
-from tumble.window.screens.run import Phase
 from tumble.window.start import Application, application
 
 RATE_HZ, CHANNELS, BLOCK = 50_000, 4, 2_500
@@ -201,8 +200,8 @@ def measure(minutes: float) -> dict[str, Any]:
     view._redraw.timeout.connect(view._draw)
     job = Job(stand=load_stand(), programme=programme_from_text(_PROGRAMME, "stream"), serial_number="STREAM")
     running.window.open(running.window.run)
-    view.begin(job.programme, job.plan())
-    running.window.run._now.phase = Phase.RUNNING
+    view.begin(job, job.plan())
+    running.window.run.course.now.running = True
     beat = QTimer(interval=BEAT_MS, timerType=Qt.TimerType.PreciseTimer)
     beat.timeout.connect(meter.beat)
     beat.start()
@@ -229,7 +228,7 @@ def measure(minutes: float) -> dict[str, Any]:
         late_s = float(streaming.stderr.read())
     beat.stop()
     drawn = view.overview.done
-    running.window.run._now.phase = Phase.IDLE
+    running.window.run.course.now.running = False
     running.window.leave()
     return summary(meter) | {
         "blocks": taken[0],

@@ -203,7 +203,7 @@ class Tour:
         self.window.open(run)
         run.form.add_programme(str(self._programme))
         run.form.serial.setText("SN-1")
-        run.start_button.click()
+        run.controls.start.click()
         self._wait(lambda: self.window.result.presentation is not None)
 
     def take(self, language: Language, shade: Shade, size: tuple[int, int], scale: float) -> None:

@@ -85,6 +85,7 @@ class MainWindow(QMainWindow):
         self._connect()
         self.frame.rail.choose(restore_place(self))
         self._show_stand(loaded)
+        self.run.queue.open()
         if trouble is not None:
             self.tell(trouble)
 
@@ -121,6 +122,8 @@ class MainWindow(QMainWindow):
             return
         remember_place(self, self.frame.rail.current)
         self.worker.leave()
+        self.run.course.leave()
+        self.records.surveyor.leave()
         self.background.leave()
         event.accept()
         self.left.emit()
@@ -186,12 +189,15 @@ class MainWindow(QMainWindow):
         run.state_changed.connect(self._show_state)
         run.unit_changed.connect(self.strip.show_unit)
         run.concluded.connect(self._conclude)
-        run.resume_wanted.connect(records.resume)
-        run.analysis_wanted.connect(records.analyse_cut_off)
+        run.queue_view.record_wanted.connect(records.open_record)
+        run.offered.discard_wanted.connect(records.discard)
+        run.offered.wanted.connect(records.resume)
+        run.offered.analysis_wanted.connect(records.analyse_cut_off)
         run.broke_off.connect(records.refresh)
         records.found_cut_off.connect(run.offer)
         records.found_cut_off.connect(lambda found: self._badges.show_cut_off(len(found)))
         records.opened.connect(self._show_result)
+        records.opened.connect(run.queue.hear_result)
         records.resume_wanted.connect(self.beginning.begin)
         self.result.experiment_wanted.connect(self.beginning.begin)
         self.beginning.begun.connect(lambda: self.open(self.run))
@@ -240,7 +246,7 @@ class MainWindow(QMainWindow):
             self._badges.show_result(seen=True)
 
     def _show_state(self, text: str, fault: bool) -> None:
-        mood = self.run.mood
+        mood = self.run.course.now.mood
         self.stop_bar.show_state(text, fault)
         self.strip.show_state(text, mood)
         self._badges.show_mood(mood, text)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from scipy.special import stdtr
 
+from tumble.calibrations.core.quantities import format_number, join, rounded
 from tumble.calibrations.core.verdict import Model
 from tumble.calibrations.records.errors import RecordError
 from tumble.calibrations.records.parameter import RecordedParameter
@@ -153,13 +154,7 @@ def _two_sided_p(significance: float, freedom: float) -> float:
 
 
 def _sentence(a: RecordedParameter, difference: float, u: float, p_value: float | None, same_file: bool) -> Message:
-    change = Message(
-        "{name} changed by {difference:+.3g} {unit}, standard uncertainty {uncertainty:.2g} {unit}",
-        name=a.name,
-        difference=difference,
-        uncertainty=u,
-        unit=a.unit,
-    )
+    change = _change(a, difference, u)
     if same_file and difference == 0.0:
         return Message("{name} did not change: both records come from one raw file.", name=a.name)
     if same_file:
@@ -171,3 +166,16 @@ def _sentence(a: RecordedParameter, difference: float, u: float, p_value: float 
     if p_value < SIGNIFICANT_P:
         return Message("{change}: significant (p = {p_value:.2g}).", change=change, p_value=p_value)
     return Message("{change}: not significant (p = {p_value:.2g}).", change=change, p_value=p_value)
+
+
+def _change(a: RecordedParameter, difference: float, u: float) -> Message:
+    """Difference and uncertainty in one unit with the prefix that suits both, to the digits that these have."""
+    sign = "-" if difference < 0 else "+"
+    text = rounded(abs(difference), u, a.unit)
+    number = join(text.value, text.unit) if text.uncertainty else format_number(abs(difference), a.unit)
+    return Message(
+        "{name} changed by {difference}, standard uncertainty {uncertainty}",
+        name=a.name,
+        difference=f"{sign}{number}",
+        uncertainty=join(text.uncertainty or "0", text.unit),
+    )

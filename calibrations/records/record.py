@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
+from functools import cached_property
 from typing import Any
 
 from tumble.calibrations.core.provenance import LimitCheck, Provenance
@@ -73,14 +74,14 @@ class Record:
         """The model whose values are to be used: the augmented one where the loop found something."""
         return self.verdict.judged if self.format_version >= METHODS_SINCE else model_of(self.result)
 
-    @property
+    @cached_property
     def values(self) -> Mapping[str, RecordedParameter]:
         """The values to use, by name: what the loop withholds has none."""
         models = self.models
         augmented = models.get("augmented", {})
         return augmented if self.model is Model.AUGMENTED else _without_withheld(models["declared"], augmented)
 
-    @property
+    @cached_property
     def models(self) -> Mapping[str, Mapping[str, RecordedParameter]]:
         """The parameters of the model `declared` and, where the loop was closed, of `augmented`, by name."""
         stored = models_of(self.result) if self.models_json is None else self.models_json

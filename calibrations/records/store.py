@@ -5,7 +5,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any
 
-from sqlalchemy import ColumnElement, Connection, Select, exists, func, insert, select
+from sqlalchemy import ColumnElement, Connection, Select, insert, select
 
 from tumble.calibrations.core.provenance import Provenance
 from tumble.calibrations.core.verdict import Outcome
@@ -16,18 +16,15 @@ from tumble.calibrations.records.database import open_database, storage_errors
 from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.records.errors import RecordError, StoreError
 from tumble.calibrations.records.inventory import Inventory, inventory
+from tumble.calibrations.records.listing import MEASURED_AT, STANDS, newest, programmes, teach_folding
 from tumble.calibrations.records.raw import resolved_path, stored_path
 from tumble.calibrations.records.record import Record
 from tumble.calibrations.records.rows import parameter_rows, record_from_row, record_row
 from tumble.calibrations.records.schema import PARAMETERS, RECORDS
 from tumble.calibrations.records.times import utc_now, utc_text
 from tumble.calibrations.records.transactions import migrate, reading, writing
+from tumble.calibrations.records.wanted import Wanted
 from tumble.messages import Message
-
-_NEWER = RECORDS.alias("newer")
-_STANDS = ~exists().where(_NEWER.c.supersedes == RECORDS.c.id)
-_MEASURED_AT = func.coalesce(RECORDS.c.measured_at, RECORDS.c.created_at)
-"""Start of the run, or when the record was made where the source does not say."""
 
 
 class Store:
@@ -148,20 +145,40 @@ class Store:
             RECORDS.c.serial_number == serial_number if serial_number is not None else None,
             RECORDS.c.method == method if method is not None else None,
             RECORDS.c.programme_name == programme_name if programme_name is not None else None,
-            utc_text(since) <= _MEASURED_AT if since else None,
-            utc_text(until) >= _MEASURED_AT if until else None,
+            utc_text(since) <= MEASURED_AT if since else None,
+            utc_text(until) >= MEASURED_AT if until else None,
             RECORDS.c.outcome == str(verdict) if verdict else None,
         ]
         given: list[ColumnElement[bool]] = [condition for condition in conditions if condition is not None]
         return self._records(
             select(RECORDS)
-            .where(_STANDS, *given)
-            .order_by(_MEASURED_AT, RECORDS.c.created_at, RECORDS.c.sequence, RECORDS.c.id)
+            .where(STANDS, *given)
+            .order_by(MEASURED_AT, RECORDS.c.created_at, RECORDS.c.sequence, RECORDS.c.id)
         )
+
+    def newest(self, wanted: Wanted, limit: int) -> tuple[Record, ...]:
+        """At most so many of the records that stand and are wanted, the newest first; the others are not read."""
+        with storage_errors(self.path), reading(self._engine) as connection:
+            teach_folding(connection)
+            ids: Sequence[str] = connection.execute(newest(wanted, limit)).scalars().all()
+            rows = connection.execute(select(RECORDS).where(RECORDS.c.id.in_(ids))).mappings()
+            found = {row["id"]: self._record(dict(row)) for row in rows}
+        return tuple(found[each] for each in ids)
+
+    def programmes(self) -> tuple[str, ...]:
+        """Names of the programmes of all records, in their order."""
+        with storage_errors(self.path), reading(self._engine) as connection:
+            return tuple(name for name in connection.execute(programmes()).scalars() if name)
+
+    def recorded_files(self) -> frozenset[Path]:
+        """Where the raw files of all records lie that are in a table still, whether these stand or not."""
+        with storage_errors(self.path), reading(self._engine) as connection:
+            sources = connection.execute(select(RECORDS.c.sources)).scalars()
+            return frozenset(resolved_path(self.folder, each["path"]) for listed in sources for each in listed)
 
     def standing(self) -> tuple[str, ...]:
         """Ids of the records that stand, in the order of measurement; damaged ones too."""
-        query = select(RECORDS.c.id).where(_STANDS).order_by(_MEASURED_AT, RECORDS.c.id)
+        query = select(RECORDS.c.id).where(STANDS).order_by(MEASURED_AT, RECORDS.c.id)
         with storage_errors(self.path), reading(self._engine) as connection:
             return tuple(connection.execute(query).scalars())
 
@@ -173,8 +190,8 @@ class Store:
 
     def latest(self, serial_number: str) -> Record | None:
         """Return the record of a unit that was measured last, in its last revision."""
-        query = select(RECORDS).where(_STANDS, RECORDS.c.serial_number == serial_number)
-        found = self._records(query.order_by(_MEASURED_AT.desc(), RECORDS.c.id.desc()).limit(1))
+        query = select(RECORDS).where(STANDS, RECORDS.c.serial_number == serial_number)
+        found = self._records(query.order_by(MEASURED_AT.desc(), RECORDS.c.id.desc()).limit(1))
         return found[0] if found else None
 
     def revisions(self, record: Record) -> tuple[Record, ...]:
@@ -217,8 +234,8 @@ class Store:
     def _standing(
         self, connection: Connection, serial_number: str, method: str, hashes: Collection[str]
     ) -> Record | None:
-        query = select(RECORDS).where(_STANDS, RECORDS.c.serial_number == serial_number, RECORDS.c.method == method)
-        rows = connection.execute(query.order_by(_MEASURED_AT, RECORDS.c.id)).mappings()
+        query = select(RECORDS).where(STANDS, RECORDS.c.serial_number == serial_number, RECORDS.c.method == method)
+        rows = connection.execute(query.order_by(MEASURED_AT, RECORDS.c.id)).mappings()
         found = [self._record(dict(row)) for row in rows]
         return next((each for each in reversed(found) if set(each.provenance.source_hashes) == set(hashes)), None)
 

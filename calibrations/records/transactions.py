@@ -7,7 +7,9 @@ from contextlib import closing, contextmanager
 from pathlib import Path
 
 from sqlalchemy import Connection, Engine, select
+from sqlalchemy.schema import CreateIndex
 
+from tumble.calibrations.records.listing import INDEX
 from tumble.calibrations.records.migrations.view import show_as_current
 from tumble.calibrations.records.schema import STORE, STORE_VERSION
 
@@ -28,11 +30,16 @@ def reading(engine: Engine) -> Iterator[Connection]:
 def writing(engine: Engine) -> Iterator[Connection]:
     """One transaction that has the right to write from its beginning on, so that two writers wait for each other.
 
-    A store of an older version is migrated first.
+    A store of an older version is migrated first, and one without the index of `listing` gets it.
     """
     migrate(engine)
     with immediately(engine) as connection:
+        _make_listing(connection)
         yield connection
+
+
+def _make_listing(connection: Connection) -> None:
+    connection.execute(CreateIndex(INDEX, if_not_exists=True))
 
 
 def migrate(engine: Engine) -> Path | None:
@@ -51,6 +58,7 @@ def migrate(engine: Engine) -> Path | None:
             return None
         copy = _copy(Path(str(engine.url.database)), version)
         bring_up_to_date(connection, version)
+        _make_listing(connection)
     return copy
 
 

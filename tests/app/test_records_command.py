@@ -98,7 +98,7 @@ def test_a_comparison_says_what_changed_significantly(copied, write, tmp_path):
     sentences = {line.split()[0]: line for line in lines}
     assert set(sentences) == {"u0", "kx", "ky", "kz", "kxy", "alpha0"}
     change, unit = sentences["kx"].removeprefix("kx changed by ").split(",")[0].split()
-    assert (float(change), unit) == (pytest.approx(0.1, abs=3e-4), "V/g")
+    assert (float(change), unit) == (pytest.approx(100.0, abs=0.3), "mV/g")
     assert ": significant (p = " in sentences["kx"]
     assert ": not significant (p = " in sentences["u0"]
 

@@ -126,7 +126,7 @@ def test_records_of_one_method_are_compared(store, record):
     second = store.add(pendulum(parameters={"period": PERIOD | {"value": 2.017}}), provenance())
     period = compare(record, second)[0]
     assert period.difference == pytest.approx(0.01)
-    assert period.sentence.startswith("period changed by +0.01 s, standard uncertainty 0.0014 s: significant")
+    assert period.sentence.startswith("period changed by +0.0100 s, standard uncertainty 0.0014 s: significant")
 
 
 def test_a_record_is_not_superseded_by_one_of_another_method(store, record):

@@ -58,7 +58,7 @@ def test_the_sentence_says_whether_the_change_is_significant(record, value, judg
 def test_two_analyses_of_one_raw_file_differ_by_the_analysis(record):
     (kx,) = compare(record(), record(value=1.0005))
     assert kx.sentence == (
-        "kx changed by +0.0005 V/g, standard uncertainty 0.00042 V/g: "
+        "kx changed by +0.50 mV/g, standard uncertainty 0.42 mV/g: "
         "both records come from one raw file, so this is what the analysis changed."
     )
 
@@ -71,7 +71,13 @@ def test_two_equal_analyses_of_one_raw_file_show_no_change(record):
 def test_a_difference_without_uncertainty_has_no_significance(record):
     (kx,) = compare(record(standard_uncertainty=0.0), record("bb", value=1.5, standard_uncertainty=0.0))
     assert (kx.difference, kx.significance, kx.p_value) == (0.5, None, None)
-    assert kx.sentence == "kx changed by +0.5 V/g, standard uncertainty 0 V/g."
+    assert kx.sentence == "kx changed by +500 mV/g, standard uncertainty 0 mV/g."
+
+
+def test_a_small_difference_has_the_prefix_and_the_digits_of_its_uncertainty(record):
+    first, second = record(standard_uncertainty=15e-6), record("bb", value=1.0 - 14.6e-6, standard_uncertainty=15e-6)
+    (kx,) = compare(first, second)
+    assert kx.sentence.startswith("kx changed by -15 µV/g, standard uncertainty 21 µV/g: not significant")
 
 
 UNTOLD = {"value": None, "standard_uncertainty": None, "type_a": None, "freedom": None, "interval_95": None}

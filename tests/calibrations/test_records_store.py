@@ -1,6 +1,7 @@
 """Adding records to a store and finding them again."""
 
 import re
+import sqlite3
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from datetime import UTC, datetime
@@ -21,7 +22,9 @@ from records_examples import (
 from tumble.calibrations.core.verdict import Outcome
 from tumble.calibrations.methods.dividing_head.entry import entry
 from tumble.calibrations.records.errors import RecordError
+from tumble.calibrations.records.listing import newest
 from tumble.calibrations.records.store import Store
+from tumble.calibrations.records.wanted import Wanted
 
 
 @pytest.fixture
@@ -187,3 +190,44 @@ def test_writers_that_open_and_write_at_the_same_time_all_succeed(tmp_path):
         written = list(pool.map(write, range(12)))
     assert {record.id for record in Store(tmp_path).find()} == {record.id for record in written}
     assert len(written) == 12
+
+
+@pytest.fixture
+def several(store):
+    """Records of three units, in the order in which they were measured."""
+    return [store.add(entry(calibration()), provenance(serial_number=unit)) for unit in ("AB-1", "ÄB-2", "AC-3")]
+
+
+@pytest.mark.parametrize(
+    ("part", "units"),
+    [("", ["AC-3", "ÄB-2", "AB-1"]), ("ab", ["AB-1"]), ("äb", ["ÄB-2"]), ("%", []), ("b-", ["ÄB-2", "AB-1"])],
+)
+def test_the_newest_are_found_by_a_part_of_their_serial_number(store, several, part, units):
+    found = store.newest(Wanted(part_of_serial_number=part), 10)
+    assert [record.provenance.serial_number for record in found] == units
+
+
+def test_no_more_are_read_than_are_wanted(store, several):
+    assert [record.id for record in store.newest(Wanted(), 2)] == [several[2].id, several[1].id]
+
+
+def test_what_was_superseded_is_not_among_the_newest(store, several):
+    store.add(entry(calibration()), provenance(serial_number="AB-1"), supersedes=several[0].id)
+    assert several[0].id not in [record.id for record in store.newest(Wanted(), 10)]
+
+
+def test_a_search_reads_no_table_but_an_index(store, several):
+    with sqlite3.connect(store.path) as database:
+        query = str(newest(Wanted(), 3).compile(compile_kwargs={"literal_binds": True}))
+        plan = " ".join(row[3] for row in database.execute(f"EXPLAIN QUERY PLAN {query}"))
+    assert "USING COVERING INDEX ix_records_listing" in plan
+    assert "TEMP B-TREE" not in plan
+
+
+def test_a_store_without_the_index_gets_it_with_the_next_record(store, several):
+    with sqlite3.connect(store.path) as database:
+        database.execute("DROP INDEX ix_records_listing")
+    assert len(store.newest(Wanted(), 10)) == 3
+    store.add(entry(calibration()), provenance())
+    with sqlite3.connect(store.path) as database:
+        assert database.execute("SELECT 1 FROM sqlite_master WHERE name = 'ix_records_listing'").fetchone()

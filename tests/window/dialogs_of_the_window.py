@@ -60,6 +60,7 @@ DIALOGS = {
     "programme": lambda driver, path: driver.run.form._choose_file(),
     "export": lambda driver, path: driver.window.records._ask_for_export("20260101-1"),
     "replace": _export_over,
+    "discard": lambda driver, path: driver.window.records.discard(path),
     "another stand": lambda driver, path: driver.window.beginning.begin(_Elsewhere(path)),
     "copy of the stand file": lambda driver, path: driver.window.stand.editor._choose_place(),
     "leave the stand file": _leave_changed,

@@ -71,10 +71,9 @@ class Measured:
     points_done: int = 0
     past: tuple = ()
 
-    def carry_out(self, connected, listeners, tell):
+    def measure(self, connected, listeners, tell):
         outcome = run(self.job, connected, self.recording, listeners)
-        tell("fitting")
-        return Concluded(method="two_axes", traced=Bias(outcome.points), recordings=(self.recording,))
+        return lambda tell: Concluded(method="two_axes", traced=Bias(outcome.points), recordings=(self.recording,))
 
 
 @pytest.fixture
@@ -107,7 +106,14 @@ def measure(driver, tmp_path):
 def test_a_condition_is_asked_for_in_the_words_of_its_method(driver, tmp_path):
     begin(driver, tmp_path)
     prompt = driver.run.view.prompt
-    assert (prompt.value, prompt._task.text()) == ("level", "bring the base to level")
+    assert prompt.value == "level"
+    assert prompt.unit.text == "T-1"
+    driver.wait(
+        lambda: (
+            prompt.words.text == "Bring the base to level. outer is at 0° and turns by itself once you confirm. "
+            "inner is at 0° and turns by itself once you confirm."
+        )
+    )
     assert driver.run.view.points == []
     driver.press(Qt.Key.Key_F9)
     driver.wait_for_points(4)
@@ -183,9 +189,9 @@ def test_a_standstill_that_is_not_read_back_names_the_axes(driver):
     driver.window.worker.stop()
     driver.wait(lambda: driver.complaints)
     assert driver.complaints[0].startswith("outer or inner: its standstill could not be read back")
-    assert "not read back" in driver.run._state_label.text()
+    assert "not read back" in driver.run.controls.state.text()
     inner.coasting = False
-    driver.wait(lambda: "not read back" not in driver.run._state_label.text())
+    driver.wait(lambda: "not read back" not in driver.run.controls.state.text())
 
 
 def test_its_result_is_shown_by_parameters_and_sections(driver, tmp_path):
@@ -305,6 +311,6 @@ def test_a_method_is_shown_by_the_parts_that_it_brings_along(own_parts, driver, 
 def test_the_parts_of_the_next_run_are_those_of_its_method(own_parts, driver, tmp_path, tiny):
     measure(driver, tmp_path)
     job = Job(stand=load_stand(), programme=load_programme(str(tiny)), serial_number="SN-1")
-    driver.run.view.begin(job.programme, job.plan())
+    driver.run.view.begin(job, job.plan())
     assert driver.run.view.overview.mounts == ["face-up"]
     assert driver.run.view.figures.points == []

@@ -110,7 +110,7 @@ def test_a_language_chosen_in_the_menu_is_spoken_at_once(driver, name, start):
     (chosen,) = (action for action in before.findChildren(QAction) if action.text() == name)
     chosen.trigger()
     driver.wait(lambda: driver.window is not before)
-    assert driver.window.run.start_button.text().startswith(start)
+    assert driver.window.run.controls.start.text().startswith(start)
     assert driver.window.isVisible()
     assert not before.isVisible()
 

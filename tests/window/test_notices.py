@@ -91,7 +91,7 @@ def test_what_went_well_goes_by_itself_and_faults_stay(driver):
 def test_a_key_does_what_the_newest_offers(driver):
     done = []
     driver.window.notices.show_notice(Notice(text="a", action=Action(title="Do it", act=lambda: done.append("a"))))
-    driver.press(Qt.Key.Key_F4)
+    driver.press(Qt.Key.Key_F11)
     assert done == ["a"]
     assert cards(driver) == []
 
@@ -99,13 +99,13 @@ def test_a_key_does_what_the_newest_offers(driver):
 def test_only_the_newest_names_the_keys(driver):
     for text in ("a", "b"):
         driver.window.notices.show_notice(Notice(text=text, action=Action(title="Do it", act=lambda: None)))
-    assert [card._act.text() for card in cards(driver)] == ["Do it", "Do it  [F4]"]
+    assert [card._act.text() for card in cards(driver)] == ["Do it", "Do it  [F11]"]
 
 
 def test_a_file_that_is_wrong_is_opened_by_the_notice(driver, write, opened):
     path = write("bad.toml", 'name = "x"\n[head]\ndriver = "simulated"\n')
     driver.window.stand.open(path)
-    driver.press(Qt.Key.Key_F4)
+    driver.press(Qt.Key.Key_F11)
     assert opened == [path]
 
 
@@ -123,7 +123,7 @@ def test_a_stand_that_did_not_answer_is_connected_again(driver, monkeypatch):
     driver.wait(lambda: driver.complaints and not driver.window.busy)
     monkeypatch.undo()
     assert cards(driver)[0].notice.action.title == "Connect again"
-    driver.press(Qt.Key.Key_F4)
+    driver.press(Qt.Key.Key_F11)
     driver.wait(lambda: driver.window.worker.session.is_connected)
 
 
@@ -133,14 +133,14 @@ def test_a_run_that_broke_off_is_resumed_by_the_notice(driver, tmp_path, monkeyp
     resumed = []
     object.__setattr__(driver.window._remedies, "resume", resumed.append)
     driver.window.tell(JobError(Message("{happened}; kept in {path}", happened="x", path=recording), Exit.DEVICE_FAULT))
-    driver.press(Qt.Key.Key_F4)
+    driver.press(Qt.Key.Key_F11)
     object.__setattr__(driver.window._remedies, "resume", driver.window.records.resume)
     assert resumed == [recording]
 
 
 def test_details_of_a_fault_of_the_program_are_opened_by_the_notice(driver, opened, tmp_path):
     driver.window.tell(ZeroDivisionError("x"))
-    driver.press(Qt.Key.Key_F4)
+    driver.press(Qt.Key.Key_F11)
     assert opened == [tmp_path / "state" / "tumble" / "window-faults.log"]
 
 

@@ -36,7 +36,7 @@ def reach(driver, programme, state):
         driver.wait_for_points(2)
     if state is State.PAUSED:
         driver.press(Qt.Key.Key_F6)
-        driver.wait(lambda: driver.run.state is State.PAUSED)
+        driver.wait(lambda: driver.run.course.now.state is State.PAUSED)
 
 
 @pytest.mark.parametrize("state", [State.RUNNING, State.PAUSED, State.AWAITING_OPERATOR])
@@ -57,18 +57,18 @@ def test_a_pause_holds_and_the_run_goes_on_from_there(slow, long):
     points = len(slow.run.view.points)
     slow.bot.wait(300)
     assert len(slow.run.view.points) == points
-    assert slow.run.resume_button.isEnabled()
-    assert not slow.run.pause_button.isEnabled()
+    assert slow.run.controls.resume.isEnabled()
+    assert not slow.run.controls.pause.isEnabled()
     slow.press(Qt.Key.Key_F7)
     slow.wait_for_points(points + 2)
-    assert slow.run.state is State.RUNNING
+    assert slow.run.course.now.state is State.RUNNING
 
 
 def test_a_pause_while_a_mount_is_asked_for_is_heeded_after_the_answer(slow, long):
     reach(slow, long, State.AWAITING_OPERATOR)
     slow.press(Qt.Key.Key_F6)
     slow.press(Qt.Key.Key_F9)
-    slow.wait(lambda: slow.run.state is State.PAUSED)
+    slow.wait(lambda: slow.run.course.now.state is State.PAUSED)
     assert slow.run.view.points == []
     slow.press(Qt.Key.Key_F7)
     slow.wait_for_points(1)

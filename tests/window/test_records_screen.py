@@ -47,7 +47,7 @@ def measured(qtbot, two_records, driver_of, tmp_path, no_report):
     records.table.sortByColumn(3, Qt.SortOrder.DescendingOrder)
     driver.window.open(records)
     records.refresh()
-    driver.wait(lambda: not driver.window.background._under_way)
+    driver.wait(lambda: not (driver.window.background.is_busy or records.surveyor.is_busy))
     records.table.clearSelection()
     assert units(driver) == ["B-2", "A-1"]
     return driver
@@ -68,6 +68,18 @@ def test_records_are_searched_by_serial_number_verdict_and_day(measured):
     search.verdict.setCurrentIndex(0)
     search.until.setDate(QDate(2020, 1, 1))
     measured.wait(lambda: units(measured) == [])
+
+
+def test_no_more_are_listed_than_can_be_looked_at(measured, monkeypatch):
+    monkeypatch.setattr("tumble.window.work.records.SHOWN", 1)
+    records = measured.window.records
+    records.refresh()
+    measured.wait(lambda: units(measured) == ["B-2"])
+    assert records.more.text() == "The newest 1 are listed; look for fewer to see others."
+    assert records.more.isVisible()
+    records.search.serial.setText("A")
+    measured.wait(lambda: units(measured) == ["A-1"])
+    assert not records.more.isVisible()
 
 
 def test_a_record_is_opened(measured):

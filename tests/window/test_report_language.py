@@ -23,7 +23,7 @@ def german(lent_driver):
 def test_a_calibration_and_its_export_are_written_in_the_language_of_the_window(german, tmp_path):
     stand = load_stand(None)
     job = Job(stand=stand, programme=load_programme("quick"), serial_number="A", operator="")
-    concluded = Calibration(job=job, store=tmp_path).carry_out(connect(stand), [], lambda _: None)
+    concluded = Calibration(job=job, store=tmp_path).measure(connect(stand), [], lambda _: None)(lambda _: None)
     (record,) = open_store(tmp_path).find()
     exported = records.export(tmp_path, record.id, tmp_path / "page.html")
     for page in (concluded.report, exported):

@@ -48,7 +48,7 @@ def test_it_pauses_until_the_standstill_was_read_back_and_shows_where_that_is(ru
     texts = []
     running.run.state_changed.connect(lambda text, _fault: texts.append(text))
     running.press(Qt.Key.Key_F6)
-    running.wait(lambda: running.run.state is State.PAUSED)
+    running.wait(lambda: running.run.course.now.state is State.PAUSED)
     assert list(dict.fromkeys(texts))[-2:] == ["Pausing…", "Paused; the head stands"]
     head = running.window.worker.session.connected.stand.positioners["head"].status()
     for dial in (running.run.view.dials.of("head"), running.window.stand.dials.of("head")):

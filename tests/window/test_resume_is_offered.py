@@ -45,7 +45,7 @@ def test_a_run_that_a_fault_ended_goes_on_where_one_stands(interrupted, no_repor
     driver, _ = interrupted
     driver.wait(driver.run.offered.isVisible)
     text = driver.run.offered.text()
-    assert text.startswith("Not at its end: unit SN-1, programme tiny, 2 points done at the stand simulated, begun 2")
+    assert text.startswith("Stopped: unit SN-1, programme tiny, 2 points done at the stand simulated, begun 2")
     assert text.endswith(": device fault.")
     driver.dismiss_all()
     driver.press(Qt.Key.Key_F7)
@@ -83,21 +83,32 @@ def test_what_there_is_of_a_run_is_analysed_and_recorded(driver, tiny, tmp_path,
 
 
 def test_what_cannot_be_analysed_is_told(driver, tmp_path):
-    driver.window.run.analysis_wanted.emit(tmp_path / "absent.mcap")
+    driver.window.run.offered.analysis_wanted.emit(tmp_path / "absent.mcap")
     driver.wait(lambda: bool(driver.complaints))
     assert "absent.mcap" in driver.complaints[0]
 
 
-def test_a_run_that_is_left_for_good_is_not_offered_by_the_next_window(interrupted):
-    driver, _ = interrupted
+def test_a_run_that_is_discarded_lies_aside_and_is_not_offered_again(interrupted, tmp_path):
+    driver, path = interrupted
     driver.wait(driver.run.offered.isVisible)
-    driver.run.offered.leave_button.click()
-    before = driver.window
-    driver.running._restart()
-    driver.wait(lambda: driver.window is not before)
-    driver.window.open(driver.run)
-    driver.wait(lambda: driver.window.records.cut_off.table.rowCount() == 1)
-    assert not driver.run.offered.isVisible()
+    while driver.window.dialogs.close_newest():
+        pass
+    driver.run.offered.discard_button.click()
+    assert path.is_file()
+    driver.press(Qt.Key.Key_F3)
+    driver.wait(lambda: not driver.run.offered.isVisible())
+    assert not path.exists()
+    assert (tmp_path / "store" / "discarded" / "SN-1" / path.stem / path.name).is_file()
+    driver.wait(lambda: driver.window.records.cut_off.table.rowCount() == 0)
+
+
+def test_what_is_not_agreed_to_is_not_discarded(interrupted):
+    driver, path = interrupted
+    driver.wait(driver.run.offered.isVisible)
+    driver.run.offered.discard_button.click()
+    driver.press(Qt.Key.Key_Escape)
+    assert path.is_file()
+    assert driver.run.offered.isVisible()
 
 
 @pytest.fixture

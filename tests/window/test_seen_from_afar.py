@@ -57,9 +57,9 @@ def test_what_waits_for_the_person_is_amber(driver, write):
 
 
 def test_a_fault_is_red(driver):
-    driver.run._see_unrest()
+    driver.run.course.see_unrest()
     assert strip(driver).state.tint is RED
-    driver.run._see_rest()
+    driver.run.course.see_rest()
     assert strip(driver).state.tint is GREY
 
 

@@ -52,7 +52,7 @@ def test_a_key_that_cannot_be_is_refused_in_one_sentence(settings, key, shortcut
 
 
 @pytest.mark.parametrize(
-    ("key", "shortcut"), [("F2", PAUSE), ("Ctrl+PgDown", PAUSE), ("Shift+F6", PAUSE), ("Ctrl+J", FIND), ("F6", PAUSE)]
+    ("key", "shortcut"), [("F10", PAUSE), ("Ctrl+PgDown", PAUSE), ("Shift+F6", PAUSE), ("Ctrl+J", FIND), ("F6", PAUSE)]
 )
 def test_other_keys_are_taken(settings, key, shortcut):
     assert refusal(QKeySequence(key), shortcut, (PAUSE, FIND)) == ""
@@ -72,14 +72,14 @@ def test_the_window_lists_its_own_keys(driver):
 
 
 def test_a_key_that_is_changed_works_at_once_and_the_former_no_more(driver, long):
-    driver.bot.keyClick(field(driver, "F6"), Qt.Key.Key_F2)
-    assert driver.run.pause_button.text() == "Pause  [F2]"
+    driver.bot.keyClick(field(driver, "F6"), Qt.Key.Key_F10)
+    assert driver.run.controls.pause.text() == "Pause  [F10]"
     driver.start(long)
     driver.wait_for_points(1)
     driver.press(Qt.Key.Key_F6)
-    assert not driver.run._now.pausing
-    driver.press(Qt.Key.Key_F2)
-    driver.wait(lambda: driver.run._now.paused or driver.run._now.pausing)
+    assert not driver.run.course.now.pausing
+    driver.press(Qt.Key.Key_F10)
+    driver.wait(lambda: driver.run.course.now.paused or driver.run.course.now.pausing)
     assert driver.run.phase is Phase.RUNNING
 
 
@@ -88,7 +88,7 @@ def test_a_key_that_is_refused_leaves_the_one_before(driver):
     driver.bot.keyClick(wanted, Qt.Key.Key_F5)
     assert wanted.keySequence() == QKeySequence("F6")
     assert "is the key of" in driver.window.settings.keys.said.text()
-    assert driver.run.pause_button.text() == "Pause  [F6]"
+    assert driver.run.controls.pause.text() == "Pause  [F6]"
 
 
 def test_a_key_is_kept_for_the_next_window(driver):
@@ -101,8 +101,8 @@ def test_a_key_is_kept_for_the_next_window(driver):
 
 
 def test_all_come_back_as_usual(driver):
-    driver.bot.keyClick(field(driver, "F6"), Qt.Key.Key_F2)
+    driver.bot.keyClick(field(driver, "F6"), Qt.Key.Key_F10)
     driver.window.settings.keys.usual_button.click()
     assert chosen_key("F6") == QKeySequence("F6")
-    assert driver.run.pause_button.text() == "Pause  [F6]"
+    assert driver.run.controls.pause.text() == "Pause  [F6]"
     assert field(driver, "F6").keySequence() == QKeySequence("F6")

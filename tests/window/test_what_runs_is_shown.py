@@ -9,6 +9,7 @@ from window_driver import STAND, TINY
 
 from tumble.calibrations.methods.dividing_head.geometry import MOUNTS
 from tumble.drivers.protocols import PositionerStatus
+from tumble.procedures.methods.dividing_head.layout import LAYOUT
 from tumble.window.look.plots import Plot
 from tumble.window.methods.dividing_head.mount_prompt import MountPrompt
 from tumble.window.methods.dividing_head.pose_picture import _ARROW, _ZERO_LABEL, _flat, _seat_z
@@ -70,8 +71,8 @@ def test_a_head_read_by_eye_waits_for_the_person(driver, write):
     driver.start(write("tiny.toml", TINY), imagined=False)
     driver.wait(lambda: driver.run.view.asks)
     driver.press(Qt.Key.Key_F9)
-    driver.wait(driver.run.reading.isVisible)
-    assert driver.run._now.mood is Mood.WAITING
+    driver.wait(driver.run.view.reading.isVisible)
+    assert driver.run.course.now.mood is Mood.WAITING
     assert driver.window.stop_bar.state.text() == "Waits for you"
     driver.bot.wait(100)
     assert "↻" not in driver.window.stop_bar._angle.text()
@@ -80,10 +81,10 @@ def test_a_head_read_by_eye_waits_for_the_person(driver, write):
 @pytest.mark.parametrize(
     ("angle_deg", "by_hand", "said"),
     [
-        (0.0, False, "at head angle 0°"),
-        (720.001, False, "at head angle 0°"),
-        (330.0, False, "The head stands at 330° 00′ 00″, and turns by itself once you confirm"),
-        (330.0, True, "The head is at 330° 00′ 00″: turn it to 0° yourself"),
+        (0.0, False, "Seat the unit on edge, as in the picture. The head is at 0°."),
+        (720.001, False, "Seat the unit on edge, as in the picture. The head is at 0°."),
+        (330.0, False, "The head is at 330° and turns by itself once you confirm"),
+        (330.0, True, "The head is at 330°: turn it to 0° yourself"),
     ],
 )
 def test_the_prompt_for_a_mount_says_where_the_head_is_and_who_turns_it(
@@ -91,8 +92,9 @@ def test_the_prompt_for_a_mount_says_where_the_head_is_and_who_turns_it(
 ):
     prompt = MountPrompt(None)
     qtbot.addWidget(prompt)
+    prompt.ask(LAYOUT.ask("mount", "edge"))
     prompt.see("head", PositionerStatus(angle_deg=angle_deg, moving=False, device_time_s=0.0, by_hand=by_hand))
-    assert said in prompt._task.text()
+    assert said in prompt.words.text
 
 
 @pytest.mark.parametrize("mount", list(MOUNTS))
@@ -128,4 +130,30 @@ def test_a_new_run_has_axes_of_its_own(driver, tiny, long):
     driver.start(tiny)
     for plot in driver.run.view.findChildren(Plot):
         assert plot.viewRange()[0] != [900, 1000]
-        assert all(plot.getViewBox().autoRangeEnabled())
+        box = plot.getViewBox()
+        abscissa = box.linkedView(0) or box
+        assert abscissa.autoRangeEnabled()[0]
+        assert box.autoRangeEnabled()[1]
+
+
+def test_output_and_residual_have_one_abscissa(driver, long):
+    driver.start(long)
+    driver.wait_for_points(12)
+    figures = driver.run.view.figures
+    figures.residual.setXRange(3.0, 7.0, padding=0)
+    assert figures.output.viewRange()[0] == pytest.approx([3.0, 7.0])
+    figures.residual.way_back.home()
+    driver.wait(lambda: figures.output.viewRange()[0][1] > 10.0)
+    driver.wait(lambda: figures.residual.viewRange()[0][1] > 10.0)
+
+
+def test_every_step_is_listed_with_what_is_done(driver, long):
+    driver.start(long)
+    driver.wait_for_points(3)
+    driver.press(Qt.Key.Key_F6)
+    driver.wait(lambda: driver.run.course.now.paused)
+    texts, done = driver.run.view.steps.texts(), len(driver.run.view.points)
+    assert len(texts) == 601
+    assert texts[0].startswith("✓ 1  seat the unit in face-up")
+    assert texts[1].startswith("✓ 2  face-up at 0°")
+    assert [text[0] for text in texts[done : done + 3]] == ["✓", "▶", "·"]

@@ -47,7 +47,7 @@ def test_a_scan_never_starts_motion(driver, write):
     for target in (
         driver.window,
         driver.run.form.serial,
-        driver.run.start_button,
+        driver.run.controls.start,
         driver.run.view.prompt.confirm,
     ):
         driver.scan("SN 2 yes face-up", at=target)

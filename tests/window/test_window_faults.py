@@ -50,7 +50,7 @@ def test_a_device_fault_in_mid_run_is_told_and_the_points_are_kept(driver, tiny,
     found = recording(tmp_path)
     assert found.ending.reason is FinishReason.DEVICE_FAULT
     assert found.ending.at_standstill
-    assert driver.run.start_button.isEnabled()
+    assert driver.run.controls.start.isEnabled()
 
 
 def test_a_run_that_a_fault_ended_is_offered_and_goes_on_to_its_record(driver, tiny, tmp_path, monkeypatch, no_report):
@@ -102,7 +102,7 @@ def test_a_fault_in_the_analysis_is_a_notice_too(driver, tiny, monkeypatch):
     driver.start(tiny)
     driver.wait(lambda: driver.complaints)
     assert driver.complaints == ["A fault of the program; the head was told to stop."]
-    assert driver.run.start_button.isEnabled()
+    assert driver.run.controls.start.isEnabled()
 
 
 def test_a_stand_file_that_is_wrong_is_told_with_its_line(driver, write):

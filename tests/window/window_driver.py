@@ -56,11 +56,13 @@ class Driver:
         window.run.view.log.clear()
         window.run.offered.offer([])
         window.run._broken_off = False
+        window.run.queue.open()
+        window.run.queue._seated = ""
         window.result.presentation = None
         window.records.tabs.setCurrentIndex(0)
         window.records.refresh()
         window.open(window.stand)
-        self.wait(lambda: not window.background._under_way)
+        self.wait(lambda: not (window.background.is_busy or window.records.surveyor.is_busy))
 
     def finish(self):
         """Stop, leave the stand, close the dialogs: nothing goes on when another test begins."""
@@ -68,7 +70,7 @@ class Driver:
         window.worker.stop()
         self.wait_for_end()
         window.stand.use(load_stand())
-        self.wait(lambda: not (window.worker.session.is_connected or window.background._under_way))
+        self.wait(lambda: not (window.worker.session.is_connected or window.background.is_busy))
         self.dismiss_all()
 
     @property

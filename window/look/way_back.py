@@ -36,10 +36,13 @@ class WayBack(QWidget):
         plot.viewport().installEventFilter(self)
 
     def home(self) -> None:
-        """Show everything that is drawn, and go on doing so."""
+        """Show everything that is drawn, and go on doing so; with the abscissa of another plot, as that one has it."""
         self._steps.clear()
-        self._box.enableAutoRange()
-        self._box.updateAutoRange()
+        abscissa = self._box.linkedView(0) or self._box
+        abscissa.enableAutoRange(axis=self._box.XAxis)
+        self._box.enableAutoRange(axis=self._box.YAxis)
+        for box in (abscissa, self._box):
+            box.updateAutoRange()
         self._place()
 
     def back(self) -> None:

@@ -8,15 +8,17 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QTabWidget, QVBoxLayout, QWidget
 
+from tumble.app.discarding import FOLDER
 from tumble.app.headline import headline
 from tumble.calibrations.core.quantities import format_in_unit
-from tumble.calibrations.core.verdict import Model, Outcome
+from tumble.calibrations.core.verdict import Model
 from tumble.calibrations.records.record import Record
 from tumble.procedures.errors import InputError
 from tumble.window.look.language import tr
 from tumble.window.look.numbers import local
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
+from tumble.window.look.verdicts import verdict_mark
 from tumble.window.screens.cut_off_view import CutOffView
 from tumble.window.screens.stand_records import StandRecords
 from tumble.window.widgets.dialog import FileDialog, QuestionDialog
@@ -42,6 +44,8 @@ class RecordsScreen(QWidget):
     """`Concluded`."""
     resume_wanted = Signal(object, object)
     """`Resumption`, and the points that are there."""
+    shown = Signal()
+    """What was looked for is in the table."""
     found_cut_off = Signal(object)
     """Runs that came to no record, `CutOff` each, the newest last."""
     dialog_wanted = Signal(object)
@@ -52,6 +56,8 @@ class RecordsScreen(QWidget):
     def __init__(self, background: Background, folder: Callable[[], Path], parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._background, self._folder = background, folder
+        self.surveyor = Background(self)
+        """Looks around in the store, which takes longer than a search and keeps none waiting."""
         self.records: tuple[Record, ...] = ()
         self.search, self.trend, self.cut_off, self.stands = RecordSearch(), TrendPlot(), CutOffView(), StandRecords()
         self.table = SortableTable(
@@ -67,7 +73,9 @@ class RecordsScreen(QWidget):
             ),
             newest=3,
         )
-        self.said = PlainLabel()
+        self._titles: Mapping[str, str] = {}
+        self.said, self.more = PlainLabel(), PlainLabel()
+        self.more.hide()
         self.tabs = QTabWidget()
         self.open_button = self._button(tr("&Open"), self._open)
         self.compare_button = self._button(tr("&Compare two"), self._compare)
@@ -75,15 +83,21 @@ class RecordsScreen(QWidget):
         self.again_button = self._button(tr("&Analyse again"), self._analyse_again)
         self.export_button = self._button(tr("&Export…"), self._choose_export)
         self._lay_out()
-        self.search.changed.connect(self.refresh)
+        self.search.changed.connect(self.look)
         self.table.itemActivated.connect(lambda _: self._open())
         self.table.itemSelectionChanged.connect(self._refresh_buttons)
         self.cut_off.resume_wanted.connect(self.resume)
+        self.shown.connect(self._draw_trend, Qt.ConnectionType.QueuedConnection)  # the table is seen before
         self.refresh()
 
     def refresh(self) -> None:
-        """Look again."""
-        self._background.start(partial(store.search, self._folder(), self.search.search()), self._show)
+        """Look again, for records and for everything else that is shown."""
+        self.look()
+        self.surveyor.start(partial(store.look_around, self._folder()), self._show_around, self._background.failed.emit)
+
+    def look(self) -> None:
+        """Look for the records that are wanted."""
+        self._background.start(partial(store.search, self._folder(), self.search.wanted()), self._show)
 
     def allow_runs(self, allowed: bool) -> None:
         """Whether the stand is free."""
@@ -96,13 +110,8 @@ class RecordsScreen(QWidget):
 
     def _lay_out(self) -> None:
         buttons = QHBoxLayout()
-        for button in (
-            self.open_button,
-            self.compare_button,
-            self.verify_button,
-            self.again_button,
-            self.export_button,
-        ):
+        alone = (self.open_button, self.again_button, self.export_button)
+        for button in (*alone[:1], self.compare_button, self.verify_button, *alone[1:]):
             buttons.addWidget(button)
         buttons.addStretch(1)
         self.said.setWordWrap(True)
@@ -111,6 +120,7 @@ class RecordsScreen(QWidget):
         column = QVBoxLayout(listed)
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(self.table, stretch=1)
+        column.addWidget(self.more)
         column.addLayout(buttons)
         column.addWidget(self.said)
         for part, title in (
@@ -129,32 +139,33 @@ class RecordsScreen(QWidget):
         return button
 
     def _show(self, found: store.Found) -> None:
-        self.records = found.records
-        self.table.fill([self._line(record, found.titles) for record in found.records])
-        self.search.offer(found.programmes)
-        self.trend.show_records(found.records)
-        self.cut_off.show_runs(found.cut_off, found.titles)
-        self.found_cut_off.emit(found.cut_off)
-        self.stands.show_records(found.stands)
-        title = tr("Runs without a record")
-        self.tabs.setTabText(1, f"{title} ({len(found.cut_off)})" if found.cut_off else title)
+        self.records, self._titles = found.records, found.titles
+        self.table.fill([self._line(record) for record in found.records])
+        self.more.setText(tr("The newest {count} are listed; look for fewer to see others.", count=len(found.records)))
+        self.more.setVisible(found.more)
         self._refresh_buttons()
+        self.shown.emit()
 
-    def _line(self, record: Record, titles: Mapping[str, str]) -> tuple[str, ...]:
+    def _draw_trend(self) -> None:
+        self.trend.show_records(self.records)
+
+    def _show_around(self, around: store.Around) -> None:
+        self.search.offer(around.programmes)
+        self.cut_off.show_runs(around.cut_off, around.titles)
+        self.found_cut_off.emit(around.cut_off)
+        self.stands.show_records(around.stands)
+        title = tr("Runs without a record")
+        self.tabs.setTabText(1, f"{title} ({len(around.cut_off)})" if around.cut_off else title)
+
+    def _line(self, record: Record) -> tuple[str, ...]:
         origin = record.provenance
-        verdicts = {
-            Outcome.PASS: tr("✓ inside"),
-            Outcome.FAIL: tr("✗ outside"),
-            Outcome.NOT_DECIDED: tr("? not decided"),
-            Outcome.NO_LIMITS: tr("not judged"),
-        }
         return (
             origin.serial_number,
-            in_language(titles.get(record.method, record.method)),
+            in_language(self._titles.get(record.method, record.method)),
             origin.programme_name,
             (origin.measured_at or f"{record.created_at:%Y-%m-%dT%H:%M}").replace("T", " ")[:16],
             str(record.revision),
-            verdicts[record.verdict.outcome],
+            verdict_mark(record.verdict.outcome),
             f"⚠ {_headline(record)}" if unsettled(record) else _headline(record),
             record.id,
         )
@@ -179,7 +190,11 @@ class RecordsScreen(QWidget):
 
     def _open(self) -> None:
         for record in self._chosen()[:1]:
-            self._start(partial(store.open_record, self._folder(), record.id), self._show_opened)
+            self.open_record(record.id)
+
+    def open_record(self, record_id: str) -> None:
+        """Show a record on the screen Result."""
+        self._start(partial(store.open_record, self._folder(), record_id), self._show_opened)
 
     def _analyse_again(self) -> None:
         for record in self._chosen()[:1]:
@@ -234,6 +249,22 @@ class RecordsScreen(QWidget):
     def analyse_cut_off(self, path: Path) -> None:
         """Make a record of what there is of a run that came to no end."""
         self._start(partial(store.analyse_cut_off, self._folder(), path), self._show_opened)
+
+    def discard(self, path: Path) -> None:
+        """Take a run out of the way once that is agreed to."""
+        text = tr(
+            "Discard the run {name}? It is not analysed and not offered again; its files are moved to the folder "
+            "{folder} of the store, and not deleted.",
+            name=path.name,
+            folder=FOLDER,
+        )
+        question = QuestionDialog(tr("Discard"), text, tr("Discard it"))
+        question.agreed.connect(lambda: self._start(partial(store.discard, self._folder(), path), self._say_discarded))
+        self.dialog_wanted.emit(question)
+
+    def _say_discarded(self, place: Path) -> None:
+        self.said.setText(tr("Moved to {place}.", place=place))
+        self.refresh()
 
     def resume(self, path: Path) -> None:
         """Find out what there is to go on with, and ask for that."""

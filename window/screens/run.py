@@ -1,4 +1,4 @@
-"""The screen Run: a unit from its serial number to its record."""
+"""The screen Run: units from their serial numbers to their records."""
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -6,22 +6,23 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from tumble.app.exits import Exit, JobError
+from tumble.app.running import Job
 from tumble.app.wiring import Attendant
-from tumble.drivers.protocols import PositionerStatus
 from tumble.procedures.errors import InputError
-from tumble.procedures.events import Event, ReadingRequested, RunFinished, State, StateChanged
-from tumble.procedures.progress import TimeLeft
+from tumble.procedures.events import Event, ReadingRequested
 from tumble.procedures.steps import Point
 from tumble.window.look.language import tr
-from tumble.window.look.numbers import local, minutes
+from tumble.window.look.numbers import local
 from tumble.window.look.sentences import stopped_text
-from tumble.window.screens.run_state import Mood, Phase, RunState
+from tumble.window.screens.queue_panel import QueuePanel
+from tumble.window.screens.queue_runner import QueueRunner
+from tumble.window.screens.run_controls import RunControls
+from tumble.window.screens.run_course import RunCourse, asks_nothing
+from tumble.window.screens.run_state import Phase
 from tumble.window.screens.run_view import RunView
-from tumble.window.widgets.motion_button import MotionButton
-from tumble.window.widgets.prompts import ReadingPrompt
 from tumble.window.widgets.resume_offer import ResumeOffer
 from tumble.window.widgets.run_form import RunForm
 from tumble.window.widgets.run_line import RunLine
@@ -36,7 +37,7 @@ if TYPE_CHECKING:
 
 
 class RunScreen(QWidget):
-    """Form, prompts, progress, and the view of the run; knows which of its buttons mean something now."""
+    """Form, controls, queue, and the view of the run; puts them together."""
 
     concluded = Signal(object)
     """`Concluded`."""
@@ -50,10 +51,6 @@ class RunScreen(QWidget):
     """Serial number and operator."""
     broke_off = Signal()
     """A run ended before its time."""
-    resume_wanted = Signal(object)
-    """Path of the recording."""
-    analysis_wanted = Signal(object)
-    """The same, of a run that is not to go on."""
 
     def __init__(
         self,
@@ -66,40 +63,34 @@ class RunScreen(QWidget):
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
-        self._worker, self._operator, self._store, self._attendant = worker, operator, store, attendant
-        self._now, self._broken_off = RunState(), False
-        self._setting_deg = 0.0
-        self.form, self.reading = RunForm(lambda: worker.session.loaded), ReadingPrompt()
+        self._operator, self._store = operator, store
+        self._broken_off, self._setting_deg = False, 0.0
+        self._adding = False
+        """Whether the form is open beside a run, to fill the queue."""
+        self.form = RunForm(lambda: worker.session.loaded)
         self.view = RunView(background, self.form.chosen_or_shipped())
         self.offered, self.line = ResumeOffer(), RunLine()
-        self.start_button = MotionButton(tr("Start"), "F5")
-        self.pause_button = MotionButton(tr("Pause"), "F6")
-        self.resume_button = MotionButton(tr("Go on"), "F7")
-        self._bar, self._left, self._state_label = QProgressBar(), QLabel(), QLabel()
+        self.controls = RunControls(self.form.summary)
+        self.course = RunCourse(worker, bridge, attendant, self)
+        self.queue = QueueRunner(self._begin, lambda: worker.session.loaded, store, self)
+        self.queue_view = QueuePanel(self.queue)
         self._lay_out()
-        self._connect(bridge)
+        self._connect_parts()
+        self._connect_queue()
+        self._connect_course()
+        self._connect_stand(worker, bridge)
         self._refresh()
 
     @property
     def phase(self) -> Phase:
         """What the screen is busy with."""
-        return self._now.phase
-
-    @property
-    def state(self) -> State:
-        """Where the run stands."""
-        return self._now.state
-
-    @property
-    def mood(self) -> Mood:
-        """What that means to whoever sees it from afar."""
-        return self._now.mood
+        return self.course.now.phase
 
     def show_stand(self) -> None:
         """Show what there is to do on the stand that is chosen now."""
         self.form.plan_anew()
         self._forget_positions()
-        self._see_rest()
+        self.course.see_rest()
         self._tell_unit()
 
     def offer(self, runs: "Sequence[CutOff]") -> None:
@@ -109,217 +100,200 @@ class RunScreen(QWidget):
 
     def start(self) -> None:
         """Begin what the form asks for."""
-        try:
-            job = self.form.job()
-            job.plan()
-        except InputError as error:
-            self.refused.emit(error)
-            return
-        self.begin(Calibration(job=job, store=self._store()))
+        if job := self._asked():
+            self.begin(Calibration(job=job, store=self._store()))
 
     def begin(self, activity: Activity, points: tuple[Point, ...] = ()) -> bool:
         """Begin a run, whichever it is, unless the stand is at work; returns whether it was begun."""
-        try:
-            plan = activity.job.plan()
-            if self.phase is not Phase.IDLE or not self._worker.begin(activity, self._attendant()):
-                return False
-        except InputError as error:
-            self.refused.emit(error)
+        self._adding = False
+        if not self._begin(activity, points):
             return False
         self.form.serial.setText(activity.job.serial_number)
-        self.unit_changed.emit(activity.job.serial_number, activity.job.operator)
-        self.line.show_run(activity.job, plan)
-        self.view.begin(activity.job.programme, plan, points)
-        self._bar.setRange(0, plan.dwells)
-        self._count(len(points), None)
-        self._now.phase, self._broken_off = Phase.RUNNING, False
-        self.offered.hide()
-        self._refresh()
         return True
 
     def showEvent(self, event: QShowEvent) -> None:  # noqa: N802  # Qt's name
         """Be ready for the scanner."""
         super().showEvent(event)
-        if self.phase is Phase.IDLE:
+        if not self.course.now.running:
             self.form.await_scan()
 
-    def _connect(self, bridge: EventBridge) -> None:
-        self.start_button.clicked.connect(self.start)
-        self.pause_button.clicked.connect(self._pause)
-        self.resume_button.clicked.connect(self._go_on)
-        self.offered.wanted.connect(self.resume_wanted)
-        self.offered.analysis_wanted.connect(self.analysis_wanted)
+    def _begin(self, activity: Activity, points: tuple[Point, ...] = ()) -> bool:
+        try:
+            plan = activity.job.plan()
+            if not self.course.begin(activity):
+                return False
+        except InputError as error:
+            self.refused.emit(error)
+            return False
+        self._broken_off = False
+        self.unit_changed.emit(activity.job.serial_number, activity.job.operator)
+        self.line.show_run(activity.job, plan)
+        self.view.begin(activity.job, plan, points)
+        self.controls.begin(plan.dwells, len(points))
+        self.queue.hear_begun(activity)
+        self.offered.withdraw()
+        return True
+
+    def _asked(self) -> Job | None:
+        """What the form asks for; None where that is refused, which is told."""
+        try:
+            return self.form.job()
+        except InputError as error:
+            self.refused.emit(error)
+            return None
+
+    def _connect_parts(self) -> None:
+        self.controls.start.clicked.connect(self.start)
+        self.controls.pause.clicked.connect(self.course.pause)
+        self.controls.resume.clicked.connect(self.course.go_on)
+        self.offered.offered.connect(lambda offered: self.course.await_choice(offered and self._broken_off))
         self.form.changed.connect(self._refresh)
         self.form.changed.connect(self._tell_unit)
         self.form.dialog_wanted.connect(self.dialog_wanted)
         self.view.confirmed.connect(self._confirm)
-        self.reading.answered.connect(self._answer_reading)
-        bridge.announced.connect(self._hear)
+        self.view.reading.answered.connect(self._answer_reading)
+
+    def _connect_queue(self) -> None:
+        self.controls.add.clicked.connect(self._add)
+        self.controls.start_queue.clicked.connect(self._start_queue)
+        self.controls.hold_queue.clicked.connect(self.queue.hold)
+        self.view.unit_confirmed.connect(self.queue.confirm_unit)
+        self.queue.changed.connect(self._show_queue)
+        self.queue.unit_wanted.connect(self._ask_unit)
+        self.queue.refused.connect(self.refused)
+
+    def _connect_course(self) -> None:
+        course = self.course
+        self.queue.follow(course)
+        course.changed.connect(self._refresh)
+        course.heard.connect(self._hear)
+        course.measured.connect(self._end)
+        course.broke_off.connect(self._break_off)
+        course.stage.connect(self._show_analysis)
+        course.concluded.connect(self._conclude)
+        course.failed.connect(self._fail)
+
+    def _connect_stand(self, worker: StandWorker, bridge: EventBridge) -> None:
         bridge.position_seen.connect(self.view.see)
-        bridge.progressed.connect(self._count)
+        bridge.progressed.connect(self.controls.count)
         self._operator.condition_asked.connect(self.view.ask)
         self._operator.reading_asked.connect(self._ask_reading)
-        worker = self._worker
         worker.position_seen.connect(self.view.see)
-        worker.position_seen.connect(self._see_position)
-        worker.connected.connect(self._see_rest)
+        worker.connected.connect(lambda identity: self.view.see_all(identity.statuses))
         worker.disconnected.connect(self._forget_positions)
-        worker.restless.connect(self._see_unrest)
-        worker.working.connect(self._refresh)
-        worker.stage.connect(self._show_stage)
-        worker.concluded.connect(self._end_well)
-        worker.broken_off.connect(self._end_badly)
+        worker.stopping.connect(self.queue.hear_stop)
+        worker.stage.connect(self._prepare)
 
     def _lay_out(self) -> None:
-        self.start_button.setObjectName("primary")
-        self._state_label.setObjectName("heading")
-        self.reading.hide()
         self.offered.hide()
-        buttons = QHBoxLayout()
-        for button in (self.start_button, self.pause_button, self.resume_button):
-            buttons.addWidget(button)
-        buttons.addWidget(self.form.summary, stretch=1)
-        progress = QHBoxLayout()
-        for part, stretch in ((self._state_label, 0), (self._bar, 1), (self._left, 0)):
-            progress.addWidget(part, stretch)
+        self.view.tabs.addTab(self.queue_view, tr("Queue"))
         layout = QVBoxLayout(self)
-        for row in (self.offered, self.line, self.form, buttons, progress, self.reading):
-            layout.addWidget(row) if isinstance(row, QWidget) else layout.addLayout(row)
+        for row in (self.offered, self.line, self.form, self.controls):
+            layout.addWidget(row)
         layout.addWidget(self.view, stretch=1)
 
     def _hear(self, event: Event) -> None:
-        if self.phase is Phase.IDLE:
-            return
         self.view.hear(event)
-        match event:
-            case StateChanged(state=state):
-                self._change(state)
-            case ReadingRequested(setting_deg=setting_deg):
-                self._setting_deg = setting_deg
-            case RunFinished(at_standstill=at_standstill):
-                self._ask_nothing()
-                self._now.settle(at_standstill)
+        if isinstance(event, ReadingRequested):
+            self._setting_deg = event.setting_deg
+        if asks_nothing(event):
+            self.view.ask_nothing()
 
     def _tell_unit(self) -> None:
-        self.unit_changed.emit(self.form.serial.text().strip(), self.form.operator.text().strip())
+        """Say which unit is typed, unless another one is measured."""
+        if not self.course.now.running:
+            self.unit_changed.emit(self.form.serial.text().strip(), self.form.operator.text().strip())
 
-    def _pause(self) -> None:
-        self._now.pausing = True
-        self._worker.pause()
+    def _add(self) -> None:
+        """Put what the form asks for into the queue; while a run goes on, open the form first."""
+        if self.form.isHidden():
+            self._adding = True
+            self._refresh()
+            self.form.await_scan()
+        elif job := self._asked():
+            self.queue.add(job, self.form.programme.currentText(), self.controls.repeats.value())
+            self.controls.repeats.setValue(1)
+            self.view.tabs.setCurrentWidget(self.queue_view)
+            self.form.await_scan()
+
+    def _start_queue(self) -> None:
+        self.queue.start()
         self._refresh()
 
-    def _go_on(self) -> None:
-        self._now.pausing = False
-        self._worker.resume()
-        self._refresh()
+    def _show_queue(self) -> None:
+        waiting, title, tabs = self.queue.queue.waiting, tr("Queue"), self.view.tabs
+        tabs.setTabText(tabs.indexOf(self.queue_view), f"{title} ({waiting})" if waiting else title)
+        self.controls.show_queue(waiting, self.queue.going)
 
     def _forget_positions(self) -> None:
-        self.view.dials.show_positioners(self._positioners)
-
-    @property
-    def _positioners(self) -> tuple[str, ...]:
-        return tuple(self._worker.session.loaded.file.positioners)
-
-    def _see_position(self, name: str, status: PositionerStatus) -> None:
-        before = self._now.restless
-        self._now.see(name, status.moving, self._positioners)
-        if before != self._now.restless:
-            self._refresh()
-
-    def _see_rest(self, *_: object) -> None:
-        self._now.settle(at_standstill=True)
-        self._refresh()
-
-    def _see_unrest(self) -> None:
-        self._now.settle(at_standstill=False)
-        self._refresh()
-
-    def _change(self, state: State) -> None:
-        self._now.change(state)
-        if state not in (State.AWAITING_OPERATOR, State.RUNNING):
-            self._ask_nothing()
-        self._refresh()
+        self.view.forget_positions(self.course.positioners)
 
     def _ask_reading(self, prompt: str) -> None:
-        self.reading.show()
-        self.reading.ask(self._setting_deg, prompt)
-        self._now.reading = True
-        self._refresh()
+        self.view.ask_reading(self._setting_deg, prompt)
+        self.course.await_reading(True)
 
     def _answer_reading(self, text: str) -> None:
-        self._now.reading = False
         self._operator.answer(text)
-        self._refresh()
+        self.view.ask_nothing()
+        self.course.await_reading(False)
 
     def _confirm(self) -> None:
         if self.view.asks:
             self.view.ask_nothing()
             self._operator.answer(CONFIRMED)
 
-    def _ask_nothing(self) -> None:
-        self.view.ask_nothing()
-        self.reading.hide()
-        self._now.reading = False
+    def _ask_unit(self, serial_number: str) -> None:
+        if serial_number:
+            self.view.ask_unit(serial_number)
+        else:
+            self.view.ask_nothing()
+        self.course.await_unit(bool(serial_number))
 
-    def _count(self, done: int, left: TimeLeft | None) -> None:
-        self._bar.setUpdatesEnabled(False)  # it would be painted at once, and with it whatever else has changed
-        self._bar.setValue(done)
-        self._bar.setFormat(f"{done} / {self._bar.maximum()}")
-        self._bar.setUpdatesEnabled(True)
-        self._left.setText("" if left is None else _time_left(left))
-
-    def _show_stage(self, stage: str) -> None:
+    def _prepare(self, stage: str) -> None:
         if stage == PREPARING:
             self.view.log.say(tr("What was measured so far is analysed first; then the experiment begins."))
-        else:
-            self._conclude(stage)
 
-    def _conclude(self, stage: str) -> None:
-        self._now.phase = Phase.CONCLUDING
-        self._left.setText(
-            {
-                "fitting": tr("Fitting…"),
-                "tracing": tr("Tracing what is left…"),
-                "storing": tr("Storing…"),
-                "reporting": tr("Writing the report…"),
-            }.get(stage, stage)
-        )
-        self._refresh()
+    def _show_analysis(self, stage: str) -> None:
+        if not self.course.now.running:
+            self.controls.say_stage(stage)
 
-    def _end_well(self, concluded: Concluded) -> None:
-        self._end(tr("Done"))
-        self.concluded.emit(concluded)
+    def _end(self) -> None:
+        self.view.ask_nothing()
+        self.controls.say("")
+        if not self._adding:
+            self.form.show()
+            self.form.await_scan()
+        self._adding = self._adding and self.queue.going
 
-    def _end_badly(self, error: BaseException) -> None:
-        self._end("")
+    def _break_off(self, _: Activity, error: BaseException) -> None:
         self._broken_off = True
+        self._end()
         self.broke_off.emit()
-        if isinstance(error, JobError) and error.status is Exit.STOPPED and not self._now.restless:
+        if isinstance(error, JobError) and error.status is Exit.STOPPED and not self.course.now.restless:
             self.view.log.say(stopped_text(len(self.view.points)))
         else:
             self.refused.emit(error)
 
-    def _end(self, text: str) -> None:
-        self._now.end()
-        self._ask_nothing()
-        self._left.setText(text)
-        self._refresh()
-        self.form.await_scan()
+    def _conclude(self, _: Activity, concluded: Concluded) -> None:
+        if not self.course.now.running:
+            self.controls.say(tr("Done"))
+        self.concluded.emit(concluded)
+
+    def _fail(self, _: Activity, error: BaseException) -> None:
+        """An analysis came to no end: what was measured is offered, unless another run has the stand."""
+        self._broken_off = not self.course.now.running
+        self.broke_off.emit()
+        self.refused.emit(error)
 
     def _refresh(self) -> None:
-        idle, running = self.phase is Phase.IDLE, self.phase is Phase.RUNNING
-        paused, free = self._now.paused, idle and not self._worker.busy
-        for part in (self.form, self.form.summary):
-            part.setVisible(idle)
-        self.line.setVisible(not idle)
-        self.start_button.setEnabled(free and bool(self.form.serial.text().strip()))
-        self.offered.button.setEnabled(free)
-        self.pause_button.setEnabled(running and not paused and not self._now.pausing)
-        self.resume_button.setEnabled(paused or self._now.pausing)
-        text = self._now.text
-        self._state_label.setText(text)
-        self.state_changed.emit(local(text), self._now.restless)
-
-
-def _time_left(left: TimeLeft) -> str:
-    return tr("{time} ± {error} left", time=minutes(left.time_s), error=minutes(left.standard_error_s))
+        now, free = self.course.now, self.course.is_free
+        self.form.setVisible(not now.running or self._adding)
+        self.controls.show_form(not now.running or self._adding)
+        self.line.setVisible(now.running)
+        self.controls.show_state(now, free, bool(self.form.serial.text().strip()))
+        self.offered.allow(free)
+        if now.running:
+            self.queue.hear_waiting(now.waiting)
+        self.state_changed.emit(local(now.text), now.restless)
+        if free:
+            self.queue.proceed()

@@ -33,7 +33,14 @@ class Phase(Enum):
 class RunState:
     """What is known; that the head stands is said only where that was read back."""
 
-    phase: Phase = Phase.IDLE
+    running: bool = False
+    """Whether a run has the stand."""
+    concluding: int = 0
+    """Runs that are over and have no result yet."""
+    changing_unit: bool = False
+    """Whether the next unit is to be put on the stand before anything goes on."""
+    stopped: bool = False
+    """Whether a run ended before its time here, and nobody has said yet what is to become of it."""
     state: State = State.IDLE
     pausing: bool = False
     """Whether a pause was asked for that has not begun."""
@@ -45,15 +52,22 @@ class RunState:
     """Positioners that were seen at rest since then, by name."""
 
     @property
+    def phase(self) -> Phase:
+        """What the screen is busy with, the stand first."""
+        if self.running:
+            return Phase.RUNNING
+        return Phase.CONCLUDING if self.concluding else Phase.IDLE
+
+    @property
     def paused(self) -> bool:
         """Whether the head stands for a pause."""
-        return self.phase is Phase.RUNNING and self.state is State.PAUSED
+        return self.running and self.state is State.PAUSED
 
     @property
     def waiting(self) -> bool:
         """Whether nothing goes on before the person at the stand has done something."""
         asked = self.reading and self.state is State.RUNNING
-        return self.phase is Phase.RUNNING and (asked or self.state is State.AWAITING_OPERATOR)
+        return self.changing_unit or (self.running and (asked or self.state is State.AWAITING_OPERATOR))
 
     def change(self, state: State) -> None:
         """Take over what the engine tells."""
@@ -70,22 +84,26 @@ class RunState:
         if self.resting.issuperset(positioners):
             self.restless = False
 
+    def begin(self) -> None:
+        """A run has the stand."""
+        self.running, self.changing_unit, self.stopped = True, False, False
+
     def end(self) -> None:
         """The run is over."""
-        self.phase, self.state, self.pausing, self.reading = Phase.IDLE, State.IDLE, False, False
+        self.running, self.state, self.pausing, self.reading = False, State.IDLE, False, False
 
     @property
     def text(self) -> str:
         """In a word or two."""
         if self.restless:
             return tr("Fault: the head's standstill was not read back")
-        if self.phase is Phase.CONCLUDING:
+        if self.phase is Phase.CONCLUDING and not self.waiting:
             return tr("Analysing")
-        if self.pausing and self.waiting:
-            return tr("Waits for you, and pauses then")
         if self.pausing:
-            return tr("Pausing…")
-        if self.phase is Phase.RUNNING and self.state is State.IDLE:
+            return tr("Waits for you, and pauses then") if self.waiting else tr("Pausing…")
+        if self.stopped and self.phase is Phase.IDLE and not self.waiting:
+            return tr("Stopped")
+        if self.running and self.state is State.IDLE:
             return tr("Getting ready")
         return state_name(State.AWAITING_OPERATOR if self.waiting else self.state)
 
@@ -96,6 +114,6 @@ class RunState:
             return Mood.FAULT
         if self.waiting:
             return Mood.WAITING
-        if self.paused or self.pausing:
+        if self.paused or self.pausing or (self.stopped and self.phase is Phase.IDLE):
             return Mood.PAUSED
         return Mood.READY if self.phase is Phase.IDLE else Mood.MEASURING

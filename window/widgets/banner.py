@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from tumble.window.look.theme import POINT_SIZE
 from tumble.window.look.tints import GREY, Tint
 
-LEAST_PT: Final = 38.0
+LEAST_PT: Final = 40.0
 _MARGIN: Final = 8
 _WRAPPED: Final = int(Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap)
 _ENDLESS: Final = 10_000
@@ -18,7 +18,7 @@ _FILLED: Final = 0.97
 
 
 class Banner(QWidget):
-    """38 pt at the usual size of text, and more with larger text as far as the words stay on one line."""
+    """40 pt at the usual size of text, and more with larger text as far as the words stay on one line."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -2,21 +2,19 @@
 
 from typing import Final
 
-from PySide6.QtCore import QEvent, QSize, Qt
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
-
-from tumble.window.look.theme import colours
 
 _TRIED_PX: Final = 100
 
 
 class HugeLabel(QWidget):
-    """One line that fills its width or its height, whichever it comes to first."""
+    """One line in the colour `ink` that fills its width or its height, whichever it comes to first."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, ink: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._text = ""
+        self._text, self._ink = "", ink
         self.setMinimumSize(160, 48)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
@@ -35,11 +33,6 @@ class HugeLabel(QWidget):
         self.setAccessibleName(text)
         self.update()
 
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802  # Qt's name
-        """Take over another palette."""
-        super().changeEvent(event)
-        self.update()
-
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: N802, ARG002  # Qt's name
         """Draw it."""
         if not self._text:
@@ -53,5 +46,5 @@ class HugeLabel(QWidget):
         by_height = self.height() * 0.92 / tried.height()
         font.setPixelSize(max(10, int(_TRIED_PX * min(by_width, by_height))))
         painter.setFont(font)
-        painter.setPen(QColor(colours(self).ink))
+        painter.setPen(QColor(self._ink))
         painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, self._text)

@@ -13,7 +13,7 @@ from tumble.window.look.keys import key_text
 from tumble.window.look.language import tr
 from tumble.window.look.plain import PlainLabel
 
-ACT_KEY: Final = "F4"
+ACT_KEY: Final = "F11"
 """Does what the newest notice offers; no scanner types it."""
 _READ_MS: Final = 10_000
 """How long what went as it should is shown."""

@@ -6,8 +6,8 @@ from PySide6.QtCore import QDate, Signal
 from PySide6.QtWidgets import QComboBox, QDateEdit, QGridLayout, QLabel, QLineEdit, QWidget
 
 from tumble.calibrations.core.verdict import Outcome
+from tumble.calibrations.records.wanted import Wanted
 from tumble.window.look.language import tr
-from tumble.window.work.records import Search
 
 
 class RecordSearch(QWidget):
@@ -51,10 +51,10 @@ class RecordSearch(QWidget):
         self.since.dateChanged.connect(self.changed)
         self.until.dateChanged.connect(self.changed)
 
-    def search(self) -> Search:
+    def wanted(self) -> Wanted:
         """What is asked for."""
-        return Search(
-            serial_number=self.serial.text().strip(),
+        return Wanted(
+            part_of_serial_number=self.serial.text().strip(),
             programme_name=self.programme.currentData() or "",
             verdict=self.verdict.currentData(),
             since=_moment(self.since, time.min),

@@ -2,9 +2,9 @@
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QSettings, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QPushButton, QWidget
 
 from tumble.window.look.language import tr
@@ -16,11 +16,6 @@ if TYPE_CHECKING:
     from tumble.app.cut_off import CutOff
 
 
-_LEFT: Final = "run/left"
-_KEPT: Final = 200
-"""Paths of runs that were left, the newest of them."""
-
-
 class ResumeOffer(QFrame):
     """What is known of the run, and a key that goes on with it."""
 
@@ -28,6 +23,11 @@ class ResumeOffer(QFrame):
     """Path of the recording."""
     analysis_wanted = Signal(object)
     """The same, to be analysed as far as it goes."""
+    discard_wanted = Signal(object)
+    """The same, of no use to anybody."""
+
+    offered = Signal(bool)
+    """Whether there is something to choose."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -37,16 +37,17 @@ class ResumeOffer(QFrame):
         """Not now."""
         self._text = PlainLabel()
         self._text.setWordWrap(True)
-        self.button = MotionButton(tr("Go on with it"), "F7")
+        self.button = MotionButton(tr("Resume"), "F7")
         self.button.setObjectName("primary")
         self.button.clicked.connect(self._want)
-        self.analyse_button = _button(tr("Analyse what there is"), self._want_analysis)
-        self.later_button = _button(tr("Not now"), self._decline)
-        self.leave_button = _button(tr("Leave it"), self._leave)
-        self.leave_button.setToolTip(tr("It is not offered again; the recording is kept, and listed in Records."))
+        self.analyse_button = _button(tr("A&nalyse"), self._want_analysis)
+        self.analyse_button.setToolTip(tr("What there is of it becomes a record that says so."))
+        self.discard_button = _button(tr("Dis&card…"), self._want_discarding)
+        self.discard_button.setToolTip(tr("Its files are moved aside, and not deleted."))
+        self.later_button = _button(tr("Not no&w"), self._decline)
         layout = QHBoxLayout(self)
         layout.addWidget(self._text, stretch=1)
-        for button in (self.button, self.analyse_button, self.later_button, self.leave_button):
+        for button in (self.button, self.analyse_button, self.discard_button, self.later_button):
             layout.addWidget(button)
 
     def text(self) -> str:
@@ -55,17 +56,28 @@ class ResumeOffer(QFrame):
 
     def offer(self, runs: "Sequence[CutOff]") -> None:
         """Offer the newest of some runs, the last of them, unless it was declined; nothing where there is none."""
-        passed_over = self._declined | {Path(path) for path in _left()}
-        wanted = [run for run in runs if run.path not in passed_over]
+        wanted = [run for run in runs if run.path not in self._declined]
         if wanted:
             self._show(wanted[-1])
-        self.setVisible(bool(wanted))
+        self._reveal(bool(wanted))
+
+    def withdraw(self) -> None:
+        """Offer nothing any more."""
+        self._reveal(False)
+
+    def _reveal(self, shown: bool) -> None:
+        self.setVisible(shown)
+        self.offered.emit(shown)
+
+    def allow(self, free: bool) -> None:
+        """Whether the stand is free to go on with it."""
+        self.button.setEnabled(free)
 
     def _show(self, run: "CutOff") -> None:
         self._run, began_at = run, f"{run.began_at.astimezone():%Y-%m-%d %H:%M}"
         self._text.setText(
             tr(
-                "Not at its end: unit {unit}, programme {programme}, {points} points done at the stand {stand}, "
+                "Stopped: unit {unit}, programme {programme}, {points} points done at the stand {stand}, "
                 "begun {when}: {why}.",
                 unit=run.serial_number,
                 programme=run.programme_name,
@@ -79,17 +91,15 @@ class ResumeOffer(QFrame):
     def _decline(self) -> None:
         if self._run is not None:
             self._declined.add(self._run.path)
-        self.hide()
-
-    def _leave(self) -> None:
-        """Never offer it again."""
-        if self._run is not None:
-            QSettings().setValue(_LEFT, [*_left(), str(self._run.path)][-_KEPT:])
-        self._decline()
+        self.withdraw()
 
     def _want_analysis(self) -> None:
         if self._run is not None:
             self.analysis_wanted.emit(self._run.path)
+
+    def _want_discarding(self) -> None:
+        if self._run is not None:
+            self.discard_wanted.emit(self._run.path)
 
     def _want(self) -> None:
         if self._run is not None:
@@ -101,9 +111,3 @@ def _button(text: str, do: Callable[[], None]) -> QPushButton:
     button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
     button.clicked.connect(do)
     return button
-
-
-def _left() -> list[str]:
-    """Paths of the runs that were left for good."""
-    kept = QSettings().value(_LEFT, [])
-    return [kept] if isinstance(kept, str) else list(kept or [])  # type: ignore[call-overload]  # a list of one is a text

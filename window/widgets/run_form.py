@@ -72,16 +72,18 @@ class RunForm(QWidget):
             return load_programme(shipped_programmes()[0])
 
     def job(self) -> Job:
-        """What is asked for. Raises `InputError`."""
+        """What is asked for. Raises `InputError` where something is missing, or the stand cannot do it."""
         serial_number = self.serial.text().strip()
         if not serial_number:
             raise InputError(tr("There is no serial number yet: type it or scan it"))
-        return Job(
+        job = Job(
             stand=self._stand(),
             programme=load_programme(self.programme.currentText()),
             serial_number=serial_number,
             operator=self.operator.text().strip(),
         )
+        job.plan()
+        return job
 
     def _lay_out(self) -> None:
         grid = QGridLayout(self)

@@ -35,9 +35,6 @@ class SortableTable(Table):
         """Show other rows in the order that is chosen."""
         self.setSortingEnabled(False)
         super().fill(rows, colours)
-        for number in range(self.rowCount()):
-            for column in range(self.columnCount()):
-                self.model().setData(self.model().index(number, column), number, _ROW)
         self.setSortingEnabled(True)
 
     @property
@@ -45,9 +42,11 @@ class SortableTable(Table):
         """Numbers of the rows that are selected, as they were filled in, the lowest first."""
         return sorted(self._number(row) for row in super().chosen)
 
-    def item_made(self, text: str) -> QTableWidgetItem:
+    def item_made(self, text: str, row: int) -> QTableWidgetItem:
         """A cell that knows its order."""
-        return _Item(text)
+        item = _Item(text)
+        item.setData(_ROW, row)
+        return item
 
     def _number(self, row: int) -> int:
         return int(self.model().index(row, 0).data(_ROW))

@@ -24,28 +24,34 @@ class Table(QTableWidget):
         self.setTabKeyNavigation(False)
         self.verticalHeader().setVisible(False)
         header = self.horizontalHeader()
-        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setStretchLastSection(True)
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        self._measure(QHeaderView.ResizeMode.ResizeToContents)
         self._keep_lines()
 
     def fill(self, rows: Sequence[Sequence[str]], colours: Sequence[str | None] = ()) -> None:
         """Show other rows, each in a colour of its own where one is given."""
         self.clearSpans()
+        self._measure(QHeaderView.ResizeMode.Fixed)  # once at the end, and not all cells again after each
         self.setRowCount(len(rows))
         for number, row in enumerate(rows):
             colour = colours[number] if number < len(colours) else None
             for column, text in enumerate(row):
-                item = self.item_made(text)
+                item = self.item_made(text, number)
                 item.setToolTip(as_tooltip(text))
                 if colour:
                     item.setForeground(QBrush(QColor(colour)))
                 self.setItem(number, column, item)
+        self._measure(QHeaderView.ResizeMode.ResizeToContents)
 
-    def item_made(self, text: str) -> QTableWidgetItem:
-        """A cell."""
+    def item_made(self, text: str, row: int) -> QTableWidgetItem:  # noqa: ARG002  # for tables that are sorted
+        """A cell of a row, by its number."""
         return QTableWidgetItem(text)
+
+    def _measure(self, mode: QHeaderView.ResizeMode) -> None:
+        """How rows and columns find their sizes."""
+        for header in (self.horizontalHeader(), self.verticalHeader()):
+            header.setSectionResizeMode(mode)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802  # Qt's name
         """Copy whole rows, as a spreadsheet takes them; Enter is left to whoever has connected `itemActivated`."""

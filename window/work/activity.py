@@ -2,19 +2,22 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final, Protocol
+from typing import TYPE_CHECKING, Any, Final, Protocol, TypeAlias
 
 from tumble.app.running import Job, failure
 from tumble.app.simulation import Past
 from tumble.app.stand_lock import holding_recording
 from tumble.app.wiring import Connected
+from tumble.calibrations.core.verdict import Outcome
 from tumble.procedures.announcer import Listener
 from tumble.procedures.progress import Progress
 from tumble.window.look.language import spoken
 
 if TYPE_CHECKING:  # the analysis and the store take half a second: a window is up before that
     from tumble.app.calibrating import Calibrated
+    from tumble.app.closing import Closing
     from tumble.app.resuming import Unfinished
 
 Tell = Callable[[str], None]
@@ -23,7 +26,7 @@ PREPARING: Final = "preparing"
 
 
 class Activity(Protocol):
-    """A run, from its first step to what is made of it."""
+    """A run, and what is to be made of it."""
 
     @property
     def job(self) -> Job:
@@ -40,8 +43,8 @@ class Activity(Protocol):
         """What a simulated stand must have lived through before; nothing where the run begins anew."""
         ...
 
-    def carry_out(self, connected: Connected, listeners: Sequence[Listener], tell: Tell) -> "Concluded":
-        """Do it. Raises `InputError`, `JobError`; the head stands when this returns or raises."""
+    def measure(self, connected: Connected, listeners: Sequence[Listener], tell: Tell) -> "Conclusion":
+        """Do what needs the stand. Raises `InputError`, `JobError`; the head stands when this returns or raises."""
         ...
 
 
@@ -58,6 +61,19 @@ class Concluded:
     """Empty where nothing was stored."""
     report: Path | None = None
 
+    @property
+    def outcome(self) -> Outcome:
+        """Of the verdict."""
+        outcome: Outcome = self.traced.verdict.outcome
+        return outcome
+
+
+Conclusion: TypeAlias = Callable[[Tell], Concluded]
+"""Analyses and stores what was measured, and tells the stages of it; no stand has to wait for that.
+
+Raises `InputError`, `JobError`; the recording is kept.
+"""
+
 
 @dataclass(frozen=True, kw_only=True)
 class Calibration:
@@ -68,11 +84,11 @@ class Calibration:
     points_done: int = 0
     past: Sequence[Past] = ()
 
-    def carry_out(self, connected: Connected, listeners: Sequence[Listener], tell: Tell) -> Concluded:
-        """Do it."""
-        from tumble.app.calibrating import calibrate
+    def measure(self, connected: Connected, listeners: Sequence[Listener], tell: Tell) -> Conclusion:  # noqa: ARG002
+        """Run the programme."""
+        from tumble.app.calibrating import measure
 
-        return _stored(self.job, calibrate(self.job, connected, self.store, listeners, tell, spoken()))
+        return partial(_conclude, self.job, self.store, measure(self.job, connected, self.store, listeners))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -97,9 +113,9 @@ class Resumption:
         recording = self.unfinished.recording
         return lived_through(followed(recording), self.job.stand, recording)
 
-    def carry_out(self, connected: Connected, listeners: Sequence[Listener], tell: Tell) -> Concluded:
-        """Do it."""
-        from tumble.app.calibrating import conclude, make_ready
+    def measure(self, connected: Connected, listeners: Sequence[Listener], tell: Tell) -> Conclusion:  # noqa: ARG002
+        """Run what is left of the programme."""
+        from tumble.app.calibrating import make_ready
         from tumble.app.resuming import resume
 
         make_ready(self.store)
@@ -108,7 +124,7 @@ class Resumption:
             outcome = resume(self.unfinished, self.job, connected, listeners)
         if error := failure(outcome, path):
             raise error
-        return _stored(self.job, conclude(path, self.store, tell, spoken()))
+        return partial(_conclude, self.job, self.store, path)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -122,11 +138,10 @@ class FurtherExperiment:
     points_done: int = 0
     past: Sequence[Past] = ()
 
-    def carry_out(self, connected: Connected, listeners: Sequence[Listener], tell: Tell) -> Concluded:
-        """Do it."""
+    def measure(self, connected: Connected, listeners: Sequence[Listener], tell: Tell) -> Conclusion:
+        """Find out what the experiment needs, and run it."""
         from tumble.app.acting import AtStand, prepare, run_experiment
-        from tumble.app.analysing import fit
-        from tumble.app.calibrating import keep_result, make_ready
+        from tumble.app.calibrating import make_ready
         from tumble.app.closing import begin, follow
 
         make_ready(self.store)
@@ -144,16 +159,30 @@ class FurtherExperiment:
         offer = closing.available.offer(asked.programme)
         prepare(at, offer, connected.control.stop_wanted)
         recording = run_experiment(at, offer, listeners)
-        tell("tracing")
-        closing = follow(closing, asked, recording, clock.monotonic_s() - began_s, at)
-        refitted = closing.traced.refitted(fit(closing.traced.measurement, job.serial_number, folder=self.store))
-        done = keep_result(refitted, self.store, tell, spoken(), closing.chain)
-        return _stored(job, done, closing.files)
+        took_s = clock.monotonic_s() - began_s
+        return partial(_close_again, lambda: follow(closing, asked, recording, took_s, at), job, self.store)
 
 
 def progress_of(activity: Activity, connected: Connected) -> Progress:
     """What counts the steps of a run."""
     return Progress(activity.job.plan(), connected.stand.clock, activity.points_done)
+
+
+def _conclude(job: Job, store: Path, recording: Path, tell: Tell) -> Concluded:
+    from tumble.app.calibrating import conclude
+
+    return _stored(job, conclude(recording, store, tell, spoken()))
+
+
+def _close_again(follow: "Callable[[], Closing]", job: Job, store: Path, tell: Tell) -> Concluded:
+    """Close the loop with a further experiment, and store what all runs say together."""
+    from tumble.app.analysing import fit
+    from tumble.app.calibrating import keep_result
+
+    tell("tracing")
+    closing = follow()
+    refitted = closing.traced.refitted(fit(closing.traced.measurement, job.serial_number, folder=store))
+    return _stored(job, keep_result(refitted, store, tell, spoken(), closing.chain), closing.files)
 
 
 def _stored(job: Job, done: "Calibrated", recordings: tuple[Path, ...] = ()) -> Concluded:

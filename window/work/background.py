@@ -40,6 +40,11 @@ class Background(QObject):
         future = self._executor.submit(function)
         future.add_done_callback(lambda ended: self._arrived.emit(partial(self._conclude, ended, done, failed)))
 
+    @property
+    def is_busy(self) -> bool:
+        """Whether anything is under way."""
+        return self._under_way > 0
+
     def leave(self) -> None:
         """Begin nothing more, and wait for what is under way: it may be writing."""
         self._left = True

@@ -5,16 +5,16 @@ Database and analysis are imported when they are called: a window is up before t
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from datetime import datetime
+from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from tumble.app.exits import Exit, JobError
 from tumble.app.files import check_result, replacing, write_text
 from tumble.app.kinds import Kind
 from tumble.app.running import Job
-from tumble.calibrations.core.verdict import Outcome
 from tumble.calibrations.records.record import Record
+from tumble.calibrations.records.wanted import Wanted
 from tumble.window.look.language import spoken
 from tumble.window.work.activity import Concluded, Resumption
 
@@ -25,53 +25,67 @@ if TYPE_CHECKING:
     from tumble.calibrations.stand_records.record import StandRecord
 
 
-@dataclass(frozen=True, kw_only=True)
-class Search:
-    """Which records are looked for; what is empty matches everything."""
-
-    serial_number: str = ""
-    """A part of it is enough."""
-    programme_name: str = ""
-    verdict: Outcome | None = None
-    since: datetime | None = None
-    until: datetime | None = None
+SHOWN: Final = 60
+"""Records that are listed at once; who looks for others says so."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Found:
-    """What a store holds."""
+    """What was looked for."""
 
     records: tuple[Record, ...]
-    cut_off: "tuple[CutOff, ...]"
-    programmes: tuple[str, ...]
+    """The newest of them, in the order in which they were measured."""
+    more: bool
+    """Whether there are older ones."""
     titles: Mapping[str, str]
     """What the installed methods measure, in words, by name."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Around:
+    """What else a store holds."""
+
+    cut_off: "tuple[CutOff, ...]"
+    titles: Mapping[str, str]
+    programmes: tuple[str, ...] = ()
     stands: "tuple[StandRecord, ...]" = ()
     """Stand records of all stands."""
 
 
-def search(folder: Path, wanted: Search) -> Found:
-    """Look for records and for runs that came to none; a store that is not there holds nothing."""
+def search(folder: Path, wanted: Wanted) -> Found:
+    """Look for records; a store that is not there holds nothing."""
+    from tumble.app.opening import open_store
+    from tumble.calibrations.records.store import DATABASE
+
+    if not (folder / DATABASE).is_file():
+        return Found(records=(), more=False, titles=method_titles())
+    found = open_store(folder).newest(wanted, SHOWN + 1)
+    return Found(records=found[:SHOWN][::-1], more=len(found) > SHOWN, titles=method_titles())
+
+
+def look_around(folder: Path) -> Around:
+    """Look for runs that came to no record, programmes and stand records."""
     from tumble.app.cut_off import cut_off_runs
-    from tumble.app.methods import methods
     from tumble.app.opening import open_store
     from tumble.app.stand_records import list_stand_records
     from tumble.calibrations.records.store import DATABASE
 
-    titles = {method.name: method.title for method in methods()}
     if not (folder / DATABASE).is_file():
-        return Found(records=(), cut_off=cut_off_runs(folder), programmes=(), titles=titles)
-    found = open_store(folder).find(
-        programme_name=wanted.programme_name or None, verdict=wanted.verdict, since=wanted.since, until=wanted.until
-    )
-    part = wanted.serial_number.casefold()
-    return Found(
-        records=tuple(record for record in found if part in record.provenance.serial_number.casefold()),
+        return Around(cut_off=cut_off_runs(folder), titles=method_titles())
+    return Around(
         cut_off=cut_off_runs(folder),
-        programmes=tuple(sorted({record.provenance.programme_name for record in found} - {""})),
-        titles=titles,
+        titles=method_titles(),
+        programmes=open_store(folder).programmes(),
         stands=list_stand_records(folder),
     )
+
+
+@cache
+def method_titles() -> Mapping[str, str]:
+    """What the installed methods measure, in words, by name."""
+    from tumble.app.methods import methods
+
+    return {method.name: method.title for method in methods()}
 
 
 def open_record(folder: Path, record_id: str) -> Concluded:
@@ -117,6 +131,13 @@ def analyse_cut_off(folder: Path, path: Path) -> Concluded:
         record_id=done.record.id,
         report=done.report,
     )
+
+
+def discard(folder: Path, path: Path) -> Path:
+    """Take a run that nobody needs out of the way, and return where it lies now. Raises `InputError`, `JobError`."""
+    from tumble.app.discarding import discard
+
+    return discard(folder, path)
 
 
 def differences(folder: Path, first: str, second: str) -> "tuple[Difference, ...]":

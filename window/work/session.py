@@ -67,6 +67,16 @@ class StandSession:
         """Where the positioners are, as they read it now, by name. Raises `DeviceError`."""
         return {name: positioner.status() for name, positioner in self.connected.stand.positioners.items()}
 
+    @property
+    def answers(self) -> bool:
+        """Whether every positioner says where it is."""
+        try:
+            for positioner in self.connected.stand.positioners.values():
+                positioner.status()
+        except Exception:
+            return False
+        return True
+
     def motion(self, name: str) -> Motion:
         """Moves of a positioner. Raises `DeviceError`."""
         stand = self.connected.stand

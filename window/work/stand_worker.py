@@ -2,6 +2,7 @@
 
 import atexit
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 from queue import Empty, SimpleQueue
@@ -44,11 +45,15 @@ class StandWorker(QObject):
     working = Signal(bool)
     """Whether an order is under way; leaving a stand is none."""
     stage = Signal(str)
-    """What an activity does once its run is over."""
-    concluded = Signal(object)
-    """`Concluded`."""
+    """What an activity does before its run."""
+    recorded = Signal(object)
+    """Path of the recording of a run that is over, however it ended."""
+    measured = Signal(object)
+    """`Conclusion`: an activity needs the stand no longer."""
     broken_off = Signal(object)
     """The exception that ended an activity."""
+    stopping = Signal()
+    """Everything is told to stop."""
     failed = Signal(object)
     """The exception that ended any other order."""
     restless = Signal()
@@ -165,6 +170,7 @@ class StandWorker(QObject):
         self._thread.end()
 
     def _stopped(self) -> StandSession:
+        self.stopping.emit()
         for control in self._controls:
             control.stop()
         return self.session
@@ -220,8 +226,22 @@ class StandWorker(QObject):
         connected = session.connected if as_it_is else self._connect(session, attendant, activity.past)
         self._bridge.count(progress_of(activity, connected))
         ready = replace(connected, control=control, look=self._bridge.look)
-        concluded = activity.carry_out(ready, [self._bridge.listen], partial(self._tell, session, self.stage))
-        self._tell(session, self.concluded, concluded)
+        tell, ran = partial(self._tell, session, self.stage), len(connected.ran)
+        try:
+            conclusion = activity.measure(ready, [self._bridge.listen], tell)
+        except BaseException:
+            self._leave_what_is_lost(session)
+            raise
+        finally:
+            for path in connected.ran[ran:]:
+                self._tell(session, self.recorded, path)
+        self._tell(session, self.measured, conclusion)
+
+    def _leave_what_is_lost(self, session: StandSession) -> None:
+        """Leave a stand that answers no longer: why the run broke off is told once, and not again by the next look."""
+        if not session.answers:
+            with suppress(Exception):
+                self._leave_stand(session)
 
     def _carry_out_move(self, session: StandSession, name: str, move: Move, control: Control) -> None:
         motion, interlock = session.motion(name), session.interlock()

@@ -17,7 +17,7 @@ from tumble.window.work.background import Background
 
 
 class HeadFigures(Figures):
-    """Both against the head angle; fitted anew in the background as points come."""
+    """One above the other against the head angle; fitted anew in the background as points come."""
 
     def __init__(self, _: Layout, background: Background) -> None:
         super().__init__()
@@ -25,7 +25,8 @@ class HeadFigures(Figures):
         self.points: list[Row] = []
         self.fit: LiveFit | None = None
         self._fitted, self._fitting = 0, False
-        self.output, self.residual = OutputPlot(), ResidualPlot()
+        self.output = OutputPlot()
+        self.residual = ResidualPlot(self.output)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(Splitter(Qt.Orientation.Vertical, (self.output, self.residual), (5, 4)))

@@ -2,15 +2,12 @@
 
 from typing import Final
 
-from tumble.drivers.manual import on_the_circle
-from tumble.drivers.protocols import PositionerStatus
 from tumble.procedures.layout import Layout
 from tumble.procedures.steps import Ask
 from tumble.window.look.language import tr
-from tumble.window.look.numbers import local
 from tumble.window.methods.dividing_head.mounts import mount_name
 from tumble.window.methods.dividing_head.pose_picture import PosePicture
-from tumble.window.widgets.prompts import ConditionPrompt
+from tumble.window.widgets.prompts import ConditionPrompt, angle_words
 
 _ZERO_DEG: Final = 0.01
 """As near as a person can seat a unit to 0°."""
@@ -21,7 +18,6 @@ class MountPrompt(ConditionPrompt):
 
     def __init__(self, layout: Layout) -> None:
         self._picture = PosePicture()
-        self._status: PositionerStatus | None = None
         super().__init__(layout, self._picture)
 
     def ask(self, ask: Ask) -> None:
@@ -29,32 +25,25 @@ class MountPrompt(ConditionPrompt):
         super().ask(ask)
         self._picture.show_mount(ask.value)
 
-    def see(self, name: str, status: PositionerStatus) -> None:  # noqa: ARG002  # there is one head
-        """Say where the head stands, and who turns it."""
-        self._status = status
-        self._task.setText(self._instruction())
-
-    def title(self, ask: Ask) -> str:
-        """The mount."""
-        return mount_name(ask.value)
-
-    def task(self, ask: Ask) -> str:  # noqa: ARG002  # the same for every mount
-        """What there is to do."""
-        return self._instruction()
-
-    def _instruction(self) -> str:
-        status = self._status
-        if status is None or not status.referenced or _at_zero(status.angle_deg):
-            return tr("Seat the unit as in the picture,\nat head angle 0°.")
-        here = local(on_the_circle(status.angle_deg))
+    def instruction(self, ask: Ask) -> str:
+        """The mount, where the head is, and who turns it."""
+        mount = mount_name(ask.value)
+        status = next(iter(self.statuses.values()), None)
+        if status is None or not status.referenced:
+            return tr("Seat the unit {mount}, as in the picture.", mount=mount)
+        if _at_zero(status.angle_deg):
+            return tr("Seat the unit {mount}, as in the picture. The head is at 0°.", mount=mount)
+        here = angle_words(status)
         if status.by_hand:
             return tr(
-                "The head is at {here}: turn it to 0° yourself,\nthen seat the unit as in the picture.", here=here
+                "The head is at {here}: turn it to 0° yourself. Then seat the unit {mount}, as in the picture.",
+                here=here,
+                mount=mount,
             )
         return tr(
-            "The head stands at {here}, and turns by itself once you confirm:\n"
-            "seat the unit to the 0° mark of the faceplate as in the picture.",
+            "Seat the unit {mount}, at the 0° mark. The head is at {here} and turns by itself once you confirm.",
             here=here,
+            mount=mount,
         )
 
     def button_text(self) -> str:

@@ -22,6 +22,8 @@ class AnglePlot(SeriesPlot):
 
     def __init__(self, left: str, parent: QWidget | None = None) -> None:
         super().__init__(tuple(MOUNTS), bottom=tr("head angle (°)"), left=left, parent=parent)
+        self._align()
+        self.recoloured.connect(self._align)
 
     def draw_points(self, points: Sequence[Row], values: FloatArray) -> None:
         """Draw a value of every point."""
@@ -31,6 +33,10 @@ class AnglePlot(SeriesPlot):
         """Draw a value of every row against another."""
         of = np.array(mounts)
         self.draw_series({mount: (abscissa[of == mount], values[of == mount]) for mount in dict.fromkeys(mounts)})
+
+    def _align(self) -> None:
+        """Give the ordinate the width of any number, so that plots above each other line up."""
+        self.getAxis("left").setWidth(self.fontMetrics().horizontalAdvance("-0000.000"))
 
 
 class OutputPlot(AnglePlot):
@@ -58,10 +64,11 @@ class OutputPlot(AnglePlot):
 
 
 class ResidualPlot(AnglePlot):
-    """Residual against angle: what is far outside of the band is a gross error, and is ringed."""
+    """Residual under the output: what is far outside of the band is a gross error, and is ringed."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, above: OutputPlot, parent: QWidget | None = None) -> None:
         super().__init__(left=tr("residual (µV)"), parent=parent)
+        self.setXLink(above)
         self._band = pg.LinearRegionItem((0, 0), orientation="horizontal", movable=False)
         self._rings = pg.ScatterPlotItem(size=17, brush=None)
         self._band.setZValue(-10)

@@ -1,0 +1,157 @@
+"""How long a search on the screen Records takes in a store of many records: from the last key to the table.
+
+    python -m benchmarks.record_search --records 100000
+
+The store is made of one run of the simulated stand, whose record is copied under other numbers, days and units: size
+and content are those of a real one. It is made once in the folder that is given, and used again.
+"""
+
+import argparse
+import os
+import sqlite3
+import statistics
+import tempfile
+import time
+from collections.abc import Callable, Iterator
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from tumble.app.calibrating import calibrate
+from tumble.app.running import Job
+from tumble.app.stand import load_stand
+from tumble.app.wiring import connect
+from tumble.calibrations.records import DATABASE
+from tumble.calibrations.records.store import Store
+from tumble.procedures.programmes import load_programme
+
+if TYPE_CHECKING:
+    from PySide6.QtWidgets import QApplication
+
+    from tumble.window.screens.records import RecordsScreen
+
+_UNITS: Final = 5_000
+"""Each has been measured as often as the others."""
+_FIRST: Final = datetime(2016, 1, 1, tzinfo=UTC)
+_BETWEEN: Final = timedelta(minutes=50)
+_TIMES: Final = 9
+_WAITED_S: Final = 120.0
+_COPY: Final = """
+INSERT INTO records ({columns})
+SELECT {values} FROM records WHERE id = :pattern
+"""
+
+
+def make_store(folder: Path, records: int) -> None:
+    """Fill a store with copies of a record, unless it has so many."""
+    if not (folder / DATABASE).is_file():
+        job = Job(stand=load_stand(), programme=load_programme("quick"), serial_number="PATTERN")
+        calibrate(job, connect(job.stand), folder)
+    pattern = Store.existing(folder).standing()[0]
+    with sqlite3.connect(folder / DATABASE) as database:
+        there = database.execute("SELECT count(*) FROM records").fetchone()[0]
+        columns = [row[1] for row in database.execute("PRAGMA table_info(records)")]
+        changed = {
+            "id": ":id",
+            "serial_number": ":serial",
+            "measured_at": ":moment",
+            "created_at": ":moment",
+            "provenance": "json_set(provenance, '$.serial_number', :serial, '$.measured_at', :moment)",
+            "writer": "NULL",
+            "sequence": "NULL",
+            "outcome": ":outcome",
+        }
+        copy = _COPY.format(columns=", ".join(columns), values=", ".join(changed.get(name, name) for name in columns))
+        database.executemany(copy, _copies(pattern, there, records))
+
+
+def _copies(pattern: str, first: int, last: int) -> Iterator[dict[str, str]]:
+    for number in range(first, last):
+        moment = _FIRST + number * _BETWEEN
+        yield {
+            "pattern": pattern,
+            "id": f"{moment:%Y%m%d-%H%M%S}-{number:06x}",
+            "serial": f"SN-{number % _UNITS:05d}",
+            "moment": f"{moment:%Y-%m-%dT%H:%M:%S.%f}Z",
+            "outcome": "fail" if number % 17 == 0 else "pass",
+        }
+
+
+class Watch:
+    """A window at the store, and the time that it takes to show what is looked for."""
+
+    def __init__(self, application: "QApplication", screen: "RecordsScreen") -> None:
+        self._application, self._screen = application, screen
+        self._shown = 0
+        screen.shown.connect(self._count)
+
+    def time_ms(self, change: Callable[[], object]) -> tuple[float, float]:
+        """Milliseconds until what a change asks for is shown, by the clock and of a processor."""
+        before, began_s, began_cpu_s = self._shown, time.perf_counter(), time.process_time()
+        change()
+        while self._shown == before:
+            self._application.processEvents()
+            if time.perf_counter() - began_s > _WAITED_S:
+                raise SystemExit(f"the table does not show what was looked for: {self._screen.said.text()}")
+        return (time.perf_counter() - began_s) * 1000.0, (time.process_time() - began_cpu_s) * 1000.0
+
+    def _count(self) -> None:
+        self._shown += 1
+
+
+def measure(store: Path) -> None:
+    """Open the window, and time searches in it."""
+    os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+    from PySide6.QtCore import QSettings
+
+    from tumble.window.start import Application, application
+
+    with tempfile.TemporaryDirectory() as settings:
+        QSettings.setDefaultFormat(QSettings.Format.IniFormat)
+        QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, settings)
+        qt = application()
+        began_s = time.perf_counter()
+        window = Application(qt, store).window
+        screen, field = window.records, window.records.search.serial
+        window.open(screen)
+        watch = Watch(qt, screen)
+        while not screen.records or window.background.is_busy:
+            qt.processEvents()
+        listed_s = time.perf_counter() - began_s
+        while screen.surveyor.is_busy:
+            qt.processEvents()
+        print(f"first list: {listed_s:.2f} s, everything around it: {time.perf_counter() - began_s:.2f} s")
+        for title, term in (
+            ("one unit", "SN-01234"),
+            ("a hundred units", "SN-012"),
+            ("no unit", "nobody"),
+            ("all", ""),
+        ):
+            times_ms = []
+            for _ in range(_TIMES):
+                field.blockSignals(True)
+                field.setText(f"{term}?")
+                field.blockSignals(False)
+                times_ms.append(watch.time_ms(lambda term=term: field.setText(term)))  # type: ignore[misc]
+            clock_ms, cpu_ms = (statistics.median(each) for each in zip(*times_ms, strict=True))
+            worst_ms = max(each for each, _ in times_ms)
+            print(f"{title}: median {clock_ms:.0f} ms, at most {worst_ms:.0f} ms; processor {cpu_ms:.0f} ms")
+        window.leave()
+        qt.processEvents()
+
+
+def main() -> None:
+    """Make the store, and measure."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--records", type=int, default=100_000)
+    parser.add_argument("--folder", type=Path, help="where the store is kept; in a temporary folder without")
+    arguments = parser.parse_args()
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = arguments.folder or Path(temporary) / "store"
+        make_store(folder, arguments.records)
+        print(f"{arguments.records} records, {(folder / DATABASE).stat().st_size / 1e6:.0f} MB")
+        measure(folder)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,66 @@
+"""Finding records without reading them: a store may hold a hundred thousand, and a screen shows a few.
+
+The index holds everything that is looked for, in the order of measurement, so that a search reads no record but those
+that it shows. A store that has none, made by an earlier version of the program, gets it with the next record.
+"""
+
+from sqlite3 import Connection as Database
+from typing import Any, Final
+
+from sqlalchemy import ColumnElement, Connection, Index, Select, func, select
+
+from tumble.calibrations.records.schema import RECORDS
+from tumble.calibrations.records.times import utc_text
+from tumble.calibrations.records.wanted import Wanted
+
+NEWER: Final = RECORDS.alias("newer")
+STANDS: Final = ~select(NEWER.c.supersedes).where(NEWER.c.supersedes == RECORDS.c.id).correlate(RECORDS).exists()
+MEASURED_AT: Final = func.coalesce(RECORDS.c.measured_at, RECORDS.c.created_at)
+"""Start of the run, or when the record was made where the source does not say."""
+_NEWEST_FIRST: Final = (MEASURED_AT.desc(), RECORDS.c.created_at.desc(), RECORDS.c.sequence.desc(), RECORDS.c.id.desc())
+INDEX: Final = Index(
+    "ix_records_listing",
+    MEASURED_AT,
+    RECORDS.c.created_at,
+    RECORDS.c.sequence,
+    RECORDS.c.id,
+    RECORDS.c.serial_number,
+    RECORDS.c.programme_name,
+    RECORDS.c.outcome,
+    RECORDS.c.measured_at,  # without it SQLite takes the expression for one that needs the record
+)
+
+
+def newest(wanted: Wanted, limit: int) -> Select[Any]:
+    """The ids of the newest records that stand and are wanted, the newest first."""
+    return select(RECORDS.c.id).where(*_conditions(wanted), STANDS).order_by(*_NEWEST_FIRST).limit(limit)
+
+
+def programmes() -> Select[Any]:
+    """The names of all programmes by which something was measured."""
+    return select(RECORDS.c.programme_name).distinct().order_by(RECORDS.c.programme_name)
+
+
+def teach_folding(connection: Connection) -> None:
+    """Have a connection compare letters of any script without regard to capitals."""
+    database: Database = connection.connection.driver_connection  # type: ignore[assignment]
+    database.create_function("folded", 1, str.casefold, deterministic=True)
+
+
+def _conditions(wanted: Wanted) -> list[ColumnElement[bool]]:
+    part = wanted.part_of_serial_number
+    conditions = [
+        _contains(part) if part else None,
+        RECORDS.c.programme_name == wanted.programme_name if wanted.programme_name else None,
+        RECORDS.c.outcome == str(wanted.verdict) if wanted.verdict else None,
+        utc_text(wanted.since) <= MEASURED_AT if wanted.since else None,
+        utc_text(wanted.until) >= MEASURED_AT if wanted.until else None,
+    ]
+    return [condition for condition in conditions if condition is not None]
+
+
+def _contains(part: str) -> ColumnElement[bool]:
+    """LIKE of SQLite folds the letters of ASCII, and those alone, faster than a function does."""
+    if part.isascii():
+        return RECORDS.c.serial_number.contains(part, autoescape=True)
+    return func.instr(func.folded(RECORDS.c.serial_number), part.casefold()) > 0

@@ -1,0 +1,278 @@
+"""Carries the queue out: one run after the other, each as soon as the stand is free."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+
+from tumble.app.exits import Exit, JobError
+from tumble.app.running import Job
+from tumble.app.stand import LoadedStand
+from tumble.procedures.errors import InputError
+from tumble.procedures.plan import Plan
+from tumble.procedures.programmes import load_programme
+from tumble.procedures.steps import Dwell
+from tumble.window.look.language import tr
+from tumble.window.look.sentences import in_language
+from tumble.window.screens.run_course import RunCourse
+from tumble.window.work.activity import Activity, Calibration, Concluded, Resumption
+from tumble.window.work.queue_file import read_queue, write_queue
+from tumble.window.work.run_queue import AT_STAND, Entry, RunQueue, Stage
+
+
+class QueueRunner(QObject):
+    """Begins what waits, follows it to its verdict, and keeps the queue in its store.
+
+    A fault, a stop or a run that cannot begin holds the queue until somebody starts it again.
+
+    Parameters
+    ----------
+    begin
+        Begins a run at the stand; false where that is not possible now.
+    stand
+        That which is on screen.
+    folder
+        Store.
+    """
+
+    changed = Signal()
+    """An entry, or whether the queue goes on."""
+    unit_wanted = Signal(str)
+    """Serial number of the unit to be put on the stand before its run begins; empty where none is wanted any more."""
+    refused = Signal(object)
+    """An exception that the person must see."""
+
+    def __init__(
+        self,
+        begin: Callable[[Activity], bool],
+        stand: Callable[[], LoadedStand],
+        folder: Callable[[], Path],
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._begin_run, self._stand, self._folder = begin, stand, folder
+        self.queue = RunQueue()
+        self.going, self.said = False, ""
+        """Whether it goes on by itself, and how it stands, in a sentence."""
+        self._of: list[tuple[Activity, int]] = []
+        """Runs that are under way, with the numbers of their entries."""
+        self._beginning: int | None = None
+        self._wanted: int | None = None
+        """Entry whose unit is awaited."""
+        self._seated = ""
+        """Serial number of the unit that was measured last."""
+
+    def open(self) -> None:
+        """Read what the store has kept."""
+        entries, trouble = read_queue(self._folder())
+        self.queue, self._of, self._wanted = RunQueue(entries), [], None
+        self.going, self.said = False, ""
+        self.changed.emit()
+        if trouble is not None:
+            self.refused.emit(trouble)
+
+    def follow(self, course: RunCourse) -> None:
+        """Hear what becomes of runs."""
+        course.recorded.connect(self.hear_recorded)
+        course.measured.connect(self.hear_measured)
+        course.broke_off.connect(self.hear_failed)
+        course.concluded.connect(self.hear_concluded)
+        course.failed.connect(self.hear_failed)
+
+    def add(self, job: Job, programme: str, repeats: int) -> None:
+        """Add a run, as often as it is wanted; `programme` is its name or the path of its file."""
+        entry = Entry(
+            number=0,
+            serial_number=job.serial_number,
+            programme=programme,
+            operator=job.operator,
+            stand=_place(job.stand),
+        )
+        self.queue.add(entry, repeats)
+        self._tell()
+
+    def move(self, number: int, places: int) -> None:
+        """Move an entry that waits."""
+        self.queue.move(number, places)
+        self._tell()
+
+    def remove(self, number: int) -> None:
+        """Take an entry out that is not under way; one whose unit is awaited holds the queue."""
+        if number == self._wanted:
+            self.hold()
+        self.queue.remove(number)
+        self._tell()
+
+    def clear(self) -> None:
+        """Take out everything that is not under way."""
+        if self._wanted is not None:
+            self.hold()
+        self.queue.clear()
+        self._tell()
+
+    def start(self) -> None:
+        """Go on by itself from now."""
+        self.going, self.said = True, ""
+        self._tell()
+
+    def hold(self) -> None:
+        """Begin nothing more by itself."""
+        self._hold(tr("The queue is held; F4 goes on with it."))
+
+    def proceed(self) -> None:
+        """Begin the next run; to be called whenever the stand is free."""
+        if not self.going or self._wanted is not None:
+            return
+        entry = self.queue.next_waiting()
+        if entry is None:
+            self._hold(tr("Everything in the queue was measured."))
+            return
+        try:
+            job, plan = self._planned(entry)
+        except InputError as error:
+            self.going = False
+            self._fail(entry, str(error))
+            self.refused.emit(error)
+            return
+        if self._seated not in ("", entry.serial_number) and not _asks_first(plan):
+            self._wanted = entry.number
+            self._change(entry.number, lambda each: each.at(Stage.MOUNTING))
+            self.unit_wanted.emit(entry.serial_number)
+        else:
+            self._begin(entry, job)
+
+    def confirm_unit(self) -> None:
+        """The unit that was wanted is on the stand: its run begins as soon as that is told."""
+        entry = self.queue.get(self._wanted) if self._wanted is not None else None
+        if entry is not None:
+            self._seated = entry.serial_number
+            self._want_no_unit()
+
+    def hear_begun(self, activity: Activity) -> None:
+        """A run has the stand, begun from here or by the person."""
+        number = self._beginning
+        if number is None and isinstance(activity, Resumption):
+            entry = self.queue.of_recording(str(activity.unfinished.path.resolve()))
+            number = entry.number if entry else None
+        self._want_no_unit()
+        self._seated = activity.job.serial_number
+        if number is not None:
+            self._of.append((activity, number))
+            self._change(number, Entry.begun)
+
+    def hear_waiting(self, waiting: bool) -> None:
+        """Whether the run at the stand waits for the person."""
+        stage = Stage.MOUNTING if waiting else Stage.MEASURING
+        for entry in self.queue.entries:
+            if entry.stage in AT_STAND and entry.number != self._wanted and entry.stage is not stage:
+                self._change(entry.number, lambda each: each.at(stage))
+
+    def hear_recorded(self, activity: Activity, path: Path) -> None:
+        """Where a run was recorded."""
+        self._change(self._number(activity), lambda each: each.recorded(path))
+
+    def hear_measured(self, activity: Activity) -> None:
+        """A run is over, and its analysis goes on beside."""
+        self._change(self._number(activity), lambda each: each.at(Stage.ANALYSING))
+
+    def hear_concluded(self, activity: Activity, concluded: Concluded) -> None:
+        """A run has its record."""
+        self._judge(self._forget(activity), concluded)
+
+    def hear_failed(self, activity: Activity, error: BaseException) -> None:
+        """A run, or its analysis, ended before its time."""
+        number = self._forget(activity)
+        entry = self.queue.get(number) if number is not None else None
+        if entry is None:
+            self.hear_stop()
+        elif isinstance(error, JobError) and error.status is Exit.STOPPED:
+            self._change(entry.number, lambda each: each.at(Stage.STOPPED))
+            self._hold(tr("The queue is held: {unit} was stopped. F4 goes on with the next.", unit=entry.serial_number))
+        else:
+            self._fail(entry, str(error))
+
+    def hear_result(self, concluded: Concluded) -> None:
+        """A run that was stopped, or whose analysis failed, was analysed after all."""
+        for path in concluded.recordings:
+            entry = self.queue.of_recording(str(path.resolve()))
+            if entry is not None and entry.stage in (Stage.STOPPED, Stage.FAILED) and concluded.record_id:
+                self._judge(entry.number, concluded)
+
+    def hear_stop(self) -> None:
+        """Everything is told to stop."""
+        if self.going:
+            self._hold(tr("The queue is held: it was stopped. F4 goes on with it."))
+
+    def _planned(self, entry: Entry) -> tuple[Job, Plan]:
+        """The run of an entry. Raises `InputError` where it does not fit the stand that is on screen."""
+        stand = self._stand()
+        if entry.stand != _place(stand):
+            raise InputError(
+                tr(
+                    "{unit} was put into the queue for the stand {its}, and another one is on screen",
+                    unit=entry.serial_number,
+                    its=entry.stand or tr("the simulated stand that is built in"),
+                )
+            )
+        programme = load_programme(entry.programme)
+        job = Job(stand=stand, programme=programme, serial_number=entry.serial_number, operator=entry.operator)
+        return job, job.plan()
+
+    def _begin(self, entry: Entry, job: Job) -> None:
+        self._beginning = entry.number
+        try:
+            if not self._begin_run(Calibration(job=job, store=self._folder())):
+                self._hold(tr("The queue is held: the stand is at work. F4 goes on with it."))
+        finally:
+            self._beginning = None
+
+    def _fail(self, entry: Entry, why: str) -> None:
+        self._change(entry.number, lambda each: each.failed(why))
+        text = tr("The queue is held: {unit} failed. {why}", unit=entry.serial_number, why=in_language(why))
+        self._hold(text)
+
+    def _hold(self, said: str) -> None:
+        self.going, self.said = False, said
+        self._want_no_unit()
+        self._tell()
+
+    def _want_no_unit(self) -> None:
+        if self._wanted is not None:
+            self.queue.change(self._wanted, lambda each: each.at(Stage.WAITING))
+            self._wanted = None
+            self.unit_wanted.emit("")
+
+    def _number(self, activity: Activity) -> int | None:
+        return next((number for each, number in self._of if each is activity), None)
+
+    def _forget(self, activity: Activity) -> int | None:
+        number = self._number(activity)
+        self._of = [each for each in self._of if each[0] is not activity]
+        return number
+
+    def _judge(self, number: int | None, concluded: Concluded) -> None:
+        self._change(number, lambda each: each.judged(concluded.outcome, concluded.record_id))
+
+    def _change(self, number: int | None, change: Callable[[Entry], Entry]) -> None:
+        if number is not None:
+            self.queue.change(number, change)
+            self._tell()
+
+    def _tell(self) -> None:
+        """Keep the queue, and have it shown."""
+        try:
+            write_queue(self._folder(), self.queue.entries)
+        except (InputError, JobError) as error:
+            self.refused.emit(error)
+        self.changed.emit()
+
+
+def _place(stand: LoadedStand) -> str:
+    return str(stand.path.resolve()) if stand.path else ""
+
+
+def _asks_first(plan: Plan) -> bool:
+    """Whether the person sets something before the first dwell, and so is shown the unit that is meant."""
+    before = (planned.by_hand for planned in plan.steps)
+    dwells = (isinstance(planned.step, Dwell) for planned in plan.steps)
+    return next((asked for asked, dwell in zip(before, dwells, strict=True) if asked or dwell), False)

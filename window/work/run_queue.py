@@ -1,0 +1,142 @@
+"""Runs that are to be measured one after the other, and what became of each."""
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from pathlib import Path
+from typing import Any, Final
+
+from tumble.calibrations.core.verdict import Outcome
+
+
+class Stage(StrEnum):
+    """How far an entry of the queue is."""
+
+    WAITING = "waiting"
+    MOUNTING = "mounting"
+    """The person at the stand is asked to do something."""
+    MEASURING = "measuring"
+    ANALYSING = "analysing"
+    """The stand is free for the next one."""
+    JUDGED = "judged"
+    """There is a record."""
+    FAILED = "failed"
+    STOPPED = "stopped"
+
+
+AT_STAND: Final = frozenset({Stage.MOUNTING, Stage.MEASURING})
+UNDER_WAY: Final = AT_STAND | {Stage.ANALYSING}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Entry:
+    """A run of a unit."""
+
+    number: int
+    """Of the entry, unlike that of any other in its queue."""
+    serial_number: str
+    programme: str
+    """Name of one that comes along, or path of its file."""
+    operator: str = ""
+    stand: str = ""
+    """Path of the stand file; empty for the stand that is built in."""
+    repeat: int = 1
+    repeats: int = 1
+    """Which one of how many runs that were added together."""
+    stage: Stage = Stage.WAITING
+    said: str = ""
+    """Why it failed."""
+    outcome: Outcome | None = None
+    recording: str = ""
+    """Path, once there is one."""
+    record_id: str = ""
+
+    def at(self, stage: Stage) -> "Entry":
+        """The same, so far."""
+        return replace(self, stage=stage)
+
+    def begun(self) -> "Entry":
+        """The same at the stand, for the first time or again."""
+        return replace(self, stage=Stage.MEASURING, said="", outcome=None, record_id="")
+
+    def recorded(self, path: Path) -> "Entry":
+        """The same with its recording."""
+        return replace(self, recording=str(path))
+
+    def failed(self, why: str) -> "Entry":
+        """The same once it has failed."""
+        return replace(self, stage=Stage.FAILED, said=why)
+
+    def judged(self, outcome: Outcome, record_id: str) -> "Entry":
+        """The same with its record."""
+        return replace(self, stage=Stage.JUDGED, said="", outcome=outcome, record_id=record_id)
+
+    def as_json(self) -> dict[str, Any]:
+        """As it is kept."""
+        return {name: value for name, value in vars(self).items() if value not in ("", None)}
+
+    @classmethod
+    def from_json(cls, kept: dict[str, Any]) -> "Entry":
+        """An entry as it was kept; what was under way then is stopped. Raises `TypeError`, `ValueError`."""
+        outcome = kept.get("outcome")
+        entry = cls(**kept | {"stage": Stage(kept["stage"]), "outcome": Outcome(outcome) if outcome else None})
+        texts = (entry.serial_number, entry.programme, entry.operator, entry.stand, entry.recording, entry.record_id)
+        if not all(isinstance(text, str) for text in (*texts, entry.said)):
+            raise TypeError("a text is none")
+        if not all(isinstance(number, int) for number in (entry.number, entry.repeat, entry.repeats)):
+            raise TypeError("a number is none")
+        return replace(entry, stage=Stage.STOPPED) if entry.stage in UNDER_WAY else entry
+
+
+class RunQueue:
+    """Entries in the order in which they are measured; those that have begun stay where they are."""
+
+    def __init__(self, entries: Iterable[Entry] = ()) -> None:
+        self.entries = list(entries)
+
+    def add(self, entry: Entry, repeats: int = 1) -> None:
+        """Add a run, as often as it is wanted, at the end."""
+        for repeat in range(1, repeats + 1):
+            number = max((each.number for each in self.entries), default=0) + 1
+            self.entries.append(replace(entry, number=number, repeat=repeat, repeats=repeats))
+
+    def get(self, number: int) -> Entry | None:
+        """The entry of a number; None where it was removed."""
+        return next((entry for entry in self.entries if entry.number == number), None)
+
+    def change(self, number: int, change: Callable[[Entry], Entry]) -> None:
+        """Put what becomes of an entry in its place, unless it was removed meanwhile."""
+        self.entries = [change(entry) if entry.number == number else entry for entry in self.entries]
+
+    @property
+    def waiting(self) -> int:
+        """How many wait."""
+        return sum(entry.stage is Stage.WAITING for entry in self.entries)
+
+    def next_waiting(self) -> Entry | None:
+        """The one to be measured next."""
+        return next((entry for entry in self.entries if entry.stage is Stage.WAITING), None)
+
+    def of_recording(self, path: str) -> Entry | None:
+        """The entry that a recording belongs to."""
+        return next((entry for entry in self.entries if entry.recording == path), None)
+
+    def move(self, number: int, places: int) -> None:
+        """Move an entry that waits up or down among those that wait."""
+        waiting = [place for place, entry in enumerate(self.entries) if entry.stage is Stage.WAITING]
+        here = next((rank for rank, place in enumerate(waiting) if self.entries[place].number == number), None)
+        if here is None or not 0 <= here + places < len(waiting):
+            return
+        one, other = waiting[here], waiting[here + places]
+        self.entries[one], self.entries[other] = self.entries[other], self.entries[one]
+
+    def remove(self, number: int) -> None:
+        """Take an entry out that is not under way."""
+        self._keep(lambda entry: entry.number != number)
+
+    def clear(self) -> None:
+        """Take out everything that is not under way."""
+        self._keep(lambda _: False)
+
+    def _keep(self, wanted: Callable[[Entry], bool]) -> None:
+        self.entries = [entry for entry in self.entries if wanted(entry) or entry.stage in UNDER_WAY]
