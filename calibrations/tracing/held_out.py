@@ -1,6 +1,6 @@
 """The error before and after, on rows that neither chose an effect nor fitted its coefficients."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import compress
 from typing import Any, Final
 
@@ -10,6 +10,7 @@ from tumble.calibrations.core.adequacy import told_without
 from tumble.calibrations.core.arrays import BoolArray, FloatArray
 from tumble.calibrations.tracing.components import Component
 from tumble.calibrations.tracing.noise import WHITE, NoiseModel
+from tumble.calibrations.tracing.penalties import NEAR
 from tumble.calibrations.tracing.problem import Problem
 from tumble.calibrations.tracing.sample import Sample
 from tumble.calibrations.tracing.search import search
@@ -19,6 +20,10 @@ from tumble.calibrations.tracing.whitened import Fitted
 
 _FAR: Final = 4.0
 """So many times the variance of a prediction of the declared model, or of a dwell, is far off the rows."""
+_APART: Final = 0.5
+"""Predictions that differ by less than this part of the scatter of the rows are one."""
+_FORMS: Final = 8
+"""So many other forms of an effect are tried."""
 _RANK: Final = 1e-10
 _INNER_FOLDS: Final = 3
 """Into so many folds of whole settings the other rows are parted, to decide by what they predict."""
@@ -30,7 +35,8 @@ def held_out_rms(tracer: Tracer[Any], trace: Trace, parts: Iterable[BoolArray]) 
     Effects are chosen anew from the other rows, from their scans as they stand, in the noise of the whole table. What
     has no name is predicted by its mean given the other rows; what is random (levels, a walk) cannot be, and
     counts as error. Where folds of the other rows are predicted better by the declared model alone, or where
-    those rows do not tell what was found well enough to predict the part, the declared model alone predicts it.
+    those rows do not tell what was found well enough to predict the part, or which of two effects that predict it
+    otherwise, the declared model alone predicts it.
     Parts without which the others do not tell the declared model are passed over; None where that is every one.
     """
     table = tracer.table
@@ -42,14 +48,23 @@ def held_out_rms(tracer: Tracer[Any], trace: Trace, parts: Iterable[BoolArray]) 
 def _errors(tracer: Tracer[Any], trace: Trace, out: BoolArray) -> FloatArray:
     """Output minus what the other rows predict, of the rows that are held out."""
     table, nothing = tracer.table, np.empty((tracer.table.rows, 0))
-    columns = _chosen(tracer, trace, out)
+    columns, *others = _chosen(tracer, trace, out)
     shown = _Shown(table, trace.noise, trace.components, columns)
     alone = _Shown(table, WHITE, (), nothing)
     if not _told(table, columns, out, shown.theta(~out)):
         return alone.errors(~out, out)
+    rivals = (_Shown(table, trace.noise, trace.components, each) for each in others)
+    if any(_predict_otherwise(shown, rival, out) for rival in rivals):
+        return alone.errors(~out, out)
     inner = _inner_folds(table, out)
     better = sum(shown.squares(train, test) - alone.squares(train, test) for train, test in inner) <= 0.0
     return (shown if better else alone).errors(~out, out)
+
+
+def _predict_otherwise(shown: "_Shown", rival: "_Shown", out: BoolArray) -> bool:
+    """Whether two explanations of the other rows differ in the rows held out by as much as matters."""
+    apart = shown.errors(~out, out) - rival.errors(~out, out)
+    return float(np.mean(apart**2)) > _APART**2 * float(np.mean(shown.errors(~out, ~out) ** 2))
 
 
 def _told(table: Table, columns: FloatArray, out: BoolArray, theta: FloatArray) -> bool:
@@ -71,8 +86,8 @@ def _leverage(columns: FloatArray, out: BoolArray) -> float:
     return float(np.max(np.sum((scaled[out] @ inverse) ** 2, axis=1), initial=0.0))
 
 
-def _chosen(tracer: Tracer[Any], trace: Trace, out: BoolArray) -> FloatArray:
-    """Columns of the effects that the other rows choose, shape (rows, n)."""
+def _chosen(tracer: Tracer[Any], trace: Trace, out: BoolArray) -> list[FloatArray]:
+    """Columns of the effects that the other rows choose, and of sets that they do not refute, shapes (rows, n)."""
     table = tracer.table
     barred = [candidate.effect.random or candidate.effect.name in tracer.barred for candidate in tracer.offered]
     offered = [] if table.not_traced else list(compress(tracer.offered, np.logical_not(barred)))
@@ -80,7 +95,26 @@ def _chosen(tracer: Tracer[Any], trace: Trace, out: BoolArray) -> FloatArray:
     problem = Problem(
         sample.whitened_fit(trace.noise), sample.turned(tracer.columns[~out]), offered, table.most_effects
     )
-    return np.asarray(tracer.columns[:, problem.columns_of(search(problem, beam=1).chosen)])
+    chosen = search(problem, beam=1).chosen
+    return [np.asarray(tracer.columns[:, problem.columns_of(each)]) for each in (chosen, *_swapped(problem, chosen))]
+
+
+def _swapped(problem: Problem, chosen: tuple[int, ...]) -> Iterator[tuple[int, ...]]:
+    """The candidates chosen with each other one in the place of one that explains nearly as much.
+
+    Another effect in its best form, or the same in another: among fewer angles a division error of one order looks like
+    one of another.
+    """
+    for number in chosen:
+        rest = tuple(other for other in chosen if other != number)
+        worth = problem.gains(problem.explain(rest)) - problem.penalties
+        taken, own = {problem.offered[other].effect.name for other in chosen}, problem.offered[number].effect.name
+        others = [rival for rival in problem.best_forms(worth) if problem.offered[rival].effect.name not in taken]
+        place = problem.forms[own]
+        forms = sorted(set(range(place.start, place.stop)) - set(chosen), key=lambda form: -worth[form])[:_FORMS]
+        for rival in (*others, *forms):
+            if worth[rival] > worth[number] - NEAR:
+                yield (*rest, rival)
 
 
 def _inner_folds(table: Table, out: BoolArray) -> list[tuple[BoolArray, BoolArray]]:
