@@ -124,7 +124,15 @@ def _beside(tracer: Tracer[Any], start: Trace, proposal: Proposal) -> Trace:
     noise = start.noise.with_level(component.name, proposal.variance)
     trial = replace(start, components=(*start.components, component))
     settled = inside.settled(noise, trial) if start.found else inside.searched(noise)
-    return refined(inside.table, _fitted(inside.table, settled, component.name))
+    return worth_their_penalty(inside.table, refined(inside.table, _fitted(inside.table, settled, component.name)))
+
+
+def worth_their_penalty(table: Table, trace: Trace) -> Trace:
+    """A trace without named effects that explain too little once something else is there, or gone."""
+    rests = [trace.without(name) for name in trace.names]
+    fitted = [replace(rest, deviance=table.deviance(rest.forms, rest.noise)) for rest in rests]
+    best = min((trace, *fitted), key=penalised_deviance)
+    return trace if best is trace else worth_their_penalty(table, best)
 
 
 def _fitted(table: Table, trace: Trace, name: str) -> Trace:

@@ -7,7 +7,7 @@ from typing import Any, Generic, TypeVar
 
 import numpy as np
 
-from tumble.calibrations.tracing.beyond import traced
+from tumble.calibrations.tracing.beyond import traced, worth_their_penalty
 from tumble.calibrations.tracing.blocks import Lack
 from tumble.calibrations.tracing.evidence import Evidence, gathered, settings_differ
 from tumble.calibrations.tracing.fitting_noise import best_level
@@ -15,7 +15,7 @@ from tumble.calibrations.tracing.noise import SETTINGS, WHITE, scaled_levels
 from tumble.calibrations.tracing.rivals import Rival, near_rivals, with_best_names
 from tumble.calibrations.tracing.scan import Scan
 from tumble.calibrations.tracing.table import Table
-from tumble.calibrations.tracing.trace import Trace, Tracer, nothing_found, penalised_deviance, refined
+from tumble.calibrations.tracing.trace import Trace, Tracer, nothing_found, refined
 
 _ROUNDS = 3
 """How often a table is traced again without what did not stand."""
@@ -97,17 +97,9 @@ def _standing(table: Table, trace: Trace) -> tuple[Trace, dict[str, Evidence], l
     while failing := [each for each in found.values() if not each.stands]:
         worst = max(failing, key=lambda each: (each.p_value / each.chance, each.inflation))
         fallen.append(worst)
-        trace = _worth_their_penalty(table, refined(table, trace.without(worst.name)))
+        trace = worth_their_penalty(table, refined(table, trace.without(worst.name)))
         found = gathered(table, trace)
     return trace, found, fallen
-
-
-def _worth_their_penalty(table: Table, trace: Trace) -> Trace:
-    """A trace without what explains too little once another effect is gone; of that, nothing is to be said."""
-    rests = [trace.without(item.effect.name) for item in trace.found]
-    fitted = [replace(rest, deviance=table.deviance(rest.forms, rest.noise)) for rest in rests]
-    best = min((trace, *fitted), key=penalised_deviance)
-    return trace if best is trace else _worth_their_penalty(table, best)
 
 
 def _again(
