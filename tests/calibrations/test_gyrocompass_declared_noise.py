@@ -8,6 +8,7 @@ import pytest
 from benchmarks.gyrocompass.__main__ import write
 from benchmarks.gyrocompass.effects import STAND
 from benchmarks.gyrocompass.world import Design, make
+from tumble.calibrations.core.cells import TableError
 from tumble.calibrations.methods.gyrocompass.declared_noise import declared
 from tumble.calibrations.methods.gyrocompass.document import document
 from tumble.calibrations.methods.gyrocompass.loop import close_gyrocompass_loop
@@ -80,3 +81,36 @@ def test_overlapping_dwells_have_no_covariance_of_their_means(tmp_path):
     rows = read_gyrocompass_table(tmp_path / "table.csv")
 
     assert close_gyrocompass_loop(replace(rows, dwell_s=20.0 * rows.dwell_s)).in_declared_noise is None
+
+
+@pytest.mark.parametrize("size", [-1e-3, float("inf"), 1e-300, 1e200])
+def test_a_size_that_no_gyro_has_is_refused_with_its_place(tmp_path, size):
+    with pytest.raises(TableError, match=r"row 1, column angle_random_walk_deg_sqrt_h: .* leave the column out"):
+        loop_of(tmp_path, angle_random_walk_deg_sqrt_h=size)
+
+
+@pytest.mark.parametrize("correlation_s", [-1000.0, 0.0])
+def test_a_correlation_time_is_above_zero(tmp_path, correlation_s):
+    with pytest.raises(TableError, match=r"row 1, column correlation_s: "):
+        loop_of(tmp_path, gauss_markov_deg_h=0.2, correlation_s=correlation_s)
+
+
+def test_two_gyros_in_one_table_are_refused(tmp_path):
+    made, _ = loop_of(tmp_path)
+    sizes = np.full(len(made.columns["time_s"]), WHITE)
+    sizes[4] *= 2.0
+    write(tmp_path / "table.csv", made.columns | {"angle_random_walk_deg_sqrt_h": sizes})
+
+    with pytest.raises(TableError, match=r"row 5, column angle_random_walk_deg_sqrt_h: .* the same in every row"):
+        read_gyrocompass_table(tmp_path / "table.csv")
+
+
+def test_a_declared_noise_that_cannot_be_used_is_said(tmp_path):
+    made, _ = loop_of(tmp_path)
+    count = len(made.columns["time_s"])
+    changed = {"angle_random_walk_deg_sqrt_h": np.full(count, WHITE), "dwell_s": np.full(count, -60.0)}
+    write(tmp_path / "table.csv", made.columns | changed)
+
+    (warning,) = read_gyrocompass_table(tmp_path / "table.csv").warnings
+
+    assert "the declared noise is not used" in str(warning)

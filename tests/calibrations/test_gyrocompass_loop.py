@@ -213,3 +213,14 @@ def test_a_table_without_tilts_samples_or_times_is_fitted(tmp_path):
     found = declared_fit(read_gyrocompass_table(tmp_path / "table.csv")).model.parameters["alpha0"]
 
     assert abs(found.value - made.platform.alpha0_deg) < 4 * found.standard_uncertainty
+
+
+@pytest.mark.parametrize("factor", [60.0, 1.0 / 60.0])
+def test_rates_in_another_unit_are_asked_about(looped, factor):
+    columns = dict(simulated().columns)
+    columns["rate_deg_h"] = columns["rate_deg_h"] * factor
+
+    loop = looped(columns)
+
+    assert "times the earth rate at this latitude" in loop.doubts[0]
+    assert loop.augmented.parameters["drift"].value is None

@@ -164,3 +164,13 @@ def test_times_that_do_not_ascend_are_refused(tmp_path):
     path.write_text("dwell,time_s,kind,drive_Hz,output_g\n" + "\n".join(lines) + "\n", encoding="utf-8")
     with pytest.raises(TableError, match="the times of dwell 1 do not ascend"):
         read_samples(path)
+
+
+@pytest.mark.parametrize("drive", ["-37.0", "1e9"])
+def test_a_drive_that_no_sample_follows_is_refused(tmp_path, drive):
+    lines = [f"1,{step / RATE_HZ},vibration,{drive},{0.1 * (-1) ** step}" for step in range(20)]
+    path = tmp_path / "samples.csv"
+    path.write_text("dwell,time_s,kind,drive_Hz,output_g\n" + "\n".join(lines))
+
+    with pytest.raises(TableError, match=r"samples\.csv: drive_Hz of dwell 1 is .* the sampling rate, 1000 Hz"):
+        read_samples(path)

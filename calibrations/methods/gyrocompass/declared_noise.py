@@ -11,8 +11,8 @@ from typing import Any, Final
 import numpy as np
 from scipy.special import chdtr, chdtrc
 
-from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.methods.gyrocompass.declaration import CORRELATION, dwell_times
 from tumble.calibrations.methods.gyrocompass.expected import DriftNoise
 from tumble.calibrations.methods.gyrocompass.fit import GyrocompassFit
 from tumble.calibrations.methods.gyrocompass.heading import estimated
@@ -22,7 +22,6 @@ from tumble.calibrations.methods.gyrocompass.table import GyrocompassTable
 
 _CONTRADICTED_P: Final = 0.001
 """Below this the rates scatter otherwise than the noise that is declared."""
-_NO_SIZE: Final = "correlation_s"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -57,7 +56,7 @@ class InDeclaredNoise:
     def told(self) -> Mapping[str, float]:
         """What is declared of the gyro, without what is 0."""
         sizes = {name: size for name, size in asdict(self.noise).items() if size}
-        return sizes if self.noise.gauss_markov_deg_h else {k: v for k, v in sizes.items() if k != _NO_SIZE}
+        return sizes if self.noise.gauss_markov_deg_h else {k: v for k, v in sizes.items() if k != CORRELATION}
 
     def as_json(self) -> dict[str, Any]:
         """As a result has it."""
@@ -84,7 +83,7 @@ def in_declared_noise(
 ) -> InDeclaredNoise | None:
     """Heading and drift in the noise that a table declares; None where it declares none, or they are withheld."""
     rows = table.observations
-    noise, times_s = declared(rows), _dwells(rows)
+    noise, times_s = declared(rows), dwell_times(rows)
     if noise is None or times_s is None or any(each.value is None for each in parameters.values()):
         return None
     found = [item.form.columns[table.rates] for item in fit.found]
@@ -111,14 +110,4 @@ def declared(rows: GyrocompassObservations) -> DriftNoise | None:
     columns = {each.name: getattr(rows, each.name) for each in fields(DriftNoise)}
     told = {name: values[values > 0.0] for name, values in columns.items() if values is not None}
     sizes = {name: float(values[0]) for name, values in told.items() if len(values)}
-    return DriftNoise(**sizes) if sizes.keys() - {_NO_SIZE} else None
-
-
-def _dwells(rows: GyrocompassObservations) -> tuple[FloatArray, FloatArray] | None:
-    """Begin and end of every dwell, in seconds; None where the table does not say, or where dwells overlap."""
-    if rows.time_s is None or rows.dwell_s is None or not np.isfinite(rows.dwell_s).all():
-        return None
-    starts_s, ends_s = rows.time_s - rows.dwell_s / 2.0, rows.time_s + rows.dwell_s / 2.0
-    order = np.argsort(starts_s)
-    apart = np.all(starts_s[order][1:] > ends_s[order][:-1] - 1e-6 * rows.dwell_s[order][1:])
-    return (starts_s, ends_s) if apart and np.all(rows.dwell_s > 0.0) else None
+    return DriftNoise(**sizes) if sizes.keys() - {CORRELATION} else None

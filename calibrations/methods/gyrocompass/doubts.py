@@ -1,4 +1,4 @@
-"""What a table of a gyrocompass is asked about before anything is stated: the unit of its angles.
+"""What a table of a gyrocompass is asked about before anything is stated: the units of its angles and its rates.
 
 A turntable that counts the other way cannot be told: rates at -δ are those of the heading 180° - α0.
 """
@@ -18,6 +18,8 @@ _BAD: Final = 0.2
 """Rates that miss the earth rate by more than this part of it do not follow the positions as given."""
 _BETTER: Final = 0.1
 """Of the misfit, what another reading of the angles must leave at most to be suggested."""
+_TIMES: Final = 2.0
+"""Further from the earth rate than by this factor, either way, no torquer is: the unit is another."""
 _TURN_RAD: Final = 2.0 * np.pi
 _FEWEST: Final = 4
 """Dwells from which on there is anything to be asked."""
@@ -38,7 +40,26 @@ def doubts(table: GyrocompassTable, fit: GyrocompassFit) -> tuple[str, ...]:
                 largest=largest,
             ),
         )
+    size = _earth_rate_seen(table)
+    if not 1.0 / _TIMES < size < _TIMES and _left(table, rows.azimuth_deg) < _BETTER * misfit:
+        return (
+            Message(
+                "the rates turn with {size:.3g} times the earth rate at this latitude: write rate_deg_h in degrees per "
+                "hour and latitude_deg in degrees",
+                size=size,
+            ),
+        )
     return ()
+
+
+def _earth_rate_seen(table: GyrocompassTable) -> float:
+    """The part of the earth rate that turns with the pickoff, over that by the latitude; 1 where it is not told."""
+    rows = table.observations
+    shown = heading_functions(np.deg2rad(rows.azimuth_deg), rows.latitude_deg, table.scene.lean)
+    design = np.column_stack([shown, np.ones(len(rows))])
+    if np.linalg.matrix_rank(design) < design.shape[1]:
+        return 1.0
+    return float(np.linalg.norm(np.linalg.lstsq(design, rows.rate_deg_h, rcond=None)[0][:2]))
 
 
 def _left(table: GyrocompassTable, azimuth_deg: FloatArray) -> float:

@@ -12,6 +12,7 @@ from tumble.calibrations.core.repeats import labels
 from tumble.calibrations.core.rows import Kind, Rows, column
 from tumble.calibrations.core.screening import beyond, with_likely_temperatures, without_missing
 from tumble.calibrations.core.table import read_rows
+from tumble.calibrations.methods.gyrocompass.declaration import with_checked_noise
 
 _MOST_DEG: Final = 1e6
 """Beyond any turntable: 2,777 turns."""
@@ -48,7 +49,7 @@ class GyrocompassObservations(Rows):
     reference_alpha_deg: FloatArray | None = column("reference_alpha_deg", unknown=np.nan)
     """Angle α of the platform's axis from north by an azimuth mark, in degrees, counterclockwise."""
     angle_random_walk_deg_sqrt_h: FloatArray | None = column("angle_random_walk_deg_sqrt_h", unknown=np.nan)
-    """N of the gyro as declared; of this and the next ones the first row that tells them counts."""
+    """N of the gyro as declared; this and the next ones are the same in every row that tells them."""
     bias_instability_deg_h: FloatArray | None = column("bias_instability_deg_h", unknown=np.nan)
     """B of the gyro as declared."""
     rate_random_walk_deg_h_sqrt_h: FloatArray | None = column("rate_random_walk_deg_h_sqrt_h", unknown=np.nan)
@@ -83,9 +84,10 @@ def read_gyrocompass_table(path: Path) -> GyrocompassObservations:
     Raises
     ------
     TableError
-        Missing, unreadable or malformed file: one sentence with file, line, column and remedy.
+        Missing, unreadable or malformed file, or a declared noise that is none: one sentence with file, line, column
+        and remedy.
     """
     rows = without_missing(read_rows(path, GyrocompassObservations), ("rate_deg_h",))
     rows = rows.without(beyond(rows, "azimuth_deg", np.abs(rows.azimuth_deg) > _MOST_DEG, "any turntable"))
     rows = rows.without(beyond(rows, "latitude_deg", np.abs(rows.latitude_deg) > _MOST_LATITUDE_DEG, "a pole"))
-    return with_likely_temperatures(rows)
+    return with_likely_temperatures(with_checked_noise(rows, path))

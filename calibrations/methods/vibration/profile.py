@@ -9,12 +9,13 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.cells import TableError
 from tumble.calibrations.core.rows import Rows, column
-from tumble.calibrations.core.screening import without_missing
 from tumble.calibrations.core.table import read_rows
 from tumble.messages import Message
 
 _SHIPPED: Final = Path(__file__).parent / "profiles"
 _ALIKE: Final = 1e-9
+_LEAST, _MOST = 1e-15, 1e9
+"""Between these lie frequencies in Hz and densities in g²/Hz of any vibration."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -76,15 +77,20 @@ def read_profile(path: Path) -> Profile:
     Raises
     ------
     TableError
-        Unreadable or malformed; fewer than two points; frequencies that do not ascend; a value that is not above 0.
+        Unreadable or malformed; fewer than two points; frequencies that do not ascend; a value that
+        is missing, or that no spectrum has.
     """
-    rows = without_missing(read_rows(path, ProfileRows))
+    rows = read_rows(path, ProfileRows)
+    points = np.column_stack([rows.f_hz, rows.g_g2_hz])
     ascending = len(rows) > 1 and bool(np.all(np.diff(rows.f_hz) > 0))
-    if not ascending or rows.f_hz[0] <= 0 or np.any(rows.g_g2_hz <= 0):
+    if not ascending or not np.all((points >= _LEAST) & (points <= _MOST)):
         raise TableError(
             Message(
-                "{path}: the break points of a spectrum are two rows at least, f_Hz ascending and both columns above 0",
+                "{path}: the break points of a spectrum are two rows at least, f_Hz ascending and both columns from "
+                "{least:g} to {most:g}, none missing",
                 path=path,
+                least=_LEAST,
+                most=_MOST,
             )
         )
     return Profile(name=path.stem, f_hz=rows.f_hz, g_g2_hz=rows.g_g2_hz)

@@ -91,7 +91,8 @@ def read_samples(path: Path) -> SampledDwells:
     Raises
     ------
     TableError
-        Missing, unreadable or malformed file; a dwell of which too few samples are left, or whose times do not ascend.
+        Missing, unreadable or malformed file; a dwell of which too few samples are left, whose times do not ascend, or
+        whose drive is below 0 or faster than the samples.
     """
     rows = without_missing(read_rows(path, SampleRows), ("output_g",))
     numbers = list(dict.fromkeys(rows.dwell.tolist()))
@@ -126,6 +127,18 @@ def _dwell(rows: SampleRows, path: Path) -> Samples:
     if not np.all(np.diff(rows.time_s) > 0):
         raise TableError(Message("{path}: the times of dwell {number} do not ascend", path=path, number=number))
     drive_hz = 0.0 if rows.drive_hz is None else float(np.nan_to_num(rows.drive_hz[0]))
+    rate_hz = 1.0 / float(np.median(np.diff(rows.time_s)))
+    if not 0.0 <= drive_hz <= rate_hz:
+        raise TableError(
+            Message(
+                "{path}: drive_Hz of dwell {number} is {drive_hz:g}; it lies from 0 to the sampling rate, "
+                "{rate_hz:.4g} Hz by time_s",
+                path=path,
+                number=number,
+                drive_hz=drive_hz,
+                rate_hz=rate_hz,
+            )
+        )
     return Samples(
         dwell=number,
         kind=str(rows.kind[0]),
