@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from tumble.calibrations.core.arrays import BoolArray, FloatArray
 from tumble.calibrations.core.repeats import labels
 from tumble.calibrations.core.rows import Kind, Rows, SetAside, column
-from tumble.calibrations.core.screening import with_likely_temperatures, without_missing
+from tumble.calibrations.core.screening import beyond, with_likely_temperatures, without_missing
 from tumble.calibrations.core.table import read_rows
 from tumble.messages import Message
 
@@ -21,6 +21,8 @@ MULTI_SHAKER: Final = "multi-shaker"
 TILTED_TURNTABLE: Final = "tilted-turntable"
 APPARATUS: Final = (SHAKER, DOUBLE_CENTRIFUGE, MULTI_SHAKER, TILTED_TURNTABLE)
 AXES: Final = ("i", "o", "p")
+_MOST_G: Final = 10_000.0
+"""No exciter of a laboratory reaches it."""
 """Input, output and pendulous axis of the unit (IEEE Std 1293-2018)."""
 
 
@@ -138,7 +140,19 @@ def read_vibration_table(path: Path) -> VibrationObservations:
         Missing, unreadable or malformed file: one sentence with file, line, column and remedy.
     """
     rows = without_missing(read_rows(path, VibrationObservations), ("output_ug",))
+    for name in rows.columns():
+        if name.endswith(("_g", "_g2")):
+            rows = rows.without(_violent(rows, name))
     return with_likely_temperatures(rows.without(_unstated(rows)))
+
+
+def _violent(rows: VibrationObservations, name: str) -> tuple[SetAside, ...]:
+    """Rows that no exciter could have vibrated so."""
+    values = getattr(rows, name)
+    if values is None:
+        return ()
+    most = _MOST_G**2 if name.endswith("_g2") else _MOST_G
+    return beyond(rows, name, np.abs(values) > most, "any shaker or centrifuge")
 
 
 def _unstated(rows: VibrationObservations) -> tuple[SetAside, ...]:
