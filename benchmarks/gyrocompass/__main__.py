@@ -179,10 +179,10 @@ def _inside(loop: GyrocompassLoop, made: Made) -> dict[str, int]:
         if parameter.interval_95 is None or parameter.value is None:
             counted["withheld"] += 1
             continue
-        half = (parameter.interval_95[1] - parameter.interval_95[0]) / 2
-        off = (parameter.value - truth[name] + 180.0) % 360.0 - 180.0
+        low, high = parameter.interval_95
+        off = (truth[name] - parameter.value + 180.0) % 360.0 - 180.0
         counted["stated"] += 1
-        counted["inside"] += abs(off) <= half
+        counted["inside"] += low - parameter.value <= off <= high - parameter.value
     return counted
 
 

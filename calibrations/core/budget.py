@@ -1,14 +1,15 @@
 """An uncertainty budget by the GUM: sources as errors of the rows, and what each adds to every parameter."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tumble.calibrations.core.arrays import FloatArray
-from tumble.calibrations.core.parameter import finite
+from tumble.calibrations.core.coverage import coverage_factor
+from tumble.calibrations.core.parameter import Parameter, finite
 from tumble.calibrations.core.quantities import format_number
 from tumble.messages import Message
 
@@ -108,3 +109,22 @@ def effective_freedom(contributions: list[tuple[float, float]]) -> float:
     total = sum(u**2 for u, _ in contributions)
     denominator = sum(u**4 / freedom for u, freedom in contributions if freedom > 0 and np.isfinite(freedom))
     return float(total**2 / denominator) if denominator > 0 else float("inf")
+
+
+def with_type_b(parameter: Parameter, further: float) -> Parameter:
+    """A parameter with a further standard uncertainty of type B, by root sum of squares (GUM 5.1.2).
+
+    Degrees of freedom by Welch and Satterthwaite, those of type B infinite. The interval becomes wider on both sides by
+    the same part.
+    """
+    u, type_a, freedom = parameter.standard_uncertainty, parameter.type_a, parameter.degrees_of_freedom
+    if parameter.value is None or parameter.interval_95 is None or u is None or type_a is None or freedom is None:
+        return parameter
+    combined = float(np.hypot(u, further))
+    before, after = (
+        effective_freedom([(type_a, freedom), (float(np.sqrt(max(each**2 - type_a**2, 0.0))), np.inf)])
+        for each in (u, combined)
+    )
+    wider = coverage_factor(after) * combined / (coverage_factor(before) * u)
+    low, high = (parameter.value + wider * (end - parameter.value) for end in parameter.interval_95)
+    return replace(parameter, standard_uncertainty=combined, degrees_of_freedom=after, interval_95=(low, high))

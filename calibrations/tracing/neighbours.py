@@ -127,3 +127,19 @@ def _course_for_walk(tracer: Tracer[Any], trace: Trace) -> Iterator[Neighbour]:
             behind = table.deviance(other.forms, other.noise) - trace.deviance
             odds = 1.0 if structured else float(np.exp(-0.5 * max(behind, 0.0)))
             yield Neighbour(trace=other, odds=odds, differs=WALK)
+
+
+def in_other_shapes(tracer: Tracer[Any], trace: Trace) -> Iterator[Trace]:
+    """The trace with each component as a course that has no shape, but for what is expected to wander.
+
+    A course in time, where one is expected, could be anything: the random walk stands for it.
+    """
+    everything = tracer.without(frozenset())
+    for component in trace.components:
+        if component.axis.expected:
+            continue
+        rest = trace.without(component.name)
+        seen = seen_beside(everything.beside(rest.components).table, rest.forms, rest.noise)
+        proposal = Family(component.axis, FALSE_ALARM).best_course(seen)
+        if proposal.shape != component.shape:
+            yield in_place(rest, proposal)

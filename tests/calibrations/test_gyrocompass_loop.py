@@ -190,6 +190,7 @@ def test_what_the_stand_adds_widens_the_uncertainty(looped):
         "scatter of the data",
         "reading of the pickoff",
         "bias of the tilt sensor",
+        "explanations that fit nearly as well",
     ]
     simulated_u, _ = stated.augmented_budget.monte_carlo["alpha0"]
     assert simulated_u == pytest.approx(stated.augmented.parameters["alpha0"].standard_uncertainty, rel=0.12)

@@ -114,6 +114,7 @@ def test_documents_and_report_have_budget_and_check(declared, tmp_path):
     assert [line["name"] for line in document(loop)["augmented"]["budget"]][1:] == [
         "gain of scanner",
         "offset of scanner",
+        "explanations that fit nearly as well",
     ]
     shown = {str(section.title): section for section in sections(loop)}
     assert len(shown["Uncertainty budget"].rows) == 14

@@ -7,9 +7,8 @@ from typing import Any, Final
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
-from tumble.calibrations.core.budget import BudgetLine, contributions, effective_freedom
-from tumble.calibrations.core.coverage import coverage_factor
-from tumble.calibrations.core.parameter import ModelFit, Parameter
+from tumble.calibrations.core.budget import BudgetLine, contributions, with_type_b
+from tumble.calibrations.core.parameter import ModelFit
 from tumble.calibrations.core.propagation import MonteCarlo, Simulated, drawn_errors_v, simulated_json, summarised
 from tumble.calibrations.core.quantities import format_number
 from tumble.calibrations.methods.gyrocompass.budget import TurntableUncertainty, sources
@@ -48,8 +47,8 @@ def assessed(
     shifts = [_TO_STATED[:, None] * (fit.inverse @ each)[:STATED] for each in errors]
     shared = sum((each @ each.T for each in shifts), np.zeros((STATED, STATED)))
     parameters = {
-        name: _combined(model.parameters[name], float(variance))
-        for name, variance in zip(NAMES, np.diag(fit.parameter_covariance + shared), strict=True)
+        name: with_type_b(model.parameters[name], float(u))
+        for name, u in zip(NAMES, np.sqrt(np.diag(shared).clip(0.0)), strict=True)
     }
     told = [name for name, parameter in parameters.items() if parameter.value is not None]
     scatter = BudgetLine(
@@ -64,22 +63,6 @@ def assessed(
     ]
     simulated = _simulated(fit, table, errors, trials).by_name(NAMES, told) if trials else {}
     return replace(model, parameters=parameters), Budget(lines=(scatter, *further), monte_carlo=simulated)
-
-
-def _combined(parameter: Parameter, variance: float) -> Parameter:
-    """By root sum of squares; degrees of freedom by Welch and Satterthwaite, those of type B infinite."""
-    type_a, freedom = parameter.type_a, parameter.degrees_of_freedom
-    if parameter.value is None or type_a is None or freedom is None:
-        return parameter
-    combined = float(np.sqrt(variance))
-    effective = effective_freedom([(type_a, freedom), (float(np.sqrt(max(variance - type_a**2, 0.0))), np.inf)])
-    half = coverage_factor(effective) * combined
-    return replace(
-        parameter,
-        standard_uncertainty=combined,
-        degrees_of_freedom=effective,
-        interval_95=(parameter.value - half, parameter.value + half),
-    )
 
 
 def _simulated(fit: GyrocompassFit, table: GyrocompassTable, errors: Sequence[FloatArray], trials: int) -> MonteCarlo:

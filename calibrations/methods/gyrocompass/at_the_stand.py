@@ -24,5 +24,8 @@ def loop_at(loop: GyrocompassLoop, stand: TurntableUncertainty, trials: int = TR
         return loop
     model, budget = assessed(loop.augmented, loop.best, loop.explained.table, stand, trials)
     return replace(
-        loop, declared_fit=declared_at(loop.declared_fit, stand, 0), augmented=model, augmented_budget=budget
+        loop,
+        declared_fit=declared_at(loop.declared_fit, stand, 0),
+        augmented=model,
+        augmented_budget=replace(budget, lines=(*budget.lines, *loop.augmented_budget.lines)),
     )

@@ -8,6 +8,7 @@ import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.blas_threads import one_blas_thread
+from tumble.calibrations.core.budget import BudgetLine
 from tumble.calibrations.core.parameter import ModelFit
 from tumble.calibrations.core.repeats import PureError, pure_error
 from tumble.calibrations.methods.gyrocompass.anew import seen_anew
@@ -215,13 +216,14 @@ def _loop(
     explained: Explained[GyrocompassTable, GyrocompassFit],
 ) -> GyrocompassLoop:
     used = before.observations
-    model = before.model
+    model, lines = before.model, tuple[BudgetLine, ...]()
     if not before.doubts and len(before.headings_deg) < FEWEST_POSITIONS:
-        model = augmented(explained)
+        model, lines = augmented(explained)
     return GyrocompassLoop(
         declared_fit=before,
         explained=explained,
         augmented=model,
+        augmented_budget=Budget(lines=lines),
         misread=() if before.doubts else misreadings(whole, explained.table, explained.best),
         pure_error=pure_error(used.rate_deg_h, used.positions, np.ones(len(used))),
     )

@@ -7,6 +7,7 @@ from typing import Final
 import numpy as np
 
 from tumble.calibrations.core.arrays import BoolArray, FloatArray
+from tumble.calibrations.core.budget import BudgetLine
 from tumble.calibrations.core.parameter import ModelFit, Parameter
 from tumble.calibrations.core.sentences import series
 from tumble.calibrations.methods.gyrocompass.fit import GyrocompassFit, fit_gyrocompass
@@ -15,6 +16,7 @@ from tumble.calibrations.methods.gyrocompass.model import NAMES, UNITS
 from tumble.calibrations.methods.gyrocompass.table import GyrocompassTable
 from tumble.calibrations.tracing.explained import Explained
 from tumble.calibrations.tracing.held_out import held_out_rms
+from tumble.calibrations.tracing.near_fits import averaged_over
 from tumble.calibrations.tracing.trace import Trace
 from tumble.messages import Message
 
@@ -39,10 +41,28 @@ def modelled(
     return ModelFit(parameters=parameters, residual_rms=residual, held_out_rms=held_out)
 
 
-def augmented(explained: Explained[GyrocompassTable, GyrocompassFit]) -> ModelFit:
-    """The model with what was found."""
+def augmented(explained: Explained[GyrocompassTable, GyrocompassFit]) -> tuple[ModelFit, tuple[BudgetLine, ...]]:
+    """The model with what was found, and the line of near explanations in its budget."""
     held_out = held_out_rms(explained.judged.tracer, explained.judged.trace, parts(explained.table))
-    return modelled(explained.table, explained.best, _unless_rivals_differ(explained), held_out)
+
+    def refitted(trace: Trace) -> dict[str, Parameter]:
+        return _near(fit_gyrocompass(explained.table, trace).parameters(), explained.best.values)
+
+    parameters, lines = averaged_over(explained, _unless_rivals_differ(explained), refitted, _values)
+    return modelled(explained.table, explained.best, parameters, held_out), lines
+
+
+def _values(theta: FloatArray) -> dict[str, float]:
+    return {"alpha0": float(np.rad2deg(theta[0])), "drift": float(theta[1])}
+
+
+def _near(parameters: Mapping[str, Parameter], values: Mapping[str, float]) -> dict[str, Parameter]:
+    """Parameters with α0 as an angle within half a turn of that of other values."""
+    alpha0 = parameters["alpha0"]
+    if alpha0.value is None:
+        return dict(parameters)
+    near = values["alpha0"] + wrapped_deg(alpha0.value - values["alpha0"])
+    return {**parameters, "alpha0": replace(alpha0, value=near)}
 
 
 def held_out_declared(table: GyrocompassTable, nothing: Trace) -> float | None:

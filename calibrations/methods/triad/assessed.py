@@ -7,10 +7,9 @@ from typing import Any
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
-from tumble.calibrations.core.budget import BudgetLine, Source, contributions, effective_freedom, scatter_line
-from tumble.calibrations.core.coverage import coverage_factor
+from tumble.calibrations.core.budget import BudgetLine, Source, contributions, scatter_line, with_type_b
 from tumble.calibrations.core.gravity import PerAcceleration, per_acceleration
-from tumble.calibrations.core.parameter import ModelFit, Parameter
+from tumble.calibrations.core.parameter import ModelFit
 from tumble.calibrations.core.propagation import MonteCarlo, Simulated, drawn_errors_v, simulated_json, summarised
 from tumble.calibrations.methods.triad.budget import TwoAxisUncertainty, sources
 from tumble.calibrations.methods.triad.fit import TriadFit
@@ -55,15 +54,15 @@ def assessed(model: ModelFit, fit: TriadFit, table: TriadTable, stand: TwoAxisUn
     errors_v = [source.turned(fit.compressed.rotation) for source in listed]
     shifts = [(fit.inverse @ each)[:INTERNAL] for each in errors_v]
     shared = sum((each @ each.T for each in shifts), np.zeros((INTERNAL, INTERNAL)))
+    further = slopes @ shared @ slopes.T
     combined = replace(
         fit,
         internal_covariance=fit.internal_covariance + shared,
-        parameter_covariance=fit.parameter_covariance + slopes @ shared @ slopes.T,
+        parameter_covariance=fit.parameter_covariance + further,
     )
-    variances = np.diag(combined.parameter_covariance)
     parameters = {
-        name: _combined(model.parameters[name], float(variance))
-        for name, variance in zip(NAMES, variances, strict=True)
+        name: with_type_b(model.parameters[name], float(u))
+        for name, u in zip(NAMES, np.sqrt(np.diag(further).clip(0.0)), strict=True)
     }
     told = [name for name, parameter in parameters.items() if parameter.value is not None]
     return Assessed(
@@ -74,22 +73,6 @@ def assessed(model: ModelFit, fit: TriadFit, table: TriadTable, stand: TwoAxisUn
             monte_carlo=_simulated(fit, table, errors_v, trials).by_name(NAMES, told) if trials else {},
             per_acceleration=per_acceleration(parameters, stand.gravity) if stand.gravity else {},
         ),
-    )
-
-
-def _combined(parameter: Parameter, variance: float) -> Parameter:
-    """By root sum of squares; degrees of freedom by Welch and Satterthwaite, those of type B infinite."""
-    type_a, freedom = parameter.type_a, parameter.degrees_of_freedom
-    if parameter.value is None or type_a is None or freedom is None:
-        return parameter
-    combined = float(np.sqrt(variance))
-    effective = effective_freedom([(type_a, freedom), (float(np.sqrt(max(variance - type_a**2, 0.0))), np.inf)])
-    half = coverage_factor(effective) * combined
-    return replace(
-        parameter,
-        standard_uncertainty=combined,
-        degrees_of_freedom=effective,
-        interval_95=(parameter.value - half, parameter.value + half),
     )
 
 

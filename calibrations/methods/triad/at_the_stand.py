@@ -26,5 +26,5 @@ def loop_at(loop: TriadLoop, stand: TwoAxisUncertainty, trials: int = TRIALS) ->
         declared_fit=declared_at(loop.declared_fit, stand, 0),
         explained=replace(loop.explained, best=after.fit),
         augmented=after.model,
-        augmented_budget=after.budget,
+        augmented_budget=replace(after.budget, lines=(*after.budget.lines, *loop.augmented_budget.lines)),
     )

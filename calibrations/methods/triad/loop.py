@@ -149,10 +149,12 @@ def _explained(before: TriadDeclared) -> Explained[TriadTable, TriadFit]:
 
 def _loop(before: TriadDeclared, explained: Explained[TriadTable, TriadFit]) -> TriadLoop:
     used, asked = before.observations, before.doubts
+    model, lines = (silent(asked[0]), ()) if asked else augmented(explained)
     return TriadLoop(
         declared_fit=before,
         explained=explained,
-        augmented=silent(asked[0]) if asked else augmented(explained),
+        augmented=model,
+        augmented_budget=Budget(lines=lines),
         scalar=None if asked else _scalar(used, explained.best, explained.trace.components),
         pure_errors=_pure_errors(used),
     )

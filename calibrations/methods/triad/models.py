@@ -5,12 +5,14 @@ from collections.abc import Mapping
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.budget import BudgetLine
 from tumble.calibrations.core.parameter import ModelFit, Parameter
 from tumble.calibrations.methods.triad.fit import TriadFit, fit_triad
-from tumble.calibrations.methods.triad.model import INTERNAL, NAMES, UNITS
+from tumble.calibrations.methods.triad.model import INTERNAL, NAMES, UNITS, stated
 from tumble.calibrations.methods.triad.table import TriadTable
 from tumble.calibrations.tracing.explained import Explained, unless_rivals_differ
 from tumble.calibrations.tracing.held_out import held_out_rms
+from tumble.calibrations.tracing.near_fits import averaged_over
 from tumble.calibrations.tracing.trace import Trace
 
 _FOLDS = 6
@@ -23,10 +25,19 @@ def silent(reason: str) -> ModelFit:
     return ModelFit(parameters=unsaid, residual_rms=None, held_out_rms=None)
 
 
-def augmented(explained: Explained[TriadTable, TriadFit]) -> ModelFit:
-    """The model with what was found."""
+def augmented(explained: Explained[TriadTable, TriadFit]) -> tuple[ModelFit, tuple[BudgetLine, ...]]:
+    """The model with what was found, and the line of near explanations in its budget."""
     held_out_v = held_out_rms(explained.judged.tracer, explained.judged.trace, _parts(explained.table))
-    return modelled(explained.best, _with_rivals(explained), held_out_v)
+
+    def refitted(trace: Trace) -> dict[str, Parameter]:
+        return fit_triad(explained.table, trace).parameters()
+
+    parameters, lines = averaged_over(explained, _with_rivals(explained), refitted, _values)
+    return modelled(explained.best, parameters, held_out_v), lines
+
+
+def _values(theta: FloatArray) -> dict[str, float]:
+    return dict(zip(NAMES, stated(theta).tolist(), strict=True))
 
 
 def held_out_declared(table: TriadTable, nothing: Trace) -> float | None:

@@ -15,4 +15,9 @@ def declared_at(declared: VibrationDeclared, stand: VibrationUncertainty) -> Vib
 def loop_at(loop: VibrationLoop, stand: VibrationUncertainty) -> VibrationLoop:
     """A closed loop with the same in both models."""
     model, budget = budgeted(loop.augmented, loop.best.dwell, stand)
-    return replace(loop, declared_fit=declared_at(loop.declared_fit, stand), augmented=model, augmented_budget=budget)
+    return replace(
+        loop,
+        declared_fit=declared_at(loop.declared_fit, stand),
+        augmented=model,
+        augmented_budget=replace(budget, lines=(*budget.lines, *loop.augmented_budget.lines)),
+    )

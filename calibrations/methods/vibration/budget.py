@@ -6,8 +6,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from tumble.calibrations.core.budget import BudgetLine, effective_freedom, not_included
-from tumble.calibrations.core.coverage import coverage_factor
+from tumble.calibrations.core.budget import BudgetLine, not_included, with_type_b
 from tumble.calibrations.core.parameter import ModelFit, Parameter
 from tumble.messages import Message
 
@@ -88,17 +87,5 @@ def _lines(told: Mapping[str, Parameter], stand: VibrationUncertainty) -> tuple[
 
 
 def _combined(parameter: Parameter, stand: VibrationUncertainty) -> Parameter:
-    """By root sum of squares; degrees of freedom by Welch and Satterthwaite, those of type B infinite."""
-    type_a, freedom = parameter.type_a, parameter.degrees_of_freedom
-    if parameter.value is None or type_a is None or freedom is None:
-        return parameter
-    others = [relative * abs(parameter.value) for relative in stand.relative.values()]
-    combined = float(np.linalg.norm([type_a, *others]))
-    effective = effective_freedom([(type_a, freedom), *((each, np.inf) for each in others)])
-    half = coverage_factor(effective) * combined
-    return replace(
-        parameter,
-        standard_uncertainty=combined,
-        degrees_of_freedom=effective,
-        interval_95=(parameter.value - half, parameter.value + half),
-    )
+    others = [relative * abs(parameter.value or 0.0) for relative in stand.relative.values()]
+    return with_type_b(parameter, float(np.linalg.norm(others)))

@@ -124,10 +124,12 @@ def close_vibration_loop(
         before = _declared(observations, fewer, reference_temperature_degc)
         explained = explained_rows(before.table)
     setting = settings(before.table.scene)
+    model, lines = augmented(explained)
     return VibrationLoop(
         declared_fit=before,
         explained=explained,
-        augmented=augmented(explained),
+        augmented=model,
+        augmented_budget=Budget(lines=lines),
         pure_error=pure_error(before.observations.output_ug, setting, before.table.weights),
     )
 

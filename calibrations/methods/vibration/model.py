@@ -28,6 +28,12 @@ def name_of(sum_of: tuple[int, ...]) -> str:
     return "+".join(NAMES[place] for place in sum_of)
 
 
+def values_of(theta: FloatArray) -> dict[str, float]:
+    """K_ii … K_ip, the first of `theta`, and every sum of which it may be that it alone is told, by name."""
+    every = (*((place,) for place in range(COEFFICIENTS)), *SUMS)
+    return {name_of(each): float(theta[list(each)].sum()) for each in every}
+
+
 def rest_levels(rows: VibrationObservations) -> NDArray[np.int64]:
     """Number of the rest output of each row, from 0: one for each mounting, and pose of the input axis in it."""
     return labels(rows.mountings, np.round(rows.filled("gi_g"), 3))

@@ -6,12 +6,15 @@ from typing import Final
 import numpy as np
 
 from tumble.calibrations.core.arrays import BoolArray
+from tumble.calibrations.core.budget import BudgetLine
 from tumble.calibrations.core.parameter import ModelFit, Parameter
 from tumble.calibrations.methods.vibration.fit import VibrationFit, fit_vibration, second_fits
+from tumble.calibrations.methods.vibration.model import values_of
 from tumble.calibrations.methods.vibration.observations import SHAKER
 from tumble.calibrations.methods.vibration.table import VibrationTable
 from tumble.calibrations.tracing.explained import RIVALS_APART, Explained
 from tumble.calibrations.tracing.held_out import held_out_rms
+from tumble.calibrations.tracing.near_fits import averaged_over
 from tumble.calibrations.tracing.penalties import NEAR
 from tumble.calibrations.tracing.trace import Trace, Tracer
 from tumble.messages import Message
@@ -26,10 +29,18 @@ def declared_model(table: VibrationTable, fit: VibrationFit, nothing: Trace) -> 
     return _modelled(table, fit, fit.parameters(), errors)
 
 
-def augmented(explained: Explained[VibrationTable, VibrationFit]) -> ModelFit:
-    """The model with what was found; a coefficient that depends on which of near rivals is true has no value."""
+def augmented(explained: Explained[VibrationTable, VibrationFit]) -> tuple[ModelFit, tuple[BudgetLine, ...]]:
+    """The model with what was found, and the line of near explanations in its budget.
+
+    A coefficient that depends on which of near rivals is true has no value.
+    """
     errors = held_out_rms(explained.judged.tracer, explained.judged.trace, _parts(explained.table))
-    return _modelled(explained.table, explained.best, _with_rivals(explained), errors)
+
+    def refitted(trace: Trace) -> dict[str, Parameter]:
+        return fit_vibration(explained.table, trace).parameters()
+
+    parameters, lines = averaged_over(explained, _with_rivals(explained), refitted, values_of)
+    return _modelled(explained.table, explained.best, parameters, errors), lines
 
 
 def _modelled(
