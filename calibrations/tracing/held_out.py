@@ -10,7 +10,7 @@ from tumble.calibrations.core.adequacy import told_without
 from tumble.calibrations.core.arrays import BoolArray, FloatArray
 from tumble.calibrations.tracing.components import Component
 from tumble.calibrations.tracing.noise import WHITE, NoiseModel
-from tumble.calibrations.tracing.penalties import NEAR
+from tumble.calibrations.tracing.penalties import CLOSE
 from tumble.calibrations.tracing.problem import Problem
 from tumble.calibrations.tracing.sample import Sample
 from tumble.calibrations.tracing.search import search
@@ -20,8 +20,6 @@ from tumble.calibrations.tracing.whitened import Fitted
 
 _FAR: Final = 4.0
 """So many times the variance of a prediction of the declared model, or of a dwell, is far off the rows."""
-_APART: Final = 0.5
-"""Predictions that differ by less than this part of the scatter of the rows are one."""
 _FORMS: Final = 8
 """So many other forms of an effect are tried."""
 _RANK: Final = 1e-10
@@ -54,17 +52,22 @@ def _errors(tracer: Tracer[Any], trace: Trace, out: BoolArray) -> FloatArray:
     if not _told(table, columns, out, shown.theta(~out)):
         return alone.errors(~out, out)
     rivals = (_Shown(table, trace.noise, trace.components, each) for each in others)
-    if any(_predict_otherwise(shown, rival, out) for rival in rivals):
+    if any(_predict_otherwise(shown, rival, alone, out) for rival in rivals):
         return alone.errors(~out, out)
     inner = _inner_folds(table, out)
     better = sum(shown.squares(train, test) - alone.squares(train, test) for train, test in inner) <= 0.0
     return (shown if better else alone).errors(~out, out)
 
 
-def _predict_otherwise(shown: "_Shown", rival: "_Shown", out: BoolArray) -> bool:
-    """Whether two explanations of the other rows differ in the rows held out by as much as matters."""
-    apart = shown.errors(~out, out) - rival.errors(~out, out)
-    return float(np.mean(apart**2)) > _APART**2 * float(np.mean(shown.errors(~out, ~out) ** 2))
+def _predict_otherwise(shown: "_Shown", rival: "_Shown", alone: "_Shown", out: BoolArray) -> bool:
+    """Whether two explanations of the other rows differ in the rows held out by as much as matters.
+
+    That is by more than rows scatter, and than half of what either is to mend of the declared model's prediction.
+    """
+    errors = shown.errors(~out, out)
+    apart, mended = errors - rival.errors(~out, out), errors - alone.errors(~out, out)
+    scatter = float(np.mean(shown.errors(~out, ~out) ** 2))
+    return float(np.mean(apart**2)) > max(scatter, float(np.mean(mended**2)) / 4.0)
 
 
 def _told(table: Table, columns: FloatArray, out: BoolArray, theta: FloatArray) -> bool:
@@ -113,7 +116,7 @@ def _swapped(problem: Problem, chosen: tuple[int, ...]) -> Iterator[tuple[int, .
         place = problem.forms[own]
         forms = sorted(set(range(place.start, place.stop)) - set(chosen), key=lambda form: -worth[form])[:_FORMS]
         for rival in (*others, *forms):
-            if worth[rival] > worth[number] - NEAR:
+            if worth[rival] > worth[number] - CLOSE:
                 yield (*rest, rival)
 
 
