@@ -2,6 +2,7 @@ import math
 from dataclasses import replace
 
 import pytest
+from fake_runs import dwells, states
 from fakes import QUICK, FakeStand
 
 from tumble.drivers.errors import DeviceError
@@ -30,28 +31,6 @@ FLIPS = 'name = "flips"\n[[procedure]]\nkind = "flip"\naxes = ["y", "z"]\n'
 
 def flips():
     return programme_from_text(FLIPS, "flips.toml").procedure()
-
-
-def dwells(*angles_deg):
-    yield mounting("face-up")
-    for angle_deg in angles_deg:
-        yield dwell_at(angle_deg=angle_deg, procedure="sweep", realisation=1, mount="face-up")
-
-
-def states(stand):
-    return [event.state for event in stand.sink.of(StateChanged)]
-
-
-def when(kind, do):
-    """A listener that does something at the first event of a kind."""
-    events = []
-
-    def listen(event):
-        if isinstance(event, kind) and not events:
-            events.append(event)
-            do()
-
-    return listen
 
 
 def test_a_run_announces_everything_in_its_order(stand: FakeStand):
@@ -304,135 +283,3 @@ def test_a_listener_that_fails_is_dropped_with_a_warning(stand: FakeStand):
     (warning,) = stand.sink.of(WarningRaised)
     assert "broken failed and is no longer served: RuntimeError: no display" in warning.message
     assert told == stand.sink.events
-
-
-def test_a_stop_before_the_run_keeps_everything_still(stand: FakeStand):
-    engine = stand.engine()
-    engine.control.stop()
-    assert engine.run(dwells(10.0)).reason is FinishReason.STOPPED
-    assert stand.head.targets_deg == []
-
-
-def test_a_stop_while_the_operator_is_awaited_ends_the_run(stand: FakeStand):
-    stand.operator.looks = 10**9
-    engine = stand.engine()
-    stand.operator.on_poll = lambda: engine.control.stop() if stand.clock.monotonic_s() > 60.0 else None
-    assert engine.run(dwells(10.0)).reason is FinishReason.STOPPED
-    assert stand.sink.of(ConditionAnswered) == []
-
-
-def test_a_stop_between_points_keeps_those_that_are_there(stand: FakeStand):
-    def stop():
-        engine.control.stop()
-
-    engine = stand.engine(listeners=[when(PointCompleted, stop)])
-    outcome = engine.run(dwells(10.0, 20.0))
-    assert (outcome.reason, len(outcome.points)) == (FinishReason.STOPPED, 1)
-    assert outcome.message == "the operator stopped the run"
-    assert engine.state is State.STANDSTILL
-
-
-def test_a_stop_while_the_output_settles_takes_no_point(stand: FakeStand):
-    engine = stand.engine()
-    stand.daq.on_acquire = engine.control.stop
-    assert engine.run(dwells(10.0)).points == ()
-    assert stand.daq.blocks == 1
-
-
-def test_a_pause_lasts_until_it_is_taken_back(stand: FakeStand):
-    def pause():
-        engine.control.pause()
-
-    engine = stand.engine(listeners=[when(PointCompleted, pause)])
-    sleep = stand.clock.sleep
-
-    def resume_after_a_minute(duration_s):
-        sleep(duration_s)
-        if stand.clock.monotonic_s() > 60.0:
-            engine.control.resume()
-
-    stand.clock.sleep = resume_after_a_minute
-    first, second = engine.run(dwells(10.0, 20.0)).points
-    assert first.time_s < 10.0
-    assert second.time_s > 60.0
-    assert states(stand)[3:5] == [State.PAUSED, State.RUNNING]
-
-
-def test_a_pause_brakes_a_moving_head_and_the_move_goes_on_after_it(stand: FakeStand):
-    engine = stand.engine()
-    rested_deg = []
-
-    def pause_for_a_while():
-        now_s = stand.clock.monotonic_s()
-        if 1.0 < now_s < 2.0:
-            engine.control.pause()
-
-    sleep = stand.clock.sleep
-
-    def watch(duration_s):
-        sleep(duration_s)
-        if engine.state is State.PAUSED:
-            rested_deg.append(stand.head.status().angle_deg)
-            if stand.clock.monotonic_s() > 30.0:
-                engine.control.resume()
-
-    stand.head.on_status = pause_for_a_while
-    stand.clock.sleep = watch
-    (point,) = engine.run(dwells(90.0)).points
-    assert len(set(rested_deg)) == 1
-    assert stand.head.targets_deg == [90.0, 90.0]
-    assert (point.positions_deg["head"], point.directions["head"]) == (90.0, 1)
-
-
-def test_a_head_that_cannot_be_paused_ends_the_run(stand: FakeStand):
-    engine = stand.engine()
-    engine.control.pause()
-    stand.head.coasting = True
-    outcome = engine.run(dwells(10.0))
-    assert outcome.message.startswith("dividing head: cannot be brought to rest; switch it off and look at it")
-    assert State.PAUSED not in states(stand)
-    assert not outcome.at_standstill
-
-
-def test_a_stop_ends_a_pause(stand: FakeStand):
-    engine = stand.engine()
-    engine.control.pause()
-    stand.clock.sleep = lambda duration_s: engine.control.stop()
-    outcome = engine.run(dwells(10.0))
-    assert outcome.reason is FinishReason.STOPPED
-
-
-def test_an_interrupt_from_the_keyboard_is_a_stop(stand: FakeStand):
-    def interrupt():
-        stand.daq.on_acquire = lambda: None
-        raise KeyboardInterrupt
-
-    stand.daq.on_acquire = interrupt
-    outcome = stand.engine().run(dwells(10.0))
-    assert (outcome.reason, outcome.at_standstill) == (FinishReason.STOPPED, True)
-    assert outcome.message == "the operator interrupted the program"
-
-
-def test_an_interrupt_while_the_head_comes_to_rest_leaves_the_standstill_open(stand: FakeStand):
-    def interrupt():
-        raise KeyboardInterrupt
-
-    def arm(event):
-        if event == StateChanged(state=State.STOPPING, reason="the programme was carried out"):
-            stand.head.on_status = interrupt
-
-    engine = stand.engine(listeners=[arm])
-    outcome = engine.run(dwells(10.0))
-    assert (outcome.reason, outcome.at_standstill) == (FinishReason.DEVICE_FAULT, False)
-    assert stand.head.stops > 0
-
-
-def test_the_end_of_the_interpreter_passes_through_but_leaves_the_head_at_rest(stand: FakeStand):
-    def leave():
-        raise SystemExit(1)
-
-    stand.daq.on_acquire = leave
-    with pytest.raises(SystemExit):
-        stand.engine().run(dwells(10.0))
-    assert isinstance(stand.sink.events[-1], RunFinished)
-    assert stand.sink.events[-1].at_standstill
