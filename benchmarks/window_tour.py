@@ -247,7 +247,7 @@ class Tour:
 
     def settle(self) -> None:
         """Let the window come to rest."""
-        self._wait(lambda: not self.window.background._under_way)
+        self._wait(lambda: not self.window.background.is_busy)
         for _ in range(20):
             QApplication.processEvents()
 

@@ -20,6 +20,8 @@ from tumble.calibrations.tracing.whitened import Fitted
 
 _FAR: Final = 4.0
 """So many times the variance of a prediction of the declared model, or of a dwell, is far off the rows."""
+_HALF: Final = 0.5
+"""Rivals that differ by less than this part of what is mended are of use whichever is true."""
 _FORMS: Final = 8
 """So many other forms of an effect are tried."""
 _RANK: Final = 1e-10
@@ -51,23 +53,24 @@ def _errors(tracer: Tracer[Any], trace: Trace, out: BoolArray) -> FloatArray:
     alone = _Shown(table, WHITE, (), nothing)
     if not _told(table, columns, out, shown.theta(~out)):
         return alone.errors(~out, out)
-    rivals = (_Shown(table, trace.noise, trace.components, each) for each in others)
-    if any(_predict_otherwise(shown, rival, alone, out) for rival in rivals):
+    if not _agreed(shown, alone, [_Shown(table, trace.noise, trace.components, each) for each in others], out):
         return alone.errors(~out, out)
     inner = _inner_folds(table, out)
     better = sum(shown.squares(train, test) - alone.squares(train, test) for train, test in inner) <= 0.0
     return (shown if better else alone).errors(~out, out)
 
 
-def _predict_otherwise(shown: "_Shown", rival: "_Shown", alone: "_Shown", out: BoolArray) -> bool:
-    """Whether two explanations of the other rows differ in the rows held out by as much as matters.
+def _agreed(shown: "_Shown", alone: "_Shown", rivals: Sequence["_Shown"], out: BoolArray) -> bool:
+    """Whether other explanations of the other rows predict the rows held out alike.
 
-    That is by more than rows scatter, and than half of what either is to mend of the declared model's prediction.
+    That is to within the scatter of rows, or half of what the explanation mends of the declared model's prediction.
     """
+    if not rivals:
+        return True
     errors = shown.errors(~out, out)
-    apart, mended = errors - rival.errors(~out, out), errors - alone.errors(~out, out)
-    scatter = float(np.mean(shown.errors(~out, ~out) ** 2))
-    return float(np.mean(apart**2)) > max(scatter, float(np.mean(mended**2)) / 4.0)
+    scatter, mended = shown.errors(~out, ~out), errors - alone.errors(~out, out)
+    allowed = max(float(np.mean(scatter**2)), _HALF**2 * float(np.mean(mended**2)))
+    return all(float(np.mean((errors - rival.errors(~out, out)) ** 2)) <= allowed for rival in rivals)
 
 
 def _told(table: Table, columns: FloatArray, out: BoolArray, theta: FloatArray) -> bool:

@@ -23,10 +23,7 @@ _REACH_DEG: Final = 0.99 * ALPHA0_REACH_DEG
 
 
 def averaged(
-    calibration: Calibration,
-    table: DividingHeadTable,
-    listed: Sequence[Neighbour],
-    meant: Sequence[FloatArray] = (),
+    calibration: Calibration, table: DividingHeadTable, listed: Sequence[Neighbour], meant: Sequence[FloatArray]
 ) -> Calibration:
     """The same parameters, their uncertainty widened by what other explanations say of them.
 
