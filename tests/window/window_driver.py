@@ -112,8 +112,11 @@ class Driver:
 
     def start(self, programme, serial="SN-1", imagined=True):
         self.open_run(programme, serial, imagined)
+        phases = set()
+        seen = self.run.course.changed.connect(lambda: phases.add(self.run.phase))
         self.press(Qt.Key.Key_F5)
-        self.wait(lambda: self.run.phase is not Phase.IDLE or self.complaints)
+        self.wait(lambda: phases - {Phase.IDLE} or self.complaints)  # a short run may be over between two looks
+        self.run.course.changed.disconnect(seen)
 
     def wait_for_points(self, count):
         self.wait(lambda: len(self.run.view.points) >= count)
