@@ -1,11 +1,13 @@
 """Effects of the converter that reads an output: a wave of the voltage, and a step between two ranges."""
 
 from collections.abc import Callable, Sequence
+from typing import Final
 
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.tracing.effect import Effect, Form, Quantity, Seen, plain, scan, with_scanned
+from tumble.calibrations.tracing.penalties import SIMPLER
 from tumble.messages import Message
 
 
@@ -57,13 +59,22 @@ def converter_effects(
 def _sine(output_v: FloatArray, period_v: float) -> Form:
     """A sine of the voltage with any phase."""
     phase = 2 * np.pi * output_v / period_v
-    return Form(columns=np.column_stack([np.sin(phase), np.cos(phase)]), scanned={"period_V": period_v})
+    is_long = np.ptp(output_v) < _FEW_WAVES * period_v
+    return Form(
+        columns=np.column_stack([np.sin(phase), np.cos(phase)]),
+        scanned={"period_V": period_v},
+        penalty=2.0 * SIMPLER * is_long,  # it may be a parabola and a cubic: two coefficients
+    )
+
+
+_FEW_WAVES: Final = 1.5
+"""Over the span of the output fewer of them are next to a parabola and a cubic."""
 
 
 def _periods_v(output_v: FloatArray) -> Sequence[float]:
-    """From the span of the output (a longer wave is next to a parabola and a cubic) down to an eighth of it."""
+    """From the span of the output down to a sixteenth of it; a longer wave is nothing but a parabola and a cubic."""
     span_v = float(np.ptp(output_v))
-    return tuple((span_v / np.arange(1.0, 8.01, 0.125)).tolist()) if span_v > 0 else ()
+    return tuple((span_v / np.arange(1.0, 16.01, 0.125)).tolist()) if span_v > 0 else ()
 
 
 def _amplitude(_form: Form, coefficients: FloatArray, covariance: FloatArray) -> dict[str, Quantity]:

@@ -28,6 +28,19 @@ class Explanation:
     """-2 ln L, up to a constant of the table."""
 
 
+@dataclass(frozen=True, kw_only=True)
+class Beside:
+    """Columns beside an explanation: what of them is orthogonal to all that it follows."""
+
+    gram: FloatArray
+    """Their products with each other, shape (n, n)."""
+    with_output: FloatArray
+    """Their products with what is left of the output, shape (n,)."""
+    squares: float
+    """Sum of squares of that."""
+    rows: int
+
+
 class Problem:
     """Declared model, candidates and noise of one table.
 
@@ -128,6 +141,14 @@ class Problem:
         falls[list(explanation.chosen)] = 0.0
         part = np.clip(falls / max(residual[1], 1e-300), 0.0, 1 - 1e-12)
         return np.asarray(-self._rows * np.log1p(-part))
+
+    def beside(self, explanation: Explanation, columns: Sequence[int]) -> Beside:
+        """Some of all columns as they are orthogonally to an explanation, linearised at it."""
+        span, residual = self._linearised(explanation)
+        projected, orthogonal = self._split.projected[:, columns], self._split.orthogonal[:, columns]
+        gram = projected.T @ projected + orthogonal.T @ orthogonal - span[:, columns].T @ span[:, columns]
+        left = (self._with_output - span.T @ residual[0])[columns]
+        return Beside(gram=gram, with_output=left, squares=residual[1], rows=self._rows)
 
     def _linearised(self, explanation: Explanation) -> tuple[FloatArray, tuple[FloatArray, float]]:
         """All columns projected on the directions that the explanation can follow, shape (directions, n).

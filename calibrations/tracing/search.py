@@ -1,14 +1,15 @@
 """Finds the set of effects that explains a table. Several are followed at once, so that a first guess can be wrong."""
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
 from tumble.calibrations.tracing.candidates import Candidate
+from tumble.calibrations.tracing.pairs import best_pair
 from tumble.calibrations.tracing.problem import Explanation, Problem
 
-BEAM = 6
+BEAM = 12
 """How many sets are followed."""
 BRANCHES = 5
 """How many ways each is continued."""
@@ -48,6 +49,24 @@ def penalties(chosen: Sequence[Candidate]) -> float:
         total += candidate.repeat_penalty if candidate.effect.name in seen else candidate.penalty
         seen.add(candidate.effect.name)
     return total
+
+
+def begun_anew(problem: Problem, explanation: Explanation) -> Explanation:
+    """Exchange all that depends on a variable for the best two given shapes of it at once, if that is better.
+
+    Step by step a wave and a step of one voltage are each put where the other is missing, and curves added to that.
+    """
+    better = min(_others(problem, explanation), key=lambda trial: _rank(problem, trial), default=explanation)
+    return min(explanation, better, key=lambda each: penalised(problem, each))
+
+
+def _others(problem: Problem, explanation: Explanation) -> Iterator[Explanation]:
+    effects = [candidate.effect for candidate in problem.offered]
+    for variable in dict.fromkeys(effects[number].depends_on for number in explanation.chosen):
+        given = [number for number, each in enumerate(effects) if each.given and each.depends_on == variable]
+        rest = tuple(number for number in explanation.chosen if effects[number].depends_on != variable)
+        if pair := best_pair(problem, problem.explain(rest), given):
+            yield settled(problem, problem.explain((*rest, *pair)))
 
 
 def settled(problem: Problem, explanation: Explanation) -> Explanation:

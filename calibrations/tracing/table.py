@@ -58,7 +58,7 @@ class Table:
     """Along what there may be components without a name."""
     walk: str = WALK
     """What a random walk of the output is called in a result."""
-    most_effects: int = 5
+    most_effects: int = 8
     """How many are looked for at most."""
 
     @property

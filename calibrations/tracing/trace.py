@@ -19,7 +19,7 @@ from tumble.calibrations.tracing.fitting_noise import (
 from tumble.calibrations.tracing.noise import WALK, WHITE, NoiseModel
 from tumble.calibrations.tracing.penalties import UNNAMED
 from tumble.calibrations.tracing.problem import Explanation, Problem
-from tumble.calibrations.tracing.search import penalties, search, settled
+from tumble.calibrations.tracing.search import begun_anew, penalties, search, settled
 from tumble.calibrations.tracing.table import Table
 
 _NOTICED = 3.84
@@ -220,7 +220,7 @@ class Tracer(Generic[_T]):
     def _searched(self, noise: NoiseModel) -> Trace:
         """Search; where structure without a name came out of it, again without: it may stand in for several effects."""
         problem = self.problem(noise)
-        trace = self._traced(noise, search(problem))
+        trace = self._traced(noise, begun_anew(problem, search(problem)))
         if not trace.unnamed:
             return trace
         return min(trace, self._traced(noise, search(problem.named())), key=penalised_deviance)

@@ -45,11 +45,11 @@ def test_what_nine_settings_leave_is_said_with_its_size():
     )
 
 
-def test_a_wave_that_would_fit_nine_settings_is_withheld_and_says_why():
-    (wave,) = nine().withheld
-    assert (wave.name, wave.reason) == (
-        "daq_nonlinearity",
-        "9 settings differ by as much without it (p = 0.00011; 1e-06 is asked for)",
+def test_a_shape_that_would_fit_nine_settings_is_withheld_and_says_why():
+    (shape,) = nine().withheld
+    assert (shape.name, shape.reason) == (
+        "head_second_harmonic",
+        "as stated it would be 93 times as large as what these rows show of it",
     )
 
 
@@ -62,7 +62,7 @@ def test_more_settings_over_a_longer_arc_are_proposed():
 def test_the_document_counts_settings_and_names_what_is_withheld():
     found = document(nine())
     assert found["settings"] == {"count": 9, "arc_deg": 180.0, "spare": 4, "few": True}
-    assert [each["name"] for each in found["withheld"]] == ["daq_nonlinearity"]
+    assert [each["name"] for each in found["withheld"]] == ["head_second_harmonic"]
 
 
 def test_repeats_of_a_setting_that_is_held_out_leave_with_it():
@@ -86,11 +86,7 @@ def test_the_order_of_the_rows_within_a_setting_changes_nothing(seed):
 
     other = close_loop(replace(rows, voltage_v=rows.voltage_v[mixed]))
 
-    assert (other.effects, other.unexplained, [each.name for each in other.withheld]) == (
-        (),
-        nine().unexplained,
-        ["daq_nonlinearity"],
-    )
+    assert (other.effects, other.unexplained) == ((), nine().unexplained)
     assert other.augmented.parameters["kx"].value == pytest.approx(nine().augmented.parameters["kx"].value, rel=1e-9)
 
 

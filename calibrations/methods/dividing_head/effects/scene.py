@@ -96,30 +96,35 @@ class Scene:
         """Where a play of half width `reach_g` stands within its slack, from -1 to 1, shape (rows,).
 
         -1 once ax has risen by twice the reach, 1 once it has fallen so far. The head is taken to have gone straight
-        from each pose to the next, and the unit straight from one mount into the other; the slack starts in its middle.
+        from each pose to the next. Each mounting starts in the middle of the slack, where the head stood before: a hand
+        that turns a unit from one mount into another takes it through anything.
         """
-        drawn = float(self.ax_g[0])
-        found = []
-        for turns in self._ax_on_the_way:
+        return self._dragged(reach_g, self._remounted)
+
+    def play_kept(self, reach_g: float) -> FloatArray:
+        """The same where the unit went straight from one mount into the other, and only the first starts so."""
+        return self._dragged(reach_g, np.arange(self.rows) == 0)
+
+    def _dragged(self, reach_g: float, begins: NDArray[np.bool_]) -> FloatArray:
+        contact, found = 0.0, []
+        for turns, begun in zip(self._ax_on_the_way, begins.tolist(), strict=True):
+            contact = turns[0] if begun else contact
             for ax_g in turns:
-                if drawn < ax_g - reach_g:
-                    drawn = ax_g - reach_g
-                elif drawn > ax_g + reach_g:
-                    drawn = ax_g + reach_g
-            found.append(drawn)
+                contact = min(max(contact, ax_g - reach_g), ax_g + reach_g)
+            found.append(contact)
         return (np.array(found) - self.ax_g) / reach_g
 
     @cached_property
     def _ax_on_the_way(self) -> list[list[float]]:
-        """Ax at every turning point between the pose before and each pose, and at the pose itself."""
+        """Ax where the head stood before each pose, at every turning point on the way, and at the pose itself."""
         mounts, angle_deg = self.observations.mounts, self.observations.true_angle_deg + self.alpha0_deg
         fine = np.linspace(0.0, 1.0, _STEPS)
-        before_deg = np.where(self._remounted, angle_deg, np.roll(angle_deg, 1))
+        before_deg = np.concatenate([angle_deg[:1], angle_deg[:-1]])
         way_deg = before_deg[:, None] + (angle_deg - before_deg)[:, None] * fine
         ax_g = projections(np.repeat(mounts, _STEPS), way_deg.ravel())[:, 0].reshape(way_deg.shape)
         turning = np.zeros(ax_g.shape, dtype=bool)
         turning[:, 1:-1] = np.diff(np.sign(np.diff(ax_g, axis=1)), axis=1) != 0
-        turning[:, -1] = True
+        turning[:, [0, -1]] = True
         return [ax_g[row, turning[row]].tolist() for row in range(len(ax_g))]
 
     @cached_property

@@ -31,21 +31,24 @@ def _excited(product: FloatArray) -> FloatArray | None:
     return product if np.abs(product).max() > _LEAST_EXCITED else None
 
 
-def _play(scene: Scene, reach_g: float) -> Form:
-    """A play on ax: lower after ax rose, higher after it fell, by half the gap once the slack is taken up.
+def _plays(scene: Scene) -> Sequence[Form]:
+    """Plays on ax: lower after ax rose, higher after it fell, by half the gap once the slack is taken up.
 
     The elementary operator of Prandtl and Ishlinskii (Visintin, Differential Models of Hysteresis, III.2), of which any
-    hysteresis is a sum.
+    hysteresis is a sum; of every reach, the state lost or kept while the unit is mounted anew. None where ax only ever
+    went one way.
     """
-    return Form(columns=scene.play(reach_g)[:, None], scanned={"reach_g": reach_g})
-
-
-def _reaches_g(scene: Scene) -> Sequence[float]:
-    """From next to no slack to most of the range; none where ax only ever went one way."""
     steps = np.diff(scene.ax_g)
     if not (steps > 0).any() or not (steps < 0).any():
         return ()
-    return (0.005, 0.02, 0.05, 0.08, 0.12, 0.18, 0.27, 0.4)
+    lost = [Form(columns=scene.play(reach)[:, None], scanned={"reach_g": reach}) for reach in _REACHES_G]
+    if not scene.mounting[-1]:
+        return lost
+    return [*lost, *(Form(columns=scene.play_kept(reach)[:, None], scanned={"kept_g": reach}) for reach in _REACHES_G)]
+
+
+_REACHES_G = (0.005, 0.012, 0.02, 0.03, 0.045, 0.07, 0.1, 0.14, 0.2, 0.28, 0.4)
+"""From next to no slack to most of the range."""
 
 
 def _warm_up(scene: Scene, tau_s: float) -> Form:
@@ -87,9 +90,8 @@ UNIT_EFFECTS: tuple[Effect[Scene], ...] = (
         belongs_to="unit",
         symbol="h play(ax)",
         source="IEEE Std 528, hysteresis error",
-        forms=scan(_play, _reaches_g),
+        forms=_plays,
         report=plain("hysteresis", "V"),
-        at=_play,
         additive=True,
     ),
     Effect(
