@@ -106,6 +106,28 @@ def test_a_play_remembers_an_extremum_between_two_poses():
     assert over_the_pole.play(0.02)[1] == pytest.approx(-1.0)  # ax fell to -1 and rose again
 
 
+def test_a_play_begins_in_its_middle_in_every_mount():
+    mounts = np.array(["face-up", "face-up", "end", "end", "face-up"])
+    remounted = scene([0.0, 40.0, 40.0, 80.0, 80.0], mount=mounts)
+
+    assert remounted.play(0.05).tolist() == pytest.approx([0.0, 1.0, 0.0, 0.0, 0.0], abs=1e-12)
+
+
+def test_a_play_may_keep_where_it_stood_while_the_unit_is_mounted_anew():
+    """Ax goes from -0.64 to 0, and from there to -0.98: it has risen, then fallen."""
+    mounts = np.array(["face-up", "face-up", "end", "end", "face-up"])
+    remounted = scene([0.0, 40.0, 40.0, 80.0, 80.0], mount=mounts)
+
+    assert remounted.play_kept(0.05).tolist() == pytest.approx([0.0, 1.0, -1.0, -1.0, 1.0])
+
+
+def test_a_play_goes_on_from_where_the_head_stood_before_the_mount():
+    """The head turned from 40° to 80°, which of the two came first nobody knows; ax fell on the way."""
+    turned = scene([0.0, 40.0, 80.0], mount=np.array(["end", "end", "face-up"]))
+
+    assert turned.play(0.05)[2] == pytest.approx(1.0)
+
+
 def test_a_harmonic_is_reported_as_amplitude_and_phase():
     reported = harmonic(None, np.array([0.0, 2.0]), np.diag([0.01, 0.04]))
 

@@ -13,7 +13,7 @@ from tumble.calibrations.methods.dividing_head.joint import fit_jointly
 from tumble.calibrations.methods.dividing_head.loop.table import dividing_head_table
 from tumble.calibrations.tracing.noise import NoiseModel
 from tumble.calibrations.tracing.problem import Problem
-from tumble.calibrations.tracing.search import penalised, penalties, search
+from tumble.calibrations.tracing.search import begun_anew, penalised, penalties, search
 from tumble.calibrations.tracing.trace import Tracer
 
 WHITE = NoiseModel()
@@ -81,6 +81,36 @@ def test_of_two_that_fit_alike_the_first_is_taken_however_rounding_falls(tracer,
     found = search(Problem(whole.whitened_fit(WHITE), whole.turned(alike), offered, 2), beam=1)
 
     assert found.chosen == (0,)
+
+
+def found_in(extra_v, realisations):
+    sweeps = sweep("face-up"), sweep("face-down"), sweep("face-up-90")
+    rows = table(*FLIPS, *sweeps, realisations=realisations, seed=4, extra_v=extra_v)
+    problem = Tracer(dividing_head_table(fit_jointly(rows), CATALOGUE)).problem(WHITE).named()
+    found = begun_anew(problem, search(problem))
+    return {problem.offered[number].effect.name for number in found.chosen}
+
+
+def test_a_step_and_a_wave_of_one_voltage_are_found_together():
+    """Each alone is put where the other is missing, and a parabola and an asymmetry are added to that."""
+
+    def wave_and_step(mount, angle_deg):
+        ax, _, _ = gravity_on(mount, angle_deg)
+        return 1e-4 * np.sin(2 * np.pi * ax / 0.95 + 1.7) + np.where(ax > -0.64, 1.5e-4, 0.0)
+
+    assert found_in(wave_and_step, realisations=2) == {"daq_nonlinearity", "range_step"}
+
+
+def test_six_effects_at_once_are_found():
+    def six(mount, angle_deg):
+        ax, _, _ = gravity_on(mount, angle_deg)
+        error_deg = 0.012 * np.sin(np.deg2rad(9 * angle_deg)) + 0.012 * np.sin(np.deg2rad(2 * angle_deg + 40.0))
+        head = gravity_on(mount, angle_deg + error_deg)[0] - ax
+        return head + 2e-4 * np.sin(2 * np.pi * ax / 0.31) + np.where(ax > 0.3, 3e-4, 0.0) + 4e-4 * ax**2 + 6e-4 * ax**3
+
+    assert found_in(six, realisations=5) == {
+        "graduation", "head_second_harmonic", "daq_nonlinearity", "range_step", "k_xx", "k_xxx",
+    }  # fmt: skip
 
 
 def test_what_only_two_rows_could_show_is_not_on_offer():
