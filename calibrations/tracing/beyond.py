@@ -14,7 +14,7 @@ from tumble.calibrations.tracing.gains import seen_beside
 from tumble.calibrations.tracing.penalties import FOLLOWS_ANYTHING, NEAR, UNNAMED
 from tumble.calibrations.tracing.scan import Scan
 from tumble.calibrations.tracing.table import Table
-from tumble.calibrations.tracing.trace import Trace, Tracer, penalised_deviance, refined
+from tumble.calibrations.tracing.trace import Trace, Tracer, penalised_deviance, refined, worth_their_penalty
 
 MOST: Final = 2
 """So many components are looked for at most."""
@@ -125,14 +125,6 @@ def _beside(tracer: Tracer[Any], start: Trace, proposal: Proposal) -> Trace:
     trial = replace(start, components=(*start.components, component))
     settled = inside.settled(noise, trial) if start.found else inside.searched(noise)
     return worth_their_penalty(inside.table, refined(inside.table, _fitted(inside.table, settled, component.name)))
-
-
-def worth_their_penalty(table: Table, trace: Trace) -> Trace:
-    """A trace without named effects that explain too little once something else is there, or gone."""
-    rests = [trace.without(name) for name in trace.names]
-    fitted = [replace(rest, deviance=table.deviance(rest.forms, rest.noise)) for rest in rests]
-    best = min((trace, *fitted), key=penalised_deviance)
-    return trace if best is trace else worth_their_penalty(table, best)
 
 
 def _fitted(table: Table, trace: Trace, name: str) -> Trace:

@@ -7,7 +7,7 @@ from typing import Any, Generic, TypeVar
 
 import numpy as np
 
-from tumble.calibrations.tracing.beyond import traced, worth_their_penalty
+from tumble.calibrations.tracing.beyond import traced
 from tumble.calibrations.tracing.blocks import Lack
 from tumble.calibrations.tracing.evidence import Evidence, gathered, settings_differ
 from tumble.calibrations.tracing.fitting_noise import best_level
@@ -15,7 +15,7 @@ from tumble.calibrations.tracing.noise import SETTINGS, WHITE, scaled_levels
 from tumble.calibrations.tracing.rivals import Rival, near_rivals, with_best_names
 from tumble.calibrations.tracing.scan import Scan
 from tumble.calibrations.tracing.table import Table
-from tumble.calibrations.tracing.trace import Trace, Tracer, nothing_found, refined
+from tumble.calibrations.tracing.trace import Trace, Tracer, nothing_found, refined, worth_their_penalty
 
 _ROUNDS = 3
 """How often a table is traced again without what did not stand."""

@@ -1,20 +1,23 @@
 """Which other effects would explain a table as well: found by putting each in the place of what was found."""
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, Final
 
 from tumble.calibrations.tracing.effect import Structure
 from tumble.calibrations.tracing.fitting_noise import best_level, best_walk
 from tumble.calibrations.tracing.noise import WALK
 from tumble.calibrations.tracing.penalties import NEAR, SIMPLER, WALK_NAMED
 from tumble.calibrations.tracing.problem import Problem
+from tumble.calibrations.tracing.table import Table
 from tumble.calibrations.tracing.trace import Found, Trace, Tracer, found, penalised_deviance, refined_one
 
 _EQUAL = 1e-3
 """Deviances closer than this are equal: the effects are the same in this table."""
 _WORTH_A_LOOK = 60.0
 """An effect that promises less than the most promising one by more is passed over."""
+_MAY_COME_NEAR: Final = 2.0 * NEAR
+"""One that is further behind does not come near once the other effects are refined beside it."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -89,10 +92,29 @@ def rivals(tracer: Tracer[Any], trace: Trace, name: str, asked: Collection[str] 
             behind=trial.deviance - trace.deviance + 2.0 * ((item.coefficients if item else 1) - coefficients),
             naming_difference=_naming_penalty(trial) - _naming_penalty(trace),
         )
-        for item, trial in _in_place(tracer, rest, trace.names, asked)
+        for item, trial in _refined(tracer.table, trace, _in_place(tracer, rest, trace.names, asked))
     ]
     order = {effect.name: place for place, effect in enumerate(tracer.effects)}
     return sorted(listed, key=lambda rival: (round(rival.behind / _EQUAL), order.get(rival.name, len(order))))
+
+
+def _refined(
+    table: Table, trace: Trace, trials: Iterable[tuple[Found | None, Trace]]
+) -> Iterator[tuple[Found | None, Trace]]:
+    """Those that may come near, with what was scanned for the other effects where it fits best beside them."""
+    for item, trial in trials:
+        near = item is not None and trial.deviance < trace.deviance + _MAY_COME_NEAR
+        yield item, _others_refined(table, trial) if near else trial
+
+
+def _others_refined(table: Table, trial: Trace) -> Trace:
+    """A trace with all effects but the last moved to where they fit best beside it."""
+    found = list(trial.found)
+    for place, item in enumerate(found[:-1]):
+        others = [other.form for other in (*found[:place], *found[place + 1 :])]
+        found[place] = refined_one(table, item, others, trial.noise)
+    deviance = table.deviance([item.form for item in found], trial.noise)
+    return replace(trial, found=tuple(found), deviance=deviance)
 
 
 def _in_place(

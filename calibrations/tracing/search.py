@@ -70,17 +70,34 @@ def _others(problem: Problem, explanation: Explanation) -> Iterator[Explanation]
 
 
 def settled(problem: Problem, explanation: Explanation) -> Explanation:
-    """Add, drop and exchange effects as long as that lowers the penalised deviance."""
-    while True:
-        trials = [
-            *_added(problem, explanation),
-            *_dropped(problem, explanation),
-            *_exchanged(problem, explanation),
-        ]
-        better = min(trials, key=lambda trial: _rank(problem, trial), default=explanation)
-        if penalised(problem, better) >= penalised(problem, explanation) - 1e-6:
-            return explanation
-        explanation = better
+    """Add, drop and exchange effects as long as that lowers the penalised deviance.
+
+    Where nothing does any more, each effect is dropped once while the others may take other forms of theirs.
+    """
+    for trials in (_by_one, _without_one):
+        better = min(trials(problem, explanation), key=lambda trial: _rank(problem, trial), default=explanation)
+        if penalised(problem, better) < penalised(problem, explanation) - 1e-6:
+            return settled(problem, better)
+    return explanation
+
+
+def _by_one(problem: Problem, explanation: Explanation) -> list[Explanation]:
+    return [*_added(problem, explanation), *_dropped(problem, explanation), *_exchanged(problem, explanation)]
+
+
+def _without_one(problem: Problem, explanation: Explanation) -> list[Explanation]:
+    return [_in_best_forms(problem, rest) for rest in _dropped(problem, explanation)]
+
+
+def _in_best_forms(problem: Problem, explanation: Explanation) -> Explanation:
+    """The same effects, one after the other in the form that explains most beside the others."""
+    for place, number in enumerate(explanation.chosen):
+        chosen = explanation.chosen[:place] + explanation.chosen[place + 1 :]
+        forms = problem.forms[problem.offered[number].effect.name]
+        gains = problem.gains(problem.explain(chosen))[forms]
+        other = problem.explain((*chosen[:place], forms.start + int(gains.argmax()), *chosen[place:]))
+        explanation = min(explanation, other, key=lambda each: penalised(problem, each))
+    return explanation
 
 
 def _continued(problem: Problem, followed: Iterable[Explanation], beam: int) -> list[Explanation]:

@@ -161,7 +161,7 @@ class Tracer(Generic[_T]):
         best = min((self._with_random_effects(trace) for trace in (white, *others)), key=penalised_deviance)
         if best.noise.walk:
             best = min(best, self._without(best, WALK), key=penalised_deviance)
-        return self._with_single_forms(refined(self.table, best))
+        return worth_their_penalty(self.table, self._with_single_forms(refined(self.table, best)))
 
     def _with_single_forms(self, trace: Trace) -> Trace:
         """Leave out the second form of an effect that stood only for a scanned value between two of the grid."""
@@ -257,6 +257,14 @@ def penalised_deviance(trace: Trace) -> float:
     """Deviance plus the penalties of everything in the trace."""
     named = noise_penalty(trace.noise) + penalties([found.candidate for found in trace.found])
     return trace.deviance + named + sum(UNNAMED + each.penalty for each in trace.components)
+
+
+def worth_their_penalty(table: Table, trace: Trace) -> Trace:
+    """A trace without named effects that explain too little once something else is there, or gone."""
+    rests = [trace.without(name) for name in trace.names]
+    fitted = [replace(rest, deviance=table.deviance(rest.forms, rest.noise)) for rest in rests]
+    best = min((trace, *fitted), key=penalised_deviance)
+    return trace if best is trace else worth_their_penalty(table, best)
 
 
 def refined(table: Table, trace: Trace, rounds: int = 2) -> Trace:
