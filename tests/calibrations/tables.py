@@ -34,8 +34,8 @@ FLIPS = (
 
 
 def sweep(mount, step_deg=5.0):
-    """One sweep over 400 degrees."""
-    return ("sweep", mount, np.arange(0.0, 400.0, step_deg))
+    """One sweep over 400 degrees, down where the step is negative."""
+    return ("sweep", mount, np.arange(0.0, np.copysign(400.0, step_deg), step_deg))
 
 
 def table(*parts, realisations=5, noise_v=1e-4, seed=1, unit=UNIT, extra_v=None):

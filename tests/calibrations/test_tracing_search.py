@@ -13,7 +13,7 @@ from tumble.calibrations.methods.dividing_head.joint import fit_jointly
 from tumble.calibrations.methods.dividing_head.loop.table import dividing_head_table
 from tumble.calibrations.tracing.noise import NoiseModel
 from tumble.calibrations.tracing.problem import Problem
-from tumble.calibrations.tracing.search import begun_anew, penalised, penalties, search
+from tumble.calibrations.tracing.search import begun_anew, penalised, penalties, search, settled
 from tumble.calibrations.tracing.trace import Tracer
 
 WHITE = NoiseModel()
@@ -111,6 +111,19 @@ def test_six_effects_at_once_are_found():
     assert found_in(six, realisations=5) == {
         "graduation", "head_second_harmonic", "daq_nonlinearity", "range_step", "k_xx", "k_xxx",
     }  # fmt: skip
+
+
+def test_an_effect_that_only_mends_the_form_of_another_is_dropped():
+    rows = table(*FLIPS, sweep("face-up"), sweep("face-down", -5.0), seed=2)
+    plain = dividing_head_table(fit_jointly(rows), CATALOGUE)
+    lagging = replace(rows, voltage_v=rows.voltage_v + 3e-4 * plain.scene.play(0.03))
+    tracer = Tracer(dividing_head_table(fit_jointly(lagging), CATALOGUE))
+    problem, kept = tracer.problem(WHITE), numbers(tracer, "hysteresis")[-1]
+    mended = problem.explain((kept, numbers(tracer, "k_yy")[0], numbers(tracer, "k_xxx")[0]))
+
+    (found,) = settled(problem, mended).chosen
+
+    assert problem.offered[found].form.scanned == {"reach_g": 0.03}
 
 
 def test_what_only_two_rows_could_show_is_not_on_offer():
