@@ -1,6 +1,6 @@
 """Raw files, recordings and tables alike, read as what the analysis needs of them."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
@@ -14,7 +14,7 @@ from tumble.app.measurement import Measurement
 from tumble.calibrations.core.cells import TableError
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.provenance import LimitCheck, Provenance, inside
-from tumble.calibrations.core.rows import Rows
+from tumble.calibrations.core.rows import Rows, SetAside
 from tumble.calibrations.core.sentences import series
 from tumble.calibrations.records.raw import file_sha256
 from tumble.messages import Message
@@ -42,9 +42,21 @@ def read_measurement(path: Path, stand: Mapping[str, Any] | None = None) -> Meas
     """
     measurement = (_read_recording if is_recording(path) else _read_table)(path, stand)
     if not len(measurement.observations):
-        aside = measurement.observations.rows_read
-        raise InputError(Message("{path}: no usable row ({count} set aside); measure again", path=path, count=aside))
+        raise InputError(_nothing(path, measurement.observations.set_aside))
     return measurement
+
+
+def _nothing(path: Path, aside: Sequence[SetAside]) -> Message:
+    """Why a file holds no row that can be used."""
+    if not aside:
+        return Message("{path}: no usable row; measure again", path=path)
+    return Message(
+        "{path}: no usable row, {count} set aside (row {row}: {reason}); correct the table, or measure again",
+        path=path,
+        count=len(aside),
+        row=aside[0].row,
+        reason=aside[0].reason,
+    )
 
 
 def _read_table(path: Path, stand: Mapping[str, Any] | None) -> Measurement:

@@ -16,6 +16,7 @@ from tumble.app.analysed import Analysed
 from tumble.app.analysing import fit as analyse
 from tumble.app.analysing import trace
 from tumble.app.calibrating import calibrate as carry_out
+from tumble.app.files import is_recording
 from tumble.app.jobs import measured_at_stand
 from tumble.app.joining import read_together
 from tumble.app.measurements import read_measurement
@@ -115,7 +116,7 @@ def fit(path: Place, *, stand: Place | None = None, serial_number: str = "") -> 
 
 
 def allan(path: Place, *, rate_hz: float | None = None) -> "AllanResult":
-    """Allan deviation of every output of a long still recording, in CSV.
+    """Allan deviation of every output of a long still recording.
 
     What it has: `outputs` by the names of their columns, each with `deviations`, `model.coefficients` (N, B, K) and
     `best` (averaging time with its interval); `dwell_s`; `document()`.
@@ -123,13 +124,17 @@ def allan(path: Place, *, rate_hz: float | None = None) -> "AllanResult":
     Parameters
     ----------
     path
-        Table (CSV) of outputs at equal steps of time.
+        Table (CSV) of outputs at equal steps of time, or a recording (`.mcap`), of which the first dwell is used.
     rate_hz
-        Samples a second, where there is no column `time_s`.
+        Samples a second, where a table has no column `time_s`.
     """
     from tumble.calibrations.allan.recording import read_still
     from tumble.calibrations.allan.result import allan as noise_of
 
+    if is_recording(Path(path)):
+        from tumble.app.still import read_still_dwell
+
+        return noise_of(read_still_dwell(Path(path)))
     try:
         return noise_of(read_still(Path(path), rate_hz))
     except TableError as error:

@@ -7,8 +7,9 @@ import click
 from tumble.app import reports
 from tumble.app.commands import options
 from tumble.app.console import warn
-from tumble.app.files import write_new
+from tumble.app.files import is_recording, write_new
 from tumble.app.sections import show_sections
+from tumble.app.still import read_still_dwell
 from tumble.app.terminal import language, say
 from tumble.calibrations.allan.recording import StillRecording, read_still
 from tumble.calibrations.allan.result import AllanResult, allan
@@ -43,9 +44,10 @@ def command(
     json_path: Path | None,
     page: Path | None,
 ) -> None:
-    """Allan deviation of a long still recording (CSV): white noise, flicker, random walk, best averaging time.
+    """Allan deviation of a long still recording: white noise, flicker, random walk, best averaging time.
 
-    Every column of numbers but times and temperatures is an output. With --programme and --out a programme is written
+    FILE is a table (CSV), of which every column of numbers but times and temperatures is an output, or the recording
+    (.mcap) of a run, of which the first dwell is used. With --programme and --out a programme is written
     whose dwells last as long as the recording says.
     """
     if (programme is None) != (out is None):
@@ -62,7 +64,9 @@ def command(
 
 
 def _read(file: Path, rate_hz: float | None) -> StillRecording:
-    """Read a recording. Raises `InputError`."""
+    """Read a table, or the first dwell of a run. Raises `InputError`, `RecordingError`."""
+    if is_recording(file):
+        return read_still_dwell(file)
     try:
         return read_still(file, rate_hz)
     except TableError as error:

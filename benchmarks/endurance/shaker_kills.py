@@ -72,7 +72,7 @@ def emulated(folder: Path) -> AbstractContextManager[Path]:
 
 def main() -> None:
     """Kill at all of them, and say what became of the points."""
-    moments = [("point", number) for number in range(POINTS - 1)]
+    moments = [("point", number) for number in range(POINTS)]
     moments += [("dwell", number) for number in range(POINTS)] + [("ramp", number) for number in range(RAMPS)]
     report(__doc__ or "", {False: in_process, True: emulated}, KILLING, moments)
 

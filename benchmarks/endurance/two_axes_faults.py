@@ -2,13 +2,13 @@
 
 `python -m benchmarks.endurance.two_axes_faults [--pair serial|CAN]` has each kind happen while a dwell is under way,
 and those of the chamber in a soak too. A run that was stopped is resumed, once the cause is gone, until it is complete;
-then every point must be there once.
+then every point must be there once. With another unit in the place of an instrument it must not go on.
 """
 
 import argparse
 import tempfile
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
@@ -58,10 +58,19 @@ class Case:
     kind: Kind
     soaking: bool = False
 
-    def fault(self) -> Fault:
-        """As an emulator takes it; what lasts is over soon after the run was stopped."""
+    @property
+    def other_unit(self) -> bool:
+        """Whether another instrument stands there afterwards, so that the run must not go on."""
+        return self.kind == "swapped"
+
+    def faults(self) -> list[Fault]:
+        """As an emulator takes them; what lasts is over soon after the run was stopped.
+
+        Another unit is seen when the link comes back.
+        """
         at = At(time_s=DURING_S) if self.soaking else At(point=2)
-        return Fault(device=self.device, kind=self.kind, at=at, lasts_s=0.1 if self.kind in _WIRE else 1.0)
+        kinds: tuple[Kind, ...] = ("swapped", "drop") if self.other_unit else (self.kind,)
+        return [Fault(device=self.device, kind=kind, at=at, lasts_s=0.1 if kind in _WIRE else 1.0) for kind in kinds]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -98,7 +107,8 @@ def carried_out(case: Case, folder: Path, speed: float = SPEED) -> Result:
             completed.append(event.point.index)
 
     with served(folder, "\n".join((PAIRS[case.pair], SCANNER, CHAMBER)), PROGRAMME, speed) as stand:
-        stand.faults.add(case.fault())
+        for fault in case.faults():
+            stand.faults.add(fault)
         recording = folder / "run.mcap"
         outcome = _connected(stand, lambda connected: run(stand.job, connected, recording, [listen]))
         with stand.shared.lock:
@@ -108,15 +118,17 @@ def carried_out(case: Case, folder: Path, speed: float = SPEED) -> Result:
             resumed += 1
             stand.clock.sleep(speed)  # until what lasted is over
             last = _connected(stand, lambda connected: resume(find(recording), stand.job, connected, [listen], 1.0))
+        whole = last.reason is FinishReason.COMPLETED
+        wanted = {*completed, *(range(stand.job.plan().dwells) if whole else ())}
         kept = Counter(point.index for point in read_recording(recording).points)
         return Result(
             reason=outcome.reason,
             message=outcome.message,
             happened=bool(stand.faults.happened),
-            lost=sum(index not in kept for index in range(stand.job.plan().dwells)),
+            lost=sum(index not in kept for index in wanted),
             doubled=sum(count - 1 for count in kept.values()) + len(completed) - len(set(completed)),
             resting=resting,
-            resumed=resumed if last.reason is FinishReason.COMPLETED else -1,
+            resumed=resumed if whole else -1,
         )
 
 
@@ -135,20 +147,29 @@ def main() -> None:
     """Have all of them happen, and say what came of each."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--pair", choices=list(PAIRS), action="append")
-    results = []
+    results: list[tuple[Case, Result]] = []
     for pair in parser.parse_args().pair or list(PAIRS):
         for case in cases(pair):
             with tempfile.TemporaryDirectory() as folder:
                 result = carried_out(case, Path(folder))
-            results.append(result)
+            results.append((case, result))
             when = "soak" if case.soaking else "dwell"
             counts = f"lost {result.lost}, doubled {result.doubled}, resumed {result.resumed}"
             missed = "" if result.happened else " DID NOT HAPPEN"
             what = f"{pair} {case.device} {case.kind} ({when}): {result.reason}, {counts}{missed}"
             print(f"{what}: {result.message[:120]}", flush=True)
-    lost, doubled = sum(each.lost for each in results), sum(each.doubled for each in results)
-    moving, never = sum(not each.resting for each in results), sum(each.resumed < 0 for each in results)
-    print(f"{len(results)} runs: lost {lost}, doubled {doubled}, moving afterwards {moving}, never completed {never}")
+    _tell_sum(results)
+
+
+def _tell_sum(results: Sequence[tuple[Case, Result]]) -> None:
+    lost, doubled = sum(each.lost for _, each in results), sum(each.doubled for _, each in results)
+    moving = sum(not each.resting for _, each in results)
+    refused = sum(each.resumed < 0 and case.other_unit for case, each in results)
+    never = sum(each.resumed < 0 and not case.other_unit for case, each in results)
+    print(
+        f"{len(results)} runs: lost {lost}, doubled {doubled}, moving afterwards {moving}, other units refused "
+        f"{refused}, never completed {never}"
+    )
 
 
 if __name__ == "__main__":

@@ -90,7 +90,7 @@ def _written(folder: Path, tables: str, where: Mapping[str, str]) -> Path:
 
 def main() -> None:
     """Kill at all of them, and say what became of the points."""
-    moments = [("point", number) for number in range(POINTS - 1)] + [("soak", number) for number in range(SOAKS)]
+    moments = [("point", number) for number in range(POINTS)] + [("soak", number) for number in range(SOAKS)]
     report(__doc__ or "", {False: in_process, True: emulated}, KILLING, moments)
 
 

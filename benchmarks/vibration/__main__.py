@@ -19,7 +19,7 @@ from tumble.calibrations.methods.vibration.model import NAMES
 from tumble.calibrations.methods.vibration.observations import read_vibration_table
 from tumble.calibrations.methods.vibration.table import vibration_table
 
-SEEDS = {"development": 1_000_000, "reported": 8_000_000}
+SEEDS = {"development": 1_000_000, "reported": 8_200_000}
 UNITS = (20.0, 30.0, 40.0)
 _TRIED = 60
 

@@ -12,7 +12,7 @@ from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.cells import TableError
 from tumble.calibrations.core.rows import Rows
 from tumble.calibrations.core.screening import without_missing
-from tumble.calibrations.core.table import read_rows
+from tumble.calibrations.core.table import line_of, read_rows
 from tumble.messages import Message
 
 _GAP: Final = 1.5
@@ -87,7 +87,11 @@ def _times(rows: StillRows, rate_hz: float | None, path: Path) -> tuple[FloatArr
     if len(steps_s) and steps_s.min() <= 0.0:
         row = int(rows.row[1:][steps_s <= 0.0][0])
         raise TableError(
-            Message("{path}, row {row}: time_s does not ascend; put the rows in order", path=path, row=row)
+            Message(
+                "{path}, line {line}: time_s does not ascend; put the rows in order",
+                path=path,
+                line=line_of(path, row),
+            )
         )
     typical_s = float(np.median(steps_s)) if len(steps_s) else 1.0
     unbroken = steps_s[steps_s < _GAP * typical_s]

@@ -49,6 +49,12 @@ def read_rows(path: Path, kind: type[_R]) -> _R:
     ).without(_without_a_value(header, empty, rows, kind))
 
 
+def line_of(path: Path, row: int) -> int:
+    """Line of the file in which a data row stands, both counted from 1. Raises `TableError` as `read_rows`."""
+    _, rows = read_cells(read_text(path)[0], path)
+    return rows[row - 1][0]
+
+
 def write_table(rows: Rows, path: Path) -> None:
     """Write the usable rows as a table, with every digit of every number."""
     known = {name: values for name, field in rows.spelt().items() if (values := getattr(rows, field)) is not None}

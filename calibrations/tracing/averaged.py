@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from types import MappingProxyType
 from typing import Final
 
 import numpy as np
@@ -26,15 +27,28 @@ class Said:
     """By the scatter of the data alone."""
 
 
+@dataclass(frozen=True, kw_only=True)
+class Reach:
+    """By how much a parameter may be less, and more, than any explanation says: it is what it is at a place unknown."""
+
+    below: float = 0.0
+    """Not above 0."""
+    above: float = 0.0
+
+
 def averaged(
-    parameters: Mapping[str, Parameter], said: Sequence[Said], bounds: Mapping[str, tuple[float, float]]
+    parameters: Mapping[str, Parameter],
+    said: Sequence[Said],
+    bounds: Mapping[str, tuple[float, float]],
+    reaches: Mapping[str, Reach] = MappingProxyType({}),
 ) -> tuple[dict[str, Parameter], tuple[BudgetLine, ...]]:
     """The same parameters, their uncertainty widened by what other explanations say, and the line of that in a budget.
 
-    Beyond its `bounds`, of those that have any, a parameter lies by no explanation. No line where nothing is widened.
+    Beyond its `bounds`, of those that have any, a parameter lies by no explanation; of those with a `Reach` the
+    interval holds at every place. No line where nothing is widened.
     """
     after = {
-        name: _widened(parameter, [each for each in said if name in each.values], bounds.get(name))
+        name: _widened(parameter, [each for each in said if name in each.values], bounds.get(name), reaches.get(name))
         for name, parameter in parameters.items()
     }
     added = {name: _added(parameters[name], widened) for name, widened in after.items() if widened.value is not None}
@@ -43,7 +57,7 @@ def averaged(
     line = BudgetLine(
         name=Message("explanations that fit nearly as well"),
         kind="B",
-        symbol=Message.counted("{count} explanation", "{count} explanations", count=len(said)),
+        symbol=Message.counted("{count} explanation", "{count} explanations", count=len(said) + bool(reaches)),
         contributions=added,
         degrees_of_freedom=float("inf"),
     )
@@ -57,7 +71,9 @@ def _added(before: Parameter, after: Parameter) -> float:
     )
 
 
-def _widened(parameter: Parameter, said: Sequence[Said], bounds: tuple[float, float] | None) -> Parameter:
+def _widened(
+    parameter: Parameter, said: Sequence[Said], bounds: tuple[float, float] | None, reach: Reach | None
+) -> Parameter:
     if parameter.value is None or parameter.interval_95 is None or not parameter.type_a:
         return parameter
     name = parameter.name
@@ -65,7 +81,8 @@ def _widened(parameter: Parameter, said: Sequence[Said], bounds: tuple[float, fl
     parts += [_part(parameter, each.odds, each.values[name], each.deviations[name], bounds) for each in said]
     low, high = interval_95(parts, parameter.degrees_of_freedom or 1.0)
     own_low, own_high = parameter.interval_95
-    low, high = min(low, own_low), max(high, own_high)
+    reach = reach or Reach()
+    low, high = min(low, own_low) + reach.below, max(high, own_high) + reach.above
     wider = (high - low) / (own_high - own_low)
     if wider < 1.0 + _MATERIAL:
         return parameter

@@ -15,6 +15,7 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.tracing.components import Component
 from tumble.calibrations.tracing.courses import Course, Rows, courses
+from tumble.calibrations.tracing.shapes.bells import BUMP
 
 _PART_OF: Final = 1e-6
 """A channel that parameters follow but for so small a part of it is theirs."""
@@ -63,6 +64,6 @@ def _has_level(component: Component, value: FloatArray) -> bool:
     word, *sizes = component.shape.split()
     if word == "wave":
         return float(sizes[0]) >= _WHOLE_PERIODS
-    if word == "bump" and component.axis.coordinate.period is None:
+    if word == BUMP and component.axis.coordinate.period is None:
         return bool(np.abs(value[[0, -1]]).max() < _STILL_THERE * np.abs(value).max())
     return not (component.is_course or word == "bend")

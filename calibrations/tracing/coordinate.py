@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.tracing.bins import cells, distances, root
 from tumble.calibrations.tracing.effect import Variable
 from tumble.calibrations.tracing.spectrum import TURNS_APART
 from tumble.messages import Message
@@ -17,14 +18,14 @@ MOST_VALUES: Final = 90
 """Variables with more distinct values are cut into so many bins of equally many rows."""
 _DWELLS_EACH: Final = 3
 """So many dwells each bin has at least, in the mean."""
-_KEPT: Final = 1e-3
-"""Directions in which a process varies by less than this part of its largest are left out."""
 _ROUGH: Final = (0.03, 0.3, 3.0)
 """Lengths of the exponential kernel, in ranges of the variable: broken courses."""
 _SMOOTH: Final = (0.017, 0.05, 0.15, 0.5, 1.5)
 """Lengths of the squared exponential kernel: smooth courses."""
 _WIDTHS: Final = (0.02, 0.04, 0.08, 0.16)
 """Widths of bumps, in ranges of the variable."""
+_WIDEST: Final = 0.3
+_STEPS_OF_WIDTH: Final = 13
 _SPOTS: Final = (0.1, 0.2, 0.4)
 """Widths of spots in space, in parts of the longest side of the room."""
 IntArray = NDArray[np.int64]
@@ -77,7 +78,7 @@ class Coordinate:
         rows = len(self.values)
         most = min(MOST_VALUES, rows // (_DWELLS_EACH * self.outputs))
         if self.values.ndim > 1:
-            return _cells(self.values, most)
+            return cells(self.values, most)
         distinct, number = np.unique(np.round(self.values, 6), return_inverse=True)
         if len(distinct) <= most or not self.ordered:
             return np.asarray(number, dtype=np.int64)
@@ -112,10 +113,10 @@ class Coordinate:
         """Square roots of the kernels over the bins, shape (bins, directions), each with the word for it."""
         if not self.ordered:
             return (("levels", np.eye(int(self.bins.max()) + 1)),)
-        away = _distances(self.centres, self.period)
+        away = distances(self.centres, self.period)
         rough = [(f"broken {length:g}", np.exp(-away / length)) for length in _ROUGH]
         smooth = [(f"smooth {length:g}", np.exp(-0.5 * (away / length) ** 2)) for length in _SMOOTH]
-        return tuple((word, _root(kernel)) for word, kernel in (*rough, *smooth))
+        return tuple((word, root(kernel)) for word, kernel in (*rough, *smooth))
 
     @cached_property
     def turns(self) -> FloatArray:
@@ -136,16 +137,26 @@ class Coordinate:
     @cached_property
     def bumps_tried(self) -> FloatArray:
         """Centre and width of every bump that is tried, shape (bumps, 2)."""
-        span = self.period or float(np.ptp(self.values))
-        low = float(self.values.min())
-        tried = [
-            (centre, width * span) for width in _WIDTHS for centre in np.arange(low, low + span, width * span).tolist()
-        ]
-        return self._several_rows(np.array(tried))
+        return np.concatenate([self.bumps_of(width * self.cycle) for width in _WIDTHS])
+
+    def bumps_of(self, width: float) -> FloatArray:
+        """Those of one width, so far apart, shape (bumps, 2)."""
+        centres = np.arange(self.low, self.low + self.cycle, width)
+        return self._several_rows(np.column_stack([centres, np.full(len(centres), width)]))
+
+    @property
+    def widths(self) -> FloatArray:
+        """Widths that a bump could have where a few places do not tell it, in steps of a fourth."""
+        return np.asarray(self.cycle * np.geomspace(_WIDTHS[0], _WIDEST, _STEPS_OF_WIDTH))
 
     def bumps_near(self, centre: float, width: float) -> FloatArray:
         """The same closer about one of them."""
         tried = [(centre + part * width, width * ratio) for part in _PARTS for ratio in _TIMES]
+        return self._several_rows(np.array(tried))
+
+    def bumps_beside(self, centre: float, width: float) -> FloatArray:
+        """One of them, and the same a little to each side."""
+        tried = [(centre + part * width, width) for part in _PARTS]
         return self._several_rows(np.array(tried))
 
     def bells(self, bumps: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -275,30 +286,3 @@ _STEPS: Final = 120
 """Places at which a step is tried."""
 _NYQUIST: Final = 0.98
 """At the limit itself one phase of a wave is nothing."""
-_CELL: Final = 0.15
-"""Places closer than this are one."""
-
-
-def _cells(places: FloatArray, most: int) -> IntArray:
-    """Number of the cell of each place, cells as small as so many of them allow."""
-    cell = _CELL
-    while True:
-        distinct, number = np.unique(np.round(places / cell), axis=0, return_inverse=True)
-        if len(distinct) <= max(most, 2 ** places.shape[1]):
-            return np.asarray(number, dtype=np.int64).ravel()
-        cell *= 1.5
-
-
-def _distances(centres: FloatArray, period: float | None) -> FloatArray:
-    """Distances between bins in ranges of the variable; round a circle, half its circumference is the range."""
-    apart = centres[:, None, :] - centres[None, :, :]
-    if period is not None:
-        return np.asarray(np.abs(2.0 * np.sin(np.pi * apart[..., 0] / period)) / 2.0)
-    away = np.linalg.norm(apart, axis=-1)
-    return np.asarray(away / max(float(away.max()), 1e-300))
-
-
-def _root(kernel: FloatArray) -> FloatArray:
-    values, vectors = np.linalg.eigh(kernel)
-    kept = values > _KEPT * values[-1]
-    return np.asarray(vectors[:, kept] * np.sqrt(values[kept]))

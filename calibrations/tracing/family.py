@@ -9,7 +9,7 @@ from tumble.calibrations.tracing.components import Axis, Component
 from tumble.calibrations.tracing.gains import Beside
 from tumble.calibrations.tracing.penalties import of_variance
 from tumble.calibrations.tracing.shapes.along import Along, Shape
-from tumble.calibrations.tracing.shapes.bells import bumps, spots
+from tumble.calibrations.tracing.shapes.bells import bumps, bumps_about, spots
 from tumble.calibrations.tracing.shapes.changes import changes
 from tumble.calibrations.tracing.shapes.courses import bends, courses, pulled_back
 from tumble.calibrations.tracing.shapes.ramps import onsets, ramps
@@ -77,6 +77,13 @@ class Family:
         """The same among courses that have no shape."""
         along = Along(axis=self._axis, seen=seen)
         return max((self._proposed(shape) for shape in courses(along)), key=lambda proposal: proposal.worth)
+
+    def every(self, seen: Beside) -> Iterator[Proposal]:
+        """The best of each kind; of bumps, those about the best one of each width too."""
+        along = Along(axis=self._axis, seen=seen)
+        tried = self._tried()
+        for shapes in (*tried, *((bumps_about,) if bumps in tried else ())):
+            yield from map(self._proposed, shapes(along))
 
     def at_a_glance(self, seen: Beside) -> float:
         """About how much structure along the axis would gain: courses and waves alone, which take little time."""

@@ -1,6 +1,6 @@
 """Parameters of a method that fits its rows by least squares, averaged over what they may be as well."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, Protocol, TypeVar
 
@@ -9,7 +9,7 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.budget import BudgetLine
 from tumble.calibrations.core.parameter import Parameter
-from tumble.calibrations.tracing.averaged import Said, averaged
+from tumble.calibrations.tracing.averaged import Reach, Said, averaged
 from tumble.calibrations.tracing.changing import Changing, changing
 from tumble.calibrations.tracing.components import Component
 from tumble.calibrations.tracing.courses import Rows
@@ -53,13 +53,18 @@ def averaged_over(
 
     `refitted` gives the parameters by another explanation. A parameter that is the mean of a course says so.
     """
-    others = (*explained.alike, *explained.judged.nearly, *in_other_shapes(explained.tracer, explained.trace))
+    others = (*explained.alike, *explained.judged.nearly)
     listed = neighbours(explained.tracer, explained.trace, explained.near, others)
-    met = [(each.component, [*_met(each, explained.best.theta, parameters, values)]) for each in _changing(explained)]
-    said = [*(_of(each.odds, refitted(each.trace)) for each in listed), *(each for _, those in met for each in those)]
-    after, lines = averaged(parameters, said, {})
-    for component, those in met:
-        after = {name: _remarked(each, component, those) for name, each in after.items()}
+    alike = in_other_shapes(explained.tracer, explained.trace)
+    together = 1.0 + sum(each.odds for each in alike)  # one explanation, in whichever of its shapes
+    said = [
+        *(_of(each.odds, refitted(each.trace)) for each in alike),
+        *(_of(together * each.odds, refitted(each.trace)) for each in listed),
+    ]
+    reached = [(each.component, _reaches(each, explained.best.theta, values)) for each in _changing(explained)]
+    after, lines = averaged(parameters, said, {}, _together([reaches for _, reaches in reached]))
+    for component, reaches in reached:
+        after = {name: _remarked(each, component, reaches.get(name, Reach())) for name, each in after.items()}
     return after, lines
 
 
@@ -88,25 +93,28 @@ def _changing(explained: Explained[Any, _F]) -> list[Changing]:
     return list(changing(rows, slopes, trace.components))
 
 
-def _met(each: Changing, theta: FloatArray, parameters: Mapping[str, Parameter], values: Values) -> Iterator[Said]:
-    """The parameters at each place of a course, together as likely as the mean."""
+def _reaches(each: Changing, theta: FloatArray, values: Values) -> dict[str, Reach]:
+    """How far the parameters are from what is stated at the places of a course."""
     middle = values(theta)
-    stated = {name: (own.value, own.type_a or 0.0) for name, own in parameters.items() if own.value is not None}
-    for change in each.changes:
-        moved = values(theta + change)
-        yield Said(
-            odds=1.0 / len(each.changes),
-            values={name: value + moved[name] - middle[name] for name, (value, _) in stated.items()},
-            deviations={name: deviation for name, (_, deviation) in stated.items()},
+    at_places = [values(theta + change) for change in each.changes]
+    away = {name: [values[name] - own for values in at_places] for name, own in middle.items()}
+    return {name: Reach(below=min(0.0, *those), above=max(0.0, *those)) for name, those in away.items()}
+
+
+def _together(reached: Sequence[Mapping[str, Reach]]) -> dict[str, Reach]:
+    """Of several courses at once."""
+    names = reached[0] if reached else ()
+    return {
+        name: Reach(
+            below=sum(reaches[name].below for reaches in reached), above=sum(reaches[name].above for reaches in reached)
         )
+        for name in names
+    }
 
 
-def _remarked(parameter: Parameter, component: Component, met: Sequence[Said]) -> Parameter:
+def _remarked(parameter: Parameter, component: Component, reach: Reach) -> Parameter:
     """A parameter that says so where a component changes it by more than its scatter."""
-    if parameter.value is None:
-        return parameter
-    apart = float(np.ptp([each.values[parameter.name] for each in met]))
-    if parameter.remark or apart < (parameter.type_a or 0.0):
+    if parameter.value is None or parameter.remark or reach.above - reach.below < (parameter.type_a or 0.0):
         return parameter
     remark = Message(
         "it changes with what has no name ({structure}); the interval holds what it is over these rows",

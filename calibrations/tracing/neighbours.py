@@ -9,7 +9,7 @@ comes and goes, looks much like one and has its rest elsewhere: whether it is th
 alone decide.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Final
 
@@ -58,12 +58,26 @@ def neighbours(
         *_with_one_less(everything, trace),
         *_elsewhere(everything, others),
     ]
+    return _likely([*_weighed(trace, listed), *_course_for_walk(everything, trace)])
+
+
+def in_other_shapes(tracer: Tracer[Any], trace: Trace) -> list[Neighbour]:
+    """The same explanation with its structure in every other shape that it could have.
+
+    What is expected to wander is left out: such a course could be anything, and the random walk stands for it.
+    """
+    everything = tracer.without(frozenset())
+    return _likely(_weighed(trace, _elsewhere(everything, _shaped_otherwise(everything, trace))))
+
+
+def _weighed(trace: Trace, listed: Iterable[tuple[str, Trace]]) -> Iterator[Neighbour]:
+    """Explanations by the name of what differs in each, with their odds against a trace."""
     least = _plausibility(trace)
-    weighed = [
-        Neighbour(trace=each, odds=float(np.exp(0.5 * min(least - _plausibility(each), 0.0))), differs=name)
-        for name, each in listed
-    ]
-    weighed.extend(_course_for_walk(everything, trace))
+    for name, each in listed:
+        yield Neighbour(trace=each, odds=float(np.exp(0.5 * min(least - _plausibility(each), 0.0))), differs=name)
+
+
+def _likely(weighed: Iterable[Neighbour]) -> list[Neighbour]:
     return [each for each in weighed if each.odds > _LEAST]
 
 
@@ -100,7 +114,7 @@ def _with_one_less(tracer: Tracer[Any], trace: Trace) -> Iterator[tuple[str, Tra
         yield name, replace(rest, deviance=tracer.table.deviance(rest.forms, rest.noise))
 
 
-def _elsewhere(tracer: Tracer[Any], others: Sequence[Trace]) -> Iterator[tuple[str, Trace]]:
+def _elsewhere(tracer: Tracer[Any], others: Iterable[Trace]) -> Iterator[tuple[str, Trace]]:
     """Traces with other structure, each with its deviance."""
     for other in others:
         table = tracer.beside(other.components).table
@@ -129,17 +143,12 @@ def _course_for_walk(tracer: Tracer[Any], trace: Trace) -> Iterator[Neighbour]:
             yield Neighbour(trace=other, odds=odds, differs=WALK)
 
 
-def in_other_shapes(tracer: Tracer[Any], trace: Trace) -> Iterator[Trace]:
-    """The trace with each component as a course that has no shape, but for what is expected to wander.
-
-    A course in time, where one is expected, could be anything: the random walk stands for it.
-    """
-    everything = tracer.without(frozenset())
+def _shaped_otherwise(tracer: Tracer[Any], trace: Trace) -> Iterator[Trace]:
     for component in trace.components:
         if component.axis.expected:
             continue
         rest = trace.without(component.name)
-        seen = seen_beside(everything.beside(rest.components).table, rest.forms, rest.noise)
-        proposal = Family(component.axis, FALSE_ALARM).best_course(seen)
-        if proposal.shape != component.shape:
-            yield in_place(rest, proposal)
+        seen = seen_beside(tracer.beside(rest.components).table, rest.forms, rest.noise)
+        for proposal in Family(component.axis, FALSE_ALARM).every(seen):
+            if proposal.shape != component.shape:
+                yield in_place(rest, proposal)

@@ -87,12 +87,17 @@ class SimulatedHead:
         Limits, counts and speed.
     before_move
         Called before every move, so that the world can follow the path travelled until then.
+    serial
+        Number by which it is told from another.
     """
 
-    def __init__(self, clock: Clock, options: HeadOptions, before_move: Callable[[], None]) -> None:
+    def __init__(
+        self, clock: Clock, options: HeadOptions, before_move: Callable[[], None], serial: str = "SIM-HEAD"
+    ) -> None:
         self._clock = clock
         self._options = options
         self._before_move = before_move
+        self._serial = serial
         self.move = self._move(0.0, 0.0)
         """What the head does now, or did last."""
         self.direction = 0
@@ -110,7 +115,7 @@ class SimulatedHead:
 
     def identify(self) -> Identity:
         """Say that it is simulated."""
-        return Identity(model="tumble simulated head", serial="SIM-HEAD")
+        return Identity(model="tumble simulated head", serial=self._serial)
 
     def home(self) -> None:
         """Go to zero, wherever the limits are."""

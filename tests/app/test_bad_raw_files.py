@@ -32,7 +32,15 @@ BAD_TABLES = {
         ", line 2, column mount: 'side' is no mount; known are face-up, face-up-90, face-down, edge, edge-back, end",
     ),
     "no UTF-8": (TABLE.encode() + b"# \xe4\n", ", line 4: not UTF-8 (byte 0xe4); save the table as UTF-8"),
-    "overloads only": ("angle_deg,voltage_V\n0,9.9e37\n", ": no usable row (1 set aside); measure again"),
+    "overloads only": (
+        "angle_deg,voltage_V\n0,9.9e37\n",
+        ": no usable row, 1 set aside (row 1: overload: voltage_v is 9.9e+37); correct the table, or measure again",
+    ),
+    "a gyrocompass at a pole": (
+        "azimuth_deg,rate_deg_h,latitude_deg\n0,1,-90\n90,2,-90\n",
+        ": no usable row, 2 set aside (row 1: latitude_deg is -90: so near a pole next to nothing of the earth "
+        "rate is level, and there is no heading); correct the table, or measure again",
+    ),
     "no output": (
         "angle_deg,reference_deg\n0,0.1\n",
         ": there is no column voltage_V; a calibration needs the unit's output",
@@ -101,7 +109,7 @@ def test_a_recording_cut_before_its_first_point_is_bad_input(cut):
     ran = tumble("fit", recording)
 
     assert ran.status == 2
-    assert ran.complaint == f"{recording}: no usable row (0 set aside); measure again"
+    assert ran.complaint == f"{recording}: no usable row; measure again"
 
 
 def test_a_cut_recording_is_fitted_with_a_warning_and_marked_incomplete(cut, tmp_path):

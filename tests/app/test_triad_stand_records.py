@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 from app_jobs import tumble
 
+from tumble.app.stand_records import identity_of_stand
+
 STAND = (resources.files("tumble.procedures.methods.triad") / "stand.toml").read_text("utf-8")
 EFFECTS = """
 [simulated.effects]
@@ -119,3 +121,21 @@ def test_a_stand_that_has_changed_contradicts_its_record(bench):
     assert ran.status == 0, ran.err
     assert "stand record 2 says axes_orthogonality 30" in ran.err
     assert "this run says axes_orthogonality 5" in ran.err
+
+
+def test_a_stand_whose_axes_changed_places_is_another_stand():
+    stand = {"name": "table", "positioners": {"outer": {"driver": "zaber"}, "inner": {"driver": "zaber"}}}
+
+    as_built, exchanged = (
+        identity_of_stand(stand, {"outer": outer, "inner": inner}) for outer, inner in (("51", "52"), ("52", "51"))
+    )
+
+    assert as_built.head == "inner zaber 52, outer zaber 51"
+    assert exchanged != as_built
+
+
+def test_the_record_names_each_simulated_axis(bench):
+    told = tumble("stand", "list", "--store", bench.folder / "store").out
+
+    assert "SIM-INNER" in told
+    assert "SIM-OUTER" in told

@@ -6,6 +6,8 @@ from pathlib import Path
 import pytest
 from app_jobs import tumble
 
+import tumble as product
+
 POSITIONS = """method = "triad"
 name = "positions"
 dwell_s = 0.2
@@ -75,3 +77,22 @@ def test_a_record_of_files_beside_its_store_is_verified():
     assert ran.status == 0, ran.err
 
     assert "1 of 1 records agree" in tumble("records", "verify", "--store", "s").out
+
+
+def test_the_noise_is_told_from_the_recording_alone_and_makes_a_programme():
+    run("still", STILL.format(dwell_s=600))
+
+    ran = tumble("allan", "still.mcap", "--json", "a.json")
+
+    assert ran.status == 0, ran.err
+    noise = json.loads(Path("a.json").read_text("utf-8"))
+    assert noise["samples"] == 30_000
+    assert {*noise["outputs"]} == {"u_x_V", "u_y_V", "u_z_V"}
+    assert product.allan("still.mcap").document() == noise
+
+
+def test_dwells_of_few_samples_are_refused_in_a_sentence():
+    ran = tumble("allan", "positions.mcap")
+
+    assert (ran.status, ran.out) == (2, "")
+    assert "positions.mcap: its first dwell has fewer than" in ran.err

@@ -74,6 +74,11 @@ def test_a_plan_says_what_its_dwells_tell(name, told, rank, folder):
     assert (set(document["uncertainty_ug_g2_per_ug"]), document["rank"]) == (told, rank)
 
 
+def test_one_frequency_is_no_range(folder):
+    said = done("plan", programme(folder, "levels_g = [5, 10]\nfrequencies_Hz = [81.3]"))
+    assert "Peaks of 5 to 10 g at 81.3 Hz." in said
+
+
 def test_a_double_centrifuge_with_one_axis_up_tells_the_sum(folder):
     said = done("plan", programme(folder, f"{CENTRIFUGE}main_rad_s = [4.4, 6.3]\nfrequencies_Hz = [1]"))
     assert "k_ii+k_pp" in said

@@ -40,5 +40,14 @@ def test_a_fault_loses_and_doubles_nothing(case, reason, tmp_path):
     assert result.resumed == (0 if reason is FinishReason.COMPLETED else 1)
 
 
+@pytest.mark.parametrize(("pair", "device"), [("serial", "inner"), ("CAN", "inner"), ("serial", "scanner")])
+def test_another_unit_is_refused(pair, device, tmp_path):
+    result = carried_out(Case(pair=pair, device=device, kind="swapped"), tmp_path)
+
+    assert (result.happened, result.lost, result.doubled, result.resting) == (True, 0, 0, True)
+    assert (result.reason, result.resumed) == (FinishReason.DEVICE_FAULT, -1)
+    assert "the run was begun with" in result.message
+
+
 def test_there_are_more_than_twenty_kinds():
     assert len({(case.device, case.kind) for pair in ("serial", "CAN") for case in cases(pair)}) >= 20

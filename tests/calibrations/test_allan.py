@@ -200,7 +200,7 @@ def test_a_value_that_is_missing_is_a_gap(tmp_path):
 @pytest.mark.parametrize(
     ("rows", "said"),
     [
-        (["0,1,23", "1,2,23", "1,3,23"], "row 3: time_s does not ascend"),
+        (["0,1,23", "1,2,23", "1,3,23"], "line 4: time_s does not ascend"),
         ([f"{second},{second % 7},23" for second in range(200)], "200 samples without a gap; 256 are the fewest"),
         ([f"{second},1.5,23" for second in range(300)], "column u_x_V: never changes"),
     ],

@@ -4,7 +4,9 @@ import numpy as np
 import pytest
 from tables import FLIPS, UNIT, gravity_on, sweep, table
 
+from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.methods.dividing_head.loop.loop import close_loop
+from tumble.calibrations.tracing.averaged import Reach, averaged
 
 TWO_MOUNTS = (*FLIPS, sweep("face-up"), sweep("face-down"))
 ONE_MOUNT = (*FLIPS, sweep("face-up"))
@@ -58,3 +60,21 @@ def test_in_several_mounts_no_value_rests_on_the_absence_of_anything():
     loop = close_loop(table(*FLIPS, *mounts, realisations=2))
 
     assert [name for name, each in loop.augmented.parameters.items() if each.rests_on_absence] == []
+
+
+def test_what_it_is_at_an_unknown_place_moves_the_ends_of_an_interval():
+    low, high = 0.8, 1.2
+    stated = Parameter(
+        name="bias",
+        unit="V",
+        value=1.0,
+        standard_uncertainty=0.1,
+        type_a=0.1,
+        degrees_of_freedom=50.0,
+        interval_95=(low, high),
+    )
+
+    after, (line,) = averaged({"bias": stated}, [], {}, {"bias": Reach(below=-0.5, above=2.0)})
+
+    assert after["bias"].interval_95 == pytest.approx((low - 0.5, high + 2.0))
+    assert line.contributions["bias"] > 0.0

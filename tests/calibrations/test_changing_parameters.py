@@ -65,3 +65,19 @@ def test_of_a_rectification_that_falls_with_the_frequency_it_is_not_known_which_
     assert inside(loop.augmented.parameters["k_ii"], made.coefficients[0])
     assert inside(loop.augmented.parameters["k_oo"], made.coefficients[1])
     assert loop.augmented.parameters["k_oo"].standard_uncertainty < 0.1
+
+
+@pytest.mark.parametrize("seed", [117, 153])
+def test_the_ends_of_a_course_are_held_as_surely_as_its_middle(seed):
+    _, made, _ = drawn("novel", vibration.SEEDS["development"] + seed)
+
+    assert inside(vibration.closed(made).augmented.parameters["k_ii"], made.coefficients[0])
+
+
+def test_four_frequencies_do_not_tell_how_wide_a_bump_is_and_the_interval_holds_every_width():
+    """A mode of the fixture, 0.4 octaves wide; the bump that is stated is 0.6."""
+    _, made, _ = drawn("novel", vibration.SEEDS["development"] + 130)
+    k_ii = vibration.closed(made).augmented.parameters["k_ii"]
+
+    assert abs(k_ii.value - made.coefficients[0]) > 3.0 * k_ii.type_a
+    assert inside(k_ii, made.coefficients[0])

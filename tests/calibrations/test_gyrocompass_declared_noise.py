@@ -85,13 +85,13 @@ def test_overlapping_dwells_have_no_covariance_of_their_means(tmp_path):
 
 @pytest.mark.parametrize("size", [-1e-3, float("inf"), 1e-300, 1e200])
 def test_a_size_that_no_gyro_has_is_refused_with_its_place(tmp_path, size):
-    with pytest.raises(TableError, match=r"row 1, column angle_random_walk_deg_sqrt_h: .* leave the column out"):
+    with pytest.raises(TableError, match=r"line 2, column angle_random_walk_deg_sqrt_h: .* leave the column out"):
         loop_of(tmp_path, angle_random_walk_deg_sqrt_h=size)
 
 
 @pytest.mark.parametrize("correlation_s", [-1000.0, 0.0])
 def test_a_correlation_time_is_above_zero(tmp_path, correlation_s):
-    with pytest.raises(TableError, match=r"row 1, column correlation_s: "):
+    with pytest.raises(TableError, match=r"line 2, column correlation_s: "):
         loop_of(tmp_path, gauss_markov_deg_h=0.2, correlation_s=correlation_s)
 
 
@@ -101,8 +101,18 @@ def test_two_gyros_in_one_table_are_refused(tmp_path):
     sizes[4] *= 2.0
     write(tmp_path / "table.csv", made.columns | {"angle_random_walk_deg_sqrt_h": sizes})
 
-    with pytest.raises(TableError, match=r"row 5, column angle_random_walk_deg_sqrt_h: .* the same in every row"):
+    with pytest.raises(TableError, match=r"line 6, column angle_random_walk_deg_sqrt_h: .* the same in every row"):
         read_gyrocompass_table(tmp_path / "table.csv")
+
+
+def test_the_place_is_the_line_of_the_file_comments_counted(tmp_path):
+    path = tmp_path / "table.csv"
+    path.write_text(
+        "# by hand\nazimuth_deg,rate_deg_h,latitude_deg,correlation_s\n0,1,50,10\n\n# turned\n90,2,50,-1\n", "utf-8"
+    )
+
+    with pytest.raises(TableError, match=r"line 6, column correlation_s: -1 is nothing"):
+        read_gyrocompass_table(path)
 
 
 def test_a_declared_noise_that_cannot_be_used_is_said(tmp_path):

@@ -1,5 +1,7 @@
 """Samples of dwells reduced: at the bound where the plain mean errs by milligrams, or refused by name."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -92,6 +94,40 @@ def test_a_clipped_output_is_refused(limit_g):
     found = reduced(three(sine(38.9), 38.9, limit_g=limit_g))
     assert found.rectification.value_ug is None
     assert "clipping: the wave of output_g is cut at its peak" in found.warnings[0]
+
+
+def test_an_output_that_never_changes_is_refused():
+    still = [replace(each, output_g=np.full(COUNT, 0.25)) for each in three(sine(38.9), 38.9).dwells]
+    found = reduced(SampledDwells(dwells=tuple(still)))
+    assert found.rectification.value_ug is None
+    assert [each.mean.value_ug for each in found.dwells] == [None, None, None]
+    assert "dwell 1: output_g never changes" in found.warnings[0]
+
+
+def test_a_reference_that_never_changes_under_vibration_is_refused():
+    before, moved, after = three(sine(38.9), 38.9).dwells
+    moved = replace(moved, references_g=(np.zeros(COUNT), np.zeros(COUNT)))
+    found = reduced(SampledDwells(dwells=(before, moved, after)))
+    assert found.rectification.value_ug is None
+    assert "dwell 2: reference_i_g never changes" in found.warnings[0]
+
+
+@pytest.mark.parametrize("times", [1.5, 0.667, 2.0, 0.5])
+def test_a_drive_that_is_wrongly_stated_is_refused(times):
+    found = reduced(three(sine(38.9), 38.9 * times))
+    assert found.rectification.value_ug is None
+    assert "drive_Hz is wrong: the vibration is at 39 Hz" in found.warnings[0]
+
+
+def test_a_drive_beside_stronger_random_vibration_is_no_wrong_one():
+    motion = sine(38.9, amplitude_g=2.0) + np.random.default_rng(6).normal(0.0, 3.0, COUNT)
+    assert reduced(three(motion, 38.9)).warnings == ()
+
+
+def test_an_output_in_another_unit_than_the_reference_is_asked_about():
+    milli = [replace(each, output_g=1e3 * each.output_g) for each in three(sine(38.9), 38.9).dwells]
+    (asked,) = reduced(SampledDwells(dwells=tuple(milli))).warnings
+    assert asked.startswith("dwell 2: output_g vibrates 1000 times as much as reference_i_g; is it in g")
 
 
 @pytest.mark.parametrize("second", [0.0, 0.05, -0.05])

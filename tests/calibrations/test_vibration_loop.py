@@ -11,7 +11,7 @@ from tumble.calibrations.methods.vibration.effects.stand import arm_ug, partial_
 from tumble.calibrations.methods.vibration.effects.unit import fourth_order
 from tumble.calibrations.methods.vibration.effects.unnamed import unnamed
 from tumble.calibrations.methods.vibration.experiments import next_experiments
-from tumble.calibrations.methods.vibration.loop import close_vibration_loop
+from tumble.calibrations.methods.vibration.loop import close_vibration_loop, declared_fit
 from tumble.calibrations.methods.vibration.probes import PROBES, circle, shaken
 from tumble.calibrations.methods.vibration.scene import VibrationScene
 
@@ -202,3 +202,41 @@ def test_the_document_has_the_keys_of_the_contract():
     assert found["augmented"]["held_out_rms_ug"] > 0.0
     assert {each["axis"] for each in found["vrc"]} == {"i", "o", "p"}
     assert all(line["straight"] for line in found["dc_against_g2"])
+
+
+def at_levels(rows, *levels_g):
+    """Dwells of which only the rests and those of some levels are left."""
+    return rows.select(np.isin(np.round(rows.level, 3), [0.0, *levels_g]))
+
+
+def remark(rows, name="k_ii"):
+    return close_vibration_loop(measured(rows)).augmented.parameters[name].remark
+
+
+def test_a_coefficient_of_one_level_says_that_no_curvature_is_seen():
+    rows = dwells(*SINGLE, passes=2)
+    level_g = float(rows.level.max())
+
+    assert "it comes of one level of vibration" in remark(at_levels(rows, round(level_g, 3)))
+    assert "sideways motion" in remark(at_levels(rows, round(level_g, 3)))
+    assert "one level" not in remark(rows)
+
+
+def test_each_coefficient_asks_for_its_own_levels():
+    rows = dwells(shaken(I, O), shaken(P, I), passes=2)
+    mounting, level_g = np.asarray(rows.mounting), float(rows.level.max())
+    mixed = rows.select((mounting == mounting.min()) | np.isin(rows.level, [0.0, level_g]))
+
+    assert "one level" not in remark(mixed)
+    assert "one level" in remark(mixed, "k_pp")
+
+
+def test_outputs_of_a_thousandth_are_asked_about():
+    rows = measured(dwells(*SINGLE, passes=2))
+    milli = with_columns(rows, output_ug=1e-3 * rows.output_ug, output_u_ug=None)
+
+    (asked,) = declared_fit(milli).observations.warnings
+    assert asked.startswith("output_ug repeats to 0.00")
+    assert "is it in mg" in asked
+    assert document(close_vibration_loop(milli))["warnings"] == [asked]
+    assert declared_fit(rows).observations.warnings == ()

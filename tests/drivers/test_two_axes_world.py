@@ -97,3 +97,11 @@ def test_a_channel_that_the_unit_lacks_is_refused():
 def test_an_effect_that_there_is_not_is_refused_with_those_that_there_are():
     with pytest.raises(ValueError, match=r"unknown effect 'w.k_xx'; known are .*axes_orthogonality"):
         SimulatedTwoAxes.model_validate({"effects": {"w.k_xx": 1.0}})
+
+
+def test_each_axis_has_a_serial_number_of_its_own():
+    world = TwoAxesWorld(SimulatedTwoAxes(), Surroundings(clock=VirtualClock(wall_start_ns=0)))
+
+    serials = {name: head.identify().serial for name, head in world.positioners.items()}
+
+    assert serials == {"outer": "SIM-OUTER", "inner": "SIM-INNER"}

@@ -44,11 +44,9 @@ class VibrationPromise:
         untold = [name for name in NAMES if name not in self.uncertainties_ug_g2]
         found = [
             Message(
-                "Peaks of {least:.3g} to {most:.3g} g at {low:.4g} to {high:.4g} Hz.",
-                least=self.levels_g[0],
-                most=self.levels_g[1],
-                low=self.frequencies_hz[0],
-                high=self.frequencies_hz[1],
+                "Peaks of {levels} g at {frequencies} Hz.",
+                levels=_range(self.levels_g, ".3g"),
+                frequencies=_range(self.frequencies_hz, ".4g"),
             ),
             Message(
                 "Of five coefficients these dwells tell {rank}; standard uncertainty in µg/g² for each µg of a dwell: "
@@ -69,6 +67,12 @@ class VibrationPromise:
             "rank": self.rank,
             "uncertainty_ug_g2_per_ug": self.uncertainties_ug_g2,
         }
+
+
+def _range(ends: tuple[float, float], digits: str) -> str:
+    """Both ends of a range; one number where they are written alike."""
+    low, high = (format(end, digits) for end in ends)
+    return low if low == high else Message("{low} to {high}", low=low, high=high)
 
 
 def promise(planned: Plan, stand: WrittenStand) -> VibrationPromise | None:

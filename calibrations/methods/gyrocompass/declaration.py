@@ -9,6 +9,7 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.cells import TableError
 from tumble.calibrations.core.rows import Rows
+from tumble.calibrations.core.table import line_of
 from tumble.messages import Message
 
 SIZES: Final = (
@@ -68,10 +69,10 @@ def _check(rows: Rows, name: str, path: Path) -> None:
         first = int(np.argmax(bad))
         raise TableError(
             Message(
-                "{path}, row {row}, column {name}: {value:g} is nothing that a gyro has; write a number from {least:g} "
-                "to {most:g}, or leave the column out",
+                "{path}, line {line}, column {name}: {value:g} is nothing that a gyro has; write a number from "
+                "{least:g} to {most:g}, or leave the column out",
                 path=path,
-                row=rows.row[first],
+                line=line_of(path, int(rows.row[first])),
                 name=name,
                 value=values[first],
                 least=_LEAST,
@@ -83,10 +84,10 @@ def _check(rows: Rows, name: str, path: Path) -> None:
         first = int(np.argmax(other))
         raise TableError(
             Message(
-                "{path}, row {row}, column {name}: {value:g}, and {declared:g} in a row above; declare one gyro, the "
-                "same in every row",
+                "{path}, line {line}, column {name}: {value:g}, and {declared:g} in a line above; declare one gyro, "
+                "the same in every row",
                 path=path,
-                row=rows.row[first],
+                line=line_of(path, int(rows.row[first])),
                 name=name,
                 value=values[first],
                 declared=declared,

@@ -9,13 +9,15 @@ from numpy.typing import NDArray
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.repeats import labels
-from tumble.calibrations.core.rows import Kind, Rows, column
+from tumble.calibrations.core.rows import Kind, Rows, SetAside, column
 from tumble.calibrations.core.screening import beyond, with_likely_temperatures, without_missing
 from tumble.calibrations.core.table import read_rows
 from tumble.calibrations.methods.gyrocompass.declaration import with_checked_noise
+from tumble.messages import Message
 
 _MOST_DEG: Final = 1e6
 """Beyond any turntable: 2,777 turns."""
+_POLE_DEG: Final = 90.0
 _MOST_LATITUDE_DEG: Final = 89.0
 """So near a pole next to nothing of the earth rate is level, and there is no heading."""
 
@@ -78,8 +80,8 @@ class GyrocompassObservations(Rows):
 def read_gyrocompass_table(path: Path) -> GyrocompassObservations:
     """Read the table of a gyrocompass.
 
-    Rows without finite angle, rate, tilt, latitude or time, an overload, and an angle beyond any turntable are set
-    aside.
+    Rows without finite angle, rate, tilt, latitude or time, an overload, an angle beyond any turntable and a latitude
+    at a pole are set aside.
 
     Raises
     ------
@@ -89,5 +91,23 @@ def read_gyrocompass_table(path: Path) -> GyrocompassObservations:
     """
     rows = without_missing(read_rows(path, GyrocompassObservations), ("rate_deg_h",))
     rows = rows.without(beyond(rows, "azimuth_deg", np.abs(rows.azimuth_deg) > _MOST_DEG, "any turntable"))
-    rows = rows.without(beyond(rows, "latitude_deg", np.abs(rows.latitude_deg) > _MOST_LATITUDE_DEG, "a pole"))
+    rows = rows.without(_at_a_pole(rows))
     return with_likely_temperatures(with_checked_noise(rows, path))
+
+
+def _at_a_pole(rows: GyrocompassObservations) -> tuple[SetAside, ...]:
+    """Rows at latitudes where there is no heading."""
+    near = np.abs(rows.latitude_deg) > _MOST_LATITUDE_DEG
+    return tuple(
+        SetAside(row=row, reason=_no_heading(value))
+        for row, value in zip(rows.row[near].tolist(), rows.latitude_deg[near].tolist(), strict=True)
+    )
+
+
+def _no_heading(latitude_deg: float) -> Message:
+    if abs(latitude_deg) > _POLE_DEG:
+        return Message("latitude_deg is {value:g}, and no latitude is beyond 90", value=latitude_deg)
+    return Message(
+        "latitude_deg is {value:g}: so near a pole next to nothing of the earth rate is level, and there is no heading",
+        value=latitude_deg,
+    )

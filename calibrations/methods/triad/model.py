@@ -2,7 +2,7 @@
 
 The output of channel i is `u_i = bias_i + scale_i (a_i + Σ m_ij a_j)` with gravity a of `geometry`. Inside, the nine
 products `K_ij = scale_i m_ij` (m_ii = 1) and the two levels stand for scales and angles: u = bias + K a, exactly.
-All channels are stacked, x first, then y, then z.
+Rows are those of channels x, y, z of each dwell in turn.
 """
 
 from dataclasses import dataclass, replace
@@ -39,7 +39,7 @@ _ROUNDS = 8
 
 
 def functions(directions: Directions) -> FloatArray:
-    """Functions of the positions for all channels, shape (3 rows, 30)."""
+    """Functions of the positions for all channels, x, y, z of each dwell in turn, shape (3 rows, 30)."""
     rows = len(directions.level)
     one = np.column_stack([np.ones(rows), directions.level, directions.outer, directions.along])
     found = np.zeros((rows, 3, 3, one.shape[1]))

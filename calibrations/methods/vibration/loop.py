@@ -17,6 +17,7 @@ from tumble.calibrations.methods.vibration.fit import VibrationFit, fit_vibratio
 from tumble.calibrations.methods.vibration.gross import gross_errors
 from tumble.calibrations.methods.vibration.models import augmented, declared_model
 from tumble.calibrations.methods.vibration.observations import VibrationObservations
+from tumble.calibrations.methods.vibration.plausible import with_questions
 from tumble.calibrations.methods.vibration.readmitted import still_gross, still_off
 from tumble.calibrations.methods.vibration.table import (
     VibrationTable,
@@ -90,7 +91,7 @@ def _declared(
     table = vibration_table(used, observations, reference_temperature_degc)
     fit = fit_vibration(table, nothing_found(table))
     return VibrationDeclared(
-        observations=used, table=table, fit=fit, model=declared_model(table, fit, nothing_found(table))
+        observations=with_questions(table), table=table, fit=fit, model=declared_model(table, fit, nothing_found(table))
     )
 
 

@@ -9,7 +9,7 @@ from tumble.calibrations.core.arrays import BoolArray
 from tumble.calibrations.core.budget import BudgetLine
 from tumble.calibrations.core.parameter import ModelFit, Parameter
 from tumble.calibrations.methods.vibration.fit import VibrationFit, fit_vibration, second_fits
-from tumble.calibrations.methods.vibration.model import values_of
+from tumble.calibrations.methods.vibration.model import NAMES, values_of
 from tumble.calibrations.methods.vibration.observations import SHAKER
 from tumble.calibrations.methods.vibration.table import VibrationTable
 from tumble.calibrations.tracing.explained import RIVALS_APART, Explained
@@ -19,6 +19,8 @@ from tumble.calibrations.tracing.penalties import NEAR
 from tumble.calibrations.tracing.trace import Trace, Tracer
 from tumble.messages import Message
 
+_ONE_LEVEL: Final = 1.2
+"""Mean squares of which the largest is no more than so many times the smallest show no curvature."""
 _FOLDS: Final = 6
 """Into so many parts the settings are dealt for the held-out error, every repeat of one in the same part."""
 
@@ -52,15 +54,33 @@ def _modelled(
 
 
 def _remarked(table: VibrationTable, parameter: Parameter) -> Parameter:
-    """What one direction of the drive takes for a coefficient is said with its value."""
-    if parameter.name != "k_ii" or parameter.value is None or not _absorbs(table):
+    """What one direction of the drive takes for a coefficient, and what one level does not show, is said with it."""
+    every = (parameter.remark, _absorbed(table, parameter), _one_level(table, parameter))
+    said = [sentence for sentence in every if sentence]
+    if parameter.value is None or not said:
         return parameter
-    return replace(
-        parameter,
-        remark=Message(
-            "with the drive in one direction of the unit alone, sideways motion of the shaker and a lean of its table "
-            "are part of it; turn the unit by 180° about its input axis, and reverse that axis"
-        ),
+    return replace(parameter, remark=Message.joined("; ", said))
+
+
+def _absorbed(table: VibrationTable, parameter: Parameter) -> str:
+    if parameter.name != NAMES[0] or not _absorbs(table):
+        return ""
+    return Message(
+        "with the drive in one direction of the unit alone, sideways motion of the shaker and a lean of its table "
+        "are part of it; turn the unit by 180° about its input axis, and reverse that axis"
+    )
+
+
+def _one_level(table: VibrationTable, parameter: Parameter) -> str:
+    """That a coefficient comes of one level of vibration alone."""
+    names = parameter.name.split("+")
+    products_g2 = np.abs(table.scene.products_g2[:, [NAMES.index(name) for name in names]]).max(axis=1)
+    levels_g2 = products_g2[products_g2 > 0.0]
+    if not len(levels_g2) or levels_g2.max() > _ONE_LEVEL * levels_g2.min():
+        return ""
+    return Message(
+        "it comes of one level of vibration: whether the rectification grows as the square of it is not seen; add a "
+        "level of half as much"
     )
 
 

@@ -2,9 +2,13 @@
 
 from collections.abc import Iterator
 from functools import partial
+from typing import Final
 
+from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.tracing.shapes.along import Along, Shape, named, sides
 from tumble.messages import Message
+
+BUMP: Final = "bump"
 
 
 def bumps(along: Along) -> Iterator[Shape]:
@@ -13,17 +17,32 @@ def bumps(along: Along) -> Iterator[Shape]:
     if not len(tried):
         return
     coarse, _ = along.best_pair(coordinate.bells_tried)
-    finer = coordinate.bumps_near(*tried[coarse].tolist())
+    yield _best(along, coordinate.bumps_near(*tried[coarse].tolist()))
+
+
+def _best(along: Along, finer: FloatArray) -> Shape:
+    """The best of some bumps, shape (bumps, 2)."""
+    coordinate = along.coordinate
     bells = coordinate.bells(finer)
     best, gain = along.best_pair(bells)
     place, width = (coordinate.shown(value) for value in finer[best].tolist())
-    yield Shape(
-        name=named("bump", finer[best].tolist()),
+    return Shape(
+        name=named(BUMP, finer[best].tolist()),
         described=Message("near {place}, within some {width}", place=place, width=width),
         columns=partial(sides, bells, best),
         gained=gain,
-        tried=len(tried),
+        tried=len(coordinate.bumps_tried),
     )
+
+
+def bumps_about(along: Along) -> Iterator[Shape]:
+    """The best bump of each width, and those beside it: a few places tell neither its width nor its centre."""
+    coordinate = along.coordinate
+    for width in coordinate.widths.tolist():
+        if len(tried := coordinate.bumps_of(width)):
+            coarse, _ = along.best_pair(coordinate.bells(tried))
+            for each in coordinate.bumps_beside(*tried[coarse].tolist()):
+                yield _best(along, each[None])
 
 
 def spots(along: Along) -> Iterator[Shape]:

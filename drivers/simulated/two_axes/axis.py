@@ -49,7 +49,7 @@ class Axis:
         self, name: str, effects: TwoAxesEffects, clock: Clock, options: HeadOptions, before_move: Callable[[], None]
     ) -> None:
         self.name = name
-        self.head = SimulatedHead(clock, options, before_move)
+        self.head = SimulatedHead(clock, options, before_move, serial=f"SIM-{name.upper()}")
         self._errors = AxisErrors.of(name, effects)
 
     def true_rad(self, times_s: FloatArray, tau_s: float) -> FloatArray:

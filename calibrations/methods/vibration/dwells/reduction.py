@@ -8,7 +8,7 @@ import numpy as np
 
 from tumble.calibrations.methods.vibration.dwells.broadband import BroadbandFit, fit_broadband, has_line
 from tumble.calibrations.methods.vibration.dwells.long_run import mean_uncertainty
-from tumble.calibrations.methods.vibration.dwells.refusals import refused
+from tumble.calibrations.methods.vibration.dwells.refusals import asked, constant, refused, wrong_drive
 from tumble.calibrations.methods.vibration.dwells.samples import RANDOM, REST, SampledDwells, Samples
 from tumble.calibrations.methods.vibration.dwells.sine import SineFit, fit_sines, fitted_at
 from tumble.messages import Message
@@ -108,8 +108,9 @@ def reduced(sampled: SampledDwells) -> Reduction:
     """Reduce the dwells of a file; what refuses to be reduced has a reason in place of its mean, and a warning."""
     noise = _rest_variances(sampled.dwells)
     dwells = tuple(_reduced(each, noise) for each in sampled.dwells)
-    told = [Message("dwell {number}: {reason}", number=each.samples.dwell, reason=each.mean.reason)
-            for each in dwells if each.mean.reason]  # fmt: skip
+    said = [(each, each.mean.reason or asked(each.samples)) for each in dwells]
+    told = [Message("dwell {number}: {reason}", number=each.samples.dwell, reason=reason)
+            for each, reason in said if reason]  # fmt: skip
     rests = sum(not each.vibrated for each in dwells)
     if rests < 2 and rests < len(dwells):
         told.append(
@@ -127,18 +128,26 @@ def _rest_variances(dwells: Sequence[Samples]) -> tuple[float, ...]:
 def _reduced(samples: Samples, noise: Sequence[float]) -> ReducedDwell:
     if samples.kind == REST:
         return _rest(samples)
+    if reason := constant(samples.output_g, samples.references_g):
+        return ReducedDwell(samples=samples, kind=samples.kind, mean=_refused(reason))
     if samples.kind == RANDOM or not (samples.drive_hz > 0.0 or has_line(samples)):
         return _random(samples, fit_broadband(samples, noise))
     return _sine(samples, noise)
 
 
 def _rest(samples: Samples) -> ReducedDwell:
+    if reason := constant(samples.output_g, ()):
+        return ReducedDwell(samples=samples, kind=REST, mean=_refused(reason))
     mean_g = float(samples.output_g.mean())
     uncertainty_g = mean_uncertainty(samples.output_g - mean_g)
     nothing = MeanProducts(ii_g2=0.0, oo_g2=0.0, io_g2=0.0)
     return ReducedDwell(
         samples=samples, kind=REST, mean=_in_ug(mean_g, uncertainty_g), amplitude_g=0.0, products=nothing
     )
+
+
+def _refused(reason: str) -> Estimate:
+    return Estimate(value_ug=None, standard_uncertainty_ug=None, reason=reason)
 
 
 def _in_ug(mean_g: float, uncertainty_g: float) -> Estimate:
@@ -157,20 +166,20 @@ def _random(samples: Samples, fit: BroadbandFit) -> ReducedDwell:
 
 
 def _sine(samples: Samples, noise: Sequence[float]) -> ReducedDwell:
-    channels = (samples.output_g, *samples.references_g)
-    nominal_hz = samples.drive_hz or has_line(samples)
+    channels, line_hz = (samples.output_g, *samples.references_g), has_line(samples)
+    nominal_hz = samples.drive_hz or line_hz
     fit = fit_sines(samples.time_s, channels[:2], nominal_hz)
     away_s = samples.time_s - samples.middle_s
     fits = [*fit.channels, *(fitted_at(away_s, each, fit.frequency_hz) for each in channels[2:])]
     named = dict(zip(("output_g", *_CHANNELS), channels, strict=False))
-    reason = refused(samples.time_s, fit, named)
+    reason = wrong_drive(samples.time_s, fit, channels[:2], line_hz) or refused(samples.time_s, fit, named)
     output, *references = fits
     mean = _in_ug(output.offset, output.offset_uncertainty)
     shown = references[0] if references else output
     return ReducedDwell(
         samples=samples,
         kind=samples.kind,
-        mean=Estimate(value_ug=None, standard_uncertainty_ug=None, reason=reason) if reason else mean,
+        mean=_refused(reason) if reason else mean,
         frequency_hz=fit.frequency_hz,
         amplitude_g=shown.amplitude,
         amplitude_o_g=references[1].amplitude if len(references) > 1 else None,

@@ -1,10 +1,12 @@
-"""What no fit of a dwell mends: a clipped channel, and a drive locked to the clock so that few phases are seen."""
+"""What no fit of a dwell mends: a channel that is clipped or stuck, another drive, or one locked to the clock."""
 
+from collections.abc import Sequence
 from typing import Final
 
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.methods.vibration.dwells.samples import REST, Samples
 from tumble.calibrations.methods.vibration.dwells.sine import DwellFit
 from tumble.messages import Message
 
@@ -20,6 +22,12 @@ _SURE: Final = 6.0
 """Standard deviations by which a top must be flatter."""
 _FEWEST: Final = 12
 """Phases in a window."""
+_LINES: Final = 2.0
+"""Lines of the spectrum; a sine that is nearer to the nominal one is that."""
+_UNEXPLAINED: Final = 0.5
+"""Of the variance of a channel; a fit that leaves more of it is of another sine."""
+_ANOTHER_UNIT: Final = 30.0
+"""In no resonance or roll-off that a unit is calibrated in its output vibrates so many times as much, or less."""
 _EQUAL: Final = 5
 """So many samples that are the extreme value exactly, of a wave that is nowhere else so often the same, are a limit."""
 
@@ -34,6 +42,49 @@ def refused(time_s: FloatArray, fit: DwellFit, channels: dict[str, FloatArray]) 
     return Message(
         "clipping: the wave of {channel} is cut at its peak, and its mean with it; lower the level or widen the range",
         channel=clipped[0],
+    )
+
+
+def constant(output_g: FloatArray, references_g: Sequence[FloatArray]) -> str:
+    """That an output, or every reference, never changes in a dwell; empty where they do."""
+    still = [name for name, channels in (("output_g", [output_g]), ("reference_i_g", references_g)) if channels and
+             not any(np.ptp(each) for each in channels)]  # fmt: skip
+    if not still:
+        return ""
+    return Message(
+        "{channel} never changes: it is stuck, or its noise is below its resolution, and its mean is not known",
+        channel=still[0],
+    )
+
+
+def wrong_drive(time_s: FloatArray, fit: DwellFit, channels: Sequence[FloatArray], line_hz: float) -> str:
+    """That a dwell vibrates at another frequency than its nominal one; empty where it does not.
+
+    `channels` are those of the fit, `line_hz` is the frequency of the strongest sine in them, 0 without one.
+    """
+    shown, values = fit.channels[-1], channels[-1]
+    apart_hz = abs(line_hz - fit.frequency_hz)
+    if not line_hz or apart_hz * np.ptp(time_s) < _LINES or np.var(shown.residual) < _UNEXPLAINED * np.var(values):
+        return ""
+    return Message(
+        "drive_Hz is wrong: the vibration is at {line_hz:.4g} Hz, and next to nothing at {frequency_hz:.4g} Hz; "
+        "correct it",
+        line_hz=line_hz,
+        frequency_hz=fit.frequency_hz,
+    )
+
+
+def asked(samples: Samples) -> str:
+    """Whether an output is in another unit than the reference; empty where it is not."""
+    sizes = [float(np.std(each)) for each in samples.references_g]
+    if samples.kind == REST or not sizes or sizes[0] == 0.0 or sizes[0] < max(sizes):
+        return ""
+    times = float(np.std(samples.output_g)) / sizes[0]
+    if 1.0 / _ANOTHER_UNIT < times < _ANOTHER_UNIT:
+        return ""
+    return Message(
+        "output_g vibrates {times:g} times as much as reference_i_g; is it in g, divided by the scale factor?",
+        times=float(f"{times:.2g}"),
     )
 
 
