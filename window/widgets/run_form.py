@@ -1,6 +1,7 @@
 """What shall be measured: unit, programme, operator."""
 
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 
 from PySide6.QtCore import QSettings, Signal
@@ -25,6 +26,8 @@ class RunForm(QWidget):
     """
 
     changed = Signal()
+    method_chosen = Signal(str)
+    """Of the programme; there is none where that cannot be read."""
     dialog_wanted = Signal(object)
     """`Dialog`."""
 
@@ -108,6 +111,8 @@ class RunForm(QWidget):
 
     def _programme_chosen(self) -> None:
         self._remember()
+        with suppress(InputError):
+            self.method_chosen.emit(load_programme(self.programme.currentText()).method)
         self._summarise()
         self.changed.emit()
 

@@ -70,7 +70,7 @@ class TrendPlot(QWidget):
         self.plot.addItem(self._bars)
         self.plot.addItem(self._marks)
         choice = QHBoxLayout()
-        for title, box in ((tr("P&arameter"), self.parameter), (tr("O&ver"), self.over)):
+        for title, box in ((tr("Parame&ter"), self.parameter), (tr("Ove&r"), self.over)):
             form = QFormLayout()
             form.addRow(title, box)
             choice.addLayout(form)
