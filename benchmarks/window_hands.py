@@ -34,8 +34,12 @@ class Hands:
             self._strike(letter)
 
     def access(self, letter: str) -> None:
-        """Press Alt and the letter that is underlined; a button is seen to go down, and acts when it comes up."""
-        self.press(f"Alt+{letter}")
+        """Press Alt and the letter that is underlined."""
+        self.push(f"Alt+{letter}")
+
+    def push(self, keys: str) -> None:
+        """Press the key of a button, which is seen to go down, and acts when it comes up."""
+        self.press(keys)
         _look_on(_BUTTON_S)
 
     def scan(self, text: str) -> None:

@@ -30,8 +30,6 @@ class Measured:
     method: str
     programme: str
     serial: str
-    prompts: int
-    """How often the person is asked for something."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -43,10 +41,10 @@ class Tabulated:
 
 
 WAYS = (
-    Measured(method="dividing_head", programme="quick", serial="DH-1", prompts=3),
-    Measured(method="triad", programme="12o", serial="TR-1", prompts=0),
-    Measured(method="gyrocompass", programme="0-90-180-270", serial="PG-1", prompts=0),
-    Measured(method="vibration", programme="vibration", serial="V-1", prompts=7),
+    Measured(method="dividing_head", programme="quick", serial="DH-1"),
+    Measured(method="triad", programme="12o", serial="TR-1"),
+    Measured(method="gyrocompass", programme="0-90-180-270", serial="PG-1"),
+    Measured(method="vibration", programme="vibration", serial="V-1"),
     Tabulated(method="head_reference", table="head.csv"),
     Tabulated(method="temperature", table="parameters.csv"),
 )
@@ -81,7 +79,7 @@ class Operator:
             hands.wait(lambda: run.view.asks or self._shown is not before or self._complaints, "a result", _WITHIN_S)
             self._refuse_complaints()
             if run.view.asks:
-                hands.press("F9")
+                hands.push("F9")
                 asked += 1
         self._open_report()
         self._open_record(way.serial)

@@ -5,11 +5,12 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QPushButton
+from PySide6.QtWidgets import QApplication, QPushButton, QVBoxLayout, QWidget
 
 from benchmarks.window_hands import Hands
 from tumble.window.widgets.dialog import FileDialog
 from tumble.window.widgets.key_fields import KeyFields
+from tumble.window.widgets.table import Table
 
 SAMPLES = Path(__file__).parents[2] / "docs" / "samples"
 
@@ -70,6 +71,25 @@ def test_a_file_that_is_asked_for_can_be_typed_at_once_and_the_keyboard_goes_bac
     assert [Path(each).name for each in dialog.files.selectedFiles()] == ["no-such.csv"]
     Hands(driver.window).press("Esc")
     assert with_focus() is records.search.serial
+
+
+def test_a_table_that_tab_reaches_has_a_row_chosen(qtbot):
+    table, button = Table(("unit",)), QPushButton("before")
+    window = QWidget()
+    column = QVBoxLayout(window)
+    column.addWidget(button)
+    column.addWidget(table)
+    qtbot.addWidget(window)
+    table.fill([("A-1",), ("B-2",)])
+    window.show()
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    button.setFocus()
+    assert table.chosen == []
+    Hands(window).press("Tab")
+    assert table.chosen == [0]
+    Hands(window).press("Down")
+    assert table.chosen == [1]
 
 
 def test_a_question_leaves_the_keyboard_to_the_scanner(driver):

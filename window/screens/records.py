@@ -30,6 +30,7 @@ from tumble.window.widgets.trend_plot import TrendPlot
 from tumble.window.work import records as store
 from tumble.window.work.activity import Resumption
 from tumble.window.work.background import Background
+from tumble.window.work.newest import Newest
 
 if TYPE_CHECKING:
     from tumble.calibrations.records.compare import Difference
@@ -54,7 +55,7 @@ class RecordsScreen(QWidget):
 
     def __init__(self, background: Background, folder: Callable[[], Path], parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._background, self._folder = background, folder
+        self._background, self._folder, self._searches = background, folder, Newest(background)
         self.surveyor = Background(self)
         """Looks around in the store, which takes longer than a search and keeps none waiting."""
         self.records: tuple[Record, ...] = ()
@@ -100,7 +101,7 @@ class RecordsScreen(QWidget):
 
     def look(self) -> None:
         """Look for the records that are wanted."""
-        self._background.start(partial(store.search, self._folder(), self.search.wanted()), self._show)
+        self._searches.start(partial(store.search, self._folder(), self.search.wanted()), self._show)
 
     def allow_runs(self, allowed: bool) -> None:
         """Whether the stand is free."""
