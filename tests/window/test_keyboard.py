@@ -73,6 +73,16 @@ def test_a_file_that_is_asked_for_can_be_typed_at_once_and_the_keyboard_goes_bac
     assert with_focus() is records.search.serial
 
 
+def test_after_a_programme_was_chosen_a_scan_is_heard(driver, tiny):
+    driver.window.open(driver.run)
+    driver.run.form._browse.click()
+    hands = Hands(driver.window)
+    hands.scan(str(tiny))
+    assert driver.run.form.programme.currentText() == str(tiny)
+    hands.scan("SN-7")
+    assert driver.run.form.serial.text() == "SN-7"
+
+
 def test_a_table_that_tab_reaches_has_a_row_chosen(qtbot):
     table, button = Table(("unit",)), QPushButton("before")
     window = QWidget()

@@ -42,7 +42,7 @@ class RunForm(QWidget):
         self.add_programme(str(QSettings().value("run/programme", "seed")))
         self.programme.setMinimumContentsLength(14)
         self.operator.setText(str(QSettings().value("run/operator", "")))
-        self._browse = QPushButton(tr("File…"))
+        self._browse = QPushButton(tr("&File…"))
         self._browse.clicked.connect(self._choose_file)
         self.summary = PlainLabel()
         self.summary.setWordWrap(True)
@@ -107,6 +107,7 @@ class RunForm(QWidget):
     def _choose_file(self) -> None:
         dialog = FileDialog(tr("Programme"), Path.cwd(), tr("Programmes (*.toml)"))
         dialog.chosen.connect(lambda path: self.add_programme(str(path)))
+        dialog.dismissed.connect(self.await_scan)
         self.dialog_wanted.emit(dialog)
 
     def _programme_chosen(self) -> None:
