@@ -128,7 +128,7 @@ class Day:
         """The report of a record is written for the customer."""
         hands, page = self.hands, self._folder / "for the customer.pdf"
         hands.tab_to(self._window.records.table)
-        hands.press("Home")
+        hands.press("Down")  # one record alone is chosen
         hands.access("E")
         hands.press("Ctrl+A")
         hands.scan(str(page))
