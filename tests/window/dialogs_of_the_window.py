@@ -58,6 +58,7 @@ def _leave_changed(driver, path):
 DIALOGS = {
     "stand file": lambda driver, path: driver.window.stand._choose(),
     "programme": lambda driver, path: driver.run.form._choose_file(),
+    "file to analyse": lambda driver, path: driver.window.records._choose_file(),
     "export": lambda driver, path: driver.window.records._exporting.ask("20260101-1"),
     "replace": _export_over,
     "discard": lambda driver, path: driver.window.records.discard(path),
@@ -101,6 +102,8 @@ SOURCES = {
     ("screens/stand.py", "FileDialog"),
     ("screens/stand_editor.py", "FileDialog"),
     ("screens/stand_editor.py", "QuestionDialog"),
+    ("screens/exporting.py", "FileDialog"),
+    ("screens/exporting.py", "QuestionDialog"),
     ("screens/records.py", "FileDialog"),
     ("screens/records.py", "QuestionDialog"),
     ("widgets/run_form.py", "FileDialog"),
