@@ -1,10 +1,13 @@
 """The report of a record, written again: by what was kept of it, or else from its raw files."""
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from tumble.app import reports
+from tumble.app.jobs import measured_at_stand
 from tumble.app.kept_reports import kept, report_path
 from tumble.app.opening import open_store
+from tumble.calibrations.records.record import Record
 from tumble.messages import Language
 
 
@@ -24,11 +27,26 @@ def report_again(folder: Path, record_id: str, language: Language, path: Path | 
     if content := kept(store, record, language):
         reports.put(content, place)
         return place
+    files = store.raw_files(record)
+    if measured_at_stand(record.method, files):
+        _report_run(record, folder, place, language)
+    else:
+        _report_tables(record, files, folder, place, language)
+    return place
+
+
+def _report_run(record: Record, folder: Path, place: Path, language: Language) -> None:
     from tumble.app.analysing import fit, trace  # what is kept needs no analysis
     from tumble.app.calibrating import report_record
     from tumble.app.recall import recall
 
-    record, measurement = recall(folder, record_id)
+    record, measurement = recall(folder, record.id)
     analysed = fit(measurement, record.provenance.serial_number, folder=folder)
     report_record(trace(analysed), record, folder, place, language)
-    return place
+
+
+def _report_tables(record: Record, files: Sequence[Path], folder: Path, place: Path, language: Language) -> None:
+    from tumble.app.storing import report_tables, traced_again
+
+    method, result = traced_again(record, files)
+    report_tables(method, result, record, folder, place, language)

@@ -1,9 +1,10 @@
 """What stands around the screens, and what lies over them."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Final
 
-from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication, QHBoxLayout, QStackedWidget, QVBoxLayout, QWidget
 
 from tumble.window.finder.finder import Finder
 from tumble.window.widgets.dialog import Dialogs
@@ -36,7 +37,7 @@ class Frame(QWidget):
         self.dialogs, self._middle, self._stack = Dialogs(self._room), QWidget(), QStackedWidget()
         self._lay_out()
         self.notices, self.finder = Notices(self._middle), Finder(self._middle)
-        self.rail.chosen.connect(self._stack.setCurrentIndex)
+        self.rail.chosen.connect(self._show)
 
     @property
     def current(self) -> QWidget:
@@ -50,6 +51,15 @@ class Frame(QWidget):
     def close_newest(self) -> bool:
         """Close what lies over the screens, or the dialog, or the newest notice; false where there is none."""
         return self.finder.close_it() or self.dialogs.close_newest() or self.notices.close_newest()
+
+    def _show(self, number: int) -> None:
+        """Show a screen, and give the keyboard to the part that had it last, or to its first."""
+        self._stack.setCurrentIndex(number)
+        screen, here = self.screens[number], QApplication.focusWidget()
+        if here is None or not screen.isAncestorOf(here):
+            wanted = next(_in_order_of_tabs(screen), None)
+            if wanted is not None:
+                wanted.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def _room(self) -> int:
         """What everything else leaves of the height for dialogs."""
@@ -70,3 +80,15 @@ class Frame(QWidget):
         down.addWidget(self._middle, stretch=1)
         down.addWidget(self.dialogs)
         down.addWidget(self.stop_bar)
+
+
+def _in_order_of_tabs(screen: QWidget) -> Iterator[QWidget]:
+    """What Tab reaches on a screen, the part that had the keyboard last before all others."""
+    last, part = screen.focusWidget(), screen.nextInFocusChain()
+    if last is not None and last.isVisible() and last.isEnabled():
+        yield last
+    while part is not None and part is not screen:
+        reached = part.focusPolicy() & Qt.FocusPolicy.TabFocus and part.isVisible() and part.isEnabled()
+        if reached and screen.isAncestorOf(part):
+            yield part
+        part = part.nextInFocusChain()

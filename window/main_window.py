@@ -85,6 +85,7 @@ class MainWindow(QMainWindow):
         self._connect()
         self.frame.rail.choose(restore_place(self))
         self._show_stand(loaded)
+        self.stand.suit(self.run.form.chosen_or_shipped().method)
         self.run.queue.open()
         if trouble is not None:
             self.tell(trouble)
@@ -188,6 +189,7 @@ class MainWindow(QMainWindow):
         run, records = self.run, self.records
         run.state_changed.connect(self._show_state)
         run.unit_changed.connect(self.strip.show_unit)
+        run.form.method_chosen.connect(self.stand.suit)
         run.concluded.connect(self._conclude)
         run.queue_view.record_wanted.connect(records.open_record)
         run.offered.discard_wanted.connect(records.discard)
@@ -231,10 +233,7 @@ class MainWindow(QMainWindow):
         screens = (self.stand.refused, self.run.refused, self.result.refused, self.records.refused)
         refused = (*screens, self.way_out.refused)
         for trouble in (*refused, self.worker.failed, self.background.failed, self.bridge.failed):
-            trouble.connect(self._show_failure)
-
-    def _show_failure(self, error: BaseException) -> None:
-        self.tell(error)
+            trouble.connect(self.tell)
 
     def _help(self, show: Callable[[], None]) -> None:
         self.open(self.help)

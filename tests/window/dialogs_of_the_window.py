@@ -45,7 +45,7 @@ def _context_menu(screen, field):
 
 
 def _export_over(driver, path):
-    driver.window.records._export_unless_there(path)
+    driver.window.records._exporting._write_unless_there(path)
 
 
 def _leave_changed(driver, path):
@@ -58,7 +58,8 @@ def _leave_changed(driver, path):
 DIALOGS = {
     "stand file": lambda driver, path: driver.window.stand._choose(),
     "programme": lambda driver, path: driver.run.form._choose_file(),
-    "export": lambda driver, path: driver.window.records._ask_for_export("20260101-1"),
+    "file to analyse": lambda driver, path: driver.window.records._choose_file(),
+    "export": lambda driver, path: driver.window.records._exporting.ask("20260101-1"),
     "replace": _export_over,
     "discard": lambda driver, path: driver.window.records.discard(path),
     "another stand": lambda driver, path: driver.window.beginning.begin(_Elsewhere(path)),
@@ -101,6 +102,8 @@ SOURCES = {
     ("screens/stand.py", "FileDialog"),
     ("screens/stand_editor.py", "FileDialog"),
     ("screens/stand_editor.py", "QuestionDialog"),
+    ("screens/exporting.py", "FileDialog"),
+    ("screens/exporting.py", "QuestionDialog"),
     ("screens/records.py", "FileDialog"),
     ("screens/records.py", "QuestionDialog"),
     ("widgets/run_form.py", "FileDialog"),

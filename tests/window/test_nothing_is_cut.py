@@ -4,9 +4,10 @@ from itertools import combinations
 
 import pytest
 from PySide6.QtCore import QSettings
-from PySide6.QtWidgets import QLabel, QWidget
+from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
 
-from benchmarks.window_tour import LEAST_CONTRAST, Tour, faint, flaws, painted_contrast
+from benchmarks.window_flaws import LEAST_CONTRAST, access_keys, faint, flaws, painted_contrast
+from benchmarks.window_tour import Tour
 from tumble.messages import Language
 from tumble.window.look.shades import CONTRAST, DARK, LIGHT, Shade
 
@@ -73,3 +74,14 @@ def test_text_without_room_is_found(qtbot, qapp):
     part.setGeometry(0, 0, 20, 30)
     place.show()
     assert flaws(place, Language.ENGLISH) == ["cut off: QLabel “a text that is long”"]
+
+
+def test_a_key_that_is_underlined_twice_is_found(qtbot):
+    window = QWidget()
+    qtbot.addWidget(window)
+    column = QVBoxLayout(window)
+    for text in ("&Open", "C&lose", "&Order"):
+        column.addWidget(QPushButton(text))
+    window.show()
+    assert access_keys(window) == {"Alt+O": ["&Open", "&Order"], "Alt+L": ["C&lose"]}
+    assert flaws(window, Language.ENGLISH) == ["one key, Alt+O, for &Open and &Order"]

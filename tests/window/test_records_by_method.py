@@ -59,6 +59,21 @@ def test_without_records_there_is_no_trend(records):
     assert (records.trend.parameter.count(), records.trend.drawn) == (1, 0)
 
 
+def test_the_time_axis_of_one_record_says_its_day(records):
+    trend = records.trend
+    trend.show_records(records.records[:1])
+    trend.parameter.setCurrentText("period")
+    assert trend.drawn == 1
+    low, high = trend.plot.getViewBox().viewRange()[0]
+    assert high - low >= 3600.0
+    assert trend.plot.getAxis("bottom").labelText == "time, 2026-11-01"
+
+
+def test_the_time_axis_says_the_first_and_the_last_day(records):
+    records.trend.parameter.setCurrentText("period")
+    assert records.trend.plot.getAxis("bottom").labelText == "time, 2026-11-01 – 2026-11-02"
+
+
 def parameter(name, value, uncertainty):
     return SimpleNamespace(name=name, value=value, standard_uncertainty=uncertainty)
 

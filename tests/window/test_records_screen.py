@@ -10,7 +10,7 @@ from window_driver import TINY
 
 from tumble.calibrations.core.quantities import format_in_unit
 from tumble.calibrations.records.store import Store
-from tumble.window.screens.records import _FORMATS
+from tumble.window.screens.exporting import FORMATS
 from tumble.window.widgets.dialog import FileDialog
 
 
@@ -169,7 +169,7 @@ def test_a_row_is_copied_whole(measured):
 @pytest.mark.parametrize("ending", ["JSON (*.json)", "HTML (*.html)", "CSV (*.csv)", "PDF (*.pdf)"])
 def test_an_export_takes_the_ending_of_the_format_that_is_chosen(measured, tmp_path, ending):
     suffix = ending.split("*")[1].rstrip(")")
-    dialog = FileDialog("Export", tmp_path / "20261127-1.json", _FORMATS, saving=True)
+    dialog = FileDialog("Export", tmp_path / "20261127-1.json", FORMATS, saving=True)
     measured.bot.addWidget(dialog)
     dialog.files.selectNameFilter(ending)
     dialog.files.filterSelected.emit(ending)
@@ -180,7 +180,7 @@ def test_an_export_takes_the_ending_of_the_format_that_is_chosen(measured, tmp_p
 
 
 def test_a_name_that_is_typed_without_an_ending_gets_one(measured, tmp_path):
-    dialog = FileDialog("Export", tmp_path / "a.json", _FORMATS, saving=True)
+    dialog = FileDialog("Export", tmp_path / "a.json", FORMATS, saving=True)
     measured.bot.addWidget(dialog)
     dialog.files.selectFile("of-today")
     with measured.bot.waitSignal(dialog.chosen) as chosen:

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QTabWidget, QVBoxLayout, QWidget
@@ -20,6 +20,7 @@ from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
 from tumble.window.look.verdicts import verdict_mark
 from tumble.window.screens.cut_off_view import CutOffView
+from tumble.window.screens.exporting import Exporting
 from tumble.window.screens.stand_records import StandRecords
 from tumble.window.widgets.dialog import FileDialog, QuestionDialog
 from tumble.window.widgets.record_search import RecordSearch
@@ -29,12 +30,11 @@ from tumble.window.widgets.trend_plot import TrendPlot
 from tumble.window.work import records as store
 from tumble.window.work.activity import Resumption
 from tumble.window.work.background import Background
+from tumble.window.work.newest import Newest
 
 if TYPE_CHECKING:
     from tumble.calibrations.records.compare import Difference
     from tumble.calibrations.records.verify import Verification
-
-_FORMATS: Final = "JSON (*.json);;HTML (*.html);;CSV (*.csv);;PDF (*.pdf)"
 
 
 class RecordsScreen(QWidget):
@@ -55,7 +55,7 @@ class RecordsScreen(QWidget):
 
     def __init__(self, background: Background, folder: Callable[[], Path], parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._background, self._folder = background, folder
+        self._background, self._folder, self._searches = background, folder, Newest(background)
         self.surveyor = Background(self)
         """Looks around in the store, which takes longer than a search and keeps none waiting."""
         self.records: tuple[Record, ...] = ()
@@ -82,7 +82,11 @@ class RecordsScreen(QWidget):
         self.verify_button = self._button(tr("Ver&ify"), self._verify)
         self.again_button = self._button(tr("&Analyse again"), self._analyse_again)
         self.export_button = self._button(tr("&Export…"), self._choose_export)
+        self.file_button = self._button(tr("From a &file…"), self._choose_file)
+        self._exporting = Exporting(self)
         self._lay_out()
+        self._exporting.dialog_wanted.connect(self.dialog_wanted)
+        self._exporting.wanted.connect(self.export_to)
         self.search.changed.connect(self.look)
         self.table.itemActivated.connect(lambda _: self._open())
         self.table.itemSelectionChanged.connect(self._refresh_buttons)
@@ -97,7 +101,7 @@ class RecordsScreen(QWidget):
 
     def look(self) -> None:
         """Look for the records that are wanted."""
-        self._background.start(partial(store.search, self._folder(), self.search.wanted()), self._show)
+        self._searches.start(partial(store.search, self._folder(), self.search.wanted()), self._show)
 
     def allow_runs(self, allowed: bool) -> None:
         """Whether the stand is free."""
@@ -114,6 +118,7 @@ class RecordsScreen(QWidget):
         for button in (*alone[:1], self.compare_button, self.verify_button, *alone[1:]):
             buttons.addWidget(button)
         buttons.addStretch(1)
+        buttons.addWidget(self.file_button)
         self.said.setWordWrap(True)
         self.said.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         listed = QWidget()
@@ -226,22 +231,16 @@ class RecordsScreen(QWidget):
 
     def _choose_export(self) -> None:
         for record in self._chosen()[:1]:
-            self._ask_for_export(record.id)
+            self._exporting.ask(record.id)
 
-    def _ask_for_export(self, record_id: str) -> None:
-        dialog = FileDialog(tr("Export"), Path.home() / f"{record_id}.json", _FORMATS, saving=True)
-        dialog.chosen.connect(self._export_unless_there)
+    def _choose_file(self) -> None:
+        dialog = FileDialog(tr("Analyse a file"), Path.cwd(), tr("Recordings and tables (*.mcap *.csv)"))
+        dialog.chosen.connect(self.analyse_file)
         self.dialog_wanted.emit(dialog)
 
-    def _export_unless_there(self, path: Path) -> None:
-        """Ask before a file is replaced."""
-        if not path.exists():
-            self.export_to(path)
-            return
-        title, text = tr("Export"), tr("{path} is there already. Replace it?", path=path)
-        question = QuestionDialog(title, text, tr("Replace"))
-        question.agreed.connect(lambda: self.export_to(path))
-        self.dialog_wanted.emit(question)
+    def analyse_file(self, path: Path) -> None:
+        """Make a record of a recording or a table that lies anywhere."""
+        self._start(partial(store.analyse_file, self._folder(), path), self._show_opened)
 
     def _say_exported(self, path: Path) -> None:
         self.said.setText(tr("Written: {path}", path=path))

@@ -11,6 +11,7 @@ from tumble.app.wiring import Attendant
 from tumble.drivers.protocols import Identity, PositionerStatus
 from tumble.procedures.errors import InputError
 from tumble.procedures.events import Event, Identified
+from tumble.procedures.first_method import FIRST
 from tumble.window.look.language import tr
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
@@ -44,6 +45,8 @@ class StandScreen(QWidget):
         self._worker, self._operator = worker, operator
         self._connected = self._by_hand = False
         self._warnings: tuple[str, ...] = ()
+        self._method = FIRST
+        """Whose stand is the one that is built in."""
         self._lost: set[str] = set()
         """Positioners that do not know their angle."""
         self.dials, self.table, self.jog = Dials(), InstrumentTable(), Jog()
@@ -76,6 +79,15 @@ class StandScreen(QWidget):
             self.refused.emit(error)
             return False
         return True
+
+    def suit(self, method: str) -> None:
+        """Be ready for programmes of a method: where the stand is one that is built in, have that of the method."""
+        self._method = method
+        if self.loaded.path is not None or self._worker.busy:
+            return
+        built_in = load_stand(None, method)
+        if built_in.file.name != self.loaded.file.name:
+            self.use(built_in)
 
     def _show_stand(self, loaded: LoadedStand) -> None:
         place = str(loaded.path) if loaded.path else tr("the simulated stand that is built in")
@@ -110,7 +122,7 @@ class StandScreen(QWidget):
     def _lay_out(self) -> None:
         self._browse, self._built_in = QPushButton(tr("Stand &file…")), QPushButton(tr("&Built-in"))
         self._browse.clicked.connect(self._choose)
-        self._built_in.clicked.connect(lambda: self.use(load_stand()))
+        self._built_in.clicked.connect(lambda: self.use(load_stand(None, self._method)))
         self.edit_button = QPushButton(tr("&Edit…"))
         self.edit_button.clicked.connect(self.edit)
         self._name.setWordWrap(True)

@@ -8,7 +8,19 @@ from pathlib import Path
 from typing import Final
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtWidgets import QFileDialog, QFrame, QHBoxLayout, QLabel, QPushButton, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QApplication,
+    QFileDialog,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QScrollArea,
+    QVBoxLayout,
+    QWidget,
+)
+from shiboken6 import isValid
 
 from tumble.window.look.language import tr
 from tumble.window.look.plain import PlainLabel
@@ -29,6 +41,8 @@ class Dialog(QFrame):
         super().__init__(parent)
         self.setObjectName(kind)
         self.setAccessibleName(title)
+        self._before: QWidget | None = None
+        """What had the keyboard."""
         self._text = PlainLabel(text)
         self._text.setWordWrap(True)
         self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
@@ -57,9 +71,22 @@ class Dialog(QFrame):
         """Put a button beside the one that closes."""
         self._buttons.insertWidget(self._buttons.count() - 1, button)
 
+    def take_focus(self) -> None:
+        """Have the keyboard, where there is anything to type or to choose, and know where it was before."""
+        self._before = QApplication.focusWidget()
+
+    def give_back_focus(self) -> None:
+        """Have the keyboard go back to where it was, if that is still there."""
+        if self._before is not None and isValid(self._before) and self._before.isVisible():
+            self._before.setFocus()
+
     def dismiss(self) -> None:
         """Close it."""
+        here = QApplication.focusWidget()
+        had_focus = here is not None and self.isAncestorOf(here)
         self.hide()
+        if had_focus:
+            self.give_back_focus()
         self.deleteLater()
         self.dismissed.emit()
 
@@ -98,8 +125,17 @@ class FileDialog(Dialog):
         self.files.setWindowFlags(Qt.WindowType.Widget)
         self.files.setModal(False)
         self.files.fileSelected.connect(lambda name: self.chosen.emit(Path(name)))
+        self.files.finished.connect(self.give_back_focus)  # it is hidden already, and had the keyboard
         self.files.finished.connect(self.dismiss)
         self.add(self.files)
+
+    def take_focus(self) -> None:
+        """Have the name of the file typed."""
+        super().take_focus()
+        name = self.files.findChild(QLineEdit)
+        if name is not None:
+            name.setFocus()
+            name.selectAll()
 
     def _take_ending(self, name_filter: str) -> None:
         """Give the name the ending of the format that is chosen, whatever is typed before it."""
@@ -136,6 +172,7 @@ class Dialogs(QScrollArea):
         self._column.insertWidget(0, dialog)
         dialog.dismissed.connect(self._fit)
         dialog.show()
+        dialog.take_focus()
         self._fit()
         self.verticalScrollBar().setValue(0)
 

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QKeySequence
+from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QGridLayout, QKeySequenceEdit, QLabel, QPushButton, QWidget
 
 from tumble.window.look.keys import choose_key, forget_keys
@@ -21,6 +21,13 @@ class KeyField(QKeySequenceEdit):
         self.setFinishingKeyCombinations([])
         self.setAccessibleName(shortcut.title)
         self.shortcut = shortcut
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802  # Qt's name
+        """Take a key, those excepted that go from field to field."""
+        if event.key() in (Qt.Key.Key_Tab, Qt.Key.Key_Backtab):
+            self.focusNextPrevChild(event.key() == Qt.Key.Key_Tab)
+        else:
+            super().keyPressEvent(event)
 
 
 class KeyFields(QWidget):

@@ -35,7 +35,7 @@ class RecordSearch(QWidget):
         parts: tuple[tuple[str, QWidget], ...] = (
             (tr("&Serial number"), self.serial),
             (tr("&Programme"), self.programme),
-            (tr("&Verdict"), self.verdict),
+            (tr("Ver&dict"), self.verdict),
             (tr("Fro&m"), self.since),
             (tr("&Until"), self.until),
         )
@@ -85,6 +85,10 @@ class _Day(QDateEdit):
             self.setDate(QDate.currentDate())
         else:
             super().stepBy(steps)
+
+    def focusNextPrevChild(self, forwards: bool) -> bool:  # noqa: N802  # Qt's name
+        """Leave the field: Qt would go on to the month of a day that is none, and never come out."""
+        return QWidget.focusNextPrevChild(self, forwards)
 
 
 def _moment(field: QDateEdit, at: time) -> datetime | None:

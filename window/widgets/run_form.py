@@ -1,6 +1,7 @@
 """What shall be measured: unit, programme, operator."""
 
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 
 from PySide6.QtCore import QSettings, Signal
@@ -25,6 +26,8 @@ class RunForm(QWidget):
     """
 
     changed = Signal()
+    method_chosen = Signal(str)
+    """Of the programme; there is none where that cannot be read."""
     dialog_wanted = Signal(object)
     """`Dialog`."""
 
@@ -39,7 +42,7 @@ class RunForm(QWidget):
         self.add_programme(str(QSettings().value("run/programme", "seed")))
         self.programme.setMinimumContentsLength(14)
         self.operator.setText(str(QSettings().value("run/operator", "")))
-        self._browse = QPushButton(tr("File…"))
+        self._browse = QPushButton(tr("&File…"))
         self._browse.clicked.connect(self._choose_file)
         self.summary = PlainLabel()
         self.summary.setWordWrap(True)
@@ -104,10 +107,13 @@ class RunForm(QWidget):
     def _choose_file(self) -> None:
         dialog = FileDialog(tr("Programme"), Path.cwd(), tr("Programmes (*.toml)"))
         dialog.chosen.connect(lambda path: self.add_programme(str(path)))
+        dialog.dismissed.connect(self.await_scan)
         self.dialog_wanted.emit(dialog)
 
     def _programme_chosen(self) -> None:
         self._remember()
+        with suppress(InputError):
+            self.method_chosen.emit(load_programme(self.programme.currentText()).method)
         self._summarise()
         self.changed.emit()
 

@@ -1,6 +1,6 @@
 """The place of a screen: it fills the place, and is scrolled where it cannot be made as small as that."""
 
-from PySide6.QtCore import QEvent, QObject
+from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QScrollArea, QWidget
 
@@ -42,3 +42,5 @@ class ScreenArea(QScrollArea):
             wide = max(wide - self.verticalScrollBar().sizeHint().width(), least.width())
             high = layout.minimumHeightForWidth(wide) if layout.hasHeightForWidth() else least.height()
         screen.resize(wide, max(room.height(), high))
+        scrolls = high > room.height() or wide > room.width()  # by its own keys, where it does at all
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus if scrolls else Qt.FocusPolicy.NoFocus)

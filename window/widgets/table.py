@@ -4,12 +4,13 @@ from collections.abc import Sequence
 from typing import Final
 
 from PySide6.QtCore import QEvent, Qt
-from PySide6.QtGui import QBrush, QColor, QGuiApplication, QKeyEvent, QKeySequence
+from PySide6.QtGui import QBrush, QColor, QFocusEvent, QGuiApplication, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem, QWidget
 
 from tumble.window.look.plain import as_tooltip
 
 _LEAST_LINES: Final = 6
+_BY_KEY: Final = (Qt.FocusReason.TabFocusReason, Qt.FocusReason.BacktabFocusReason, Qt.FocusReason.ShortcutFocusReason)
 
 
 class Table(QTableWidget):
@@ -59,6 +60,12 @@ class Table(QTableWidget):
             QGuiApplication.clipboard().setText(self.copied())
         else:
             super().keyPressEvent(event)
+
+    def focusInEvent(self, event: QFocusEvent) -> None:  # noqa: N802  # Qt's name
+        """Choose a row for whoever comes by the keyboard: Enter and buttons are about what is chosen."""
+        super().focusInEvent(event)
+        if event.reason() in _BY_KEY and self.rowCount() and not self.chosen:
+            self.selectRow(max(self.currentRow(), 0))
 
     def copied(self) -> str:
         """The rows that are selected, their cells divided by tabs."""

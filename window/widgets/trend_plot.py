@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from datetime import datetime
 from html import escape
+from typing import Final
 
 import numpy as np
 import pyqtgraph as pg
@@ -16,6 +17,9 @@ from tumble.window.look.language import tr
 from tumble.window.look.numbers import local
 from tumble.window.look.plots import LocalAxis, Plot
 from tumble.window.widgets.series_plot import SIGNS
+
+_LEAST_S: Final = 3600.0
+"""What is shown of time, at least: the axis of one moment would be fractions of a second."""
 
 
 class TrendPlot(QWidget):
@@ -70,7 +74,7 @@ class TrendPlot(QWidget):
         self.plot.addItem(self._bars)
         self.plot.addItem(self._marks)
         choice = QHBoxLayout()
-        for title, box in ((tr("P&arameter"), self.parameter), (tr("O&ver"), self.over)):
+        for title, box in ((tr("Parame&ter"), self.parameter), (tr("Ove&r"), self.over)):
             form = QFormLayout()
             form.addRow(title, box)
             choice.addLayout(form)
@@ -95,7 +99,10 @@ class TrendPlot(QWidget):
         low, high = np.array([low for *_, (low, _) in told]), np.array([high for *_, (_, high) in told])
         self._bars.setData(x=x, y=y, top=high - y, bottom=y - low, pen=self.plot.pen(self.plot.colours.pale))
         self._mark([record.provenance.serial_number for record, *_ in told], x, y)
-        self.plot.name_axes(self.over.currentText(), local(f"{name} ({unit.replace('^2', '²')})" if name else ""))
+        self.plot.name_axes(
+            self._abscissa([record for record, *_ in told]),
+            local(f"{name} ({unit.replace('^2', '²')})" if name else ""),
+        )
         self.plot.entitle(self.key)
 
     def _mark(self, units: Sequence[str], x: FloatArray, y: FloatArray) -> None:
@@ -110,13 +117,22 @@ class TrendPlot(QWidget):
         marks = [f'<span style="color: {shade}">{sign}</span> {escape(unit)}' for shade, sign, unit in told]
         self.key = "".join(f" &nbsp; {mark}" for mark in (*marks, *rest))
 
+    def _abscissa(self, records: Sequence[Record]) -> str:
+        """What is drawn to the right; the ticks of a short time are hours, which say no day."""
+        if self.over.currentData() != "time" or not records:
+            return self.over.currentText()
+        days = sorted({f"{_moment(record).astimezone():%Y-%m-%d}" for record in records})
+        return f"{self.over.currentText()}, {' – '.join(dict.fromkeys((days[0], days[-1])))}"
+
     def _places(self, records: Sequence[Record]) -> "np.ndarray[tuple[int], np.dtype[np.float64]]":
         """Where records stand on the abscissa, which is dressed for it."""
         if self.over.currentData() == "time":
             self.plot.use_bottom_axis(self._dates)
+            self.plot.getViewBox().setLimits(minXRange=_LEAST_S)
             return np.array([_moment(record).timestamp() for record in records])
         units = list(dict.fromkeys(record.provenance.serial_number for record in records))
         self.plot.use_bottom_axis(self._numbers)
+        self.plot.getViewBox().setLimits(minXRange=None)
         self._numbers.setTicks([list(enumerate(units))])
         return np.array([float(units.index(record.provenance.serial_number)) for record in records])
 

@@ -16,6 +16,7 @@ from tumble.app.running import Job
 from tumble.calibrations.records.record import Record
 from tumble.calibrations.records.wanted import Wanted
 from tumble.window.look.language import spoken
+from tumble.window.work import tables
 from tumble.window.work.activity import Concluded, Resumption
 
 if TYPE_CHECKING:
@@ -91,9 +92,16 @@ def method_titles() -> Mapping[str, str]:
 def open_record(folder: Path, record_id: str) -> Concluded:
     """Read the raw file of a record and work out everything that the screen Result shows."""
     from tumble.app.analysing import fit, trace
+    from tumble.app.jobs import measured_at_stand
     from tumble.app.kept_reports import report_path
+    from tumble.app.opening import open_store
     from tumble.app.recall import recall
 
+    found = open_store(folder)
+    record = found.get(record_id)
+    files = found.raw_files(record)
+    if not measured_at_stand(record.method, files):
+        return tables.recall(record, files, folder)
     record, measurement = recall(folder, record_id)
     traced = trace(fit(measurement, record.provenance.serial_number, folder=folder))
     page = report_path(folder, record)
@@ -112,6 +120,8 @@ def analyse_again(folder: Path, record_id: str) -> Concluded:
     from tumble.app.kept_reports import report_path
 
     concluded = open_record(folder, record_id)
+    if isinstance(concluded.traced, tables.TableResult):
+        return analyse_file(folder, *concluded.recordings)
     record = store(concluded.traced, folder)
     page = report_path(folder, record)
     report_record(concluded.traced, record, folder, page, spoken())
@@ -119,7 +129,7 @@ def analyse_again(folder: Path, record_id: str) -> Concluded:
 
 
 def analyse_cut_off(folder: Path, path: Path) -> Concluded:
-    """Analyse a run that came to no end as far as it goes, and store what comes of it."""
+    """Analyse a run as far as it goes, and store what comes of it."""
     from tumble.app.calibrating import conclude, make_ready
 
     make_ready(folder)
@@ -131,6 +141,17 @@ def analyse_cut_off(folder: Path, path: Path) -> Concluded:
         record_id=done.record.id,
         report=done.report,
     )
+
+
+def analyse_file(folder: Path, *files: Path) -> Concluded:
+    """Analyse a recording, or tables of one unit, by the method that they are of, and store what comes of it."""
+    from tumble.app.jobs import measured_at_stand
+    from tumble.app.methods import method_of
+
+    method = method_of(files)
+    if measured_at_stand(method.name, files):
+        return analyse_cut_off(folder, files[0])
+    return tables.analyse(method, files, folder)
 
 
 def discard(folder: Path, path: Path) -> Path:

@@ -1,0 +1,60 @@
+"""Tables that were measured elsewhere, from their file to the record."""
+
+from pathlib import Path
+
+import pytest
+
+from tumble.calibrations.records.store import Store
+from tumble.window.generic.section_list import SectionList
+
+HEAD = Path(__file__).parents[2] / "docs" / "samples" / "head.csv"
+
+
+@pytest.fixture
+def analysed(lent_driver):
+    """A window that was given a table of a head against a reference."""
+    lent_driver.window.records.analyse_file(HEAD)
+    lent_driver.wait_for_result()
+    return lent_driver
+
+
+def test_a_table_leaves_a_record_with_its_report(analysed, tmp_path):
+    (record,) = Store.existing(tmp_path / "store").find(serial_number="head")
+    shown = analysed.window.result.presentation.concluded
+    assert (record.method, record.id) == ("head_reference", shown.record_id)
+    assert shown.report.read_text("utf-8").rstrip().endswith("</html>")
+    assert analysed.window.frame.current is analysed.window.result
+    assert analysed.window.result.table.texts()[0][:2] == ["offset", "-0.18(11)°"]
+    assert analysed.window.result.findChildren(SectionList)
+
+
+def test_the_record_of_a_table_is_opened_verified_and_exported(analysed, tmp_path):
+    window = analysed.window
+    records, before = window.records, window.result.presentation
+    analysed.wait(lambda: len(records.records) == 1)
+    records.table.selectRow(0)
+    records.open_button.click()
+    analysed.wait(lambda: window.result.presentation is not before or analysed.complaints)
+    assert not analysed.complaints
+    assert window.result.presentation.table == before.table
+    records.verify_button.click()
+    analysed.wait(lambda: "is verified" in records.said.text() or "NOT" in records.said.text())
+    assert "is verified" in records.said.text()
+    records.export_to(tmp_path / "head.html")
+    analysed.wait(lambda: "Written" in records.said.text())
+    assert "head" in (tmp_path / "head.html").read_text("utf-8")
+
+
+def test_a_table_that_is_analysed_again_gets_a_further_revision(analysed, tmp_path):
+    records = analysed.window.records
+    analysed.wait(lambda: len(records.records) == 1)
+    records.table.selectRow(0)
+    records.again_button.click()
+    analysed.wait(lambda: [record.revision for record in records.records] == [2] or analysed.complaints)
+    assert not analysed.complaints
+
+
+def test_a_file_that_is_no_table_is_refused_in_a_sentence(lent_driver, write):
+    lent_driver.window.records.analyse_file(write("empty.csv", ""))
+    lent_driver.wait(lambda: lent_driver.complaints)
+    assert "empty.csv" in lent_driver.complaints[0]
