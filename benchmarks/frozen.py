@@ -65,7 +65,12 @@ def results(run: Run, paths: Sequence[Path], folder: Path) -> Results:
 def _result(run: Run, command: str, paths: Sequence[Path], folder: Path) -> Results:
     written = folder / f"{command}.json"
     status = run(command, *paths, "--json", written)
-    return {"status": status, "document": json.loads(written.read_text("utf-8")) if written.exists() else None}
+    if not written.exists():
+        return {"status": status, "document": None}
+    text = written.read_text("utf-8")
+    for path in paths:
+        text = text.replace(f"{path.parent}/", "")  # where it lies on this machine
+    return {"status": status, "document": json.loads(text)}
 
 
 def results_of_a_run(run: Run, programme: str, folder: Path) -> Results:
