@@ -87,6 +87,8 @@ class Effect(Generic[Seen]):
     report: Reported
     at: Callable[[Seen, float], Form] | None = None
     """The form for any value of what is scanned, where that is a continuous quantity."""
+    again: Callable[[Seen, Mapping[str, float]], Form] | None = None
+    """The form of certain scanned values in any rows, where all the others take long; found among `forms` without."""
     random: bool = False
     """Whether it is a random effect: a level for every seat or turn-on."""
     given: bool = False

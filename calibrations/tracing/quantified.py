@@ -84,6 +84,8 @@ def form_in(scene: View, item: Found) -> Form:
     if item.effect.at is not None:
         (value,) = item.form.scanned.values()
         return item.effect.at(scene, value)
+    if item.effect.again is not None:
+        return item.effect.again(scene, item.form.scanned)
     width = item.form.columns.shape[1]
     alike = [form for form in item.effect.forms(scene) if form.scanned.keys() == item.form.scanned.keys()]
     alike = [form for form in alike if form.columns.shape[1] == width]

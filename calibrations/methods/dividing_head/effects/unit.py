@@ -1,6 +1,6 @@
 """Effects of the unit under test."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -41,10 +41,15 @@ def _plays(scene: Scene) -> Sequence[Form]:
     steps = np.diff(scene.ax_g)
     if not (steps > 0).any() or not (steps < 0).any():
         return ()
-    lost = [Form(columns=scene.play(reach)[:, None], scanned={"reach_g": reach}) for reach in _REACHES_G]
-    if not scene.mounting[-1]:
-        return lost
-    return [*lost, *(Form(columns=scene.play_kept(reach)[:, None], scanned={"kept_g": reach}) for reach in _REACHES_G)]
+    keys = ("reach_g", "kept_g") if scene.mounting[-1] else ("reach_g",)
+    return tuple(_play(scene, {key: reach_g}) for key in keys for reach_g in _REACHES_G)
+
+
+def _play(scene: Scene, scanned: Mapping[str, float]) -> Form:
+    """A play of one reach, begun anew in every mount (`reach_g`) or kept (`kept_g`)."""
+    ((key, reach_g),) = scanned.items()
+    stand = scene.play(reach_g) if key == "reach_g" else scene.play_kept(reach_g)
+    return Form(columns=stand[:, None], scanned=scanned)
 
 
 _REACHES_G = (0.005, 0.012, 0.02, 0.03, 0.045, 0.07, 0.1, 0.14, 0.2, 0.28, 0.4)
@@ -91,6 +96,7 @@ UNIT_EFFECTS: tuple[Effect[Scene], ...] = (
         symbol="h play(ax)",
         source="IEEE Std 528, hysteresis error",
         forms=_plays,
+        again=_play,
         report=plain("hysteresis", "V"),
         additive=True,
     ),
