@@ -124,8 +124,9 @@ class Link(Generic[L]):
 
     @property
     def futile(self) -> bool:
-        """Whether it separated nothing, though it was to do so by itself."""
-        return not (self.separated or self.experiment.together or self.experiment.runs > 1)
+        """Whether it separated nothing, though it was to do so by itself, of what could have been the cause."""
+        asked = any(name in self.rivals_before for name in self._others)
+        return asked and not (self.separated or self.experiment.together or self.experiment.runs > 1)
 
     @property
     def rivals_before(self) -> tuple[str, ...]:

@@ -68,8 +68,9 @@ def test_what_is_said_of_an_experiment_is_all_in_the_document():
         ([link(THREE, THREE), link(THREE, stage(("k_xx",), k_yy=20.0))], 0),
         ([link(THREE, THREE, runs=3)], 0),
         ([link(THREE, THREE, together=("probe-edge",))], 0),
+        ([link(THREE, THREE, separates=("k_xx", "axis_tilt"))], 0),
     ],
-    ids=["none", "one", "two", "then one that tells", "one of several runs", "one of two"],
+    ids=["none", "one", "two", "then one that tells", "one of several runs", "one of two", "of what was no rival"],
 )
 def test_only_what_should_have_separated_something_by_itself_counts_as_futile(links, futile):
     assert Chain(first=THREE, links=tuple(links)).futile == futile

@@ -11,6 +11,7 @@ import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.joining import appended
+from tumble.calibrations.core.surroundings import typical_course
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.messages import Message
 
@@ -93,9 +94,9 @@ class Probe:
     def after(self, rows: Observations) -> Observations:
         """Return a table with the rows that it would add, in a run and realisations of their own.
 
-        Times and directions follow from the probe, and the head rests in every dwell. The temperature goes on as it
-        went: that it will stay where it is is no promise. Any other column, the output too, goes on with its last
-        value. A column that the table lacks stays away, but for mount and realisation.
+        Times and directions follow from the probe, and the head rests in every dwell. The temperature goes on as is
+        typical after what it did: that it will stay where it is is no promise. Any other column, the output too, goes
+        on with its last value. A column that the table lacks stays away, but for mount and realisation.
         """
         return appended(rows, _rows_of(self, rows))
 
@@ -205,13 +206,10 @@ def _directions(angle_deg: FloatArray, start_deg: float) -> FloatArray:
 
 
 def _going_on(before: Observations, time_s: FloatArray | None, rows: int) -> FloatArray:
-    """Temperature of further rows: that of the last ones, and the trend of the table from there."""
+    """Temperature of further rows: the mean of the last ones, or a course that is typical after that of the table."""
     assert before.temperature_degc is not None
     known = np.isfinite(before.temperature_degc)
     measured_degc = before.temperature_degc[known]
-    last_degc = np.full(rows, np.mean(measured_degc[-_RECENT:]) if len(measured_degc) else np.nan)
     if before.time_s is None or time_s is None or len(measured_degc) < 2 * _RECENT:
-        return last_degc
-    then_s = before.time_s[known]
-    slope = np.polynomial.Polynomial.fit(then_s, measured_degc, 1).deriv()(0.0)
-    return np.asarray(last_degc + slope * (time_s - np.mean(then_s[-_RECENT:])))
+        return np.full(rows, np.mean(measured_degc[-_RECENT:]) if len(measured_degc) else np.nan)
+    return typical_course(before.time_s[known], measured_degc, time_s)
