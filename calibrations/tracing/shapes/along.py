@@ -79,10 +79,14 @@ class Along:
 
     def best_pair(self, pair: tuple[FloatArray, FloatArray]) -> tuple[int, Gained]:
         """The same of shapes of two columns each, given as all the first and all the second ones."""
+        return highest(*self.pairs(pair))
+
+    def pairs(self, pair: tuple[FloatArray, FloatArray]) -> tuple[FloatArray, FloatArray]:
+        """Fall and variance of each of them."""
         (first, second), square = pair, self.level**2
         sums = (self.weighted.T @ first, self.weighted.T @ second)
         products = (square @ first**2, square @ second**2, square @ (first * second))
-        return highest(*gains_of_pairs(self.seen.squares, self.rows, sums, products))
+        return gains_of_pairs(self.seen.squares, self.rows, sums, products)
 
     def together(self, columns: FloatArray) -> Gained:
         """What columns gain together, with coefficients of one variance."""

@@ -15,6 +15,10 @@ from tumble.messages import Message
 
 _EACH_TURN: Final = 8
 """Parts of a turn by which waves with overtones are told apart."""
+_STRONGEST: Final = 3
+"""So many waves round a circle are tried in other shapes."""
+_ABOUT: Final = 5
+"""So many of about the best one, where turns are no whole number."""
 
 
 def waves(along: Along) -> Iterator[Shape]:
@@ -60,6 +64,23 @@ def _turns(along: Along) -> list[float]:
     if not len(coordinate.turns):
         return []
     return list(candidates(_falls(along), coordinate.turns, coordinate.nyquist_turns))
+
+
+def strongest_turns(along: Along) -> list[float]:
+    """Numbers of turns of the waves that explain most as sines: of a circle whole ones, else about the best."""
+    coordinate = along.coordinate
+    if coordinate.period is None:
+        if not len(coordinate.turns):
+            return []
+        best = coordinate.turns[np.argmax(_falls(along))]
+        about = best + np.linspace(-0.5, 0.5, _ABOUT) * coordinate.turns[0]
+        return [float(turns) for turns in about if turns >= 1.0 and 2.0 * turns <= coordinate.nyquist_turns]
+    whole = np.arange(1.0, int(coordinate.nyquist_turns / 2.0) + 1.0)
+    if not len(whole):
+        return []
+    phase = 2.0 * np.pi * np.outer(coordinate.part_of_cycle, whole)
+    falls, _ = along.pairs((np.sin(phase), np.cos(phase)))
+    return [float(turns) for turns in whole[np.argsort(-falls)[:_STRONGEST]]]
 
 
 def _falls(along: Along) -> FloatArray:
