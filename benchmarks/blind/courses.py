@@ -55,7 +55,8 @@ def _along(variable: str) -> Callable[[World], FloatArray] | None:
 def _effect(course: Json) -> Effect:
     def amount(world: World) -> FloatArray:
         acted = {"scale": world.ax, "cross": world.ax * world.ay}.get(course["channel"], 1.0)
-        return np.asarray(_followed(course, world) * acted)
+        reversed_only = world.run.direction < 0 if course.get("channel_detail") == "reversal" else True
+        return np.asarray(_followed(course, world) * acted * reversed_only)
 
     acts = Acts.ANGLE if course["channel"] == "angle" else Acts.OUTPUT
     return Effect(name=_variable(course), acts=acts, amount=amount, coefficients={})

@@ -23,6 +23,8 @@ class Course:
 
     channel: str
     """Of the component: offset, scale, angle."""
+    channel_detail: str
+    """Which of several channels of the same word it is; empty where there is one."""
     unit: str
     """Of the channel: what is added to the output, to the response to ax, or to the angle of the head."""
     variable: str
@@ -38,6 +40,7 @@ class Course:
         """Under keys of `unexplained`."""
         return {
             "channel": self.channel,
+            "channel_detail": self.channel_detail,
             "unit": self.unit,
             "variable": self.variable,
             "detail": self.detail,
@@ -79,6 +82,7 @@ def _course(rows: Rows, component: Component, variances: Mapping[str, float]) ->
     spread = np.einsum("ij,jk,ik->i", directions, variance * unseen, directions)
     return Course(
         channel=axis.channel.word,
+        channel_detail=axis.channel.detail,
         unit=axis.channel.unit,
         variable=axis.coordinate.word,
         detail=axis.coordinate.detail,

@@ -38,6 +38,17 @@ def test_an_error_of_the_angle_turns_the_head():
     assert added[(run.mount == "face-up") & (run.angle_deg == 180.0)] == pytest.approx(np.deg2rad(0.01), rel=0.02)
 
 
+def test_a_reversal_turns_the_head_after_moves_in_the_negative_direction_alone():
+    said = course("angle", "angle", [0.0, 180.0], [0.01, 0.01])
+    said["courses"][0]["channel_detail"] = "reversal"
+    added, run = added_v(said)
+
+    assert not added[run.direction > 0].any()
+    assert added[(run.direction < 0) & (run.mount == "face-up") & (run.angle_deg == 180.0)] == pytest.approx(
+        np.deg2rad(0.01), rel=0.02
+    )
+
+
 def test_a_course_in_time_is_expected_at_its_mean():
     added, _ = added_v(course("offset", "time", [0.0, 0.5, 1.0], [0.0, 1e-3, 2e-3]))
 

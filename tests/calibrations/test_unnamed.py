@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 from tables import FLIPS, sweep, table
 from test_effects import scene
+from tracing_runs import FLIPS as FLIPS_OF_RUNS
+from tracing_runs import SWEEP, programme, runs
 
 from tumble.calibrations.methods.dividing_head.effects.unnamed import unnamed
 from tumble.calibrations.methods.dividing_head.loop.loop import close_loop
@@ -69,6 +71,23 @@ def test_without_time_and_temperature_neither_is_looked_along():
     bare = unnamed(scene(np.arange(0.0, 400.0, 5.0)))
 
     assert not {"time", "time_since_seating", "temperature"} & {axis.coordinate.word for axis in bare}
+
+
+def test_where_the_head_turns_one_way_only_nothing_is_looked_for_at_its_reversals():
+    assert not [axis for axis in unnamed(scene(np.arange(0.0, 400.0, 5.0))) if axis.channel.detail == "reversal"]
+
+
+def test_play_in_a_sector_is_an_error_of_the_angle_after_moves_in_one_direction():
+    def worn(columns):
+        off_deg = np.mod(columns["angle_deg"] - 120.0 + 180.0, 360.0) - 180.0
+        return np.where(columns["direction"] < 0, 0.05 * np.exp(-0.5 * (off_deg / 25.0) ** 2), 0.0)
+
+    swept = programme(FLIPS_OF_RUNS, SWEEP.format("face-up", "there-and-back"), realisations=2)
+    loop = close_loop(runs(swept, error_deg=worn))
+
+    assert [effect.name for effect in loop.effects] == []
+    assert loop.unexplained.variable == "angle"
+    assert "after moves in the negative direction" in loop.unexplained.description
 
 
 def test_a_bump_of_the_circle_is_said_with_its_place_and_what_else_it_could_be():

@@ -1,7 +1,8 @@
 """On what structure without a name may depend in the table of an accelerometer: channels, and variables for each.
 
 A scale that follows ax, or an angle that follows it, is an offset that does: those pairs are left out. Jumps of the
-offset between realisations and of the angle between mountings have names.
+offset between realisations and of the angle between mountings have names. What the head does after moves in the one
+direction alone is the reversal value of each position (ISO 230-2:2014, 3.16); where it is the same everywhere, play.
 """
 
 from collections.abc import Iterator, Mapping
@@ -43,10 +44,18 @@ def unnamed(scene: Scene) -> tuple[Axis, ...]:
     scale = Channel(word="scale", gain=scene.ax_g, phrase=Message("a change of the response to ax"), unit="V/g")
     error = Channel(word="angle", gain=scene.slope_v_per_deg, phrase=Message("an error of the angle"), unit="deg")
     product_g2 = scene.gravity_g[:, 0] * scene.gravity_g[:, 1]
+    reversal = Channel(
+        word="angle",
+        detail="reversal",
+        gain=scene.slope_v_per_deg * (scene.direction < 0),
+        phrase=Message("an error of the angle after moves in the negative direction"),
+        unit="deg",
+    )
     cross = Channel(word="cross", gain=product_g2, phrase=Message("a change of the response to ax·ay"), unit="V/g²")
     changing = (*_of_the_time(scene), *_of_the_warmth(scene))
     return axes(
         (error, (*angle, *passing)),
+        (reversal, angle if len(np.unique(scene.direction)) > 1 else ()),
         (offset, (*response, *_of_the_input_lately(scene), *angle, *passing)),
         (scale, passing),
         (cross, changing),

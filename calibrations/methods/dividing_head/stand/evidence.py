@@ -146,8 +146,8 @@ def _term(effect: EffectFound) -> Term:
 
 
 def _of_the_head(component: Component) -> bool:
-    """Whether structure without a name is one of the circle."""
-    return component.axis.coordinate.word == _ANGLE
+    """Whether structure without a name is one of the circle, whichever way the head turned."""
+    return component.axis.coordinate.word == _ANGLE and not component.axis.channel.detail
 
 
 def _is_harmonic(item: Found) -> bool:
