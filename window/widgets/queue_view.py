@@ -41,7 +41,7 @@ class QueueView(QWidget):
         self.up_button = _button(tr("&Up"), "Alt+Up", lambda: self._move(-1))
         self.down_button = _button(tr("&Down"), "Alt+Down", lambda: self._move(1))
         self.remove_button = _button(tr("Re&move"), "Del", self._remove)
-        self.clear_button = _button(tr("C&lear"), "", self.clear_wanted.emit)
+        self.clear_button = _button(tr("Clea&r"), "", self.clear_wanted.emit)
         self._lay_out()
         self._listen_for("Alt+Up", partial(self._move, -1))
         self._listen_for("Alt+Down", partial(self._move, 1))
