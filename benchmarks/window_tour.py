@@ -17,6 +17,7 @@ from PySide6.QtCore import QSettings
 from PySide6.QtWidgets import QApplication, QTabWidget, QWidget
 
 from benchmarks.window_flaws import faint, flaws
+from benchmarks.window_marks import faint_marks
 from tumble.app.cut_off import CutOff
 from tumble.app.stand import load_stand
 from tumble.messages import Language
@@ -173,6 +174,11 @@ class Tour:
             QApplication.processEvents()
 
 
+def pale(window: MainWindow) -> list[str]:
+    """Texts and marks that do not stand out from their grounds."""
+    return [*faint(window), *faint_marks(window)]
+
+
 def _application_in(folder: Path) -> Application:
     """A window with settings and a store of its own, and a simulated stand that takes no time."""
     qt = application()
@@ -202,7 +208,7 @@ def main() -> None:
                 if chosen.pictures:
                     chosen.pictures.mkdir(parents=True, exist_ok=True)
                     tour.window.grab().save(str(chosen.pictures / f"{look}.png"))
-                wrong = [*flaws(tour.window, language), *(faint(tour.window) if scale == 1.0 else [])]
+                wrong = [*flaws(tour.window, language), *(pale(tour.window) if scale == 1.0 else [])]
                 found += [f"{look}: {each}" for each in wrong]
         tour.leave()
     print("\n".join(found))

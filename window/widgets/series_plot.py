@@ -38,6 +38,10 @@ class SeriesPlot(Plot):
         """Write the key anew with the next series: the axes have other names."""
         self._named = ()
 
+    def title_of(self, name: str) -> str:
+        """A series as an operator reads it."""
+        return name
+
     def drawn(self, name: str) -> int:
         """How many points of a series are drawn."""
         places = self._series[name].getData()[0] if name in self._series else None
@@ -58,7 +62,10 @@ class SeriesPlot(Plot):
     def _key(self) -> str:
         """Shape and name of every series, in its colour."""
         styles = {name: self._style(name) for name in self._series}
-        marks = [f'<span style="color: {colour}">{SIGNS[shape]}</span> {n}' for n, (colour, shape) in styles.items()]
+        marks = [
+            f'<span style="color: {colour}">{SIGNS[shape]}</span> {self.title_of(name)}'
+            for name, (colour, shape) in styles.items()
+        ]
         return "".join(f" &nbsp; {mark}" for mark in marks)
 
     def _restyle(self) -> None:
