@@ -11,6 +11,7 @@ from tumble.procedures.events import FinishReason
 from tumble.procedures.recording.reader import read_recording
 from tumble.window.faults import keep_details
 from tumble.window.methods.dividing_head.live_fit import fit_live
+from tumble.window.screens.run_state import Mood
 
 LOST = DeviceError("voltmeter", "does not answer", "check its cable, then resume the run")
 
@@ -51,6 +52,15 @@ def test_a_device_fault_in_mid_run_is_told_and_the_points_are_kept(driver, tiny,
     assert found.ending.reason is FinishReason.DEVICE_FAULT
     assert found.ending.at_standstill
     assert driver.run.controls.start.isEnabled()
+
+
+def test_a_run_that_a_fault_ended_is_red_until_somebody_says_what_becomes_of_it(driver, tiny, monkeypatch):
+    at_call(monkeypatch, 3 * 2 + 2, LOST)
+    driver.start(tiny)
+    driver.wait(driver.run.offered.isVisible)
+    assert (driver.run.course.now.text, driver.run.course.now.mood) == ("Stopped by a fault", Mood.FAULT)
+    driver.run.offered.later_button.click()
+    assert driver.run.course.now.mood is Mood.READY
 
 
 def test_a_run_that_a_fault_ended_is_offered_and_goes_on_to_its_record(driver, tiny, tmp_path, monkeypatch, no_report):
