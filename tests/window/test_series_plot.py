@@ -27,3 +27,12 @@ def test_numbers_beside_an_ordinate_do_not_lie_on_each_other(qapp, height_px):
     line_px = QFontMetricsF(axis.font()).height()
     widest, _ = axis.tickSpacing(-250.0, 250.0, height_px)[0]
     assert widest * height_px / 500.0 >= line_px
+
+
+def test_redrawing_keeps_no_further_symbol(qtbot, qapp):
+    plot = SeriesPlot(["u"], "angle (°)", "voltage (V)")
+    qtbot.addWidget(plot)
+    for points in range(1, 6):
+        plot.draw_series({"u": (np.arange(points), np.arange(points))})
+        plot.grab()
+    assert len(plot.listDataItems()[0].scatter.fragmentAtlas) == 1

@@ -50,7 +50,8 @@ class SeriesPlot(Plot):
     def _of(self, name: str) -> pg.PlotDataItem:
         if name not in self._series:
             colour, shape = self._style(name)
-            style = {"pen": None, "symbol": shape, "symbolSize": 7, "symbolBrush": colour, "symbolPen": None}
+            filled, outline = pg.mkBrush(colour), pg.mkPen(None)  # of other kinds, a symbol is kept for every redraw
+            style = {"pen": None, "symbol": shape, "symbolSize": 7, "symbolBrush": filled, "symbolPen": outline}
             self._series[name] = self.plot([], [], name=name, **style)
         return self._series[name]
 
@@ -70,5 +71,5 @@ class SeriesPlot(Plot):
 
     def _restyle(self) -> None:
         for name, series in self._series.items():
-            series.setSymbolBrush(self._style(name)[0])
+            series.setSymbolBrush(pg.mkBrush(self._style(name)[0]))
         self.entitle(self._key())
