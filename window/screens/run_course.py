@@ -155,7 +155,7 @@ class RunCourse(QObject):
 
     def _end_badly(self, error: BaseException) -> None:
         self.now.end()
-        self.now.faulty = not was_stopped(error)
+        self.now.stopped, self.now.faulty = True, not was_stopped(error)
         self.broke_off.emit(self._run, error)
         self.changed.emit()
 
