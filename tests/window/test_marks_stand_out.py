@@ -5,17 +5,21 @@ from itertools import product
 import numpy as np
 import pytest
 from PySide6.QtGui import QColor, QPainter, QPen
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QProgressBar, QVBoxLayout, QWidget
 
 from benchmarks.window_flaws import LEAST_CONTRAST, contrast
 from benchmarks.window_marks import Mark, marks
 from tumble.calibrations.methods.dividing_head.geometry import MOUNTS
 from tumble.window.look.shades import CONTRAST, DARK, LIGHT, Shade
+from tumble.window.look.sheet import style_sheet
 from tumble.window.look.theme import dress
+from tumble.window.look.tints import BLUE
 from tumble.window.methods.dividing_head.pose_picture import PosePicture
 from tumble.window.methods.triad import pose_overview
 from tumble.window.widgets.correlation_table import CorrelationTable
+from tumble.window.widgets.run_log import RunLog
 from tumble.window.widgets.series_plot import SeriesPlot
+from tumble.window.widgets.table import Table
 from tumble.window.work.presentation import Correlations
 
 
@@ -116,3 +120,48 @@ def test_a_coefficient_stands_out_from_its_tint(shade, window, coefficient):
     ground = image.pixelColor(2, 2).rgb() & 0xFFFFFF
     assert ground != table.palette().base().color().rgb() & 0xFFFFFF
     assert contrast(ground, table.palette().text().color().rgb() & 0xFFFFFF) >= LEAST_CONTRAST
+
+
+@pytest.fixture
+def dressed_anew(qtbot, qapp):
+    """Has parts written in light and shown in high contrast."""
+    dress(qapp, Shade.LIGHT, 1.0)
+
+    def dressed(part):
+        qtbot.addWidget(part)
+        part.show()
+        dress(qapp, Shade.CONTRAST, 1.0)
+        qapp.processEvents()
+        return part
+
+    yield dressed
+    dress(qapp, Shade.LIGHT, 1.0)
+
+
+def test_what_the_log_said_is_read_in_other_colours_too(dressed_anew):
+    log = RunLog()
+    log.resize(400, 80)
+    log.say("The head stands.", warning=True)
+    shown = dressed_anew(log)
+    image = shown.viewport().grab().toImage()
+    inks = {image.pixelColor(x, y).rgb() & 0xFFFFFF for x in range(image.width()) for y in range(24)}
+    assert max(contrast(ink, rgb(CONTRAST.paper)) for ink in inks) >= LEAST_CONTRAST
+
+
+def test_a_row_keeps_its_ink_in_other_colours(dressed_anew):
+    table = Table(["unit"])
+    table.fill([["A-1"]], ["bad"])
+    assert table.item(0, 0).foreground().color().name().upper() == LIGHT.bad
+    assert dressed_anew(table).item(0, 0).foreground().color().name().upper() == CONTRAST.bad
+
+
+def test_how_far_a_run_is_stands_out_in_high_contrast(dressed_anew):
+    bar = QProgressBar()
+    bar.setStyleSheet(style_sheet(CONTRAST, 1.0, 10.5))
+    bar.setRange(0, 12)
+    bar.setValue(12)
+    bar.setFormat("%v / %m")
+    bar.resize(300, 30)
+    on_what_is_done = [mark for mark in marks(dressed_anew(bar)) if mark.ground == rgb(BLUE.ground)]
+    assert rgb(CONTRAST.ink) in {mark.colour for mark in on_what_is_done}
+    assert [mark for mark in on_what_is_done if mark.contrast < LEAST_CONTRAST] == []
