@@ -12,11 +12,13 @@ import tempfile
 import time
 
 _CODE = """
+import gc
 import sys
 from pathlib import Path
 from PySide6.QtCore import QSettings, QTimer
 from tumble.window.libraries import obstacle
 assert not obstacle(), obstacle()
+gc.disable()
 from tumble.window.start import Application, application
 QSettings.setDefaultFormat(QSettings.Format.IniFormat)
 QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, sys.argv[1])
