@@ -1,25 +1,29 @@
 """A day of an operator at the window, by keys alone: what goes well, and what one has to know.
 
-Three units in the queue, of which one was mistyped and is put right; a stop in the middle and the run gone on with; two
-records compared; a report for the customer. Every station is said, and grabbed where `--pictures` names a folder.
+Three units in the queue, of which one was mistyped and is put right; a stop in the middle of a run, and a meter whose
+cable falls out in the middle of another, both gone on with; two records compared; a report for the customer. Every
+station is said, and grabbed where `--pictures` names a folder.
 
 `xvfb-run --server-args="-screen 0 1280x800x24" python -m benchmarks.window_day`
 """
 
 import argparse
-import os
 import sys
-import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
-from PySide6.QtCore import QSettings
-
-from benchmarks.window_hands import Hands, StuckError
-from tumble.window.start import Application, application
+from benchmarks.endurance.processes import ZABER_SCPI, emulated
+from benchmarks.window_hands import Hands, StuckError, look_on, window_in_english
+from tumble.app.running import Job
+from tumble.app.stand import load_stand
+from tumble.procedures.programmes import load_programme
+from tumble.window.start import Application
 from tumble.window.work.run_queue import Stage
 
-_WITHIN_S = 240.0
+_WITHIN_S = 60.0
+_POINTS_OF_THE_THIRD = 12
+"""So many are there when the cable falls out; those that the resumed run takes again are among them."""
 _PROGRAMME = """\
 name = "incoming"
 dwell_s = 1.0
@@ -35,12 +39,39 @@ axes = ["x"]
 """
 
 
+_SPEED = 10.0
+_CABLE_S = 5.0
+"""Until the cable is in again: a link is given up after 30 s of the stand, here 3 s, and this one is out for 6 s."""
+_CABLE = """\
+[[fault]]
+device = "daq"
+kind = "drop"
+at = {{ point = {point} }}
+lasts_s = 6.0
+"""
+
+
+@contextmanager
+def _emulated(folder: Path) -> Iterator[Path]:
+    """The stand of the day, in a process of its own: its meter loses its cable while the third unit is measured."""
+    programme = load_programme(_written(folder / "incoming.toml", _PROGRAMME))
+    points = Job(stand=load_stand(), programme=programme, serial_number="").plan().dwells
+    faults = _written(folder / "faults.toml", _CABLE.format(point=2 * points + _POINTS_OF_THE_THIRD))
+    served = ZABER_SCPI.write_stand(folder / "served.toml")
+    with emulated(served, _SPEED, "--faults", str(faults)) as addresses:
+        yield ZABER_SCPI.at(addresses).write_stand(folder / "stand.toml")
+
+
+def _written(path: Path, text: str) -> Path:
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
 class Day:
     """The stations of a day, one method each, in their order."""
 
-    def __init__(self, running: Application, folder: Path, pictures: Path | None) -> None:
-        self._window, self._folder, self._pictures = running.window, folder, pictures
-        self.hands = Hands(running.window)
+    def __init__(self, running: Application, hands: Hands, stand: Path, pictures: Path | None) -> None:
+        self._window, self.hands, self._stand, self._pictures = running.window, hands, stand, pictures
         self._count = 0
 
     def survive(self) -> bool:
@@ -48,34 +79,34 @@ class Day:
         try:
             self.live()
         except StuckError as stuck:
-            print(f"stuck: {stuck}")
+            print(f"stuck: {stuck}", *(card.notice.text for card in self._window.notices.cards), sep="\n")
             self._grab("stuck")
             return False
         return True
 
     def live(self) -> None:
         """Go from station to station."""
-        for station in (self._begin, self._queue, self._correct, self._stop, self._go_on, self._compare, self._report):
+        for station in (
+            self._begin, self._queue, self._correct, self._stop, self._go_on, self._fail, self._mend, self._compare,
+            self._report, self._leave,
+        ):  # fmt: skip
             pressed = self.hands.pressed
             station()
             print(f"{(station.__doc__ or '').rstrip('.')}: {self.hands.pressed - pressed} keys", flush=True)
             self._grab(station.__name__.strip("_"))
 
     def _begin(self) -> None:
-        """The window is there; the programme is a file."""
+        """The window is there; stand and programme are files."""
         hands, window = self.hands, self._window
-        window.activateWindow()
-        hands.wait(window.isActiveWindow, "the window")
-        speed = window.stand.simulation.speed
         hands.press("Ctrl+1")
-        hands.tab_to(speed)
-        hands.choose(speed, "× 10")
-        programme = self._folder / "incoming.toml"
-        programme.write_text(_PROGRAMME, encoding="utf-8")
+        hands.access("F")
+        hands.scan(str(self._stand))
+        hands.wait(lambda: window.stand.loaded.path == self._stand, "the stand")
+        programme = str(self._stand.with_name("incoming.toml"))
         hands.press("Ctrl+2")
         hands.access("F")
-        hands.scan(str(programme))
-        hands.wait(lambda: window.run.form.programme.currentText() == str(programme), "the programme")
+        hands.scan(programme)
+        hands.wait(lambda: window.run.form.programme.currentText() == programme, "the programme")
 
     def _queue(self) -> None:
         """Three units are scanned into the queue, one of them mistyped."""
@@ -106,14 +137,26 @@ class Day:
 
     def _go_on(self) -> None:
         """The stopped run is gone on with, and the queue after it."""
+        self._resume()
+        self._attend(lambda: self._units() >= {"SN-101", "SN-102"}, "the second record")
+        self.hands.press("Ctrl+2")
+        self.hands.push("F4")
+
+    def _fail(self) -> None:
+        """The meter of the third unit loses its cable, and the window says so."""
+        self._attend(lambda: self._stages()[2] is Stage.FAILED, "the fault")
+
+    def _mend(self) -> None:
+        """The cable is put in again, and the run gone on with."""
+        look_on(_CABLE_S)
+        self._resume()
+        self._attend(lambda: self._units() == {"SN-101", "SN-102", "SN-103"}, "the third record")
+
+    def _resume(self) -> None:
         offered = self._window.run.offered
         self.hands.wait(lambda: offered.isVisible() and offered.button.isEnabled(), "the offer")
         self._grab("offer")
         self.hands.push("F7")
-        self._attend(lambda: self._units() >= {"SN-101", "SN-102"}, "the second record")
-        self.hands.press("Ctrl+2")
-        self.hands.push("F4")
-        self._attend(lambda: self._units() == {"SN-101", "SN-102", "SN-103"}, "the third record")
 
     def _compare(self) -> None:
         """Two records are compared."""
@@ -126,13 +169,18 @@ class Day:
 
     def _report(self) -> None:
         """The report of a record is written for the customer."""
-        hands, page = self.hands, self._folder / "for the customer.pdf"
+        hands, page = self.hands, self._stand.with_name("for the customer.pdf")
         hands.tab_to(self._window.records.table)
         hands.press("Down")  # one record alone is chosen
         hands.access("E")
         hands.press("Ctrl+A")
         hands.scan(str(page))
         hands.wait(page.is_file, "the report", _WITHIN_S)
+
+    def _leave(self) -> None:
+        """The window is closed."""
+        self.hands.press("Ctrl+Q")
+        self.hands.wait(lambda: not self._window.isVisible(), "the end")
 
     def _attend(self, seen: Callable[[], bool], what: str) -> None:
         """Do what is asked for until something is seen."""
@@ -165,16 +213,8 @@ def main() -> None:
     arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     arguments.add_argument("--pictures", type=Path, help="a folder for them; none are written without")
     chosen = arguments.parse_args()
-    with tempfile.TemporaryDirectory() as name:
-        os.environ["XDG_STATE_HOME"] = name
-        QSettings.setDefaultFormat(QSettings.Format.IniFormat)
-        QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, name)
-        QSettings().setValue("look/language", "en")
-        running = Application(application(), Path(name) / "store")
-        day = Day(running, Path(name), chosen.pictures)
-        well = day.survive()
-        running.window.leave()
-        day.hands.wait(lambda: not running.window.isVisible(), "the end")
+    with window_in_english() as (running, hands, folder), _emulated(folder) as stand:
+        well = Day(running, hands, stand, chosen.pictures).survive()
     sys.exit(not well)
 
 

@@ -25,7 +25,7 @@ from tumble.messages import Language, translate
 
 LEAST_CONTRAST = 4.5
 """WCAG 2.1, 1.4.3."""
-_SHARPNESS = 3
+SHARPNESS = 3
 """Times larger than on screen: a stroke is then wide enough to have a pixel in its own colour."""
 _EDGE_PX = 2
 """Width of what is drawn around a field or a button; it is no ground of letters."""
@@ -59,24 +59,24 @@ def _has_access_key(part: QWidget) -> bool:
 def faint(window: QWidget) -> list[str]:
     """Texts that stand out from their ground by less than 4.5 : 1, measured on what is painted."""
     return [
-        f"{contrast:.2f} : 1: {_named(part)}"
+        f"{stands_out:.2f} : 1: {_named(part)}"
         for part in _with_text(window)
-        if (contrast := painted_contrast(part)) < LEAST_CONTRAST
+        if (stands_out := painted_contrast(part)) < LEAST_CONTRAST
     ]
 
 
 def painted_contrast(part: QWidget) -> float:
     """Contrast of the colour that is most frequent in a part, with the one that stands out most from it."""
-    image = QImage(part.size() * _SHARPNESS, QImage.Format.Format_RGB32)
-    image.setDevicePixelRatio(_SHARPNESS)
-    image.fill(_ground(part))
+    image = QImage(part.size() * SHARPNESS, QImage.Format.Format_RGB32)
+    image.setDevicePixelRatio(SHARPNESS)
+    image.fill(ground_of(part))
     part.render(image, QPoint(), QRegion(), QWidget.RenderFlag.DrawChildren)
-    edge = _EDGE_PX * _SHARPNESS
+    edge = _EDGE_PX * SHARPNESS
     colours, ground = _colours(image.copy(image.rect().adjusted(edge, edge, -edge, -edge)))
-    return max(_contrast(ground, int(each)) for each in colours)
+    return max(contrast(ground, int(each)) for each in colours)
 
 
-def _ground(part: QWidget) -> QColor:
+def ground_of(part: QWidget) -> QColor:
     """What is painted behind a part, and around its letters, as its window shows it."""
     place = part.rect().translated(part.mapTo(part.window(), part.rect().topLeft()))
     return QColor(_colours(part.window().grab(place).toImage())[1])
@@ -89,7 +89,8 @@ def _colours(image: QImage) -> tuple[np.ndarray, int]:
     return colours, int(colours[counts.argmax()])
 
 
-def _contrast(one: int, other: int) -> float:
+def contrast(one: int, other: int) -> float:
+    """Of two colours, as 0xRRGGBB (WCAG 2.1, contrast ratio)."""
     light, dark = sorted((_luminance(one), _luminance(other)), reverse=True)
     return (light + 0.05) / (dark + 0.05)
 

@@ -1,11 +1,18 @@
 """A person at the window who has a keyboard and eyes: keys go to whatever has the focus, as those of a keyboard do."""
 
+import os
+import tempfile
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
 
+from PySide6.QtCore import QSettings
 from PySide6.QtGui import QKeySequence
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QWidget
+
+from tumble.window.start import Application, application
 
 _MOST_TABS = 60
 _BUTTON_S = 0.2
@@ -40,7 +47,7 @@ class Hands:
     def push(self, keys: str) -> None:
         """Press the key of a button, which is seen to go down, and acts when it comes up."""
         self.press(keys)
-        _look_on(_BUTTON_S)
+        look_on(_BUTTON_S)
 
     def scan(self, text: str) -> None:
         """Type as a barcode scanner does, with Enter at the end."""
@@ -77,7 +84,7 @@ class Hands:
         while not condition():
             if time.monotonic() > until:
                 raise StuckError(f"{what} does not come within {within_s:.0f} s")
-            _look_on(_LOOK_S)
+            look_on(_LOOK_S)
 
     def _strike(self, key: object, modifiers: object = None) -> None:
         window = QApplication.focusWindow()
@@ -89,7 +96,25 @@ class Hands:
         self.pressed += 1
 
 
-def _look_on(for_s: float) -> None:
+@contextmanager
+def window_in_english() -> Iterator[tuple[Application, Hands, Path]]:
+    """A window with settings, store and state of its own, the person at it, and the folder of all that."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        os.environ["XDG_STATE_HOME"] = name
+        QSettings.setDefaultFormat(QSettings.Format.IniFormat)
+        QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, name)
+        QSettings().setValue("look/language", "en")
+        running = Application(application(), folder / "store")
+        hands = Hands(running.window)
+        running.window.activateWindow()
+        hands.wait(running.window.isActiveWindow, "the window")
+        yield running, hands, folder
+        if running.window.isVisible():
+            running.window.leave()
+
+
+def look_on(for_s: float) -> None:
     """Let the window and its threads go on; `QTest.qWait` would keep the threads waiting, too."""
     until = time.monotonic() + for_s
     while time.monotonic() < until:

@@ -7,17 +7,15 @@ Each line says how many keys a method took and what came of it.
 """
 
 import argparse
-import os
 import sys
-import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QSettings, QUrl, Slot
+from PySide6.QtCore import QObject, QUrl, Slot
 from PySide6.QtGui import QDesktopServices
 
-from benchmarks.window_hands import Hands, StuckError
-from tumble.window.start import Application, application
+from benchmarks.window_hands import Hands, StuckError, window_in_english
+from tumble.window.start import Application
 
 _SAMPLES = Path(__file__).parents[1] / "docs" / "samples"
 _WITHIN_S = 240.0
@@ -151,15 +149,7 @@ def _one(operator: Operator, way: Measured | Tabulated) -> bool:
 def main() -> None:
     """Take every method its way."""
     argparse.ArgumentParser(description=__doc__.splitlines()[0]).parse_args()
-    with tempfile.TemporaryDirectory() as name:
-        os.environ["XDG_STATE_HOME"] = name
-        QSettings.setDefaultFormat(QSettings.Format.IniFormat)
-        QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, name)
-        QSettings().setValue("look/language", "en")
-        running = Application(application(), Path(name) / "store")
-        hands = Hands(running.window)
-        running.window.activateWindow()
-        hands.wait(running.window.isActiveWindow, "the window")
+    with window_in_english() as (running, hands, _):
         operator = Operator(running, hands)
         opener = _Opener(operator.opened)
         QDesktopServices.setUrlHandler("file", opener, "open")

@@ -8,11 +8,11 @@ memory of the process.
 import argparse
 import json
 import os
-import statistics
 import subprocess
 import sys
 import tempfile
 import time
+from array import array
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -83,8 +83,9 @@ def blocks_from(stream: BinaryIO) -> Iterator[NDArray[np.float64]]:
 class Meter:
     """What is measured."""
 
-    gaps_ms: list[float] = field(default_factory=list)
-    frames_ms: list[float] = field(default_factory=list)
+    gaps_ms: "array[float]" = field(default_factory=lambda: array("f"))
+    """In four bytes each, lest the scales weigh them: as numbers of Python they take 1 MB a minute."""
+    frames_ms: "array[float]" = field(default_factory=lambda: array("f"))
     memory_mb: list[float] = field(default_factory=list)
     _beat_s: float = 0.0
     _frame_s: float = 0.0
@@ -113,8 +114,7 @@ class Meter:
 
     def forget(self) -> None:
         """Begin anew: everything is warm."""
-        self.gaps_ms.clear()
-        self.frames_ms.clear()
+        del self.gaps_ms[:], self.frames_ms[:]
 
 
 def timed(meter: Meter, function):
@@ -246,7 +246,7 @@ def summary(meter: Meter) -> dict[str, Any]:
         "gap_p99_9_ms": float(np.percentile(gaps, 99.9)),
         "gap_max_ms": float(gaps.max()),
         "frames": len(frames),
-        "frame_median_ms": statistics.median(frames),
+        "frame_median_ms": float(np.median(frames)),
         "frame_p99_ms": float(np.percentile(frames, 99)),
         "memory_mb": [round(memory[place], 1) for place in np.linspace(0, len(memory) - 1, 7).round().astype(int)],
     }

@@ -9,15 +9,20 @@ import os
 import sys
 import tempfile
 from collections.abc import Callable, Iterator
+from datetime import UTC, datetime
 from itertools import product
 from pathlib import Path
 
 from PySide6.QtCore import QSettings
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QTabWidget, QWidget
 
 from benchmarks.window_flaws import faint, flaws
+from benchmarks.window_marks import faint_marks
+from tumble.app.cut_off import CutOff
 from tumble.app.stand import load_stand
 from tumble.messages import Language
+from tumble.procedures.first_method import FIRST
+from tumble.procedures.methods.dividing_head.layout import LAYOUT
 from tumble.window.look.language import spoken
 from tumble.window.look.shades import Shade
 from tumble.window.main_window import MainWindow
@@ -36,6 +41,16 @@ step_deg = 30.0
 points = 12
 """
 
+_STOPPED = CutOff(
+    path=Path("stopped.mcap"),
+    method=FIRST,
+    serial_number="SN-1",
+    programme_name="tour",
+    points=3,
+    ending="",
+    stand_name="tour",
+    began_at=datetime(2026, 1, 1, tzinfo=UTC),
+)
 _STAND = """\
 name = "tour"
 
@@ -93,8 +108,8 @@ class Tour:
         window = self.window
         for place, screen in zip(window.frame.places, window.frame.screens, strict=True):
             window.open(screen)
-            self.settle()
-            yield place.sign
+            yield from (f"{place.sign}{tab}" for tab in self._tabs(screen))
+        yield from self._asking()
         window.open(window.stand)
         window.stand.open(self._stand)
         window.stand.edit()
@@ -114,6 +129,35 @@ class Tour:
         yield "finder"
         window.frame.close_newest()
 
+    def _asking(self) -> Iterator[str]:
+        """What a run that waits for somebody shows, and one that was stopped."""
+        run = self.window.run
+        self.window.open(run)
+        asking: dict[str, Callable[[], object]] = {
+            "offer": lambda: run.offer((_STOPPED,)),
+            "mount": lambda: run.view.ask(LAYOUT.ask("mount", "edge")),
+            "reading": lambda: run.view.ask_reading(123.5, ""),
+            "unit": lambda: run.view.ask_unit("SN-2"),
+        }
+        for state, ask in asking.items():
+            ask()
+            self.settle()
+            yield state
+            run.offered.withdraw()
+            run.view.ask_nothing()
+
+    def _tabs(self, screen: QWidget) -> Iterator[str]:
+        """Turn to every tab of a screen, the one that is chosen first; a screen without tabs is one page."""
+        self.settle()
+        yield ""
+        for tabs in screen.findChildren(QTabWidget):
+            first = tabs.currentIndex()
+            for number in (number for number in range(tabs.count()) if number != first):
+                tabs.setCurrentIndex(number)
+                self.settle()
+                yield f"-{number}"
+            tabs.setCurrentIndex(first)
+
     def settle(self) -> None:
         """Let the window come to rest."""
         self._wait(lambda: not self.window.background.is_busy)
@@ -128,6 +172,11 @@ class Tour:
     def _wait(self, condition: Callable[[], bool]) -> None:
         while not condition():
             QApplication.processEvents()
+
+
+def pale(window: MainWindow) -> list[str]:
+    """Texts and marks that do not stand out from their grounds."""
+    return [*faint(window), *faint_marks(window)]
 
 
 def _application_in(folder: Path) -> Application:
@@ -159,7 +208,7 @@ def main() -> None:
                 if chosen.pictures:
                     chosen.pictures.mkdir(parents=True, exist_ok=True)
                     tour.window.grab().save(str(chosen.pictures / f"{look}.png"))
-                wrong = [*flaws(tour.window, language), *(faint(tour.window) if scale == 1.0 else [])]
+                wrong = [*flaws(tour.window, language), *(pale(tour.window) if scale == 1.0 else [])]
                 found += [f"{look}: {each}" for each in wrong]
         tour.leave()
     print("\n".join(found))

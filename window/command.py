@@ -1,5 +1,6 @@
 """`tumble gui`: the operator's window. Qt is imported when it is opened."""
 
+import gc
 from pathlib import Path
 
 import click
@@ -16,6 +17,7 @@ def command(folder: Path) -> None:
 
     if sentence := obstacle():
         raise JobError(sentence, Exit.BAD_INPUT)
+    gc.disable()  # nothing of what is loaded now is ever garbage, and the window collects its own
     from tumble.window.start import show
 
     raise SystemExit(show(folder.absolute()))

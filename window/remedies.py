@@ -31,7 +31,7 @@ class Remedies:
         files = files_named(error)
         recordings = [path for path in files if is_recording(path)]
         if recordings:
-            return Action(title=tr("Go on with it"), act=lambda: self.resume(recordings[0]))
+            return Action(title=tr("Go on with it"), act=lambda: self.resume(recordings[0]), about=recordings[0])
         if files:
             return Action(title=tr("Open the file"), act=lambda: open_file(files[0]))
         if isinstance(error, DeviceError) and self.is_free():

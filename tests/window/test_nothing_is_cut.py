@@ -6,8 +6,8 @@ import pytest
 from PySide6.QtCore import QSettings
 from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
 
-from benchmarks.window_flaws import LEAST_CONTRAST, access_keys, faint, flaws, painted_contrast
-from benchmarks.window_tour import Tour
+from benchmarks.window_flaws import LEAST_CONTRAST, access_keys, flaws, painted_contrast
+from benchmarks.window_tour import Tour, pale
 from tumble.messages import Language
 from tumble.window.look.shades import CONTRAST, DARK, LIGHT, Shade
 
@@ -35,9 +35,9 @@ def test_every_text_is_whole_and_in_the_language(tour, language, scale):
 
 
 @pytest.mark.parametrize("shade", [Shade.LIGHT, Shade.DARK, Shade.CONTRAST])
-def test_every_text_stands_out_from_its_ground(tour, shade):
+def test_every_text_and_mark_stands_out_from_its_ground(tour, shade):
     tour.take(Language.ENGLISH, shade, SMALL, 1.0)
-    assert [(state, pale) for state in tour.states() for pale in faint(tour.window)] == []
+    assert [(state, faint) for state in tour.states() for faint in pale(tour.window)] == []
 
 
 @pytest.mark.parametrize("colours", [LIGHT, DARK, CONTRAST])

@@ -165,7 +165,8 @@ def test_a_fault_holds_the_queue_and_is_told_in_its_line(driver, tiny, monkeypat
     wait_for(driver, Stage.FAILED, Stage.WAITING)
     driver.wait_for_end()
     assert states(driver)[0].startswith("✗ failed: voltmeter: does not answer")
-    assert driver.run.queue_view.said.text().startswith("The queue is held: A-1 failed. voltmeter: does not answer")
+    said = "The queue is held: A-1 failed, as its line says. F4 goes on with the next."
+    assert driver.run.queue_view.said.text() == said
     assert stages(driver)[1] == ("B-2", Stage.WAITING)
 
 

@@ -1,7 +1,11 @@
 """A plot of several series says how many points of each are drawn."""
 
 import numpy as np
+import pytest
+from PySide6.QtGui import QFontMetricsF
 
+from tumble.window.look.plots import LocalAxis
+from tumble.window.methods.dividing_head.run_plots import OutputPlot
 from tumble.window.widgets.series_plot import SeriesPlot
 
 
@@ -9,3 +13,26 @@ def test_a_series_without_a_point_yet_has_none_drawn(qapp):
     plot = SeriesPlot(["u"], "angle (°)", "voltage (V)")
     plot.draw_series({"u": (np.array([]), np.array([]))})
     assert plot.drawn("u") == 0
+
+
+def test_the_key_names_a_mount_as_an_operator_reads_it(qapp):
+    plot = OutputPlot()
+    plot.draw(["face-up"], np.array([0.0]), np.array([1.0]))
+    assert "</span> face up" in plot.getPlotItem().titleLabel.text
+
+
+@pytest.mark.parametrize("height_px", [42.0, 90.0, 500.0])
+def test_numbers_beside_an_ordinate_do_not_lie_on_each_other(qapp, height_px):
+    axis = LocalAxis("left")
+    line_px = QFontMetricsF(axis.font()).height()
+    widest, _ = axis.tickSpacing(-250.0, 250.0, height_px)[0]
+    assert widest * height_px / 500.0 >= line_px
+
+
+def test_redrawing_keeps_no_further_symbol(qtbot, qapp):
+    plot = SeriesPlot(["u"], "angle (°)", "voltage (V)")
+    qtbot.addWidget(plot)
+    for points in range(1, 6):
+        plot.draw_series({"u": (np.arange(points), np.arange(points))})
+        plot.grab()
+    assert len(plot.listDataItems()[0].scatter.fragmentAtlas) == 1

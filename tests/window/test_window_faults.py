@@ -11,6 +11,7 @@ from tumble.procedures.events import FinishReason
 from tumble.procedures.recording.reader import read_recording
 from tumble.window.faults import keep_details
 from tumble.window.methods.dividing_head.live_fit import fit_live
+from tumble.window.screens.run_state import Mood
 
 LOST = DeviceError("voltmeter", "does not answer", "check its cable, then resume the run")
 
@@ -53,6 +54,18 @@ def test_a_device_fault_in_mid_run_is_told_and_the_points_are_kept(driver, tiny,
     assert driver.run.controls.start.isEnabled()
 
 
+def test_a_run_that_a_fault_ended_is_red_until_somebody_says_what_becomes_of_it(driver, tiny, monkeypatch):
+    said = []
+    at_call(monkeypatch, 3 * 2 + 2, LOST)
+    driver.start(tiny)
+    driver.run.state_changed.connect(lambda text, _: said.append(text))
+    driver.wait(driver.run.offered.isVisible)
+    assert "Ready" not in said
+    assert (driver.run.course.now.text, driver.run.course.now.mood) == ("Stopped by a fault", Mood.FAULT)
+    driver.run.offered.later_button.click()
+    assert driver.run.course.now.mood is Mood.READY
+
+
 def test_a_run_that_a_fault_ended_is_offered_and_goes_on_to_its_record(driver, tiny, tmp_path, monkeypatch, no_report):
     at_call(monkeypatch, 3 * 2 + 2, LOST)
     driver.start(tiny)
@@ -77,6 +90,17 @@ def test_a_run_that_a_fault_ended_is_offered_and_goes_on_to_its_record(driver, t
     assert presentation.concluded.record_id
     records.refresh()
     driver.wait(lambda: records.cut_off.table.rowCount() == 0 and records.table.rowCount() == 1)
+
+
+def test_what_a_fault_offers_is_withdrawn_once_the_run_goes_on(driver, tiny, monkeypatch, no_report):
+    at_call(monkeypatch, 3 * 2 + 2, LOST)
+    driver.start(tiny)
+    driver.wait(driver.run.offered.isVisible)
+    assert [card.notice.action.title for card in driver.window.notices.cards] == ["Go on with it"]
+    monkeypatch.undo()
+    driver.press(Qt.Key.Key_F7)
+    driver.wait(lambda: not driver.complaints)
+    assert driver.wait_for_result().concluded.record_id
 
 
 def test_an_exception_anywhere_becomes_a_notice_and_stops_the_run(driver, long, tmp_path):

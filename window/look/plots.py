@@ -1,10 +1,11 @@
 """Plots in the colours of the window."""
 
+import math
 from typing import Any
 
 import pyqtgraph as pg
 from PySide6.QtCore import QEvent, QSize, Qt, Signal
-from PySide6.QtGui import QFont, QKeyEvent
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QKeyEvent
 from PySide6.QtWidgets import QWidget
 
 from tumble.window.look.numbers import local
@@ -14,6 +15,8 @@ from tumble.window.look.way_back import WayBack
 
 _WIDE_LINES, _HIGH_LINES = 11, 7
 """Least size, in lines of text."""
+_BAND = 0.16
+"""How far a range that is drawn hides the paper, from 0 to 1."""
 
 
 class LocalAxis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph is not typed
@@ -22,6 +25,16 @@ class LocalAxis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph is not typed
     def tickStrings(self, values: list[float], scale: float, spacing: float) -> list[str]:  # noqa: N802  # its name
         """The numbers beside the ticks."""
         return [local(text) for text in super().tickStrings(values, scale, spacing)]
+
+    def tickSpacing(self, minVal: float, maxVal: float, size: float) -> list[tuple[float, float]]:  # noqa: N802, N803
+        """Steps between ticks and where they begin, the widest first, which has room for a line of text."""
+        steps: list[tuple[float, float]] = super().tickSpacing(minVal, maxVal, size)
+        line = QFontMetricsF(self.style["tickFont"] or self.font()).height()
+        least = line * (maxVal - minVal) / max(size, 1.0)
+        widest = steps[0][0]
+        if self.orientation == "bottom" or widest >= least:
+            return steps
+        return [(widest * math.ceil(least / widest), 0.0), *steps]
 
 
 class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
@@ -67,6 +80,13 @@ class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
     def pen(self, colour: str, width: float = 1.5, **style: Any) -> Any:  # noqa: ANN401  # a QPen
         """A pen that is as wide at every magnification."""
         return pg.mkPen(colour, width=width, **style)
+
+    @property
+    def band(self) -> QColor:
+        """For a range that marks and lines are drawn over."""
+        tint = QColor(self.colours.accent)
+        tint.setAlphaF(_BAND)
+        return tint
 
     def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802  # Qt's name
         """Home shows the whole picture, Backspace what was seen before the last change."""

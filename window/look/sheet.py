@@ -3,6 +3,7 @@
 from typing import Final
 
 from tumble.window.look.shades import CONTRAST, Colours
+from tumble.window.look.tints import BLUE
 
 _LOUD: Final = 1.3
 """How much larger STOP and the state are than other text."""
@@ -58,6 +59,8 @@ def _outlines(chosen: Colours) -> str:
     return f"""
     QComboBox, QDateEdit, QTabWidget::pane, QTableWidget, QListWidget, QPlainTextEdit, QTextBrowser, QProgressBar
         {{ border: 1px solid {chosen.outline}; }}
+    QProgressBar {{ text-align: center; color: {chosen.ink}; }}
+    QProgressBar::chunk {{ background: {BLUE.ground}; }}
     QCheckBox::indicator {{ border: 2px solid {chosen.outline}; width: 12px; height: 12px; }}
     QCheckBox::indicator:checked {{ background: {chosen.accent}; }}
     QSplitter::handle {{ background: {chosen.grid}; }}

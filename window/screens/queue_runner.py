@@ -5,7 +5,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from tumble.app.exits import Exit, JobError
+from tumble.app.exits import JobError
 from tumble.app.running import Job
 from tumble.app.stand import LoadedStand
 from tumble.procedures.errors import InputError
@@ -13,8 +13,7 @@ from tumble.procedures.plan import Plan
 from tumble.procedures.programmes import load_programme
 from tumble.procedures.steps import Dwell
 from tumble.window.look.language import tr
-from tumble.window.look.sentences import in_language
-from tumble.window.screens.run_course import RunCourse
+from tumble.window.screens.run_course import RunCourse, was_stopped
 from tumble.window.work.activity import Activity, Calibration, Concluded, Resumption
 from tumble.window.work.queue_file import read_queue, write_queue
 from tumble.window.work.run_queue import AT_STAND, Entry, RunQueue, Stage
@@ -185,7 +184,7 @@ class QueueRunner(QObject):
         entry = self.queue.get(number) if number is not None else None
         if entry is None:
             self.hear_stop()
-        elif isinstance(error, JobError) and error.status is Exit.STOPPED:
+        elif was_stopped(error):
             self._change(entry.number, lambda each: each.at(Stage.STOPPED))
             self._hold(tr("The queue is held: {unit} was stopped. F4 goes on with the next.", unit=entry.serial_number))
         else:
@@ -228,8 +227,12 @@ class QueueRunner(QObject):
 
     def _fail(self, entry: Entry, why: str) -> None:
         self._change(entry.number, lambda each: each.failed(why))
-        text = tr("The queue is held: {unit} failed. {why}", unit=entry.serial_number, why=in_language(why))
-        self._hold(text)
+        self._hold(
+            tr(
+                "The queue is held: {unit} failed, as its line says. F4 goes on with the next.",
+                unit=entry.serial_number,
+            )
+        )
 
     def _hold(self, said: str) -> None:
         self.going, self.said = False, said

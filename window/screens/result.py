@@ -20,14 +20,13 @@ from tumble.window.look.language import tr
 from tumble.window.look.moments import moment_text
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
-from tumble.window.look.theme import colours
 from tumble.window.look.tints import AMBER, GREEN, GREY, RED, Tint
 from tumble.window.parts import ResultTab
 from tumble.window.registry import window_part
 from tumble.window.screens.loop_view import LoopView
 from tumble.window.widgets.banner import Banner
 from tumble.window.widgets.correlation_table import CorrelationTable
-from tumble.window.widgets.table import Table
+from tumble.window.widgets.table import Ink, Table
 from tumble.window.work.activity import Concluded, FurtherExperiment
 from tumble.window.work.background import Background
 from tumble.window.work.presentation import Presentation
@@ -154,12 +153,11 @@ class ResultScreen(QWidget):
         return " ".join(filter(None, parts))
 
     def _show_table(self, presentation: Presentation) -> None:
-        shades = colours(self)
         told = [
             (row.name, row.value or row.reason, row.interval, row.standard, row.limits, row.verdict, row.note)
             for row in presentation.table
         ]
-        unsettled = [None if row.outcome.good else shades.bad for row in presentation.table]
+        unsettled: list[Ink | None] = [None if row.outcome.good else "bad" for row in presentation.table]
         self.table.fill([[in_language(text) for text in row] for row in told], unsettled)
         for number, row in enumerate(presentation.table):
             if row.reason and not row.limits:

@@ -8,7 +8,6 @@ from PySide6.QtCore import Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from tumble.app.exits import Exit, JobError
 from tumble.app.running import Job
 from tumble.app.wiring import Attendant
 from tumble.procedures.errors import InputError
@@ -20,7 +19,7 @@ from tumble.window.look.sentences import stopped_text
 from tumble.window.screens.queue_panel import QueuePanel
 from tumble.window.screens.queue_runner import QueueRunner
 from tumble.window.screens.run_controls import RunControls
-from tumble.window.screens.run_course import RunCourse, asks_nothing
+from tumble.window.screens.run_course import RunCourse, asks_nothing, was_stopped
 from tumble.window.screens.run_state import Phase
 from tumble.window.screens.run_view import RunView
 from tumble.window.widgets.resume_offer import ResumeOffer
@@ -269,7 +268,7 @@ class RunScreen(QWidget):
         self._broken_off = True
         self._end()
         self.broke_off.emit()
-        if isinstance(error, JobError) and error.status is Exit.STOPPED and not self.course.now.restless:
+        if was_stopped(error) and not self.course.now.restless:
             self.view.log.say(stopped_text(len(self.view.points)))
         else:
             self.refused.emit(error)

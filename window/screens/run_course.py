@@ -5,6 +5,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
+from tumble.app.exits import Exit, JobError
 from tumble.app.wiring import Attendant
 from tumble.drivers.protocols import PositionerStatus
 from tumble.procedures.events import Event, RunFinished, State, StateChanged
@@ -154,6 +155,7 @@ class RunCourse(QObject):
 
     def _end_badly(self, error: BaseException) -> None:
         self.now.end()
+        self.now.stopped, self.now.faulty = True, not was_stopped(error)
         self.broke_off.emit(self._run, error)
         self.changed.emit()
 
@@ -169,6 +171,11 @@ class RunCourse(QObject):
 
     def _count(self) -> None:
         self.now.concluding = len(self._conclusions.waiting)
+
+
+def was_stopped(error: BaseException) -> bool:
+    """Whether a run ended because somebody stopped it."""
+    return isinstance(error, JobError) and error.status is Exit.STOPPED
 
 
 def asks_nothing(event: Event) -> bool:

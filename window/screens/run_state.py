@@ -41,6 +41,8 @@ class RunState:
     """Whether the next unit is to be put on the stand before anything goes on."""
     stopped: bool = False
     """Whether a run ended before its time here, and nobody has said yet what is to become of it."""
+    faulty: bool = False
+    """Whether a fault ended it, and nobody that stopped it."""
     state: State = State.IDLE
     pausing: bool = False
     """Whether a pause was asked for that has not begun."""
@@ -86,7 +88,7 @@ class RunState:
 
     def begin(self) -> None:
         """A run has the stand."""
-        self.running, self.changing_unit, self.stopped = True, False, False
+        self.running, self.changing_unit, self.stopped, self.faulty = True, False, False, False
 
     def end(self) -> None:
         """The run is over."""
@@ -102,7 +104,7 @@ class RunState:
         if self.pausing:
             return tr("Waits for you, and pauses then") if self.waiting else tr("Pausing…")
         if self.stopped and self.phase is Phase.IDLE and not self.waiting:
-            return tr("Stopped")
+            return tr("Stopped by a fault") if self.faulty else tr("Stopped")
         if self.running and self.state is State.IDLE:
             return tr("Getting ready")
         return state_name(State.AWAITING_OPERATOR if self.waiting else self.state)
@@ -114,6 +116,8 @@ class RunState:
             return Mood.FAULT
         if self.waiting:
             return Mood.WAITING
+        if self.stopped and self.faulty and self.phase is Phase.IDLE:
+            return Mood.FAULT
         if self.paused or self.pausing or (self.stopped and self.phase is Phase.IDLE):
             return Mood.PAUSED
         return Mood.READY if self.phase is Phase.IDLE else Mood.MEASURING

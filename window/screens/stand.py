@@ -4,6 +4,7 @@ from html import escape
 from pathlib import Path
 
 from PySide6.QtCore import QSettings, Qt, Signal
+from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
 
 from tumble.app.stand import LoadedStand, load_stand
@@ -71,6 +72,16 @@ class StandScreen(QWidget):
             return self.simulation.attendant(self._operator)
         return Attendant(operator=lambda: self._operator, speed=1.0)
 
+    def showEvent(self, event: QShowEvent) -> None:  # noqa: N802  # Qt's name
+        """Have the samplers read."""
+        super().showEvent(event)
+        self._worker.watch(True)
+
+    def hideEvent(self, event: QHideEvent) -> None:  # noqa: N802  # Qt's name
+        """Leave them alone again."""
+        super().hideEvent(event)
+        self._worker.watch(False)
+
     def use(self, loaded: LoadedStand) -> bool:
         """Choose a stand, and leave the one before; returns whether that could be."""
         try:
@@ -116,6 +127,7 @@ class StandScreen(QWidget):
         worker.disconnected.connect(self._show_disconnected)
         worker.working.connect(self._refresh)
         worker.position_seen.connect(self._see)
+        worker.reading_seen.connect(self.table.see)
         bridge.position_seen.connect(self._see)
         bridge.announced.connect(self._hear)
 

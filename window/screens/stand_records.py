@@ -27,18 +27,27 @@ class StandRecords(QWidget):
         )
         self.line = self.plot.plot([], [])
         self._low, self._high = self.plot.plot([], []), self.plot.plot([], [])
-        self.plot.addItem(pg.FillBetweenItem(self._low, self._high, brush=(86, 180, 233, 90)))
+        self._band = pg.FillBetweenItem(self._low, self._high)
+        self.plot.addItem(self._band)
         self._records: tuple[StandRecord, ...] = ()
         layout = QVBoxLayout(self)
         layout.addWidget(self.choice)
         layout.addWidget(self.plot)
         self.choice.currentIndexChanged.connect(self._draw)
+        self.plot.recoloured.connect(self._recolour)
+        self._recolour()
 
     def show_records(self, records: "Sequence[StandRecord]") -> None:
         """List the records of all stands, the newest first, and draw that."""
         self._records = tuple(sorted(records, key=lambda record: record.created_at, reverse=True))
         self.choice.clear()
         self.choice.addItems([f"{each.identity.stand} {each.version}, {each.status}" for each in self._records])
+
+    def _recolour(self) -> None:
+        self.line.setPen(self.plot.pen(self.plot.colours.accent, 2))
+        for edge in (self._low, self._high):
+            edge.setPen(self.plot.pen(self.plot.colours.pale, 1))
+        self._band.setBrush(self.plot.band)
 
     def _draw(self, place: int) -> None:
         from tumble.app.stand_records import head_map_curve
@@ -49,6 +58,6 @@ class StandRecords(QWidget):
                 line.setData([], [])
             return
         error, twice = curve.error_deg * _ARCSEC, 2 * curve.standard_uncertainty_deg * _ARCSEC
-        self.line.setData(curve.angle_deg, error, pen=self.plot.pen(self.plot.colours.accent, 2))
+        self.line.setData(curve.angle_deg, error)
         self._low.setData(curve.angle_deg, error - twice)
         self._high.setData(curve.angle_deg, error + twice)

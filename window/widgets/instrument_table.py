@@ -1,5 +1,6 @@
 """What is connected: who the instruments say they are, and until when their certificates hold."""
 
+from collections.abc import Collection
 from datetime import UTC, datetime, timedelta
 from typing import Final
 
@@ -7,11 +8,12 @@ from PySide6.QtCore import QDate, QLocale, Qt
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
 
 from tumble.app.stand import LoadedStand
-from tumble.drivers.protocols import Identity
+from tumble.drivers.protocols import Block, Identity
 from tumble.drivers.tables import Instrument
 from tumble.window.look.language import tr
 from tumble.window.look.names import instrument_name
 from tumble.window.look.plain import PlainLabel
+from tumble.window.widgets.live_value import LiveValue
 
 _SOON: Final = timedelta(days=30)
 
@@ -25,6 +27,8 @@ class InstrumentTable(QFrame):
         self._grid = QGridLayout(self)
         self._instruments: tuple[str, ...] = ()
         self._cells: dict[tuple[str, str], QLabel] = {}
+        self.live: dict[str, LiveValue] = {}
+        """What the samplers read, by name."""
         self._titles = {
             "driver": tr("Driver"),
             "address": tr("Address"),
@@ -39,7 +43,7 @@ class InstrumentTable(QFrame):
         """Show what the stand file says."""
         tables = loaded.file.instruments
         if tuple(tables) != self._instruments:
-            self._make(tuple(tables))
+            self._make(tuple(tables), [*loaded.file.samplers])
         for key, table in tables.items():
             self._show_file(key, table)
         self.forget_identities()
@@ -55,12 +59,19 @@ class InstrumentTable(QFrame):
         """Nobody was asked."""
         for key in self._instruments:
             self.show_identity(key, None)
+        for live in self.live.values():
+            live.forget()
+
+    def see(self, key: str, block: Block) -> None:
+        """Show what a sampler reads."""
+        if key in self.live:
+            self.live[key].see(block)
 
     def text(self, key: str, name: str) -> str:
         """What a cell says."""
         return self._cells[key, name].text()
 
-    def _make(self, instruments: tuple[str, ...]) -> None:
+    def _make(self, instruments: tuple[str, ...], samplers: Collection[str]) -> None:
         """A column for each instrument, in place of those that are there."""
         while (item := self._grid.takeAt(0)) is not None:
             if (before := item.widget()) is not None:
@@ -75,6 +86,11 @@ class InstrumentTable(QFrame):
             self._grid.addWidget(_label(instrument_name(key), "heading"), 0, column)
             self._grid.setColumnStretch(column, 1)
             self._cells |= {(key, name): self._cell(row, column) for row, name in enumerate(self._titles, 1)}
+        below = len(self._titles) + 1
+        self._grid.addWidget(_label(tr("Reads"), "pale"), below, 0)
+        self.live = {key: LiveValue() for key in samplers}
+        for key, live in self.live.items():
+            self._grid.addWidget(live, below, 1 + instruments.index(key))
 
     def _cell(self, row: int, column: int) -> QLabel:
         label = PlainLabel()

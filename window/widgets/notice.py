@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
+from pathlib import Path
 from typing import Final
 
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
@@ -36,6 +37,8 @@ class Action:
 
     title: str
     act: Callable[[], None]
+    about: Path | None = None
+    """The file that it does something with, where that may be done elsewhere, too."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -138,6 +141,11 @@ class Notices(QWidget):
         self._column.addWidget(card)
         self._arrange()
         QAccessible.updateAccessibility(QAccessibleEvent(card, QAccessible.Event.Alert))
+
+    def withdraw(self, about: Path) -> None:
+        """Close what offers something with a file: it is being done."""
+        for card in [card for card in self.cards if card.notice.action and card.notice.action.about == about]:
+            card.dismiss()
 
     def act_newest(self) -> None:
         """Do what the newest notice offers; nothing where it offers nothing."""

@@ -11,10 +11,8 @@ from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 from tumble.window.look.language import tr
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
-from tumble.window.look.shades import Colours
-from tumble.window.look.theme import colours
 from tumble.window.look.verdicts import verdict_mark
-from tumble.window.widgets.table import Table
+from tumble.window.widgets.table import Ink, Table
 from tumble.window.work.run_queue import UNDER_WAY, Entry, Stage
 
 
@@ -41,7 +39,7 @@ class QueueView(QWidget):
         self.up_button = _button(tr("&Up"), "Alt+Up", lambda: self._move(-1))
         self.down_button = _button(tr("&Down"), "Alt+Down", lambda: self._move(1))
         self.remove_button = _button(tr("Re&move"), "Del", self._remove)
-        self.clear_button = _button(tr("C&lear"), "", self.clear_wanted.emit)
+        self.clear_button = _button(tr("Clea&r"), "", self.clear_wanted.emit)
         self._lay_out()
         self._listen_for("Alt+Up", partial(self._move, -1))
         self._listen_for("Alt+Down", partial(self._move, 1))
@@ -54,9 +52,8 @@ class QueueView(QWidget):
         """Show the queue as it is now; the line that was chosen stays so, wherever it is."""
         chosen = self.chosen
         self._entries = tuple(entries)
-        shades = colours(self)
         self.table.blockSignals(True)
-        self.table.fill([_line(entry) for entry in entries], [_shade(entry, shades) for entry in entries])
+        self.table.fill([_line(entry) for entry in entries], [_ink(entry) for entry in entries])
         self.table.clearSelection()
         for row, entry in enumerate(entries):
             if chosen is not None and entry.number == chosen.number:
@@ -142,9 +139,9 @@ def stage_text(entry: Entry) -> str:
     return f"{text}: {in_language(entry.said)}" if entry.said else text
 
 
-def _shade(entry: Entry, shades: Colours) -> str | None:
+def _ink(entry: Entry) -> Ink | None:
     if entry.stage in UNDER_WAY:
-        return shades.now
+        return "now"
     if entry.stage is Stage.FAILED or (entry.outcome is not None and not entry.outcome.good):
-        return shades.bad
+        return "bad"
     return None

@@ -3,17 +3,19 @@
 from datetime import datetime
 from typing import Final
 
-from PySide6.QtGui import QColor, QTextCharFormat, QTextCursor
+from PySide6.QtGui import QFont, QTextCharFormat, QTextCursor
 from PySide6.QtWidgets import QPlainTextEdit, QWidget
 
 from tumble.window.look.language import tr
-from tumble.window.look.theme import colours
 
 _LINES: Final = 5000
 
 
 class RunLog(QPlainTextEdit):
-    """Sentences with the time of day, the newest at the end; warnings are marked by a sign and a colour."""
+    """Sentences with the time of day, the newest at the end; warnings are marked by a sign and bold letters.
+
+    They have no colour of their own, which would outlive a choice of others.
+    """
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -26,7 +28,7 @@ class RunLog(QPlainTextEdit):
     def say(self, sentence: str, warning: bool = False) -> None:
         """Add a sentence."""
         style = QTextCharFormat()
-        style.setForeground(QColor(colours(self).bad if warning else colours(self).ink))
+        style.setFontWeight(QFont.Weight.Bold if warning else QFont.Weight.Normal)
         cursor = QTextCursor(self.document())
         cursor.movePosition(QTextCursor.MoveOperation.End)
         sign = "⚠ " if warning else ""

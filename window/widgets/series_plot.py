@@ -38,6 +38,10 @@ class SeriesPlot(Plot):
         """Write the key anew with the next series: the axes have other names."""
         self._named = ()
 
+    def title_of(self, name: str) -> str:
+        """A series as an operator reads it."""
+        return name
+
     def drawn(self, name: str) -> int:
         """How many points of a series are drawn."""
         places = self._series[name].getData()[0] if name in self._series else None
@@ -46,7 +50,8 @@ class SeriesPlot(Plot):
     def _of(self, name: str) -> pg.PlotDataItem:
         if name not in self._series:
             colour, shape = self._style(name)
-            style = {"pen": None, "symbol": shape, "symbolSize": 7, "symbolBrush": colour, "symbolPen": None}
+            filled, outline = pg.mkBrush(colour), pg.mkPen(None)  # of other kinds, a symbol is kept for every redraw
+            style = {"pen": None, "symbol": shape, "symbolSize": 7, "symbolBrush": filled, "symbolPen": outline}
             self._series[name] = self.plot([], [], name=name, **style)
         return self._series[name]
 
@@ -58,10 +63,13 @@ class SeriesPlot(Plot):
     def _key(self) -> str:
         """Shape and name of every series, in its colour."""
         styles = {name: self._style(name) for name in self._series}
-        marks = [f'<span style="color: {colour}">{SIGNS[shape]}</span> {n}' for n, (colour, shape) in styles.items()]
+        marks = [
+            f'<span style="color: {colour}">{SIGNS[shape]}</span> {self.title_of(name)}'
+            for name, (colour, shape) in styles.items()
+        ]
         return "".join(f" &nbsp; {mark}" for mark in marks)
 
     def _restyle(self) -> None:
         for name, series in self._series.items():
-            series.setSymbolBrush(self._style(name)[0])
+            series.setSymbolBrush(pg.mkBrush(self._style(name)[0]))
         self.entitle(self._key())

@@ -7,7 +7,7 @@ from typing import Final
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QTableWidgetItem, QWidget
 
-from tumble.window.widgets.table import Table
+from tumble.window.widgets.table import Ink, Table
 
 _NUMBER: Final = re.compile(r"([-−]?\d+(?:[.,]\d+)?)")
 _ROW: Final = Qt.ItemDataRole.UserRole
@@ -31,10 +31,10 @@ class SortableTable(Table):
         self.setSortingEnabled(True)
         self.sortByColumn(newest, Qt.SortOrder.DescendingOrder)
 
-    def fill(self, rows: Sequence[Sequence[str]], colours: Sequence[str | None] = ()) -> None:
+    def fill(self, rows: Sequence[Sequence[str]], inks: Sequence[Ink | None] = ()) -> None:
         """Show other rows in the order that is chosen."""
         self.setSortingEnabled(False)
-        super().fill(rows, colours)
+        super().fill(rows, inks)
         self.setSortingEnabled(True)
 
     @property

@@ -1,14 +1,18 @@
 """A table of texts."""
 
 from collections.abc import Sequence
-from typing import Final
+from typing import Final, Literal, TypeAlias
 
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QBrush, QColor, QFocusEvent, QGuiApplication, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem, QWidget
 
 from tumble.window.look.plain import as_tooltip
+from tumble.window.look.theme import colours
 
+Ink: TypeAlias = Literal["bad", "now"]
+"""A colour of `Colours`, by its name there: what is written keeps its ink when others are chosen."""
+_INK: Final = Qt.ItemDataRole.UserRole + 7
 _LEAST_LINES: Final = 6
 _BY_KEY: Final = (Qt.FocusReason.TabFocusReason, Qt.FocusReason.BacktabFocusReason, Qt.FocusReason.ShortcutFocusReason)
 
@@ -30,20 +34,29 @@ class Table(QTableWidget):
         self._measure(QHeaderView.ResizeMode.ResizeToContents)
         self._keep_lines()
 
-    def fill(self, rows: Sequence[Sequence[str]], colours: Sequence[str | None] = ()) -> None:
-        """Show other rows, each in a colour of its own where one is given."""
+    def fill(self, rows: Sequence[Sequence[str]], inks: Sequence[Ink | None] = ()) -> None:
+        """Show other rows, each in an ink of its own where one is given."""
         self.clearSpans()
         self._measure(QHeaderView.ResizeMode.Fixed)  # once at the end, and not all cells again after each
         self.setRowCount(len(rows))
         for number, row in enumerate(rows):
-            colour = colours[number] if number < len(colours) else None
+            ink = inks[number] if number < len(inks) else None
             for column, text in enumerate(row):
                 item = self.item_made(text, number)
                 item.setToolTip(as_tooltip(text))
-                if colour:
-                    item.setForeground(QBrush(QColor(colour)))
+                item.setData(_INK, ink)
                 self.setItem(number, column, item)
+        self._ink()
         self._measure(QHeaderView.ResizeMode.ResizeToContents)
+
+    def _ink(self) -> None:
+        """Write in the colours that are chosen."""
+        chosen = colours(self)
+        for row in range(self.rowCount()):
+            for column in range(self.columnCount()):
+                item = self.item(row, column)
+                if item is not None and (ink := item.data(_INK)):
+                    item.setForeground(QBrush(QColor(getattr(chosen, ink))))
 
     def item_made(self, text: str, row: int) -> QTableWidgetItem:  # noqa: ARG002  # for tables that are sorted
         """A cell of a row, by its number."""
@@ -74,10 +87,12 @@ class Table(QTableWidget):
         return "\n".join("\t".join(texts[row]) for row in rows)
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802  # Qt's name
-        """Keep as many lines in sight with larger text."""
+        """Keep as many lines in sight with larger text, and take over another palette."""
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange:
             self._keep_lines()
+        elif event.type() == QEvent.Type.PaletteChange:
+            self._ink()
 
     def _keep_lines(self) -> None:
         self.setMinimumHeight(_LEAST_LINES * self.fontMetrics().height())

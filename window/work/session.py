@@ -10,8 +10,8 @@ from tumble.app.simulation import Past
 from tumble.app.stand import LoadedStand
 from tumble.app.stand_lock import holding
 from tumble.app.wiring import Attendant, Connected, connect
-from tumble.drivers.errors import DeviceError
-from tumble.drivers.protocols import Identity, PositionerStatus
+from tumble.drivers.errors import DeviceError, LinkLostError
+from tumble.drivers.protocols import Block, Identity, PositionerStatus
 from tumble.messages import Message
 from tumble.procedures.axes import Look
 from tumble.procedures.interlock import Interlock
@@ -19,6 +19,8 @@ from tumble.procedures.losses import Losses
 from tumble.procedures.motion import Motion, standstill
 
 _TOLERANCE_DEG: Final = 0.01
+_GLANCE_S: Final = 0.05
+"""What a sampler may take to be read while nothing else goes on."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -66,6 +68,24 @@ class StandSession:
     def statuses(self) -> dict[str, PositionerStatus]:
         """Where the positioners are, as they read it now, by name. Raises `DeviceError`."""
         return {name: positioner.status() for name, positioner in self.connected.stand.positioners.items()}
+
+    @property
+    def readings(self) -> dict[str, Block]:
+        """What the samplers read now, by name: a few samples of each that takes them within an instant.
+
+        One that answers something else than samples is passed over. Raises `LinkLostError`, and as `connected`.
+        """
+        samplers, tables = self.connected.stand.samplers, self.loaded.file.samplers
+        quick = {name: table.rate_hz for name, table in tables.items() if table.rate_hz * _GLANCE_S >= 1.0}
+        blocks: dict[str, Block] = {}
+        for name, rate_hz in quick.items():
+            try:
+                blocks[name] = samplers[name].acquire(round(rate_hz * _GLANCE_S), rate_hz)
+            except LinkLostError:
+                raise
+            except DeviceError:
+                continue
+        return blocks
 
     @property
     def answers(self) -> bool:

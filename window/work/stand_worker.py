@@ -42,6 +42,8 @@ class StandWorker(QObject):
     disconnected = Signal()
     position_seen = Signal(str, object)
     """Name and `PositionerStatus` of a positioner that nobody moves."""
+    reading_seen = Signal(str, object)
+    """Name and samples of a sampler, while somebody watches."""
     working = Signal(bool)
     """Whether an order is under way; leaving a stand is none."""
     stage = Signal(str)
@@ -68,6 +70,7 @@ class StandWorker(QObject):
         super().__init__(parent)
         self._bridge = bridge
         self._controls: list[Control] = []
+        self._watched = False
         self.session = StandSession(loaded, bridge.look)
         """The stand that is on screen, and the only one whose instruments are ever connected."""
         self._posted.connect(self._carry)
@@ -108,6 +111,10 @@ class StandWorker(QObject):
                 tr("The run belongs to the stand {its}, and {chosen} is chosen: choose {its} first", **names)
             )
         return self._begin(partial(self._carry_out, session, activity, attendant), self.broken_off)
+
+    def watch(self, watched: bool) -> None:
+        """Whether somebody looks at what the samplers read while there is nothing else to do."""
+        self._watched = watched
 
     def move_to(self, name: str, angle_deg: float) -> None:
         """Turn a positioner to an angle."""
@@ -270,6 +277,8 @@ class StandWorker(QObject):
         try:
             for name, status in session.statuses.items():
                 self._tell(session, self.position_seen, name, status)
+            for name, block in session.readings.items() if self._watched else ():
+                self._tell(session, self.reading_seen, name, block)
         except Exception:
             self._leave_stand(session)
             raise

@@ -21,11 +21,14 @@ _UP: Final = np.cross(_TOWARDS, _RIGHT)
 _HALF_SIZES: Final = (0.62, 0.42, 0.16)
 """Of the unit along its axes: a flat box whose axes cannot be taken for each other."""
 _TABLE: Final = 0.85
-_SHADES: Final = (("#5F7FA3", "#3F5670"), ("#54719A", "#394E68"), ("#8AA6C4", "#4A627E"))
+_SHADES: Final = (("#B9CBDE", "#A9BBCE"), ("#ABC0D6", "#9BB0C8"), ("#D3DFEB", "#C3CFDD"))
 """Of the faces across x, y, z: towards + and -."""
-_AXIS_COLOURS: Final = ("#D55E00", "#009E73", "#0072B2")
+_AXIS_COLOURS: Final = ("#B34A00", "#00694D", "#00639C")
 _INK: Final = "#222222"
-_PALE: Final = "#8a8f98"
+_PALE: Final = "#5B6573"
+_PAPER: Final = "#FFFFFF"
+_CASING: Final = 0.045
+"""Of paper on either side of an arrow and a letter, by which they stand out from what they lie on."""
 _WIDTH: Final = 3.4
 _HEIGHT: Final = 3.1
 _IN_ROW: Final = 8
@@ -61,7 +64,7 @@ def pose_pictures(positions: Sequence[tuple[float, float]]) -> Markup:
         caption = f"{number + 1}: {outer_deg:g}°, {inner_deg:g}°"
         parts.append(
             f'<g transform="translate({x:g} {y:g})">{_drawn(outer_deg, inner_deg)}'
-            f"{_text(np.array([0.0, -_HEIGHT / 2 - 0.15]), caption, _INK, 0.3)}</g>"
+            f"{_text((0.0, _HEIGHT / 2 + 0.15), caption, _INK, 0.3)}</g>"
         )
     title = Message("Pictures of the positions")
     return Markup(
@@ -92,7 +95,7 @@ def _table(arm: FloatArray) -> str:
     seat = -_HALF_SIZES[2] * arm[2]
     rim = seat + _TABLE * (np.outer(np.cos(turn), arm[0]) + np.outer(np.sin(turn), arm[1]))
     inside, edge = (_flat(seat + part * arm[0]) for part in (0.72, _TABLE))
-    return _polygon(rim, "#e4e6ea", _PALE, opacity=0.75) + _line(inside, edge, _INK, 0.06)
+    return _polygon(rim, "#F1F3F6", _PALE, opacity=0.75) + _line(inside, edge, _INK, 0.06)
 
 
 def _faces(case: FloatArray) -> list[str]:
@@ -107,14 +110,15 @@ def _face(case: FloatArray, axis: int, sign: float) -> str:
     drawn = _polygon(corners, _SHADES[axis][sign < 0.0], _INK)
     if axis == 2 and sign > 0.0:  # the mark that a package carries on its lid
         x, y = _flat(corners[0] * 0.75 + corners[2] * 0.25)
-        drawn += f'<circle cx="{x:.3f}" cy="{y:.3f}" r="0.07" fill="#fff"/>'
+        drawn += f'<circle cx="{x:.3f}" cy="{y:.3f}" r="0.07" fill="{_PAPER}" stroke="{_INK}" stroke-width="0.03"/>'
     return drawn
 
 
 def _arrows(case: FloatArray, axes: Sequence[int]) -> str:
     return "".join(
-        _line((0.0, 0.0), _flat(1.05 * case[axis]), _AXIS_COLOURS[axis], 0.05)
-        + _text(case[axis] * 1.25, "xyz"[axis], _AXIS_COLOURS[axis], 0.3, projected=True)
+        _line((0.0, 0.0), _flat(1.05 * case[axis]), _PAPER, 0.05 + 2 * _CASING)
+        + _line((0.0, 0.0), _flat(1.05 * case[axis]), _AXIS_COLOURS[axis], 0.05)
+        + _letter(_flat(1.25 * case[axis]), "xyz"[axis], _AXIS_COLOURS[axis])
         for axis in axes
     )
 
@@ -125,7 +129,7 @@ def _gravity() -> str:
     return (
         _line((x, top), (x, foot), _INK, 0.05)
         + f'<polygon points="{head}" fill="{_INK}"/>'
-        + _text(np.array([x, -0.95]), "g", _INK, 0.28)
+        + _text((x, 0.95), "g", _INK, 0.28)
     )
 
 
@@ -149,9 +153,16 @@ def _polygon(points: FloatArray, fill: str, stroke: str, opacity: float = 1.0) -
     )
 
 
-def _text(place: FloatArray, text: str, colour: str, size: float, *, projected: bool = False) -> str:
-    x, y = _flat(place) if projected else (float(place[0]), -float(place[1]))
+def _letter(place: tuple[float, float], letter: str, colour: str) -> str:
+    """The letter of an axis, on a casing of its own."""
+    casing = f'stroke="{_PAPER}" stroke-width="{200 * _CASING:g}" stroke-linejoin="round"'
+    return _text(place, letter, _PAPER, 0.3, casing) + _text(place, letter, colour, 0.3)
+
+
+def _text(place: tuple[float, float], text: str, colour: str, size: float, outline: str = "") -> str:
+    """A text whose middle is at a place on the paper, y down."""
+    x, y = place
     return (  # Qt takes whole sizes of letters alone
         f'<text transform="translate({x:.3f} {y + size / 3:.3f}) scale(0.01)" font-size="{100 * size:.0f}" '
-        f'font-family="sans-serif" fill="{colour}" text-anchor="middle">{escape(text)}</text>'
+        f'font-family="sans-serif" fill="{colour}" {outline} text-anchor="middle">{escape(text)}</text>'
     )

@@ -5,7 +5,7 @@ from typing import Final
 
 import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QSize, Qt
-from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QWidget
 
 from tumble.calibrations.core.arrays import FloatArray
@@ -22,6 +22,10 @@ _UP: Final = np.array([-0.16, 0.93, -0.34])
 _TOWARDS: Final = np.cross(_RIGHT, _UP)
 _ARROW: Final = 1.15
 _ZERO_LABEL: Final = (0.3, 1.4)
+_SHADOWS: Final = {(0, 1): 0.22, (1, 1): 0.32, (2, 1): 0.14, (0, -1): 0.26, (1, -1): 0.36, (2, -1): 0.18}
+"""Of every face, by its axis and side: the share of the accent in the paper."""
+_CASING_PX: Final = 2.5
+"""Of paper around an arrow and a letter, by which they stand out from what they lie on."""
 """Where the mark of 0° is named: outside the rim, beside any axis of the unit that points there."""
 
 
@@ -79,32 +83,40 @@ class PosePicture(QWidget):
         rim = np.stack([np.sin(turn), np.cos(turn), np.zeros_like(turn)], axis=-1) * 1.25
         for depth in (seat_z - 0.18, seat_z):
             painter.setPen(QPen(QColor(chosen.pale), 1.5))
-            painter.setBrush(QColor(chosen.grid))
+            painter.setBrush(QColor(chosen.other_row))
             painter.drawPolygon(_polygon(rim + np.array([0.0, 0.0, depth]), scale))
         painter.drawLine(_flat(np.array([0, 1.25, seat_z]), scale), _flat(np.array([0, 1.08, seat_z]), scale))
-        _write(painter, _flat(np.array([*_ZERO_LABEL, seat_z]), scale), "0°", QColor(chosen.ink), scale * 0.13)
+        _write(
+            painter,
+            _flat(np.array([*_ZERO_LABEL, seat_z]), scale),
+            "0°",
+            QColor(chosen.ink),
+            scale * 0.13,
+            QColor(chosen.other_row),
+        )
 
     def _draw_face(self, painter: QPainter, chosen: Colours, scale: float, face: _Face) -> None:
-        lightness = {0: 118, 1: 100, 2: 135}[face.axis]
         painter.setPen(QPen(QColor(chosen.ink), 1.5))
-        painter.setBrush(QColor("#5F7FA3").lighter(lightness) if face.sign > 0 else QColor("#3F5670"))
+        painter.setBrush(_between(QColor(chosen.paper), QColor(chosen.accent), _SHADOWS[face.axis, face.sign]))
         painter.drawPolygon(_polygon(face.corners, scale))
         if face.axis == 2 and face.sign > 0:  # the mark that a package carries on its lid
             mark = face.corners[0] * 0.75 + face.corners[2] * 0.25
-            painter.setBrush(QColor("#FFFFFF"))
+            painter.setBrush(QColor(chosen.paper))
             painter.drawEllipse(_flat(mark, scale), scale * 0.06, scale * 0.06)
 
     def _draw_axis(self, painter: QPainter, chosen: Colours, scale: float, axes: FloatArray, axis: int) -> None:
         colour = QColor(chosen.data[(1, 2, 0)[axis]])
         begin, end = _flat(axes[axis] * _HALF_SIZES[axis], scale), _flat(axes[axis] * _ARROW, scale)
+        around = QColor(chosen.paper)
+        _arrow(painter, begin, end, around, scale, _CASING_PX)
         _arrow(painter, begin, end, colour, scale)
-        _write(painter, _flat(axes[axis] * (_ARROW + 0.18), scale), "xyz"[axis], colour, scale * 0.2)
+        _write(painter, _flat(axes[axis] * (_ARROW + 0.18), scale), "xyz"[axis], colour, scale * 0.2, around)
 
     def _draw_gravity(self, painter: QPainter, chosen: Colours, scale: float) -> None:
         """Down on the paper is down in the room."""
         begin, end = QPointF(1.5 * scale, -0.35 * scale), QPointF(1.5 * scale, 0.45 * scale)
         _arrow(painter, begin, end, QColor(chosen.ink), scale)
-        _write(painter, QPointF(1.5 * scale, 0.65 * scale), "g", QColor(chosen.ink), scale * 0.2)
+        _write(painter, QPointF(1.5 * scale, 0.65 * scale), "g", QColor(chosen.ink), scale * 0.2, QColor(chosen.paper))
 
 
 def _seat_z(axes: FloatArray) -> float:
@@ -135,8 +147,11 @@ def _polygon(points: FloatArray, scale: float) -> QPolygonF:
     return QPolygonF([_flat(point, scale) for point in points])
 
 
-def _arrow(painter: QPainter, begin: QPointF, end: QPointF, colour: QColor, scale: float) -> None:
-    painter.setPen(QPen(colour, max(2.0, scale * 0.035), Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
+def _arrow(
+    painter: QPainter, begin: QPointF, end: QPointF, colour: QColor, scale: float, wider_px: float = 0.0
+) -> None:
+    width_px = max(2.0, scale * 0.035) + 2 * wider_px
+    painter.setPen(QPen(colour, width_px, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
     painter.drawLine(begin, end)
     way = end - begin
     length = max((way.x() ** 2 + way.y() ** 2) ** 0.5, 1e-9)
@@ -146,11 +161,33 @@ def _arrow(painter: QPainter, begin: QPointF, end: QPointF, colour: QColor, scal
     painter.drawPolygon(QPolygonF([end + along * 0.3, end - along + across, end - along - across]))
 
 
-def _write(painter: QPainter, place: QPointF, text: str, colour: QColor, size: float) -> None:
+def _write(painter: QPainter, place: QPointF, text: str, colour: QColor, size: float, around: QColor) -> None:
     font = painter.font()
     font.setPixelSize(max(9, round(size)))
     font.setBold(True)
     painter.setFont(font)
-    painter.setPen(colour)
     metrics = painter.fontMetrics()
-    painter.drawText(place + QPointF(-metrics.horizontalAdvance(text) / 2, metrics.ascent() / 2 - 1), text)
+    at = place + QPointF(-metrics.horizontalAdvance(text) / 2, metrics.ascent() / 2 - 1)
+    letters = QPainterPath()
+    letters.addText(at, font, text)
+    painter.strokePath(letters, _casing(around))
+    painter.setPen(colour)
+    painter.drawText(at, text)
+
+
+def _casing(colour: QColor) -> QPen:
+    round_cap, round_join = Qt.PenCapStyle.RoundCap, Qt.PenJoinStyle.RoundJoin
+    return QPen(colour, 2 * _CASING_PX, Qt.PenStyle.SolidLine, round_cap, round_join)
+
+
+def _between(one: QColor, other: QColor, share: float) -> QColor:
+    """A colour on the way from one to another."""
+    red, green, blue = (
+        round(a + share * (b - a))
+        for a, b in (
+            (one.red(), other.red()),
+            (one.green(), other.green()),
+            (one.blue(), other.blue()),
+        )
+    )
+    return QColor(red, green, blue)

@@ -84,8 +84,6 @@ class ResidualFigure(QWidget):
         self.plot.draw(rows.mounts, rows.abscissae[name], rows.residual_uv)
 
     def _recolour(self) -> None:
-        tint = pg.mkColor(self.plot.colours.accent)
-        tint.setAlpha(40)
-        self._band.setBrush(tint)
+        self._band.setBrush(self.plot.band)
         for line in self._band.lines:
             line.setPen(self.plot.pen(self.plot.colours.grid, 1))

@@ -12,6 +12,7 @@ from tumble.calibrations.methods.dividing_head.geometry import MOUNTS
 from tumble.procedures.methods.dividing_head.rows import Row
 from tumble.window.look.language import tr
 from tumble.window.methods.dividing_head.live_fit import LiveFit
+from tumble.window.methods.dividing_head.mounts import mount_name
 from tumble.window.widgets.series_plot import SeriesPlot
 
 _MICRO: Final = 1e6
@@ -28,6 +29,10 @@ class AnglePlot(SeriesPlot):
     def draw_points(self, points: Sequence[Row], values: FloatArray) -> None:
         """Draw a value of every point."""
         self.draw([point.mount for point in points], np.array([point.angle_deg for point in points]), values)
+
+    def title_of(self, name: str) -> str:
+        """The name of the mount."""
+        return mount_name(name)
 
     def draw(self, mounts: Sequence[str], abscissa: FloatArray, values: FloatArray) -> None:
         """Draw a value of every row against another."""
@@ -96,9 +101,7 @@ class ResidualPlot(AnglePlot):
         self._rings.setData([fitted[index].angle_deg for index in fit.gross], residual_uv[list(fit.gross)])
 
     def _recolour_marks(self) -> None:
-        tint = pg.mkColor(self.colours.accent)
-        tint.setAlpha(40)
-        self._band.setBrush(tint)
+        self._band.setBrush(self.band)
         for line in self._band.lines:
             line.setPen(self.pen(self.colours.grid, 1))
         self._rings.setPen(self.pen(self.colours.bad, 2.5))

@@ -16,11 +16,12 @@ from tumble.window.parts import Overview
 
 
 class PosePicture(QSvgWidget):
-    """A position of the stand; nothing until one is shown."""
+    """A position of the stand, on white paper as in the report; nothing until one is shown."""
 
     def __init__(self) -> None:
         super().__init__()
         self.setMinimumHeight(170)
+        self.setStyleSheet("background: #FFFFFF;")
 
     def show_pose(self, outer_deg: float, inner_deg: float) -> None:
         """Draw it, and say it to a screen reader."""

@@ -1,0 +1,99 @@
+"""The screen Stand shows what a meter reads, while somebody looks at it."""
+
+import numpy as np
+import pytest
+
+from tumble.drivers.errors import DeviceError, LinkLostError
+from tumble.drivers.protocols import SampleBlock
+from tumble.drivers.simulated.daq import SimulatedDaq
+from tumble.window.widgets.live_value import LiveValue, Sparkline, _places
+
+
+def block(*voltages_v):
+    return SampleBlock(voltage_v=np.array(voltages_v), rate_hz=100.0, device_time_s=0.0, temperature_degc=None)
+
+
+@pytest.fixture
+def driver(lent_driver):
+    lent_driver.window.open(lent_driver.window.stand)
+    lent_driver.window.stand.connect_button.click()
+    lent_driver.wait(lent_driver.window.stand.disconnect_button.isEnabled)
+    return lent_driver
+
+
+def live(driver):
+    return driver.window.stand.table.live["daq"]
+
+
+def test_the_newest_value_is_told_with_its_unit(qtbot, qapp):
+    shown = LiveValue()
+    qtbot.addWidget(shown)
+    shown.see(block(2.5, 2.6))
+    assert shown.said.text() == "2.550000 V"
+
+
+def test_a_line_goes_from_the_lowest_value_at_the_bottom_to_the_highest_on_top():
+    first, second, third = _places(np.array([1.0, 3.0, 2.0]), 100.0, 42.0)
+    assert (first.y(), second.y(), third.y()) == (40.0, 2.0, 21.0)
+    assert first.x() < second.x() < third.x() == 98.0
+
+
+def test_what_is_no_number_is_left_out():
+    assert len(_places(np.array([1.0, np.nan, 2.0]), 100.0, 42.0)) == 2
+
+
+def test_a_value_that_stays_is_drawn_at_half_the_height():
+    assert [place.y() for place in _places(np.array([1.0, 1.0]), 100.0, 42.0)] == [21.0, 21.0]
+
+
+def test_a_line_keeps_half_a_minute(qtbot, qapp):
+    line = Sparkline()
+    qtbot.addWidget(line)
+    for value in range(200):
+        line.add(float(value))
+    assert (len(line.values), line.values[0]) == (150, 50.0)
+
+
+def test_a_stand_that_is_watched_is_read_again_and_again(driver):
+    driver.wait(lambda: len(live(driver).line.values) >= 3)
+    assert live(driver).said.text().endswith(" V")
+    assert live(driver).line.isVisible()
+
+
+def test_nothing_is_read_behind_another_screen(driver):
+    driver.wait(lambda: live(driver).line.values)
+    driver.window.open(driver.window.records)
+    seen = []
+    driver.window.worker.position_seen.connect(lambda *_: seen.append(len(live(driver).line.values)))
+    driver.wait(lambda: len(seen) >= 4)
+    assert seen[-1] == seen[1]  # the look that was under way is told, too
+
+
+def test_what_a_stand_read_is_forgotten_with_it(driver):
+    driver.wait(lambda: live(driver).line.values)
+    driver.window.stand.disconnect_button.click()
+    driver.wait(lambda: not driver.window.stand.disconnect_button.isEnabled())
+    assert live(driver).said.text() == "—"
+    assert not live(driver).line.values
+
+
+def test_an_answer_that_is_none_leaves_the_stand_connected(driver, monkeypatch):
+    asked = []
+
+    def refuse(*_):
+        asked.append(True)
+        raise DeviceError("voltmeter", "answers something else", "look at it")
+
+    monkeypatch.setattr(SimulatedDaq, "acquire", refuse)
+    driver.wait(lambda: len(asked) >= 2)
+    assert driver.complaints == []
+    assert driver.window.worker.session.is_connected
+
+
+def test_a_meter_that_is_gone_is_told(driver, monkeypatch):
+    def vanish(*_):
+        raise LinkLostError("voltmeter", "is gone", "check its cable")
+
+    monkeypatch.setattr(SimulatedDaq, "acquire", vanish)
+    driver.wait(lambda: driver.complaints)
+    assert driver.complaints == ["voltmeter: is gone; check its cable"]

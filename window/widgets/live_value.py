@@ -1,0 +1,104 @@
+"""What a meter reads while a stand is watched: the newest value, and a line through those before."""
+
+from collections import deque
+from typing import Final
+
+import numpy as np
+from PySide6.QtCore import QEvent, QPointF, QSize
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from tumble.calibrations.core.arrays import FloatArray
+from tumble.drivers.protocols import VOLTAGE, Block
+from tumble.window.look.numbers import local
+from tumble.window.look.plain import PlainLabel
+from tumble.window.look.theme import colours
+
+_KEPT: Final = 150
+"""Values, of five a second: half a minute."""
+_TOLD: Final = 3
+"""Channels whose values are told; the line is that of the first."""
+_EDGE_PX: Final = 2.0
+
+
+class LiveValue(QWidget):
+    """Nothing until something was read."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.said, self.line = PlainLabel("—"), Sparkline()
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self.said)
+        column.addWidget(self.line)
+        self.line.hide()
+
+    def see(self, block: Block) -> None:
+        """Show what was read just now, the mean of a few samples."""
+        means = {name: float(np.mean(values)) for name, values in block.channels.items()}
+        self.said.setText("\n".join(_told(name, mean) for name, mean in list(means.items())[:_TOLD]))
+        self.line.add(next(iter(means.values())))
+        self.line.show()
+
+    def forget(self) -> None:
+        """Nothing is read any more."""
+        self.said.setText("—")
+        self.line.forget()
+        self.line.hide()
+
+
+class Sparkline(QWidget):
+    """Values one after the other, from the lowest at the bottom to the highest on top."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.values: deque[float] = deque(maxlen=_KEPT)
+
+    def sizeHint(self) -> QSize:  # noqa: N802  # Qt's name
+        """As high as a line of text and a half."""
+        return QSize(120, round(1.5 * self.fontMetrics().height()))
+
+    def minimumSizeHint(self) -> QSize:  # noqa: N802  # Qt's name
+        """The same, narrower."""
+        return QSize(60, self.sizeHint().height())
+
+    def add(self, value: float) -> None:
+        """One value more; one that is no number is a gap."""
+        self.values.append(value)
+        self.update()
+
+    def forget(self) -> None:
+        """Begin anew."""
+        self.values.clear()
+        self.update()
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802  # Qt's name
+        """Take over another palette or text size."""
+        super().changeEvent(event)
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:  # noqa: N802, ARG002  # Qt's name
+        """Draw the line."""
+        values = np.array(self.values)
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(QPen(QColor(colours(self).accent), 1.5))
+        painter.drawPolyline(QPolygonF(_places(values, self.width(), self.height())))
+
+
+def _places(values: FloatArray, width: float, height: float) -> list[QPointF]:
+    """Where finite values are drawn, the newest at the right; all at half the height where none differs."""
+    there = np.flatnonzero(np.isfinite(values))
+    if not there.size:
+        return []
+    lowest, highest = values[there].min(), values[there].max()
+    share = (values[there] - lowest) / (highest - lowest) if highest > lowest else np.full(there.size, 0.5)
+    x = width - _EDGE_PX - (len(values) - 1 - there) * (width - 2 * _EDGE_PX) / (_KEPT - 1)
+    y = height - _EDGE_PX - share * (height - 2 * _EDGE_PX)
+    return [QPointF(*place) for place in zip(x, y, strict=True)]
+
+
+def _told(name: str, value: float) -> str:
+    if name == VOLTAGE:
+        return local(f"{value:.6f} V")
+    return local(f"{name}: {value:.6g}")
