@@ -58,6 +58,7 @@ def test_the_result_holds_it_so_that_a_reader_can_predict():
     (written,) = document(traced())["unexplained"]["courses"]
 
     assert set(written) == {
-        "channel", "channel_detail", "unit", "variable", "detail", "variable_unit", "at", "value", "standard_uncertainty",
+        "channel", "channel_detail", "unit", "variable", "detail", "variable_unit",
+        "at", "value", "standard_uncertainty",
     }  # fmt: skip
     assert len(written["at"]) == len(written["value"]) == len(written["standard_uncertainty"])
