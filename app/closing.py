@@ -205,19 +205,7 @@ def _verdict(closing: Closing, most: int) -> tuple[Ended | None, str]:
         return Ended.NOTHING_TO_TELL, Message("Nothing has to be told apart.")
     if closing.next is None:
         return Ended.NOTHING_AVAILABLE, cannot(closing.planned, _elsewhere(closing))
-    if chain.futile >= FUTILE:
-        left = Message.joined(
-            "; ",
-            (
-                Message("{first} from {others}", first=first, others=series(others, "or"))
-                for first, *others in chain.last.disputed
-            ),
-        )
-        why = Message(
-            "{count} experiments in a row told nothing apart, though each was to: nothing here tells {left}.",
-            count=chain.futile,
-            left=left,
-        )
+    if why := _in_vain(chain):
         return Ended.NOT_AS_PROMISED, why
     if len(chain.links) >= most:
         return Ended.ENOUGH, Message(
@@ -226,6 +214,34 @@ def _verdict(closing: Closing, most: int) -> tuple[Ended | None, str]:
             programme=closing.next.programme,
         )
     return None, ""
+
+
+def _in_vain(chain: Chain[ClosedLoop]) -> str:
+    """Why no further experiment is worth its time, where those that were run told nothing; else empty."""
+    if chain.futile >= FUTILE:
+        return Message(
+            "{count} experiments in a row told nothing apart, though each was to: nothing here tells {left}.",
+            count=chain.futile,
+            left=_left(chain),
+        )
+    if chain.unkept:
+        return Message(
+            "{count} experiments in a row told nothing apart, though together they were to: nothing here tells {left}.",
+            count=len(chain.in_vain),
+            left=_left(chain),
+        )
+    return ""
+
+
+def _left(chain: Chain[ClosedLoop]) -> Message:
+    """What is not told apart."""
+    return Message.joined(
+        "; ",
+        (
+            Message("{first} from {others}", first=first, others=series(others, "or"))
+            for first, *others in chain.last.disputed
+        ),
+    )
 
 
 def _elsewhere(closing: Closing) -> dict[str, tuple[Experiment, str]]:

@@ -3,6 +3,7 @@
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
+from itertools import takewhile
 from typing import Any, Final, Generic, Protocol, TypeVar
 
 from tumble.calibrations.core.blas_threads import one_blas_thread
@@ -129,6 +130,11 @@ class Link(Generic[L]):
         return asked and not (self.separated or self.experiment.together or self.experiment.runs > 1)
 
     @property
+    def planned(self) -> int:
+        """Of how many runs it was to be the first."""
+        return self.experiment.runs + len(self.experiment.together)
+
+    @property
     def rivals_before(self) -> tuple[str, ...]:
         """Everything that could have been the cause."""
         return next(names for names in self.before.disputed if self._name in names)
@@ -210,6 +216,16 @@ class Chain(Generic[L]):
                 break
             count += 1
         return count
+
+    @property
+    def in_vain(self) -> tuple[Link[L], ...]:
+        """The last experiments in a row that separated nothing, the last one first."""
+        return tuple(takewhile(lambda link: not link.separated, reversed(self.links)))
+
+    @property
+    def unkept(self) -> bool:
+        """Whether a plan of several runs was carried out, and separated nothing in any of them."""
+        return any(1 < link.planned <= since for since, link in enumerate(self.in_vain, start=1))
 
     def as_json(self) -> dict[str, Any]:
         """What it adds to the document of the loop."""

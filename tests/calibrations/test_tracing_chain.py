@@ -76,6 +76,22 @@ def test_only_what_should_have_separated_something_by_itself_counts_as_futile(li
     assert Chain(first=THREE, links=tuple(links)).futile == futile
 
 
+@pytest.mark.parametrize(
+    ("links", "unkept"),
+    [
+        ([link(THREE, THREE)], False),
+        ([link(THREE, THREE, runs=2)], False),
+        ([link(THREE, THREE, runs=2), link(THREE, THREE)], True),
+        ([link(THREE, THREE, together=("probe-edge",)), link(THREE, THREE)], True),
+        ([link(THREE, THREE, runs=2), link(THREE, stage(("k_xx",), k_yy=20.0))], False),
+        ([link(THREE, THREE, runs=3), link(THREE, THREE, runs=2)], False),
+    ],
+    ids=["one", "the first of two", "both of two", "two together", "the second tells", "planned anew"],
+)
+def test_a_plan_of_several_runs_is_unkept_once_all_of_them_told_nothing(links, unkept):
+    assert Chain(first=THREE, links=tuple(links)).unkept is unkept
+
+
 def test_the_cheapest_experiment_tells_most_for_its_time():
     slow = experiment("probe-later", ("k_xx", "k_yy"), 9000.0)
     both = experiment("probe-end", ("k_xx", "k_yy", "k_zz"), 150.0)
