@@ -13,10 +13,15 @@ from benchmarks.blind.running import outcome, tables
 
 def main(arguments: list[str] | None = None) -> None:
     """Run what is asked for, and report."""
-    asked = _parser().parse_args(arguments)
+    parser = _parser()
+    asked = parser.parse_args(arguments)
     counts = asked.count * len(asked.kinds) if len(asked.count) == 1 else asked.count
-    records: list[dict[str, Any]] = []
     firsts = asked.first * len(asked.kinds) if len(asked.first) == 1 else asked.first
+    if all(first >= count for first, count in zip(firsts, counts, strict=True)):
+        parser.error("no table lies between --first and --count, which is where it ends")
+    if asked.json and asked.json.exists():
+        parser.error(f"{asked.json} is there already; name another file for --json")
+    records: list[dict[str, Any]] = []
     for kind, count, first in zip(asked.kinds, counts, firsts, strict=True):
         for name, spec, table, rng in tables(kind, count, asked.seed, first):
             if table is None:
@@ -32,7 +37,7 @@ def main(arguments: list[str] | None = None) -> None:
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="benchmarks.blind", description=__doc__)
     parser.add_argument("--kinds", nargs="+", choices=list(LISTS), default=list(LISTS))
-    parser.add_argument("--count", nargs="+", type=int, default=[12], help="tables of each kind, or one figure for all")
+    parser.add_argument("--count", nargs="+", type=int, default=[12], help="up to which number, of each kind or of all")
     parser.add_argument("--first", nargs="+", type=int, default=[0], help="number of the first table, to go on")
     parser.add_argument("--seed", type=int, required=True)
     parser.add_argument("--json", type=Path, help="where every table's outcome is written")
