@@ -15,6 +15,8 @@ _NODES: Final = 60
 """The table, and what comes after it, are taken in so many pieces at most."""
 _TYPICAL: Final = 0.6745
 """Half of all that is normal is within so many standard deviations."""
+_NOTHING: Final = 1e-6
+"""Of a walk, less than this part of the time is none."""
 _COURSES: Final = 25
 """So many are drawn; an odd number has a median."""
 
@@ -29,10 +31,12 @@ def typical_course(then_s: FloatArray, values: FloatArray, later_s: FloatArray) 
     Parameters
     ----------
     then_s, values
-        What was measured, in the order of time; at least three rows, not all at one time.
+        What was measured, in any order; at least three rows, not all at one time.
     later_s
-        When it will be measured again.
+        When it will be measured again, in the order of time.
     """
+    order = np.argsort(then_s, kind="stable")
+    then_s, values = then_s[order], values[order]
     at_s, seen = _pieces(then_s, values)
     nodes_s = np.linspace(later_s[0], later_s[-1], min(_NODES, len(later_s)))
     noise = _noise(values) * len(at_s) / len(values)
@@ -66,8 +70,10 @@ def _off(time_s: FloatArray, values: FloatArray) -> FloatArray:
 
 def _walk_per_s(at_s: FloatArray, seen: FloatArray, noise: float) -> float:
     """Variance that the walk gains in a second; `at_s` begins with the table."""
-    left = float(np.trace(_off(at_s, _off(at_s, np.minimum.outer(at_s, at_s)).T))) / len(at_s)
-    return max(float(np.mean(_off(at_s, seen) ** 2)) - noise, 0.0) / left
+    left_s = float(np.trace(_off(at_s, _off(at_s, np.minimum.outer(at_s, at_s)).T))) / len(at_s)
+    if left_s < _NOTHING * at_s[-1]:
+        return 0.0  # rows at two times only: a line is all that they show
+    return max(float(np.mean(_off(at_s, seen) ** 2)) - noise, 0.0) / left_s
 
 
 def _drawn(at_s: FloatArray, seen: FloatArray, noise: float, nodes_s: FloatArray) -> FloatArray:

@@ -52,3 +52,15 @@ def test_a_pause_in_the_table_is_not_taken_for_noise():
 def test_the_same_values_give_the_same_course():
     then = walked(5, TABLE_S, 0.003)
     assert typical_course(TABLE_S, then, LATER_S).tolist() == typical_course(TABLE_S, then, LATER_S).tolist()
+
+
+def test_the_order_of_the_rows_does_not_matter():
+    then, order = walked(5, TABLE_S, 0.003), np.random.default_rng(2).permutation(len(TABLE_S))
+    mixed = typical_course(TABLE_S[order], then[order], LATER_S)
+    assert mixed.tolist() == typical_course(TABLE_S, then, LATER_S).tolist()
+
+
+def test_rows_at_two_times_show_a_line_and_no_wandering():
+    then_s = np.repeat([0.0, 3600.0], 30)
+    later = typical_course(then_s, np.repeat([20.0, 21.0], 30), LATER_S)
+    assert later == pytest.approx(20.0 + LATER_S / 3600.0, abs=1e-3)

@@ -210,6 +210,6 @@ def _going_on(before: Observations, time_s: FloatArray | None, rows: int) -> Flo
     assert before.temperature_degc is not None
     known = np.isfinite(before.temperature_degc)
     measured_degc = before.temperature_degc[known]
-    if before.time_s is None or time_s is None or len(measured_degc) < 2 * _RECENT:
+    if before.time_s is None or time_s is None or len(measured_degc) < 2 * _RECENT or not np.ptp(before.time_s[known]):
         return np.full(rows, np.mean(measured_degc[-_RECENT:]) if len(measured_degc) else np.nan)
     return typical_course(before.time_s[known], measured_degc, time_s)
