@@ -39,7 +39,7 @@ def typical_course(then_s: FloatArray, values: FloatArray, later_s: FloatArray) 
     then_s, values = then_s[order], values[order]
     at_s, seen = _pieces(then_s, values)
     nodes_s = np.linspace(later_s[0], later_s[-1], min(_NODES, len(later_s)))
-    noise = _noise(values) * len(at_s) / len(values)
+    noise = max(_noise(values) * len(at_s) / len(values), _rounding(values))
     courses = _drawn(at_s - at_s[0], seen, noise, nodes_s - at_s[0])
     whole_s = np.concatenate([at_s, nodes_s])
     far = [float(np.mean(_off(whole_s, np.concatenate([seen, course])) ** 2)) for course in courses]
@@ -56,6 +56,13 @@ def _noise(values: FloatArray) -> float:
     """Variance of one reading, from neighbours; the few that are far apart in time do not count."""
     steps = np.diff(values)
     return float(np.median(np.abs(steps - np.median(steps))) / (_TYPICAL * 2.0**0.5)) ** 2
+
+
+def _rounding(values: FloatArray) -> float:
+    """Variance of readings that mostly repeat, rounded to the smallest step seen; means of them are no better."""
+    steps = np.abs(np.diff(values))
+    repeated = np.median(steps) == 0.0 < steps.max()
+    return float(np.min(steps[steps > 0.0])) ** 2 / 12.0 if repeated else 0.0
 
 
 def _line(time_s: FloatArray, whole_s: float) -> FloatArray:

@@ -125,14 +125,18 @@ class Link(Generic[L]):
 
     @property
     def futile(self) -> bool:
-        """Whether it separated nothing, though it was to do so by itself, of what could have been the cause."""
-        asked = any(name in self.rivals_before for name in self._others)
-        return asked and not (self.separated or self.experiment.together or self.experiment.runs > 1)
+        """Whether it separated nothing, though it was to do so by itself."""
+        return not (self.separated or self.experiment.together or self.experiment.runs > 1)
 
     @property
     def planned(self) -> int:
         """Of how many runs it was to be the first."""
         return self.experiment.runs + len(self.experiment.together)
+
+    @property
+    def programmes(self) -> tuple[str, ...]:
+        """Of all these runs."""
+        return (self.experiment.programme, *self.experiment.together)
 
     @property
     def rivals_before(self) -> tuple[str, ...]:
@@ -225,7 +229,10 @@ class Chain(Generic[L]):
     @property
     def unkept(self) -> bool:
         """Whether a plan of several runs was carried out, and separated nothing in any of them."""
-        return any(1 < link.planned <= since for since, link in enumerate(self.in_vain, start=1))
+        return any(
+            1 < link.planned <= sum(each.experiment.programme in link.programmes for each in self.in_vain[:since])
+            for since, link in enumerate(self.in_vain, start=1)
+        )
 
     def as_json(self) -> dict[str, Any]:
         """What it adds to the document of the loop."""

@@ -10,7 +10,7 @@ from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.tracing.components import Axis, Component
 from tumble.calibrations.tracing.coordinate import Coordinate
 from tumble.calibrations.tracing.noise import Memory, NoiseModel, scaled_levels, slow_modes
-from tumble.calibrations.tracing.shapes.jumping import saw_tooth, square
+from tumble.calibrations.tracing.shapes.jumping import sawtooth, square
 from tumble.calibrations.tracing.shapes.overtones import overtones
 from tumble.calibrations.tracing.shapes.places import levels
 from tumble.calibrations.tracing.shapes.ramps import onset, ramp
@@ -101,7 +101,7 @@ _SHAPES: Final[Mapping[str, Callable[[Coordinate, Coordinate, FloatArray], Float
         _part_of_cycle(own, further), sizes[0] * np.arange(1.0, sizes[1] + 1.0)
     ),
     "square": lambda own, further, sizes: square(_part_of_cycle(own, further), sizes),
-    "saw_tooth": lambda own, further, sizes: saw_tooth(_part_of_cycle(own, further), sizes),
+    "sawtooth": lambda own, further, sizes: sawtooth(_part_of_cycle(own, further), sizes),
     "bump": lambda _, further, sizes: np.column_stack(further.bells(sizes[None])),
     "spot": lambda _, further, sizes: further.spots(sizes[None]),
     "step": lambda own, further, sizes: levels(_part(own, further), sizes),

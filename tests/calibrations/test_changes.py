@@ -36,7 +36,7 @@ SIGNALS = {
     "onset": 5.0 * (PART > 0.4) * np.exp(-SINCE / 0.08),
     "changes": 2.0 * (np.searchsorted([0.15, 0.4, 0.55, 0.8], PART) % 2),
     "period": 4.0 * np.maximum(np.sin(2.0 * np.pi * 6.3 * PART), 0.0),
-    "saw_tooth": 3.0 * np.mod(6.3 * PART, 1.0),
+    "sawtooth": 3.0 * np.mod(6.3 * PART, 1.0),
     "square": 1.5 * np.sign(np.sin(2.0 * np.pi * 6.3 * PART)),
     "spot": 4.0 * np.exp(-8.0 * np.sum((POSES_G - POSES_G[7]) ** 2, axis=1)),
     "wandering": 2.0 * REVERTING,
@@ -78,10 +78,10 @@ ROUND = np.deg2rad(4.0 * CIRCLE.values + 10.0)
     ("wave", "shape"),
     [
         (2.0 * np.sign(np.sin(ROUND)), "square"),
-        (np.mod(ROUND / (2.0 * np.pi), 1.0) * 4.0, "saw_tooth"),
+        (np.mod(ROUND / (2.0 * np.pi), 1.0) * 4.0, "sawtooth"),
         (np.maximum(np.sin(ROUND), 0.0) * 4.0, "period"),
     ],
-    ids=["square", "saw-tooth", "half a sine"],
+    ids=["square", "sawtooth", "half a sine"],
 )
 def test_a_wave_of_a_circle_has_its_shape_and_its_number(wave, shape):
     rows = replace(table_of(wave + noise()), axes=AXES)
@@ -90,7 +90,7 @@ def test_a_wave_of_a_circle_has_its_shape_and_its_number(wave, shape):
     assert (found.place, found.shape.split()[:2]) == (("offset", "angle"), [shape, "4"])
 
 
-@pytest.mark.parametrize("shape", ["ramp", "onset", "changes", "period", "saw_tooth", "square", "spot"])
+@pytest.mark.parametrize("shape", ["ramp", "onset", "changes", "period", "sawtooth", "square", "spot"])
 def test_in_rows_of_the_same_run_it_is_the_same(shape):
     found = component_of(shape)
 

@@ -68,9 +68,8 @@ def test_what_is_said_of_an_experiment_is_all_in_the_document():
         ([link(THREE, THREE), link(THREE, stage(("k_xx",), k_yy=20.0))], 0),
         ([link(THREE, THREE, runs=3)], 0),
         ([link(THREE, THREE, together=("probe-edge",))], 0),
-        ([link(THREE, THREE, separates=("k_xx", "axis_tilt"))], 0),
     ],
-    ids=["none", "one", "two", "then one that tells", "one of several runs", "one of two", "of what was no rival"],
+    ids=["none", "one", "two", "then one that tells", "one of several runs", "one of two"],
 )
 def test_only_what_should_have_separated_something_by_itself_counts_as_futile(links, futile):
     assert Chain(first=THREE, links=tuple(links)).futile == futile
@@ -82,11 +81,20 @@ def test_only_what_should_have_separated_something_by_itself_counts_as_futile(li
         ([link(THREE, THREE)], False),
         ([link(THREE, THREE, runs=2)], False),
         ([link(THREE, THREE, runs=2), link(THREE, THREE)], True),
-        ([link(THREE, THREE, together=("probe-edge",)), link(THREE, THREE)], True),
+        ([link(THREE, THREE, together=("probe-edge",)), link(THREE, THREE, programme="probe-edge")], True),
+        ([link(THREE, THREE, together=("probe-edge",)), link(THREE, THREE, programme="probe-back")], False),
         ([link(THREE, THREE, runs=2), link(THREE, stage(("k_xx",), k_yy=20.0))], False),
         ([link(THREE, THREE, runs=3), link(THREE, THREE, runs=2)], False),
     ],
-    ids=["one", "the first of two", "both of two", "two together", "the second tells", "planned anew"],
+    ids=[
+        "one",
+        "the first of two",
+        "both of two",
+        "two together",
+        "one of two, and another",
+        "the second tells",
+        "planned anew",
+    ],
 )
 def test_a_plan_of_several_runs_is_unkept_once_all_of_them_told_nothing(links, unkept):
     assert Chain(first=THREE, links=tuple(links)).unkept is unkept

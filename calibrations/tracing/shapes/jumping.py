@@ -1,4 +1,4 @@
-"""Waves that jump: a square wave, which switches to and fro, and a saw-tooth, which resets.
+"""Waves that jump: a square wave, which switches to and fro, and a sawtooth wave, which resets.
 
 Their overtones go on beyond the Nyquist limit of the values, where a sum of sines ends: such a wave is one column.
 """
@@ -30,7 +30,7 @@ def square(part: FloatArray, turns_and_phase: FloatArray) -> FloatArray:
     return np.where(_in_the_wave(part, turns_and_phase) < 0.5, 1.0, -1.0)
 
 
-def saw_tooth(part: FloatArray, turns_and_phase: FloatArray) -> FloatArray:
+def sawtooth(part: FloatArray, turns_and_phase: FloatArray) -> FloatArray:
     """From -1 to 1 over each wave, shape (rows, 1); the phase is a part of a wave."""
     return np.asarray(2.0 * _in_the_wave(part, turns_and_phase) - 1.0)
 
@@ -40,11 +40,11 @@ def _in_the_wave(part: FloatArray, turns_and_phase: FloatArray) -> FloatArray:
     return np.asarray(np.mod(turns * part + phase, 1.0)[:, None])
 
 
-_KINDS: Final = (("square", square), ("saw_tooth", saw_tooth))
+_KINDS: Final = (("square", square), ("sawtooth", sawtooth))
 
 
 def jumping_waves(along: Along) -> Iterator[Shape]:
-    """The best square wave and the best saw-tooth; of a circle, a whole number of them on it."""
+    """The best square wave and the best sawtooth wave; of a circle, a whole number of them on it."""
     coordinate, turns = along.coordinate, strongest_turns(along)
     for word, wave in _KINDS if turns else ():
         (best, phase), _ = _of(along, wave, list(product(turns, np.arange(_PHASES) / _PHASES)))
@@ -68,4 +68,4 @@ def _of(along: Along, wave: _Wave, tried: Sequence[_Turned]) -> tuple[_Turned, G
 def _said(word: str, period: str) -> Message:
     if word == "square":
         return Message("in square waves of {period}", period=period)
-    return Message("in saw-teeth of {period}", period=period)
+    return Message("in sawtooth waves of {period}", period=period)

@@ -1,8 +1,8 @@
 """On what structure without a name may depend in the table of an accelerometer: channels, and variables for each.
 
 A scale that follows ax, or an angle that follows it, is an offset that does: those pairs are left out. Jumps of the
-offset between realisations and of the angle between mountings have names. What the head does after moves in the one
-direction alone is the reversal value of each position (ISO 230-2:2014, 3.16); where it is the same everywhere, play.
+offset between realisations and of the angle between mountings have names. What the head does after moves in one
+direction alone is a reversal error of each position; where it is the same everywhere, it is play and has a name.
 """
 
 from collections.abc import Iterator, Mapping
