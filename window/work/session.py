@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from contextlib import ExitStack, suppress
+from copy import deepcopy
 from dataclasses import dataclass
 from functools import partial
 from typing import Final
@@ -11,7 +12,7 @@ from tumble.app.stand import LoadedStand
 from tumble.app.stand_lock import holding
 from tumble.app.wiring import Attendant, Connected, connect
 from tumble.drivers.errors import DeviceError, LinkLostError
-from tumble.drivers.protocols import Block, Identity, PositionerStatus
+from tumble.drivers.protocols import Block, Identity, PositionerStatus, Sampler
 from tumble.messages import Message
 from tumble.procedures.axes import Look
 from tumble.procedures.interlock import Interlock
@@ -75,17 +76,27 @@ class StandSession:
 
         One that answers something else than samples is passed over. Raises `LinkLostError`, and as `connected`.
         """
-        samplers, tables = self.connected.stand.samplers, self.loaded.file.samplers
+        tables = self.loaded.file.samplers
         quick = {name: table.rate_hz for name, table in tables.items() if table.rate_hz * _GLANCE_S >= 1.0}
         blocks: dict[str, Block] = {}
         for name, rate_hz in quick.items():
             try:
-                blocks[name] = samplers[name].acquire(round(rate_hz * _GLANCE_S), rate_hz)
+                blocks[name] = self._glanced_at(name).acquire(round(rate_hz * _GLANCE_S), rate_hz)
             except LinkLostError:
                 raise
             except DeviceError:
                 continue
         return blocks
+
+    def _glanced_at(self, name: str) -> Sampler:
+        """A sampler to look at between runs: of a simulated one a copy, world and clock with it.
+
+        What a simulated meter reads depends on how often and when it was read before; a run is none the wiser for who
+        watched.
+        """
+        sampler = self.connected.stand.samplers[name]
+        simulated = self.loaded.sampler_drivers[name] is None
+        return deepcopy(sampler) if simulated else sampler
 
     @property
     def answers(self) -> bool:
