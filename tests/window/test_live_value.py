@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from tumble.drivers.errors import DeviceError, LinkLostError
-from tumble.drivers.protocols import SampleBlock
+from tumble.drivers.protocols import ChannelBlock, SampleBlock
 from tumble.drivers.simulated.daq import SimulatedDaq
-from tumble.window.widgets.live_value import LiveValue, Sparkline, _places
+from tumble.window.widgets.live_value import LiveValue, Sparkline, _pieces, _places
 
 
 def block(*voltages_v):
@@ -32,6 +32,25 @@ def test_the_newest_value_is_told_with_its_unit(qtbot, qapp):
     assert shown.said.text() == "2.550000 V"
 
 
+@pytest.mark.parametrize(
+    ("voltages_v", "said"), [((1.0, -9.9e37), "overload"), ((9.9e37,), "overload"), ((1.0, np.nan), "no value")]
+)
+def test_what_is_no_value_is_said_and_leaves_a_gap(qtbot, qapp, voltages_v, said):
+    shown = LiveValue()
+    qtbot.addWidget(shown)
+    shown.see(block(*voltages_v))
+    assert shown.said.text() == said
+    assert not np.isfinite(shown.line.values[-1])
+
+
+def test_an_overload_is_said_of_the_channel_that_has_it(qtbot, qapp):
+    shown = LiveValue()
+    qtbot.addWidget(shown)
+    channels = {"u_x_v": np.array([9.9e37]), "u_y_v": np.array([1.5])}
+    shown.see(ChannelBlock(channels=channels, rate_hz=100.0, device_time_s=0.0, temperature_degc=None))
+    assert shown.said.text() == "u_x_v: overload\nu_y_v: 1.5"
+
+
 def test_a_line_goes_from_the_lowest_value_at_the_bottom_to_the_highest_on_top():
     first, second, third = _places(np.array([1.0, 3.0, 2.0]), 100.0, 42.0)
     assert (first.y(), second.y(), third.y()) == (40.0, 2.0, 21.0)
@@ -40,6 +59,12 @@ def test_a_line_goes_from_the_lowest_value_at_the_bottom_to_the_highest_on_top()
 
 def test_what_is_no_number_is_left_out():
     assert len(_places(np.array([1.0, np.nan, 2.0]), 100.0, 42.0)) == 2
+
+
+def test_a_line_is_broken_at_a_gap():
+    pieces = _pieces(np.array([1.0, 2.0, np.nan, 3.0, np.inf, np.nan, 4.0, 5.0]), 100.0, 42.0)
+    assert [len(piece) for piece in pieces] == [2, 1, 2]
+    assert _pieces(np.array([np.nan]), 100.0, 42.0) == []
 
 
 def test_a_value_that_stays_is_drawn_at_half_the_height():
