@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tumble.drivers.errors import DeviceError, LinkLostError
+from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
 from tumble.drivers.protocols import ChannelBlock, SampleBlock
 from tumble.drivers.simulated.daq import SimulatedDaq
 from tumble.window.widgets.live_value import LiveValue, Sparkline, _pieces, _places
@@ -49,6 +49,16 @@ def test_an_overload_is_said_of_the_channel_that_has_it(qtbot, qapp):
     channels = {"u_x_v": np.array([9.9e37]), "u_y_v": np.array([1.5])}
     shown.see(ChannelBlock(channels=channels, rate_hz=100.0, device_time_s=0.0, temperature_degc=None))
     assert shown.said.text() == "u_x_v: overload\nu_y_v: 1.5"
+
+
+def test_a_meter_that_gives_nothing_has_no_value_and_one_gap(qtbot, qapp):
+    shown = LiveValue()
+    qtbot.addWidget(shown)
+    shown.see(block(2.5))
+    shown.see(None)
+    shown.see(None)
+    assert shown.said.text() == "no value"
+    assert [np.isfinite(value) for value in shown.line.values] == [True, False]
 
 
 def test_a_line_goes_from_the_lowest_value_at_the_bottom_to_the_highest_on_top():
@@ -110,9 +120,20 @@ def test_an_answer_that_is_none_leaves_the_stand_connected(driver, monkeypatch):
         raise DeviceError("voltmeter", "answers something else", "look at it")
 
     monkeypatch.setattr(SimulatedDaq, "acquire", refuse)
-    driver.wait(lambda: len(asked) >= 2)
+    driver.wait(lambda: len(asked) >= 2 and live(driver).said.text() == "no value")
     assert driver.complaints == []
     assert driver.window.worker.session.is_connected
+
+
+def test_a_meter_that_falls_silent_keeps_no_value_on_screen(driver, monkeypatch):
+    driver.wait(lambda: live(driver).said.text().endswith(" V"))
+
+    def keep_silent(*_):
+        raise NoReplyError("voltmeter", "does not answer", "look at it")
+
+    monkeypatch.setattr(SimulatedDaq, "acquire", keep_silent)
+    driver.wait(lambda: live(driver).said.text() == "no value")
+    assert driver.complaints == []
 
 
 def test_a_meter_that_is_gone_is_told(driver, monkeypatch):

@@ -62,8 +62,8 @@ class InstrumentTable(QFrame):
         for live in self.live.values():
             live.forget()
 
-    def see(self, key: str, block: Block) -> None:
-        """Show what a sampler reads."""
+    def see(self, key: str, block: Block | None) -> None:
+        """Show what a sampler reads; None where it gives no samples."""
         if key in self.live:
             self.live[key].see(block)
 

@@ -37,8 +37,12 @@ class LiveValue(QWidget):
         column.addWidget(self.line)
         self.line.hide()
 
-    def see(self, block: Block) -> None:
-        """Show what was read just now, the mean of a few samples."""
+    def see(self, block: Block | None) -> None:
+        """Show what was read just now, the mean of a few samples; None where there are none."""
+        if block is None:
+            self.said.setText(tr("no value"))
+            self.line.interrupt()
+            return
         means = {name: _mean(values) for name, values in block.channels.items()}
         self.said.setText("\n".join(_told(name, mean) for name, mean in list(means.items())[:_TOLD]))
         self.line.add(next(iter(means.values())))
@@ -70,6 +74,11 @@ class Sparkline(QWidget):
         """One value more; one that is no number is a gap."""
         self.values.append(value)
         self.update()
+
+    def interrupt(self) -> None:
+        """Leave a gap before the next value."""
+        if self.values and math.isfinite(self.values[-1]):
+            self.add(math.nan)
 
     def forget(self) -> None:
         """Begin anew."""
