@@ -101,7 +101,28 @@ def test_nothing_is_read_behind_another_screen(driver):
     seen = []
     driver.window.worker.position_seen.connect(lambda *_: seen.append(len(live(driver).line.values)))
     driver.wait(lambda: len(seen) >= 4)
-    assert seen[-1] == seen[1]  # the look that was under way is told, too
+    assert len(set(seen)) == 1  # not even what the look that was under way saw
+    assert live(driver).said.text() == "—"
+
+
+def test_a_line_goes_on_after_a_gap_where_somebody_looked_away(driver):
+    driver.wait(lambda: live(driver).line.values)
+    driver.window.open(driver.window.records)
+    read = len(live(driver).line.values)
+    driver.window.open(driver.window.stand)
+    driver.wait(lambda: len(live(driver).line.values) > read)
+    finite = np.isfinite(live(driver).line.values)
+    assert (finite[read - 2], finite[read - 1], finite[read]) == (True, False, True)
+
+
+def test_no_reading_stays_on_screen_while_an_order_is_carried_out(driver):
+    driver.wait(lambda: live(driver).line.values)
+    said = []
+    driver.window.worker.working.connect(lambda working: said.append((working, live(driver).said.text())))
+    driver.window.worker.move_by("head", 1.0)
+    driver.wait(lambda: (False, "—") in said)
+    assert said[0] == (True, "—")
+    assert np.isnan(live(driver).line.values).any()
 
 
 def test_what_a_stand_read_is_forgotten_with_it(driver):

@@ -67,6 +67,11 @@ class InstrumentTable(QFrame):
         if key in self.live:
             self.live[key].see(block)
 
+    def pause_readings(self) -> None:
+        """Nothing is read for a while."""
+        for live in self.live.values():
+            live.pause()
+
     def text(self, key: str, name: str) -> str:
         """What a cell says."""
         return self._cells[key, name].text()

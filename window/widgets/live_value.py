@@ -40,19 +40,26 @@ class LiveValue(QWidget):
     def see(self, block: Block | None) -> None:
         """Show what was read just now, the mean of a few samples; None where there are none."""
         if block is None:
-            self.said.setText(tr("no value"))
-            self.line.interrupt()
+            self._interrupt(tr("no value"))
             return
         means = {name: _mean(values) for name, values in block.channels.items()}
         self.said.setText("\n".join(_told(name, mean) for name, mean in list(means.items())[:_TOLD]))
         self.line.add(next(iter(means.values())))
         self.line.show()
 
+    def pause(self) -> None:
+        """Nothing is read for a while; what was read before stays in the line."""
+        self._interrupt("—")
+
     def forget(self) -> None:
         """Nothing is read any more."""
         self.said.setText("—")
         self.line.forget()
         self.line.hide()
+
+    def _interrupt(self, said: str) -> None:
+        self.said.setText(said)
+        self.line.interrupt()
 
 
 class Sparkline(QWidget):
