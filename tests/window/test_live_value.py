@@ -1,11 +1,15 @@
 """The screen Stand shows what a meter reads, while somebody looks at it."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
+from tumble.app.stand import load_stand
 from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
 from tumble.drivers.protocols import ChannelBlock, SampleBlock
 from tumble.drivers.simulated.daq import SimulatedDaq
+from tumble.window.widgets.instrument_table import InstrumentTable
 from tumble.window.widgets.live_value import LiveValue, Sparkline, _pieces, _places
 
 
@@ -59,6 +63,16 @@ def test_a_meter_that_gives_nothing_has_no_value_and_one_gap(qtbot, qapp):
     shown.see(None)
     assert shown.said.text() == "no value"
     assert [np.isfinite(value) for value in shown.line.values] == [True, False]
+
+
+def test_a_stand_with_the_same_names_has_its_own_samplers(qtbot, qapp):
+    instruments = load_stand().file.instruments
+    table = InstrumentTable()
+    qtbot.addWidget(table)
+    for samplers in (["daq"], ["head"]):
+        file = SimpleNamespace(instruments=instruments, samplers={name: instruments[name] for name in samplers})
+        table.show_stand(SimpleNamespace(file=file))
+        assert list(table.live) == samplers
 
 
 def test_a_line_goes_from_the_lowest_value_at_the_bottom_to_the_highest_on_top():

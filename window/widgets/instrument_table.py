@@ -41,9 +41,9 @@ class InstrumentTable(QFrame):
 
     def show_stand(self, loaded: LoadedStand) -> None:
         """Show what the stand file says."""
-        tables = loaded.file.instruments
-        if tuple(tables) != self._instruments:
-            self._make(tuple(tables), [*loaded.file.samplers])
+        tables, samplers = loaded.file.instruments, tuple(loaded.file.samplers)
+        if (tuple(tables), samplers) != (self._instruments, tuple(self.live)):
+            self._make(tuple(tables), samplers)
         for key, table in tables.items():
             self._show_file(key, table)
         self.forget_identities()
