@@ -12,7 +12,8 @@ from tumble.messages import Message
 
 USELESS_S: Final = 30.0
 """Out of range for so long without a break, a channel is told in another unit than it should be, or is broken."""
-_OVERLOAD: Final = 9.9e37
+OVERLOAD: Final = 9.9e37
+"""From this magnitude on a sample is no value: the instrument says that it is out of range."""
 
 
 class Watch:
@@ -37,7 +38,7 @@ class Watch:
     def see(self, channels: Mapping[str, FloatArray], rate_hz: float) -> None:
         """Look at a block. Raises `DeviceError` where a channel has had no usable value for `USELESS_S`."""
         for name, values in channels.items():
-            useless = bool(np.all(np.isnan(values) | (np.abs(values) >= _OVERLOAD)))
+            useless = bool(np.all(np.isnan(values) | (np.abs(values) >= OVERLOAD)))
             useless_s = self._useless_s.get(name, 0.0) + len(values) / rate_hz
             self._useless_s[name] = useless_s if useless else 0.0
             if self._useless_s[name] >= USELESS_S:

@@ -11,7 +11,7 @@ from tumble.window.look.language import tr
 from tumble.window.screens.run import RunScreen
 from tumble.window.screens.stand import StandScreen
 from tumble.window.widgets.dialog import QuestionDialog
-from tumble.window.work.activity import Activity
+from tumble.window.work.activity import Activity, Resumption
 from tumble.window.work.session import StandSession
 
 
@@ -19,6 +19,8 @@ class Beginning(QObject):
     """Has the screen Run begin what another screen asks for."""
 
     begun = Signal()
+    resumed = Signal(object)
+    """Path of the recording of a run that goes on: why it had broken off is of the past."""
     dialog_wanted = Signal(object)
     """`Dialog`."""
 
@@ -50,6 +52,8 @@ class Beginning(QObject):
     def _begin_here(self, activity: Activity, points: tuple[Point, ...]) -> None:
         if self._run.begin(activity, points):
             self.begun.emit()
+            if isinstance(activity, Resumption):
+                self.resumed.emit(activity.unfinished.path)
 
 
 def _question(its: LoadedStand, shown: LoadedStand) -> QuestionDialog:

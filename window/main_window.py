@@ -201,9 +201,9 @@ class MainWindow(QMainWindow):
         records.opened.connect(self._show_result)
         records.opened.connect(run.queue.hear_result)
         records.resume_wanted.connect(self.beginning.begin)
-        records.resume_wanted.connect(lambda resumed, _: self.notices.withdraw(resumed.unfinished.path))
         self.result.experiment_wanted.connect(self.beginning.begin)
         self.beginning.begun.connect(lambda: self.open(self.run))
+        self.beginning.resumed.connect(self.notices.withdraw)
         self.frame.rail.chosen.connect(self._see)
 
     def _connect_choices(self) -> None:

@@ -1,12 +1,16 @@
 """The screen Stand shows what a meter reads, while somebody looks at it."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
-from tumble.drivers.errors import DeviceError, LinkLostError
-from tumble.drivers.protocols import SampleBlock
+from tumble.app.stand import load_stand
+from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
+from tumble.drivers.protocols import ChannelBlock, SampleBlock
 from tumble.drivers.simulated.daq import SimulatedDaq
-from tumble.window.widgets.live_value import LiveValue, Sparkline, _places
+from tumble.window.widgets.instrument_table import InstrumentTable
+from tumble.window.widgets.live_value import LiveValue, Sparkline, _pieces, _places
 
 
 def block(*voltages_v):
@@ -32,6 +36,45 @@ def test_the_newest_value_is_told_with_its_unit(qtbot, qapp):
     assert shown.said.text() == "2.550000 V"
 
 
+@pytest.mark.parametrize(
+    ("voltages_v", "said"), [((1.0, -9.9e37), "overload"), ((9.9e37,), "overload"), ((1.0, np.nan), "no value")]
+)
+def test_what_is_no_value_is_said_and_leaves_a_gap(qtbot, qapp, voltages_v, said):
+    shown = LiveValue()
+    qtbot.addWidget(shown)
+    shown.see(block(*voltages_v))
+    assert shown.said.text() == said
+    assert not np.isfinite(shown.line.values[-1])
+
+
+def test_an_overload_is_said_of_the_channel_that_has_it(qtbot, qapp):
+    shown = LiveValue()
+    qtbot.addWidget(shown)
+    channels = {"u_x_v": np.array([9.9e37]), "u_y_v": np.array([1.5])}
+    shown.see(ChannelBlock(channels=channels, rate_hz=100.0, device_time_s=0.0, temperature_degc=None))
+    assert shown.said.text() == "u_x_v: overload\nu_y_v: 1.5"
+
+
+def test_a_meter_that_gives_nothing_has_no_value_and_one_gap(qtbot, qapp):
+    shown = LiveValue()
+    qtbot.addWidget(shown)
+    shown.see(block(2.5))
+    shown.see(None)
+    shown.see(None)
+    assert shown.said.text() == "no value"
+    assert [np.isfinite(value) for value in shown.line.values] == [True, False]
+
+
+def test_a_stand_with_the_same_names_has_its_own_samplers(qtbot, qapp):
+    instruments = load_stand().file.instruments
+    table = InstrumentTable()
+    qtbot.addWidget(table)
+    for samplers in (["daq"], ["head"]):
+        file = SimpleNamespace(instruments=instruments, samplers={name: instruments[name] for name in samplers})
+        table.show_stand(SimpleNamespace(file=file))
+        assert list(table.live) == samplers
+
+
 def test_a_line_goes_from_the_lowest_value_at_the_bottom_to_the_highest_on_top():
     first, second, third = _places(np.array([1.0, 3.0, 2.0]), 100.0, 42.0)
     assert (first.y(), second.y(), third.y()) == (40.0, 2.0, 21.0)
@@ -40,6 +83,12 @@ def test_a_line_goes_from_the_lowest_value_at_the_bottom_to_the_highest_on_top()
 
 def test_what_is_no_number_is_left_out():
     assert len(_places(np.array([1.0, np.nan, 2.0]), 100.0, 42.0)) == 2
+
+
+def test_a_line_is_broken_at_a_gap():
+    pieces = _pieces(np.array([1.0, 2.0, np.nan, 3.0, np.inf, np.nan, 4.0, 5.0]), 100.0, 42.0)
+    assert [len(piece) for piece in pieces] == [2, 1, 2]
+    assert _pieces(np.array([np.nan]), 100.0, 42.0) == []
 
 
 def test_a_value_that_stays_is_drawn_at_half_the_height():
@@ -66,7 +115,28 @@ def test_nothing_is_read_behind_another_screen(driver):
     seen = []
     driver.window.worker.position_seen.connect(lambda *_: seen.append(len(live(driver).line.values)))
     driver.wait(lambda: len(seen) >= 4)
-    assert seen[-1] == seen[1]  # the look that was under way is told, too
+    assert len(set(seen)) == 1  # not even what the look that was under way saw
+    assert live(driver).said.text() == "—"
+
+
+def test_a_line_goes_on_after_a_gap_where_somebody_looked_away(driver):
+    driver.wait(lambda: live(driver).line.values)
+    driver.window.open(driver.window.records)
+    read = len(live(driver).line.values)
+    driver.window.open(driver.window.stand)
+    driver.wait(lambda: len(live(driver).line.values) > read)
+    finite = np.isfinite(live(driver).line.values)
+    assert (finite[read - 2], finite[read - 1], finite[read]) == (True, False, True)
+
+
+def test_no_reading_stays_on_screen_while_an_order_is_carried_out(driver):
+    driver.wait(lambda: live(driver).line.values)
+    said = []
+    driver.window.worker.working.connect(lambda working: said.append((working, live(driver).said.text())))
+    driver.window.worker.move_by("head", 1.0)
+    driver.wait(lambda: (False, "—") in said)
+    assert said[0] == (True, "—")
+    assert np.isnan(live(driver).line.values).any()
 
 
 def test_what_a_stand_read_is_forgotten_with_it(driver):
@@ -85,9 +155,20 @@ def test_an_answer_that_is_none_leaves_the_stand_connected(driver, monkeypatch):
         raise DeviceError("voltmeter", "answers something else", "look at it")
 
     monkeypatch.setattr(SimulatedDaq, "acquire", refuse)
-    driver.wait(lambda: len(asked) >= 2)
+    driver.wait(lambda: len(asked) >= 2 and live(driver).said.text() == "no value")
     assert driver.complaints == []
     assert driver.window.worker.session.is_connected
+
+
+def test_a_meter_that_falls_silent_keeps_no_value_on_screen(driver, monkeypatch):
+    driver.wait(lambda: live(driver).said.text().endswith(" V"))
+
+    def keep_silent(*_):
+        raise NoReplyError("voltmeter", "does not answer", "look at it")
+
+    monkeypatch.setattr(SimulatedDaq, "acquire", keep_silent)
+    driver.wait(lambda: live(driver).said.text() == "no value")
+    assert driver.complaints == []
 
 
 def test_a_meter_that_is_gone_is_told(driver, monkeypatch):

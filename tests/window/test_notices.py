@@ -162,3 +162,13 @@ def test_a_question_whose_place_is_taken_is_declined(driver):
 def test_text_of_a_file_is_no_markup(driver, write):
     driver.window.stand.open(write("b.toml", STAND.replace("bench-1", "<b>x</b>") + "[oops]\n"))
     assert "oops" in driver.complaints[0]
+
+
+def test_what_offers_something_with_a_file_is_withdrawn_by_any_path_to_it(driver, tmp_path):
+    file, other = tmp_path / "run.jsonl", tmp_path / "other.jsonl"
+    for path in (file, other):
+        action = Action(title="Go on", act=lambda: None, about=path)
+        driver.window.notices.show_notice(Notice(text=path.name, kind=Kind.FAULT, action=action))
+    (tmp_path / "sub").mkdir()
+    driver.window.notices.withdraw(tmp_path / "sub" / ".." / "run.jsonl")
+    assert [card.notice.text for card in cards(driver)] == ["other.jsonl"]

@@ -103,6 +103,17 @@ def test_what_a_fault_offers_is_withdrawn_once_the_run_goes_on(driver, tiny, mon
     assert driver.wait_for_result().concluded.record_id
 
 
+def test_what_a_fault_offers_stays_where_the_run_does_not_go_on(driver, tiny, monkeypatch):
+    at_call(monkeypatch, 3 * 2 + 2, LOST)
+    driver.start(tiny)
+    driver.wait(driver.run.offered.isVisible)
+    asked = []
+    monkeypatch.setattr(driver.run, "begin", lambda *_: asked.append(True))
+    driver.press(Qt.Key.Key_F7)
+    driver.wait(lambda: asked)
+    assert [card.notice.action.title for card in driver.window.notices.cards] == ["Go on with it"]
+
+
 def test_an_exception_anywhere_becomes_a_notice_and_stops_the_run(driver, long, tmp_path):
     driver.window.stand.simulation.speed.setCurrentIndex(2)
     driver.start(long)

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
 
 from tumble.app.stand import LoadedStand, load_stand
 from tumble.app.wiring import Attendant
-from tumble.drivers.protocols import Identity, PositionerStatus
+from tumble.drivers.protocols import Block, Identity, PositionerStatus
 from tumble.procedures.errors import InputError
 from tumble.procedures.events import Event, Identified
 from tumble.procedures.first_method import FIRST
@@ -78,9 +78,10 @@ class StandScreen(QWidget):
         self._worker.watch(True)
 
     def hideEvent(self, event: QHideEvent) -> None:  # noqa: N802  # Qt's name
-        """Leave them alone again."""
+        """Leave them alone again, and keep no reading that grows old."""
         super().hideEvent(event)
         self._worker.watch(False)
+        self.table.pause_readings()
 
     def use(self, loaded: LoadedStand) -> bool:
         """Choose a stand, and leave the one before; returns whether that could be."""
@@ -125,9 +126,9 @@ class StandScreen(QWidget):
         worker.chosen.connect(self._show_stand)
         worker.connected.connect(self._show_connected)
         worker.disconnected.connect(self._show_disconnected)
-        worker.working.connect(self._refresh)
+        worker.working.connect(self._show_working)
         worker.position_seen.connect(self._see)
-        worker.reading_seen.connect(self.table.see)
+        worker.reading_seen.connect(self._see_reading)
         bridge.position_seen.connect(self._see)
         bridge.announced.connect(self._hear)
 
@@ -199,11 +200,21 @@ class StandScreen(QWidget):
         self._notice.clear()
         self._refresh()
 
+    def _show_working(self, working: bool) -> None:
+        if working:
+            self.table.pause_readings()
+        self._refresh()
+
     def _see(self, name: str, status: PositionerStatus) -> None:
         self.dials.show_status(name, status)
         self._lost = self._lost - {name} if status.referenced else self._lost | {name}
         home_first = [tr("The head does not know its angle: home it first.")] if self._lost else []
         self._notice.setText("\n".join([*map(in_language, self._warnings), *home_first]))
+
+    def _see_reading(self, name: str, block: Block | None) -> None:
+        """Show what a look saw, unless it is of the past: an order has begun since, or nobody watches any more."""
+        if self.isVisible() and not self._worker.busy:
+            self.table.see(name, block)
 
     def _hear(self, event: Event) -> None:
         """Show who answers in a run, which asks anew whenever a link was lost."""

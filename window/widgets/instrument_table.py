@@ -41,9 +41,9 @@ class InstrumentTable(QFrame):
 
     def show_stand(self, loaded: LoadedStand) -> None:
         """Show what the stand file says."""
-        tables = loaded.file.instruments
-        if tuple(tables) != self._instruments:
-            self._make(tuple(tables), [*loaded.file.samplers])
+        tables, samplers = loaded.file.instruments, tuple(loaded.file.samplers)
+        if (tuple(tables), samplers) != (self._instruments, tuple(self.live)):
+            self._make(tuple(tables), samplers)
         for key, table in tables.items():
             self._show_file(key, table)
         self.forget_identities()
@@ -62,10 +62,15 @@ class InstrumentTable(QFrame):
         for live in self.live.values():
             live.forget()
 
-    def see(self, key: str, block: Block) -> None:
-        """Show what a sampler reads."""
+    def see(self, key: str, block: Block | None) -> None:
+        """Show what a sampler reads; None where it gives no samples."""
         if key in self.live:
             self.live[key].see(block)
+
+    def pause_readings(self) -> None:
+        """Nothing is read for a while."""
+        for live in self.live.values():
+            live.pause()
 
     def text(self, key: str, name: str) -> str:
         """What a cell says."""

@@ -1,6 +1,8 @@
 """What a meter reads while a stand is watched: the newest value, and a line through those before."""
 
+import math
 from collections import deque
+from itertools import pairwise
 from typing import Final
 
 import numpy as np
@@ -10,12 +12,14 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.drivers.protocols import VOLTAGE, Block
+from tumble.drivers.usable import OVERLOAD
+from tumble.window.look.language import tr
 from tumble.window.look.numbers import local
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.theme import colours
 
 _KEPT: Final = 150
-"""Values, of five a second: half a minute."""
+"""Values, of up to five a second: half a minute and more."""
 _TOLD: Final = 3
 """Channels whose values are told; the line is that of the first."""
 _EDGE_PX: Final = 2.0
@@ -33,18 +37,29 @@ class LiveValue(QWidget):
         column.addWidget(self.line)
         self.line.hide()
 
-    def see(self, block: Block) -> None:
-        """Show what was read just now, the mean of a few samples."""
-        means = {name: float(np.mean(values)) for name, values in block.channels.items()}
+    def see(self, block: Block | None) -> None:
+        """Show what was read just now, the mean of a few samples; None where there are none."""
+        if block is None:
+            self._interrupt(tr("no value"))
+            return
+        means = {name: _mean(values) for name, values in block.channels.items()}
         self.said.setText("\n".join(_told(name, mean) for name, mean in list(means.items())[:_TOLD]))
         self.line.add(next(iter(means.values())))
         self.line.show()
+
+    def pause(self) -> None:
+        """Nothing is read for a while; what was read before stays in the line."""
+        self._interrupt("—")
 
     def forget(self) -> None:
         """Nothing is read any more."""
         self.said.setText("—")
         self.line.forget()
         self.line.hide()
+
+    def _interrupt(self, said: str) -> None:
+        self.said.setText(said)
+        self.line.interrupt()
 
 
 class Sparkline(QWidget):
@@ -67,6 +82,11 @@ class Sparkline(QWidget):
         self.values.append(value)
         self.update()
 
+    def interrupt(self) -> None:
+        """Leave a gap before the next value."""
+        if self.values and math.isfinite(self.values[-1]):
+            self.add(math.nan)
+
     def forget(self) -> None:
         """Begin anew."""
         self.values.clear()
@@ -83,7 +103,16 @@ class Sparkline(QWidget):
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QPen(QColor(colours(self).accent), 1.5))
-        painter.drawPolyline(QPolygonF(_places(values, self.width(), self.height())))
+        for piece in _pieces(values, self.width(), self.height()):
+            painter.drawPolyline(QPolygonF(piece))
+
+
+def _pieces(values: FloatArray, width: float, height: float) -> list[list[QPointF]]:
+    """Where the values between two gaps are drawn, for each piece of the line."""
+    places = _places(values, width, height)
+    there = np.flatnonzero(np.isfinite(values))
+    starts = np.flatnonzero(np.diff(there, prepend=-2) > 1).tolist()
+    return [places[start:end] for start, end in pairwise([*starts, len(places)])]
 
 
 def _places(values: FloatArray, width: float, height: float) -> list[QPointF]:
@@ -98,7 +127,13 @@ def _places(values: FloatArray, width: float, height: float) -> list[QPointF]:
     return [QPointF(*place) for place in zip(x, y, strict=True)]
 
 
+def _mean(values: FloatArray) -> float:
+    """Mean of samples; infinite where one of them is out of range, NaN where one is no number."""
+    return math.inf if np.any(np.abs(values) >= OVERLOAD) else float(np.mean(values))
+
+
 def _told(name: str, value: float) -> str:
-    if name == VOLTAGE:
-        return local(f"{value:.6f} V")
-    return local(f"{name}: {value:.6g}")
+    if math.isfinite(value):
+        return local(f"{value:.6f} V" if name == VOLTAGE else f"{name}: {value:.6g}")
+    said = tr("overload") if math.isinf(value) else tr("no value")
+    return said if name == VOLTAGE else f"{name}: {said}"

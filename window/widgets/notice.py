@@ -144,8 +144,10 @@ class Notices(QWidget):
 
     def withdraw(self, about: Path) -> None:
         """Close what offers something with a file: it is being done."""
-        for card in [card for card in self.cards if card.notice.action and card.notice.action.about == about]:
-            card.dismiss()
+        for card in self.cards[:]:
+            offered = card.notice.action.about if card.notice.action else None
+            if offered is not None and offered.resolve() == about.resolve():
+                card.dismiss()
 
     def act_newest(self) -> None:
         """Do what the newest notice offers; nothing where it offers nothing."""

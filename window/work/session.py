@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from contextlib import ExitStack, suppress
+from copy import deepcopy
 from dataclasses import dataclass
 from functools import partial
 from typing import Final
@@ -10,8 +11,8 @@ from tumble.app.simulation import Past
 from tumble.app.stand import LoadedStand
 from tumble.app.stand_lock import holding
 from tumble.app.wiring import Attendant, Connected, connect
-from tumble.drivers.errors import DeviceError, LinkLostError
-from tumble.drivers.protocols import Block, Identity, PositionerStatus
+from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
+from tumble.drivers.protocols import Block, Identity, PositionerStatus, Sampler
 from tumble.messages import Message
 from tumble.procedures.axes import Look
 from tumble.procedures.interlock import Interlock
@@ -47,6 +48,8 @@ class StandSession:
         self._look = look
         self._connected: Connected | None = None
         self._held = ExitStack()
+        self._silent: set[str] = set()
+        """Samplers that did not answer when they were looked at, since the stand was connected."""
 
     def is_of(self, other: LoadedStand) -> bool:
         """Whether a stand file is the one that was chosen: it lies in the same place and says the same."""
@@ -70,22 +73,37 @@ class StandSession:
         return {name: positioner.status() for name, positioner in self.connected.stand.positioners.items()}
 
     @property
-    def readings(self) -> dict[str, Block]:
+    def readings(self) -> dict[str, Block | None]:
         """What the samplers read now, by name: a few samples of each that takes them within an instant.
 
-        One that answers something else than samples is passed over. Raises `LinkLostError`, and as `connected`.
+        None of one that answers something else than samples. One that does not answer is not looked at again until the
+        stand is connected anew, and a look ends with it: a stop waits for one that is silent at most once. Raises
+        `LinkLostError`, and as `connected`.
         """
-        samplers, tables = self.connected.stand.samplers, self.loaded.file.samplers
+        tables = self.loaded.file.samplers
         quick = {name: table.rate_hz for name, table in tables.items() if table.rate_hz * _GLANCE_S >= 1.0}
-        blocks: dict[str, Block] = {}
-        for name, rate_hz in quick.items():
+        blocks: dict[str, Block | None] = {}
+        for name in [name for name in quick if name not in self._silent]:
             try:
-                blocks[name] = samplers[name].acquire(round(rate_hz * _GLANCE_S), rate_hz)
+                blocks[name] = self._glanced_at(name).acquire(round(quick[name] * _GLANCE_S), quick[name])
             except LinkLostError:
                 raise
+            except NoReplyError:
+                self._silent.add(name)
+                return blocks | {name: None}
             except DeviceError:
-                continue
+                blocks[name] = None
         return blocks
+
+    def _glanced_at(self, name: str) -> Sampler:
+        """A sampler to look at between runs: of a simulated one a copy, world and clock with it.
+
+        What a simulated meter reads depends on how often and when it was read before; a run is none the wiser for who
+        watched.
+        """
+        sampler = self.connected.stand.samplers[name]
+        simulated = self.loaded.sampler_drivers[name] is None
+        return deepcopy(sampler) if simulated else sampler
 
     @property
     def answers(self) -> bool:
@@ -121,6 +139,7 @@ class StandSession:
                 warnings=connected.warnings,
             )
             self._connected, self._held = connected, stack.pop_all()
+            self._silent.clear()
         return identity
 
     def disconnect(self) -> None:

@@ -43,7 +43,7 @@ class StandWorker(QObject):
     position_seen = Signal(str, object)
     """Name and `PositionerStatus` of a positioner that nobody moves."""
     reading_seen = Signal(str, object)
-    """Name and samples of a sampler, while somebody watches."""
+    """Name and samples of a sampler, or None where it has none, while somebody watches."""
     working = Signal(bool)
     """Whether an order is under way; leaving a stand is none."""
     stage = Signal(str)

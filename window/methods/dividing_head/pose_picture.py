@@ -22,11 +22,11 @@ _UP: Final = np.array([-0.16, 0.93, -0.34])
 _TOWARDS: Final = np.cross(_RIGHT, _UP)
 _ARROW: Final = 1.15
 _ZERO_LABEL: Final = (0.3, 1.4)
+"""Where the mark of 0° is named: outside the rim, beside any axis of the unit that points there."""
 _SHADOWS: Final = {(0, 1): 0.22, (1, 1): 0.32, (2, 1): 0.14, (0, -1): 0.26, (1, -1): 0.36, (2, -1): 0.18}
 """Of every face, by its axis and side: the share of the accent in the paper."""
 _CASING_PX: Final = 2.5
 """Of paper around an arrow and a letter, by which they stand out from what they lie on."""
-"""Where the mark of 0° is named: outside the rim, beside any axis of the unit that points there."""
 
 
 @dataclass(frozen=True, kw_only=True)

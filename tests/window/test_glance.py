@@ -1,0 +1,78 @@
+"""What the samplers of a stand read while nothing else goes on."""
+
+import numpy as np
+import pytest
+
+from tumble.app.stand import load_stand
+from tumble.app.wiring import Attendant, obliging_operator
+from tumble.drivers.errors import DeviceError, NoReplyError
+from tumble.drivers.simulated.daq import SimulatedDaq
+from tumble.procedures.axes import look_away
+from tumble.window.work.session import StandSession
+
+AT_ONCE = Attendant(operator=obliging_operator)
+
+
+def session_of(method):
+    session = StandSession(load_stand(None, method), look_away)
+    session.connect(AT_ONCE)
+    return session
+
+
+def recorded(method, watched):
+    """What every sampler gives at three angles, with and without glances between."""
+    session, blocks = session_of(method), []
+    stand = session.connected.stand
+    for angle_deg in (0.0, 5.0, 10.0):
+        for positioner in stand.positioners.values():
+            positioner.start_move(angle_deg)
+        stand.clock.sleep(20.0)
+        for _ in range(watched):
+            assert session.readings
+        blocks += [sampler.acquire(8, 100.0) for sampler in stand.samplers.values()]
+    return blocks
+
+
+@pytest.mark.parametrize("method", ["dividing_head", "triad", "vibration"])
+def test_a_simulated_run_is_the_same_whether_it_was_watched_or_not(method):
+    for watched, unwatched in zip(recorded(method, 3), recorded(method, 0), strict=True):
+        for name, values in watched.channels.items():
+            np.testing.assert_array_equal(values, unwatched.channels[name])
+        assert watched.device_time_s == unwatched.device_time_s
+        assert watched.temperature_degc == unwatched.temperature_degc
+
+
+def failing(monkeypatch, error):
+    """Have the meter answer with an error; a list of how often it was asked."""
+    asked = []
+
+    def fail(*_):
+        asked.append(True)
+        raise error
+
+    monkeypatch.setattr(SimulatedDaq, "acquire", fail)
+    return asked
+
+
+def test_a_meter_that_does_not_answer_is_not_looked_at_again(monkeypatch):
+    session = session_of("dividing_head")
+    asked = failing(monkeypatch, NoReplyError("voltmeter", "does not answer", "look at it"))
+    assert [session.readings, session.readings] == [{"daq": None}, {}]
+    assert len(asked) == 1
+
+
+def test_it_is_looked_at_again_once_the_stand_is_connected_anew(monkeypatch):
+    session = session_of("dividing_head")
+    failing(monkeypatch, NoReplyError("voltmeter", "does not answer", "look at it"))
+    assert session.readings == {"daq": None}
+    monkeypatch.undo()
+    session.disconnect()
+    session.connect(AT_ONCE)
+    assert session.readings["daq"] is not None
+
+
+def test_a_meter_that_answers_something_else_has_no_value_and_is_asked_again(monkeypatch):
+    session = session_of("dividing_head")
+    asked = failing(monkeypatch, DeviceError("voltmeter", "answers something else", "look at it"))
+    assert [session.readings, session.readings] == [{"daq": None}, {"daq": None}]
+    assert len(asked) == 2
