@@ -17,6 +17,8 @@ _TYPICAL: Final = 0.6745
 """Half of all that is normal is within so many standard deviations."""
 _NOTHING: Final = 1e-6
 """Of a walk, less than this part of the time is none."""
+_EXACT: Final = 1e-12
+"""Variance of a piece whose readings show no noise at all, in squares of their unit: the covariance is inverted."""
 _COURSES: Final = 25
 """So many are drawn; an odd number has a median."""
 
@@ -86,7 +88,7 @@ def _walk_per_s(at_s: FloatArray, seen: FloatArray, noise: float) -> float:
 def _drawn(at_s: FloatArray, seen: FloatArray, noise: float, nodes_s: FloatArray) -> FloatArray:
     """Courses that a line and a walk predict from what was seen, shape (courses, nodes); time begins with the table."""
     walk_per_s = _walk_per_s(at_s, seen, noise)
-    known = walk_per_s * np.minimum.outer(at_s, at_s) + max(noise, 1e-12) * np.eye(len(at_s))
+    known = walk_per_s * np.minimum.outer(at_s, at_s) + max(noise, _EXACT) * np.eye(len(at_s))
     across = walk_per_s * np.minimum.outer(nodes_s, at_s)
     line, further = (_line(each, at_s[-1]) for each in (at_s, nodes_s))
     weighted = np.linalg.solve(known, line)
