@@ -51,7 +51,8 @@ def _errors(tracer: Tracer[Any], trace: Trace, out: BoolArray) -> FloatArray:
     columns, *others = _chosen(tracer, trace, out)
     shown = _Shown(table, trace.noise, trace.components, columns)
     alone = _Shown(table, WHITE, (), nothing)
-    if not _told(table, columns, out, shown.theta(~out)):
+    found = np.column_stack([nothing, *(form.columns for form in trace.forms)])
+    if not all(_told(table, each, out, shown.theta(~out)) for each in (columns, found)):
         return alone.errors(~out, out)
     if not _agreed(shown, alone, [_Shown(table, trace.noise, trace.components, each) for each in others], out):
         return alone.errors(~out, out)
@@ -81,7 +82,8 @@ def _told(table: Table, columns: FloatArray, out: BoolArray, theta: FloatArray) 
     """
     tangents = [table.declared @ table.model.slopes(each) for each in (table.fit((), WHITE).declared, theta)]
     allowed = _FAR * max(_leverage(tangents[0], out), 1.0)
-    return all(_leverage(np.column_stack([tangent, columns]), out) < allowed for tangent in tangents)
+    together = [np.column_stack([tangent, columns]) for tangent in tangents]
+    return all(told_without(each, out) and _leverage(each, out) < allowed for each in together)
 
 
 def _leverage(columns: FloatArray, out: BoolArray) -> float:
