@@ -103,7 +103,7 @@ def _chosen(tracer: Tracer[Any], trace: Trace, out: BoolArray) -> list[FloatArra
     problem = Problem(
         sample.whitened_fit(trace.noise), sample.turned(tracer.columns[~out]), offered, table.most_effects
     )
-    chosen = search(problem, beam=1).chosen
+    chosen = search(problem, beam=3).chosen
     return [np.asarray(tracer.columns[:, problem.columns_of(each)]) for each in (chosen, *_swapped(problem, chosen))]
 
 
