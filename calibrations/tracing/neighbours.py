@@ -11,24 +11,30 @@ alone decide.
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import islice
 from typing import Any, Final
 
 import numpy as np
 
 from tumble.calibrations.tracing.beyond import WANDERING, in_place
+from tumble.calibrations.tracing.candidates import Candidate
 from tumble.calibrations.tracing.effect import Structure
 from tumble.calibrations.tracing.family import Family
 from tumble.calibrations.tracing.fitting_noise import best_level
 from tumble.calibrations.tracing.gains import seen_beside
 from tumble.calibrations.tracing.noise import WALK
+from tumble.calibrations.tracing.pairs import WIDEST, best_pairs
 from tumble.calibrations.tracing.penalties import FALSE_ALARM, NOT_FOUND
+from tumble.calibrations.tracing.problem import Problem
 from tumble.calibrations.tracing.rivals import Rival
-from tumble.calibrations.tracing.trace import Trace, Tracer, found, penalised_deviance
+from tumble.calibrations.tracing.trace import Found, Trace, Tracer, found, penalised_deviance, refined
 
 _ALLOWED: Final = 2.0 * float(np.log(NOT_FOUND / FALSE_ALARM))
 """By so much less an effect is penalised here than in the search."""
 _LEAST: Final = 2e-3
 """Explanations with smaller odds are left out."""
+_PAIRS: Final = 4
+"""So many pairs of further effects are looked at."""
 _DRAWN: Final = 1.0
 """Levels that gain less are next to nothing: their variance is at its bound."""
 
@@ -55,6 +61,8 @@ def neighbours(
     listed = [
         *((rival.name, rival.trace) for rivals in near.values() for rival in rivals),
         *_with_one_more(everything, trace),
+        *_with_one_more_beside_another_form(everything, trace),
+        *_with_two_more(everything, trace),
         *_with_one_less(everything, trace),
         *_elsewhere(everything, others),
     ]
@@ -105,6 +113,53 @@ def _with_one_more(tracer: Tracer[Any], trace: Trace) -> Iterator[tuple[str, Tra
             further = (*trace.found, found(problem, number))
             deviance = table.deviance([item.form for item in further], trace.noise)
             yield effect.name, replace(trace, found=further, deviance=deviance)
+
+
+def _with_one_more_beside_another_form(tracer: Tracer[Any], trace: Trace) -> Iterator[tuple[str, Trace]]:
+    """The trace with each other effect along a variable beside another form of one that follows it.
+
+    A slow warm-up may stand for a fast one and a drift: beside the slow one a drift gains nothing.
+    """
+    problem = tracer.problem(trace.noise)
+    for item in trace.named:
+        places = problem.forms[item.effect.name]
+        rest = trace.without_form(item)
+        others = tuple(each.number for each in rest.found)
+        for number in _along(problem, others, item, trace.names) if places.stop - places.start > 1 else ():
+            form = places.start + int(problem.gains(problem.explain((*others, number)))[places].argmax())
+            both = replace(rest, found=(*rest.found, found(problem, number), found(problem, form)))
+            behind = problem.explain((*others, number, form)).deviance - trace.deviance
+            if form != item.number and behind + problem.penalties[number] - _ALLOWED < -2.0 * np.log(_LEAST):
+                yield problem.offered[number].effect.name, refined(tracer.table, both, rounds=1)
+
+
+def _with_two_more(tracer: Tracer[Any], trace: Trace) -> Iterator[tuple[str, Trace]]:
+    """The trace with two other effects that together, if neither alone, would gain nearly their penalties."""
+    problem = tracer.problem(trace.noise)
+    numbers = [number for number, each in enumerate(problem.offered) if _may_join(each, trace.names)]
+    explanation = problem.explain(tuple(item.number for item in trace.found))
+    for pair, worth in islice(best_pairs(problem, explanation, numbers), _PAIRS):
+        if worth + 2.0 * _ALLOWED > 2.0 * np.log(_LEAST):
+            both = replace(trace, found=(*trace.found, *(found(problem, number) for number in pair)))
+            yield problem.offered[pair[0]].effect.name, refined(tracer.table, both, rounds=1)
+
+
+def _may_join(candidate: Candidate, taken: Sequence[str]) -> bool:
+    """Whether it is a named effect of one or two columns that is not there."""
+    effect = candidate.effect
+    narrow = candidate.columns.stop - candidate.columns.start <= WIDEST
+    return narrow and not effect.random and not isinstance(effect, Structure) and effect.name not in taken
+
+
+def _along(problem: Problem, others: tuple[int, ...], item: Found, taken: Sequence[str]) -> list[int]:
+    """The best form, beside others, of each effect that depends on the same variable and is not there."""
+    worth = problem.gains(problem.explain(others)) - problem.penalties
+    effects = {number: problem.offered[number].effect for number in problem.best_forms(worth)}
+    return [
+        number
+        for number, effect in effects.items()
+        if effect.depends_on == item.effect.depends_on and _may_join(problem.offered[number], taken)
+    ]
 
 
 def _with_one_less(tracer: Tracer[Any], trace: Trace) -> Iterator[tuple[str, Trace]]:

@@ -8,7 +8,7 @@ columns of each form beside what is followed already, C = U_i' U_j, and r = U' y
 of the sum of squares of y: a regression on the one, then on what the other adds (Draper and Smith, 2.6).
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Final
 
 import numpy as np
@@ -20,7 +20,7 @@ _SEEN: Final = 1e-10
 """Part of the square of a column that must be left beside what is followed already."""
 _ADDED: Final = 1e-4
 """Part of the square of a form that must be left beside another."""
-_WIDEST: Final = 2
+WIDEST: Final = 2
 """Columns of a form."""
 
 
@@ -29,12 +29,26 @@ def best_pair(problem: Problem, explanation: Explanation, numbers: Sequence[int]
 
     Of the candidates of the given numbers, of one or two columns each.
     """
+    return next((pair for pair, _ in best_pairs(problem, explanation, numbers)), ())
+
+
+def best_pairs(
+    problem: Problem, explanation: Explanation, numbers: Sequence[int]
+) -> Iterator[tuple[tuple[int, int], float]]:
+    """The best two candidates of each two effects, and what they are worth together; the best ones first."""
     tried = [number for number in numbers if problem.penalties[number] < np.inf]
     name = np.array([problem.offered[number].effect.name for number in tried])
     if len(set(name.tolist())) < 2:
-        return ()
+        return
     worth = np.where(name[:, None] == name, -np.inf, _worth(problem, explanation, tried))
-    return tuple(tried[place] for place in divmod(int(worth.argmax()), len(tried)))
+    listed = set[frozenset[str]]()
+    for place in np.argsort(-worth, axis=None, kind="stable"):
+        first, second = divmod(int(place), len(tried))
+        if worth[first, second] == -np.inf:
+            return
+        if (effects := frozenset((str(name[first]), str(name[second])))) not in listed:
+            listed.add(effects)
+            yield (tried[first], tried[second]), float(worth[first, second])
 
 
 def _worth(problem: Problem, explanation: Explanation, tried: Sequence[int]) -> FloatArray:
@@ -53,10 +67,10 @@ def _falls(beside: Beside, widths: Sequence[int]) -> FloatArray:
     crossed = basis.T @ beside.gram @ basis
     seen = basis.T @ beside.with_output
     count = len(widths)
-    cross = crossed.reshape(count, _WIDEST, count, _WIDEST).transpose(0, 2, 1, 3)
-    residual = seen.reshape(count, _WIDEST)
+    cross = crossed.reshape(count, WIDEST, count, WIDEST).transpose(0, 2, 1, 3)
+    residual = seen.reshape(count, WIDEST)
     rest = residual[None, :, :] - np.einsum("ijab,ia->ijb", cross, residual)
-    inner = np.eye(_WIDEST) - np.einsum("ijab,ijac->ijbc", cross, cross)
+    inner = np.eye(WIDEST) - np.einsum("ijab,ijac->ijbc", cross, cross)
     (a, b), (_, d) = (inner[..., 0, 0], inner[..., 0, 1]), (inner[..., 1, 0], inner[..., 1, 1])
     determinant = a * d - b**2
     told = determinant > _ADDED
@@ -67,13 +81,13 @@ def _falls(beside: Beside, widths: Sequence[int]) -> FloatArray:
 
 def _orthonormal(beside: Beside, widths: Sequence[int]) -> FloatArray:
     """Combinations of the columns that are an orthonormal basis of each form, two for each, zero where it has fewer."""
-    basis = np.zeros((len(beside.gram), _WIDEST * len(widths)))
+    basis = np.zeros((len(beside.gram), WIDEST * len(widths)))
     start = 0
     for place, width in enumerate(widths):
         columns = slice(start, start + width)
         values, vectors = np.linalg.eigh(beside.gram[columns, columns])
         kept = values > _SEEN
-        basis[columns, _WIDEST * place : _WIDEST * place + np.count_nonzero(kept)] = vectors[:, kept] / np.sqrt(
+        basis[columns, WIDEST * place : WIDEST * place + np.count_nonzero(kept)] = vectors[:, kept] / np.sqrt(
             values[kept]
         )
         start += width

@@ -79,23 +79,36 @@ def _naming_penalty(trace: Trace) -> float:
 def rivals(tracer: Tracer[Any], trace: Trace, name: str, asked: Collection[str] = ()) -> list[Rival]:
     """Every effect that could stand in the place of the one called `name`, the closest first.
 
-    Those that promise nothing near are left out, but for the ones that are `asked` for.
+    Of one that was found in two forms, in the place of either too. Those that promise nothing near are left out, but
+    for the ones that are `asked` for.
     """
-    rest = trace.without(name)
-    replaced = [item for item in trace.found if item.effect.name == name]
+    forms = [item for item in trace.found if item.effect.name == name]
+    single = [(trace.without_form(item), [item]) for item in forms] if len(forms) > 1 else []
+    parts = [(trace.without(name), forms), *single]
+    order = {effect.name: place for place, effect in enumerate(tracer.effects)}
+    listed = sorted(
+        (rival for rest, replaced in parts for rival in _in_place_of(tracer, trace, rest, replaced, asked)),
+        key=lambda rival: (round(rival.behind / _EQUAL), order.get(rival.name, len(order))),
+    )
+    closest: dict[str, Rival] = {}
+    for rival in listed:
+        closest.setdefault(rival.name, rival)
+    return list(closest.values())
+
+
+def _in_place_of(
+    tracer: Tracer[Any], trace: Trace, rest: Trace, replaced: Sequence[Found], asked: Collection[str]
+) -> Iterator[Rival]:
+    """Every effect that could stand for what was replaced, beside the rest."""
     coefficients = sum(item.coefficients for item in replaced) or 1
-    listed = [
-        Rival(
+    for item, trial in _refined(tracer.table, trace, _in_place(tracer, rest, trace.names, asked)):
+        yield Rival(
             name=trial.names[-1] if item is None else item.effect.name,
             trace=trial,
             found=item,
             behind=trial.deviance - trace.deviance + 2.0 * ((item.coefficients if item else 1) - coefficients),
             naming_difference=_naming_penalty(trial) - _naming_penalty(trace),
         )
-        for item, trial in _refined(tracer.table, trace, _in_place(tracer, rest, trace.names, asked))
-    ]
-    order = {effect.name: place for place, effect in enumerate(tracer.effects)}
-    return sorted(listed, key=lambda rival: (round(rival.behind / _EQUAL), order.get(rival.name, len(order))))
 
 
 def _refined(

@@ -82,6 +82,10 @@ class Trace:
             components=tuple(each for each in self.components if each.name != name),
         )
 
+    def without_form(self, form: "Found") -> "Trace":
+        """The trace without one form of an effect; its deviance is that of the whole still."""
+        return replace(self, found=tuple(item for item in self.found if item is not form))
+
     @property
     def unnamed(self) -> tuple[Found, ...]:
         """Structure that no effect of the catalogue explains."""

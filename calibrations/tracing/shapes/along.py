@@ -11,6 +11,7 @@ from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.tracing.components import Axis
 from tumble.calibrations.tracing.coordinate import Coordinate
 from tumble.calibrations.tracing.gains import Beside, Gained, best_column, gain_of_process, gains_of_pairs
+from tumble.calibrations.tracing.spectrum import wave_squares, wave_sums
 from tumble.messages import Message
 
 
@@ -63,6 +64,14 @@ class Along:
     def weighted(self) -> FloatArray:
         """What is taken, and what is left of the output, times that, shape (rows, n + 1)."""
         return np.column_stack([self.seen.taken, self.seen.left]) * self.level[:, None]
+
+    @cached_property
+    def falls_of_waves(self) -> FloatArray:
+        """What each wave alone explains, of those with the coordinate's numbers of turns."""
+        part, count = self.coordinate.part, len(self.coordinate.turns)
+        sums = wave_sums(part, count, self.weighted)
+        squares = wave_squares(part, count, self.level**2)
+        return gains_of_pairs(self.seen.squares, self.rows, sums, squares)[0]
 
     def undetermined(self, course: FloatArray) -> FloatArray:
         """A course, shape (rows,), as a column if the declared model has it, so that no row shows it; else none."""

@@ -1,6 +1,7 @@
 """A slope from a place on, or between two; and what begins at a place, jumps, and settles to another level."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from functools import partial
 from math import comb
 from typing import Final
@@ -13,8 +14,15 @@ from tumble.calibrations.tracing.shapes.along import Along, Shape, beside, named
 from tumble.calibrations.tracing.shapes.places import FEWEST_PLACES, squares_between
 from tumble.messages import Message
 
+_Best = Callable[[Along, FloatArray], tuple[FloatArray, Gained]]
+"""The best slope with its ends at some of the places."""
 _PLACES: Final = 60
-"""Places that are tried."""
+"""Places that are tried of an onset."""
+_ENDS: Final = 100
+"""Of the ends of a slope."""
+_ABOUT: Final = np.linspace(-0.5, 0.5, 9)
+_CLOSER: Final = 2
+"""So often the ends of a slope are tried anew, each time so much closer."""
 _SETTLING: Final = (0.02, 0.05, 0.12, 0.3)
 """Times that an onset takes to settle, in ranges of the variable."""
 _TIMES: Final = (0.7, 1.0, 1.4)
@@ -29,11 +37,10 @@ def ramps(along: Along) -> Iterator[Shape]:
     """
     if len(along.coordinate.places) < FEWEST_PLACES:
         return
-    places = _tried(along)
-    ends = [ends for ends, _ in _ramps(along, places)]
-    finer = np.unique(np.concatenate([along.coordinate.nearby(float(end)) for each in ends for end in each]))
+    places = _ends(along)
     straight = along.undetermined(along.coordinate.part)
-    for at, gained in _ramps(along, finer):
+    for best in (_from, _between):
+        at, gained = _finer(along, best, best(along, places)[0])
         yield Shape(
             name=named("ramp", at.tolist()),
             described=_said(*(along.shown(part) for part in at.tolist())),
@@ -42,6 +49,15 @@ def ramps(along: Along) -> Iterator[Shape]:
             gained=gained,
             tried=comb(len(places), len(at)),
         )
+
+
+def _finer(along: Along, best: _Best, ends: FloatArray) -> tuple[FloatArray, Gained]:
+    """The best slope and what it gains, with its ends anywhere between two rows about those."""
+    apart = np.array([np.ptp(along.coordinate.nearby(float(end))) for end in ends])
+    for _ in range(_CLOSER):
+        ends, gained = best(along, np.unique(np.ravel(ends + np.outer(_ABOUT, apart))))
+        apart *= _ABOUT[-1] - _ABOUT[-2]
+    return ends, gained
 
 
 def onsets(along: Along) -> Iterator[Shape]:
@@ -75,23 +91,53 @@ def onset(part: FloatArray, begun: FloatArray) -> FloatArray:
     return np.column_stack(_begun(part, begun[None]))
 
 
+def _ends(along: Along) -> FloatArray:
+    """Places where a slope may begin or end; where there are few values, between those too."""
+    places = along.coordinate.places
+    return np.asarray(np.interp(np.linspace(0.0, len(places) - 1.0, _ENDS), np.arange(len(places)), places))
+
+
 def _tried(along: Along) -> FloatArray:
     places = along.coordinate.places
     return np.asarray(places[np.unique(np.linspace(0, len(places) - 1, _PLACES).round().astype(int))])
 
 
-def _ramps(along: Along, places: FloatArray) -> tuple[tuple[FloatArray, Gained], tuple[FloatArray, Gained]]:
-    """Ends and gain of the best slope from one of the places on, and of the best between two."""
-    columns = np.maximum(along.coordinate.part[:, None] - places, 0.0) * along.level[:, None]
-    taken, with_left, whole = along.seen.taken.T @ columns, along.seen.left @ columns, columns.T @ columns
-    gram, squares = whole - taken.T @ taken, along.seen.squares
-    one, gain_of_one = best_column(np.diag(gram), np.diag(whole), with_left**2, squares, along.rows)
+def _from(along: Along, places: FloatArray) -> tuple[FloatArray, Gained]:
+    """End and gain of the best slope from one of the places on."""
+    sloped = _Sloped.at(along, places)
+    left, whole = np.diag(sloped.gram), np.diag(sloped.whole)
+    best, gained = best_column(left, whole, sloped.with_left**2, along.seen.squares, along.rows)
+    return places[[best]], gained
+
+
+def _between(along: Along, places: FloatArray) -> tuple[FloatArray, Gained]:
+    """Ends and gain of the best slope between two of them."""
+    sloped = _Sloped.at(along, places)
     first, last = np.triu_indices(len(places), 1)
     beyond = np.sum(along.coordinate.stepped(places), axis=0)
-    left = squares_between(gram, first, last) * (beyond[first] - beyond[last] >= along.coordinate.fewest_rows)
-    power = (with_left[first] - with_left[last]) ** 2
-    two, gain_of_two = best_column(left, squares_between(whole, first, last), power, squares, along.rows)
-    return (places[[one]], gain_of_one), (places[[first[two], last[two]]], gain_of_two)
+    several = beyond[first] - beyond[last] >= along.coordinate.fewest_rows
+    left, whole = (squares_between(each, first, last) for each in (sloped.gram, sloped.whole))
+    power = (sloped.with_left[first] - sloped.with_left[last]) ** 2
+    best, gained = best_column(left * several, whole, power, along.seen.squares, along.rows)
+    return places[[first[best], last[best]]], gained
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Sloped:
+    """Slopes from places on, as products of their weighted columns."""
+
+    whole: FloatArray
+    """Products with each other, shape (places, places)."""
+    gram: FloatArray
+    """The same of what is seen of them."""
+    with_left: FloatArray
+    """Products with what is left of the output, shape (places,)."""
+
+    @classmethod
+    def at(cls, along: Along, places: FloatArray) -> "_Sloped":
+        columns = np.maximum(along.coordinate.part[:, None] - places, 0.0) * along.level[:, None]
+        taken, whole = along.seen.taken.T @ columns, columns.T @ columns
+        return cls(whole=whole, gram=whole - taken.T @ taken, with_left=along.seen.left @ columns)
 
 
 def _onset(along: Along, begun: FloatArray) -> tuple[int, Gained]:

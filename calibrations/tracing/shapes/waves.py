@@ -6,11 +6,8 @@ from typing import Final
 
 import numpy as np
 
-from tumble.calibrations.core.arrays import FloatArray
-from tumble.calibrations.tracing.gains import gains_of_pairs
 from tumble.calibrations.tracing.shapes.along import Along, Shape, named, sides
 from tumble.calibrations.tracing.shapes.overtones import candidates, overtones, periods
-from tumble.calibrations.tracing.spectrum import wave_squares, wave_sums
 from tumble.messages import Message
 
 _EACH_TURN: Final = 8
@@ -26,7 +23,7 @@ def waves(along: Along) -> Iterator[Shape]:
     coordinate = along.coordinate
     if not len(coordinate.turns):
         return
-    finer = coordinate.turns[np.argmax(_falls(along))] + np.linspace(-0.5, 0.5, 11) * coordinate.turns[0]
+    finer = coordinate.turns[np.argmax(along.falls_of_waves)] + np.linspace(-0.5, 0.5, 11) * coordinate.turns[0]
     swing = coordinate.swung(finer)
     best, gain = along.best_pair(swing)
     yield Shape(
@@ -63,7 +60,7 @@ def _turns(along: Along) -> list[float]:
         return [float(turns) for turns in range(1, int(coordinate.nyquist_turns / 2.0) + 1)]
     if not len(coordinate.turns):
         return []
-    return list(candidates(_falls(along), coordinate.turns, coordinate.nyquist_turns))
+    return list(candidates(along.falls_of_waves, coordinate.turns, coordinate.nyquist_turns))
 
 
 def strongest_turns(along: Along) -> list[float]:
@@ -72,7 +69,8 @@ def strongest_turns(along: Along) -> list[float]:
     if coordinate.period is None:
         if not len(coordinate.turns):
             return []
-        best = coordinate.turns[np.argmax(_falls(along))]
+        within = (coordinate.turns >= 1.0) & (2.0 * coordinate.turns <= coordinate.nyquist_turns)
+        best = coordinate.turns[np.argmax(np.where(within, along.falls_of_waves, -1.0))]
         about = best + np.linspace(-0.5, 0.5, _ABOUT) * coordinate.turns[0]
         return [float(turns) for turns in about if turns >= 1.0 and 2.0 * turns <= coordinate.nyquist_turns]
     whole = np.arange(1.0, int(coordinate.nyquist_turns / 2.0) + 1.0)
@@ -81,11 +79,3 @@ def strongest_turns(along: Along) -> list[float]:
     phase = 2.0 * np.pi * np.outer(coordinate.part_of_cycle, whole)
     falls, _ = along.pairs((np.sin(phase), np.cos(phase)))
     return [float(turns) for turns in whole[np.argsort(-falls)[:_STRONGEST]]]
-
-
-def _falls(along: Along) -> FloatArray:
-    """What each wave alone explains."""
-    part, count = along.coordinate.part, len(along.coordinate.turns)
-    sums = wave_sums(part, count, along.weighted)
-    squares = wave_squares(part, count, along.level**2)
-    return gains_of_pairs(along.seen.squares, along.rows, sums, squares)[0]
