@@ -60,7 +60,7 @@ class Closing:
 
     def planned_with(self, left: Available, declined: str = "") -> "Closing":
         """The same with what is available by now."""
-        planned = experiments_for(self.traced.explained, left.probes)
+        planned = experiments_for(self.traced.explained, left.probes, doubted=self.chain.doubted)
         traced = self.traced.planned(planned)
         return replace(self, available=left, planned=planned, traced=traced, declined=declined)
 
@@ -199,10 +199,10 @@ def _ended(closing: Closing, most: int) -> Closing:
 
 def _verdict(closing: Closing, most: int) -> tuple[Ended | None, str]:
     chain = closing.chain
-    if not chain.last.disputed:
-        if chain.first.disputed:
-            return Ended.TOLD_APART, Message("Everything that was found is told apart.")
+    if not chain.last.disputed and not chain.first.disputed:
         return Ended.NOTHING_TO_TELL, Message("Nothing has to be told apart.")
+    if not chain.last.disputed and (chain.confirmed or closing.next is None or len(chain.links) >= most):
+        return Ended.TOLD_APART, Message("Everything that was found is told apart.")
     if closing.next is None:
         return Ended.NOTHING_AVAILABLE, cannot(closing.planned, _elsewhere(closing))
     if why := _in_vain(chain):

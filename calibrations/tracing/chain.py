@@ -141,7 +141,8 @@ class Link(Generic[L]):
     @property
     def rivals_before(self) -> tuple[str, ...]:
         """Everything that could have been the cause."""
-        return next(names for names in self.before.disputed if self._name in names)
+        disputed = (names for names in self.before.disputed if self._name in names)
+        return next(disputed, self.experiment.separates)
 
     @property
     def rivals_after(self) -> tuple[str, ...]:
@@ -212,6 +213,16 @@ class Chain(Generic[L]):
         return (self.first, *(link.after for link in self.links))
 
     @property
+    def doubted(self) -> frozenset[str]:
+        """Everything that had rivals before an experiment was run, and these."""
+        return frozenset(name for link in self.links for names in link.before.disputed for name in names)
+
+    @property
+    def confirmed(self) -> bool:
+        """Whether an experiment was run though nothing had a rival, since that was barely so."""
+        return any(not link.before.disputed for link in self.links)
+
+    @property
     def futile(self) -> int:
         """How many experiments in a row have separated nothing, though each was to do so by itself."""
         count = 0
@@ -274,18 +285,26 @@ def stage_of(loop: L, explained: Explained[Any, Any] | None, asked: Collection[s
 
 @one_blas_thread
 def experiments_for(
-    explained: Explained[_T, Any] | None, probes: Sequence[Probe], otherwise: str = ""
+    explained: Explained[_T, Any] | None, probes: Sequence[Probe], otherwise: str = "", doubted: Collection[str] = ()
 ) -> tuple[Experiment, ...]:
     """What would tell apart the rivals of a table, of what can be run.
 
     Explanations a little too far behind to be rivals are distinguished too: by mere chance the true one may be there.
+    Of what has no rival left, so are those that were `doubted` before.
     """
     if explained is None:
         return ()
     close = {name: found for name, found in explained.close.items() if found}
     near = {name: explained.near[name][: max(len(found), _MOST_NEAR)] for name, found in close.items()}
+    barely = {
+        name: found
+        for name, listed in explained.near.items()
+        if name in doubted and name not in close and (found := [each for each in listed if each.name in doubted])
+    }
+    confirming = next_experiments(explained.table, explained.trace, barely, probes)
     return (
         *next_experiments(explained.table, explained.trace, near, probes, otherwise),
+        *(each for each in confirming if each.command),
         *locating_experiments(explained.table, explained.trace, explained.alike, probes, otherwise),
     )
 
