@@ -11,16 +11,17 @@ from tumble.calibrations.tracing.components import Axis, Component
 from tumble.calibrations.tracing.coordinate import Coordinate
 from tumble.calibrations.tracing.noise import Memory, NoiseModel, scaled_levels, slow_modes
 from tumble.calibrations.tracing.shapes.jumping import sawtooth, square
+from tumble.calibrations.tracing.shapes.onsets import onset, transient
 from tumble.calibrations.tracing.shapes.overtones import overtones
 from tumble.calibrations.tracing.shapes.places import levels
-from tumble.calibrations.tracing.shapes.ramps import onset, ramp
+from tumble.calibrations.tracing.shapes.ramps import ramp
 from tumble.calibrations.tracing.table import Extensible, View
 
 _BENT: Final = 0.5
 """A bend goes on as a smooth course of this length, in ranges of the table: its polynomial would go anywhere."""
 _HAPPENED: Final = np.array([0.3])
 """What happened once, beyond the values of the table goes on as a broken course of this length."""
-_HAPPENS: Final = frozenset({"step", "pulse", "ramp", "onset", "changes"})
+_HAPPENS: Final = frozenset({"step", "pulse", "ramp", "onset", "transient", "changes"})
 """Shapes of what happened once."""
 _COURSE: Final = {"wandering": "broken"}
 """Shapes of processes that go on as another one: a wandering that is pulled back is a broken course."""
@@ -108,6 +109,7 @@ _SHAPES: Final[Mapping[str, Callable[[Coordinate, Coordinate, FloatArray], Float
     "pulse": _pulse,
     "ramp": lambda own, further, sizes: ramp(_part(own, further), sizes),
     "onset": lambda own, further, sizes: onset(_part(own, further), sizes),
+    "transient": lambda own, further, sizes: transient(_part(own, further), sizes),
     "changes": lambda own, further, sizes: levels(_part(own, further), sizes),
 }
 """Columns of shapes in further rows, for a channel of one, from the variable of the table and what fixes the shape."""

@@ -13,7 +13,8 @@ from tumble.calibrations.tracing.shapes.bells import bumps, bumps_about, spots
 from tumble.calibrations.tracing.shapes.changes import changes
 from tumble.calibrations.tracing.shapes.courses import bends, courses, pulled_back
 from tumble.calibrations.tracing.shapes.jumping import jumping_waves
-from tumble.calibrations.tracing.shapes.ramps import onsets, ramps
+from tumble.calibrations.tracing.shapes.onsets import onsets, transients
+from tumble.calibrations.tracing.shapes.ramps import ramps
 from tumble.calibrations.tracing.shapes.steps import steps
 from tumble.calibrations.tracing.shapes.waves import waves, waves_with_overtones
 from tumble.messages import Message
@@ -103,7 +104,7 @@ class Family:
             (coordinate.bumps, (bumps,)),
             (coordinate.steps, (steps,)),
             (coordinate.kinks, (ramps,)),
-            (coordinate.onsets, (pulled_back, onsets, changes)),
+            (coordinate.onsets, (pulled_back, onsets, transients, changes)),
             (coordinate.overtones, (waves_with_overtones, jumping_waves)),
         ]
         return [shapes for there, several in wanted if there for shapes in several]

@@ -10,6 +10,8 @@ from tumble.calibrations.tracing.beyond import traced
 from tumble.calibrations.tracing.components import axes
 from tumble.calibrations.tracing.continued import continued
 from tumble.calibrations.tracing.coordinate import Coordinate
+from tumble.calibrations.tracing.family import Family
+from tumble.calibrations.tracing.gains import seen_beside
 from tumble.calibrations.tracing.noise import WHITE
 from tumble.calibrations.tracing.scan import Scan
 from tumble.calibrations.tracing.trace import Tracer
@@ -33,7 +35,8 @@ for row in range(1, ROWS):
     REVERTING[row] += 0.85 * REVERTING[row - 1]
 SIGNALS = {
     "ramp": 12.0 * np.clip(PLACE - 0.45, 0.0, 0.25),
-    "onset": 5.0 * (PART > 0.4) * np.exp(-SINCE / 0.08),
+    "onset": (PART > 0.4) * (2.0 + 5.0 * np.exp(-SINCE / 0.08)),
+    "transient": 9.0 * (PART > 0.4) * (np.exp(-SINCE / 0.2) - np.exp(-SINCE / 0.03)),
     "changes": 2.0 * (np.searchsorted([0.15, 0.4, 0.55, 0.8], PART) % 2),
     "period": 4.0 * np.maximum(np.sin(2.0 * np.pi * 6.3 * PART), 0.0),
     "sawtooth": 3.0 * np.mod(6.3 * PART, 1.0),
@@ -45,6 +48,12 @@ SIGNALS = {
 
 def table(shape):
     return replace(table_of(SIGNALS[shape] + noise(), wanders=True), axes=AXES)
+
+
+def shapes_of(rows, word):
+    """The best of a kind along the first axis."""
+    every = Family(rows.axes[0], 0.001).every(seen_beside(rows, [], WHITE))
+    return [each for each in every if each.shape.split()[0] == word]
 
 
 def component_of(shape):
@@ -71,6 +80,23 @@ def test_its_gain_in_the_scan_is_that_of_the_whole_likelihood(shape):
     assert best.gain == pytest.approx(whole, abs=1e-6)
 
 
+def test_a_slope_begins_and_ends_between_rows():
+    """A dead band of few angles: no row is where it ends."""
+    few = replace(SHUFFLED, values=np.round(12.0 * PLACE) / 12.0)
+    band = 40.0 * np.clip(few.values, 0.27, 0.65)
+    rows = replace(table_of(band + noise()), axes=axes((OFFSET, (few,))))
+    *_, slope = shapes_of(rows, "ramp")
+
+    assert [float(end) for end in slope.shape.split()[1:]] == pytest.approx([0.27, 0.65], abs=0.01)
+
+
+def test_a_wave_that_jumps_is_found_beside_a_drift():
+    drift = replace(table_of(6.0 * PART + SIGNALS["square"] + noise()), axes=AXES)
+    (wave,) = shapes_of(drift, "square")
+
+    assert float(wave.shape.split()[1]) == pytest.approx(6.3, abs=0.3)
+
+
 ROUND = np.deg2rad(4.0 * CIRCLE.values + 10.0)
 
 
@@ -90,7 +116,7 @@ def test_a_wave_of_a_circle_has_its_shape_and_its_number(wave, shape):
     assert (found.place, found.shape.split()[:2]) == (("offset", "angle"), [shape, "4"])
 
 
-@pytest.mark.parametrize("shape", ["ramp", "onset", "changes", "period", "sawtooth", "square", "spot"])
+@pytest.mark.parametrize("shape", ["ramp", "onset", "transient", "changes", "period", "sawtooth", "square", "spot"])
 def test_in_rows_of_the_same_run_it_is_the_same(shape):
     found = component_of(shape)
 

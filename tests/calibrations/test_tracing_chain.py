@@ -125,3 +125,11 @@ def test_why_nothing_more_is_distinguished_names_what_would_help_elsewhere():
         "most, and 4 are needed. probe-end would tell k_xx from k_yy, but it cannot be run here: the seat allows "
         "face-up only."
     )
+
+
+def test_what_was_barely_told_apart_is_confirmed_once():
+    told = stage(("k_xx",), k_yy=6.0)
+    chain = Chain(first=THREE, links=(link(THREE, told), link(told, told)))
+    assert (replace(chain, links=chain.links[:1]).confirmed, chain.confirmed) == (False, True)
+    assert chain.doubted == {"k_xx", "k_yy", "k_zz"}
+    assert chain.links[1].rivals_before == ("k_xx", "k_yy")

@@ -27,9 +27,13 @@ def periods(turns: Sequence[float], limit: float, places: int) -> list[FloatArra
 
 
 def overtones(part: FloatArray, turns: FloatArray) -> FloatArray:
-    """Sines and cosines of a wave and its overtones over the part of a range, shape (rows, 2n), smaller and smaller."""
-    phase = 2.0 * np.pi * np.outer(part, turns)
-    return np.asarray(np.concatenate([np.sin(phase), np.cos(phase)], axis=1) * (turns[0] / np.tile(turns, 2)))
+    """Sines and cosines of a wave and its overtones over the part of a range, shape (rows, 2n), smaller and smaller.
+
+    `turns` are those of the wave, then whole multiples of them: each overtone turns once more with the wave.
+    """
+    wave = np.exp(2.0j * np.pi * turns[0] * part)
+    turned = np.cumprod(np.broadcast_to(wave[:, None], (len(part), len(turns))), axis=1)
+    return np.asarray(np.concatenate([turned.imag, turned.real], axis=1) * (turns[0] / np.tile(turns, 2)))
 
 
 def candidates(falls: FloatArray, turns: FloatArray, limit: float) -> Iterator[float]:

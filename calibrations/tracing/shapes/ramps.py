@@ -1,4 +1,4 @@
-"""A slope from a place on, or between two; and what begins at a place, jumps, and settles to another level."""
+"""A slope from a place on, or between two."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -16,17 +16,11 @@ from tumble.messages import Message
 
 _Best = Callable[[Along, FloatArray], tuple[FloatArray, Gained]]
 """The best slope with its ends at some of the places."""
-_PLACES: Final = 60
-"""Places that are tried of an onset."""
 _ENDS: Final = 100
-"""Of the ends of a slope."""
+"""Places at which the ends of a slope are tried."""
 _ABOUT: Final = np.linspace(-0.5, 0.5, 9)
 _CLOSER: Final = 2
 """So often the ends of a slope are tried anew, each time so much closer."""
-_SETTLING: Final = (0.02, 0.05, 0.12, 0.3)
-"""Times that an onset takes to settle, in ranges of the variable."""
-_TIMES: Final = (0.7, 1.0, 1.4)
-"""The same about the best of them."""
 
 
 def ramps(along: Along) -> Iterator[Shape]:
@@ -60,46 +54,16 @@ def _finer(along: Along, best: _Best, ends: FloatArray) -> tuple[FloatArray, Gai
     return ends, gained
 
 
-def onsets(along: Along) -> Iterator[Shape]:
-    """The best of all that begin at a place, jump, and settle to another level."""
-    if len(along.coordinate.places) < FEWEST_PLACES:
-        return
-    tried = np.array([(place, time) for time in _SETTLING for place in _tried(along).tolist()])
-    place, time = tried[_onset(along, tried)[0]].tolist()
-    near = along.coordinate.nearby(place).tolist()
-    finer = np.array([(other, time * ratio) for ratio in _TIMES for other in near])
-    best, gained = _onset(along, finer)
-    settling = along.coordinate.shown(float(along.coordinate.range * finer[best, 1]))
-    start = along.shown(float(finer[best, 0]))
-    yield Shape(
-        name=named("onset", finer[best].tolist()),
-        described=Message("from {start} on, settling within {time}", start=start, time=settling),
-        columns=partial(onset, along.coordinate.part, finer[best]),
-        gained=gained,
-        tried=len(tried),
-    )
-
-
 def ramp(part: FloatArray, ends: FloatArray) -> FloatArray:
     """A slope from one end on, or between two, where rows are at a part of a range: shape (rows, 1)."""
     ramped = np.maximum(part[:, None] - ends, 0.0)
     return np.asarray(ramped[:, :1] - (ramped[:, 1:] if len(ends) > 1 else 0.0))
 
 
-def onset(part: FloatArray, begun: FloatArray) -> FloatArray:
-    """A jump at a place and what decays after it within a time, shape (rows, 2)."""
-    return np.column_stack(_begun(part, begun[None]))
-
-
 def _ends(along: Along) -> FloatArray:
     """Places where a slope may begin or end; where there are few values, between those too."""
     places = along.coordinate.places
     return np.asarray(np.interp(np.linspace(0.0, len(places) - 1.0, _ENDS), np.arange(len(places)), places))
-
-
-def _tried(along: Along) -> FloatArray:
-    places = along.coordinate.places
-    return np.asarray(places[np.unique(np.linspace(0, len(places) - 1, _PLACES).round().astype(int))])
 
 
 def _from(along: Along, places: FloatArray) -> tuple[FloatArray, Gained]:
@@ -138,18 +102,6 @@ class _Sloped:
         columns = np.maximum(along.coordinate.part[:, None] - places, 0.0) * along.level[:, None]
         taken, whole = along.seen.taken.T @ columns, columns.T @ columns
         return cls(whole=whole, gram=whole - taken.T @ taken, with_left=along.seen.left @ columns)
-
-
-def _onset(along: Along, begun: FloatArray) -> tuple[int, Gained]:
-    """Number and gain of the best of them, given as places and times, shape (onsets, 2)."""
-    return along.best_pair(_begun(along.coordinate.part, begun))
-
-
-def _begun(part: FloatArray, begun: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """What has jumped, and what is left of what decays, shape (rows, onsets) each."""
-    since = part[:, None] - begun[:, 0]
-    jump = (since > 0.0).astype(float)
-    return jump, jump * np.exp(-np.maximum(since, 0.0) / begun[:, 1])
 
 
 def _said(start: str, stop: str = "") -> Message:

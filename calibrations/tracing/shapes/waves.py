@@ -6,6 +6,7 @@ from typing import Final
 
 import numpy as np
 
+from tumble.calibrations.core.arrays import BoolArray, FloatArray
 from tumble.calibrations.tracing.shapes.along import Along, Shape, named, sides
 from tumble.calibrations.tracing.shapes.overtones import candidates, overtones, periods
 from tumble.messages import Message
@@ -64,13 +65,16 @@ def _turns(along: Along) -> list[float]:
 
 
 def strongest_turns(along: Along) -> list[float]:
-    """Numbers of turns of the waves that explain most as sines: of a circle whole ones, else about the best."""
+    """Numbers of turns of the waves that explain most as sines: of a circle whole ones, else about the highest peak.
+
+    What a drift explains as waves falls from the slowest on, without a peak.
+    """
     coordinate = along.coordinate
     if coordinate.period is None:
         if not len(coordinate.turns):
             return []
         within = (coordinate.turns >= 1.0) & (2.0 * coordinate.turns <= coordinate.nyquist_turns)
-        best = coordinate.turns[np.argmax(np.where(within, along.falls_of_waves, -1.0))]
+        best = coordinate.turns[np.argmax(np.where(within & _peaks(along.falls_of_waves), along.falls_of_waves, -1.0))]
         about = best + np.linspace(-0.5, 0.5, _ABOUT) * coordinate.turns[0]
         return [float(turns) for turns in about if turns >= 1.0 and 2.0 * turns <= coordinate.nyquist_turns]
     whole = np.arange(1.0, int(coordinate.nyquist_turns / 2.0) + 1.0)
@@ -79,3 +83,9 @@ def strongest_turns(along: Along) -> list[float]:
     phase = 2.0 * np.pi * np.outer(coordinate.part_of_cycle, whole)
     falls, _ = along.pairs((np.sin(phase), np.cos(phase)))
     return [float(turns) for turns in whole[np.argsort(-falls)[:_STRONGEST]]]
+
+
+def _peaks(falls: FloatArray) -> BoolArray:
+    """Where values are no less than those beside them; the first is none, nor is the last."""
+    inside = (falls[1:-1] >= falls[:-2]) & (falls[1:-1] >= falls[2:])
+    return np.concatenate([[False], inside, [False]])[: len(falls)]
