@@ -83,17 +83,23 @@ def rivals(tracer: Tracer[Any], trace: Trace, name: str, asked: Collection[str] 
     for the ones that are `asked` for.
     """
     forms = [item for item in trace.found if item.effect.name == name]
-    single = [(trace.without_form(item), [item]) for item in forms] if len(forms) > 1 else []
-    parts = [(trace.without(name), forms), *single]
     order = {effect.name: place for place, effect in enumerate(tracer.effects)}
     listed = sorted(
-        (rival for rest, replaced in parts for rival in _in_place_of(tracer, trace, rest, replaced, asked)),
+        (*_in_place_of(tracer, trace, trace.without(name), forms, asked), *_of_one_form(tracer, trace, forms)),
         key=lambda rival: (round(rival.behind / _EQUAL), order.get(rival.name, len(order))),
     )
     closest: dict[str, Rival] = {}
     for rival in listed:
         closest.setdefault(rival.name, rival)
     return list(closest.values())
+
+
+def _of_one_form(tracer: Tracer[Any], trace: Trace, forms: Sequence[Found]) -> Iterator[Rival]:
+    """What is near in the place of one of several forms: a drift of the slower of two warm-ups."""
+    for form in forms if len(forms) > 1 else ():
+        for rival in _in_place_of(tracer, trace, trace.without_form(form), [form], ()):
+            if rival.behind < NEAR:
+                yield rival
 
 
 def _in_place_of(
