@@ -2,10 +2,11 @@
 
 import numpy as np
 import pytest
-from tables import UNIT, output, table
+from tables import UNIT, gravity_on, output, table
 
 from tumble.calibrations.methods.dividing_head.loop.loop import explain
 from tumble.calibrations.tracing.held_out import held_out_rms
+from tumble.calibrations.tracing.trace import nothing_found
 
 SWEEPS = tuple(("sweep", mount, np.arange(0.0, 360.0, 30.0)) for mount in ("face-up", "face-down"))
 THIRD = np.deg2rad(150.0)
@@ -26,3 +27,24 @@ def test_an_arc_held_out_is_predicted_no_worse_than_by_the_declared_model(first_
     declared_rms = held_out_rms(explained.tracer, explained.trace.without("graduation"), [out])
 
     assert held_out_rms(explained.tracer, explained.trace, [out]) <= 1.02 * declared_rms
+
+
+def even(mount, angle_deg):
+    """An effect that the sweeps tell, and one that only the edge does."""
+    ax, _, az = gravity_on(mount, angle_deg)
+    return 1e-3 * np.abs(ax) + 2e-3 * az**2
+
+
+def test_rows_that_alone_part_an_effect_from_a_parameter_are_predicted_without_what_was_found():
+    """Of an axis up once and down once, kz is the difference and k_zz the sum: one of the two tells neither."""
+    sweeps = tuple(("sweep", mount, np.arange(0.0, 360.0, 10.0)) for mount in ("face-up", "face-down"))
+    edges = ("flip", "edge", np.array([0.0, 180.0]))
+    _, explained = explain(table(*sweeps, edges, noise_v=1e-4, unit=UNIT, extra_v=even))
+    used = explained.table.joint.observations
+    out = (used.mount == "edge") & (used.angle_deg == 0.0)
+    nothing = explained.tracer.without(frozenset(effect.name for effect in explained.tracer.effects))
+
+    assert set(explained.trace.names) == {"scale_asymmetry", "k_zz"}
+    assert held_out_rms(explained.tracer, explained.trace, [out]) == pytest.approx(
+        held_out_rms(nothing, nothing_found(explained.tracer.table), [out])
+    )

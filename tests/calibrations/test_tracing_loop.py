@@ -149,6 +149,22 @@ def test_a_strong_warm_up_is_one_effect_with_the_time_constant_that_fits():
     assert abs(tau_s.value - 600.0) < 3 * tau_s.standard_uncertainty < 30.0
 
 
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_a_warm_up_and_a_drift_are_not_taken_for_two_warm_ups(seed):
+    """4 noise deviations within 150 s and 3 over the run: a slower warm-up beside it would fit them as well."""
+    rows = table(*TWO_MOUNTS, seed=seed)
+    time_s = 2.5 * np.arange(len(rows))
+    slow_v = 4e-4 * np.exp(-time_s / 150.0) + 3e-4 * time_s / time_s[-1]
+    loop = close_loop(replace(rows, time_s=time_s, voltage_v=rows.voltage_v + slow_v))
+    low_v, high_v = loop.augmented.parameters["u0"].interval_95 or (-np.inf, np.inf)
+
+    assert {name for effect in loop.effects for name in (effect.name, *effect.also_possible)} == {
+        "warm_up",
+        "bias_drift",
+    }
+    assert low_v < UNIT["u0"] < high_v
+
+
 def test_a_bias_that_jumps_between_realisations_is_no_other_mount():
     rows = table(*FLIPS[:2], sweep("face-up"))
     jumps = np.array([5e-3, -2e-3, 0.0, 7e-3, -4e-3])[rows.realisation - 1]
