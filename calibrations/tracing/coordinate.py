@@ -187,6 +187,11 @@ class Coordinate:
         away = np.linalg.norm(self.values[:, None, :] - spots[:, :-1], axis=-1) / spots[:, -1]
         return np.asarray(np.exp(-0.5 * away**2))
 
+    def spots_near(self, spot: FloatArray) -> FloatArray:
+        """One of them, and the same a part of its width to each side, narrower and wider, shape (spots, n + 1)."""
+        away = np.concatenate([np.zeros((1, len(spot) - 1)), *(step * np.eye(len(spot) - 1) for step in _ASIDE)])
+        return np.array([(*(spot[:-1] + spot[-1] * each), spot[-1] * ratio) for each in away for ratio in _TIMES])
+
     def _several_rows(self, bumps: FloatArray) -> FloatArray:
         """Those in whose middle are several rows."""
         bell, _ = self.bells(bumps)
@@ -274,6 +279,7 @@ class Coordinate:
 
 
 _PARTS: Final = (-0.6, -0.3, 0.0, 0.3, 0.6)
+_ASIDE: Final = (-0.4, 0.4)
 _TIMES: Final = (0.6, 0.8, 1.0, 1.25, 1.6)
 _STRAIGHT: Final = 2
 """A constant and a straight line are no bends."""

@@ -9,6 +9,8 @@ from tumble.calibrations.tracing.shapes.along import Along, Shape, named, sides
 from tumble.messages import Message
 
 BUMP: Final = "bump"
+_CLOSER: Final = 3
+"""So often the best spot is moved to where it fits better, which may be where no row is."""
 
 
 def bumps(along: Along) -> Iterator[Shape]:
@@ -51,12 +53,17 @@ def spots(along: Along) -> Iterator[Shape]:
     if not len(tried):
         return
     best, gain = along.best_single(coordinate.spots(tried))
-    place = ", ".join(coordinate.shown(value) for value in tried[best, :-1].tolist())
-    width = coordinate.shown(float(tried[best, -1]))
+    spot = tried[best]
+    for _ in range(_CLOSER):
+        near = coordinate.spots_near(spot)
+        best, gain = along.best_single(coordinate.spots(near))
+        spot = near[best]
+    place = ", ".join(coordinate.shown(value) for value in spot[:-1].tolist())
+    width = coordinate.shown(float(spot[-1]))
     yield Shape(
-        name=named("spot", tried[best].tolist()),
+        name=named("spot", spot.tolist()),
         described=Message("near {place}, within some {width}", place=place, width=width),
-        columns=partial(coordinate.spots, tried[[best]]),
+        columns=partial(coordinate.spots, spot[None]),
         gained=gain,
         tried=len(tried),
     )
