@@ -27,7 +27,8 @@ def ramps(along: Along) -> Iterator[Shape]:
     """The best slope from a place on, and the best one between two places.
 
     Along what the declared model has a slope in, as the scale factor is one over the acceleration, a slope from a place
-    on is the same rows as one up to it, with another scale factor.
+    on is the same rows as one up to it, with another scale factor. Of a slope between two moments either level may be
+    that of rest.
     """
     if len(along.coordinate.places) < FEWEST_PLACES:
         return
@@ -35,11 +36,13 @@ def ramps(along: Along) -> Iterator[Shape]:
     straight = along.undetermined(along.coordinate.part)
     for best in (_from, _between):
         at, gained = _finer(along, best, best(along, places)[0])
+        apart = float(np.ptp(at)) if along.coordinate.onsets else 0.0
+        rest = along.undetermined(np.full(along.rows, apart))
         yield Shape(
             name=named("ramp", at.tolist()),
             described=_said(*(along.shown(part) for part in at.tolist())),
             columns=partial(ramp, along.coordinate.part, at),
-            whole=beside(straight, partial(ramp, along.coordinate.part, at)),
+            whole=beside(np.column_stack([straight, rest]), partial(ramp, along.coordinate.part, at)),
             gained=gained,
             tried=comb(len(places), len(at)),
         )
