@@ -35,6 +35,8 @@ _LEAST: Final = 2e-3
 """Explanations with smaller odds are left out."""
 _PAIRS: Final = 4
 """So many pairs of further effects are looked at."""
+_SPARE: Final = 4 * WIDEST
+"""Of so few rows beyond what is fitted any pair would explain nearly all that is left."""
 _DRAWN: Final = 1.0
 """Levels that gain less are next to nothing: their variance is at its bound."""
 
@@ -136,8 +138,10 @@ def _with_one_more_beside_another_form(tracer: Tracer[Any], trace: Trace) -> Ite
 def _with_two_more(tracer: Tracer[Any], trace: Trace) -> Iterator[tuple[str, Trace]]:
     """The trace with two other effects that together, if neither alone, would gain nearly their penalties."""
     problem = tracer.problem(trace.noise)
-    numbers = [number for number, each in enumerate(problem.offered) if _may_join(each, trace.names)]
     explanation = problem.explain(tuple(item.number for item in trace.found))
+    if len(trace.found) + 2 > problem.most or tracer.table.rows - len(explanation.fit.theta) < _SPARE:
+        return
+    numbers = [number for number, each in enumerate(problem.offered) if _may_join(each, trace.names)]
     for pair, worth in islice(best_pairs(problem, explanation, numbers), _PAIRS):
         if worth + 2.0 * _ALLOWED > 2.0 * np.log(_LEAST):
             both = replace(trace, found=(*trace.found, *(found(problem, number) for number in pair)))
