@@ -209,5 +209,5 @@ def _shaped_otherwise(tracer: Tracer[Any], trace: Trace) -> Iterator[Trace]:
         rest = trace.without(component.name)
         seen = seen_beside(tracer.beside(rest.components).table, rest.forms, rest.noise)
         for proposal in Family(component.axis, FALSE_ALARM).every(seen):
-            if proposal.shape != component.shape:
+            if proposal.shape != component.shape and proposal.gain > 0.0:
                 yield in_place(rest, proposal)

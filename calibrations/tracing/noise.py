@@ -37,11 +37,6 @@ class NoiseModel:
     levels: tuple[tuple[str, float], ...] = ()
     """Mean variance of a row by the levels of each effect, by name."""
 
-    @property
-    def white(self) -> bool:
-        """Whether there is nothing but white noise."""
-        return self.flicker == 0.0 and self.walk == 0.0 and not self.levels
-
     def with_level(self, name: str, variance: float) -> "NoiseModel":
         """The same with the levels of an effect."""
         return replace(self, levels=(*self.without(name).levels, (name, variance)))
@@ -187,9 +182,9 @@ class Memory:
 
     def _whitening(self, noise: NoiseModel) -> Whitening:
         directions, triangular = self._factors
-        if noise.white:
-            return Whitening(directions=directions, covariance=np.empty((0, 0)))
         variances = self._variances(noise)
+        if not variances.any():
+            return Whitening(directions=directions, covariance=np.empty((0, 0)))
         size = min(int(np.flatnonzero(variances)[-1]) + 1, len(triangular))
         seen = triangular[:size, variances > 0]
         return Whitening(directions=directions, covariance=np.eye(size) + (seen * variances[variances > 0]) @ seen.T)

@@ -112,3 +112,12 @@ def test_what_a_noise_does_not_draw_is_not_needed_for_it() -> None:
     memory, noise = Memory(modes=slow_modes(hours, np.ones(60)), levels=levels), NoiseModel(levels=(("half", 2.0),))
     assert memory.within(noise).size == 2
     assert memory.within(noise).whitening(noise)(hours) == pytest.approx(memory.whitening(noise)(hours))
+
+
+@pytest.mark.parametrize(
+    "noise", [NoiseModel(), NoiseModel(levels=(("half", 0.0),))], ids=["white", "levels of nothing"]
+)
+def test_a_noise_without_variance_is_white(noise) -> None:
+    hours = np.linspace(0.0, 8.0, 60)
+    memory = Memory(modes=slow_modes(hours, np.ones(60)), levels={"half": np.eye(60)[:, :2]})
+    assert memory.whitening(noise)(hours) == pytest.approx(hours)
