@@ -37,6 +37,11 @@ class NoiseModel:
     levels: tuple[tuple[str, float], ...] = ()
     """Mean variance of a row by the levels of each effect, by name."""
 
+    @property
+    def white(self) -> bool:
+        """Whether there is nothing but white noise."""
+        return self.flicker == 0.0 and self.walk == 0.0 and not self.levels
+
     def with_level(self, name: str, variance: float) -> "NoiseModel":
         """The same with the levels of an effect."""
         return replace(self, levels=(*self.without(name).levels, (name, variance)))
