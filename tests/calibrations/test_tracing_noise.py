@@ -120,4 +120,4 @@ def test_what_a_noise_does_not_draw_is_not_needed_for_it() -> None:
 def test_a_noise_without_variance_is_white(noise) -> None:
     hours = np.linspace(0.0, 8.0, 60)
     memory = Memory(modes=slow_modes(hours, np.ones(60)), levels={"half": np.eye(60)[:, :2]})
-    assert memory.whitening(NoiseModel(levels=levels))(hours) == pytest.approx(hours)
+    assert memory.whitening(noise)(hours) == pytest.approx(hours)
