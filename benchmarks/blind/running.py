@@ -45,7 +45,7 @@ def traced(path: Path) -> dict[str, Any]:
         Where the command ends with another status than the documented 0 and 1.
     """
     said = path.with_suffix(".json")
-    answer = CliRunner().invoke(cli, ["close-loop", str(path), "--json", str(said)])
+    answer = CliRunner().invoke(cli, ["close-loop", str(path), "--json", str(said)], catch_exceptions=False)
     if answer.exit_code not in (0, 1):
         raise RuntimeError(f"{path.name}: close-loop ended with status {answer.exit_code}: {answer.output[-500:]}")
     return dict(json.loads(said.read_text(encoding="utf-8")))
