@@ -24,7 +24,7 @@ def records(lent_driver, tmp_path):
     )
     screen = lent_driver.window.records
     screen.refresh()
-    lent_driver.wait(lambda: len(screen.records) == 3 and screen.trend.parameter.count() > 1)
+    lent_driver.wait(lambda: len(screen.records) == 3 and screen.trend.records == screen.records)
     return screen
 
 
