@@ -5,7 +5,7 @@ Database and analysis are imported when they are called: a window is up before t
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
@@ -21,6 +21,7 @@ from tumble.window.work.activity import Concluded, Resumption
 
 if TYPE_CHECKING:
     from tumble.app.cut_off import CutOff
+    from tumble.calibrations.records.store import Store
     from tumble.calibrations.records.verify import Verification
     from tumble.calibrations.stand_records.record import StandRecord
     from tumble.window.work.compared import Comparison
@@ -55,14 +56,21 @@ class Around:
 
 def search(folder: Path, wanted: Wanted) -> Found:
     """Look for records; a store that is not there holds nothing."""
-    from tumble.app.opening import open_store
     from tumble.calibrations.records.store import DATABASE
     from tumble.window.work.record_lines import lines_of
 
     if not (folder / DATABASE).is_file():
         return Found(lines=(), more=False)
-    found = open_store(folder).newest(wanted, SHOWN + 1)
+    found = _kept_open(folder).newest(wanted, SHOWN + 1)
     return Found(lines=lines_of(found[:SHOWN][::-1], method_titles()), more=len(found) > SHOWN)
+
+
+@lru_cache(maxsize=1)
+def _kept_open(folder: Path) -> "Store":
+    """A store as it was opened first: of a search among many records a tenth of the time would go into opening it."""
+    from tumble.app.opening import open_store
+
+    return open_store(folder)
 
 
 def look_around(folder: Path) -> Around:
