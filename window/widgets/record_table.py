@@ -19,7 +19,7 @@ from tumble.window.widgets.table import Ink
 from tumble.window.work.record_lines import RecordLine
 from tumble.window.work.record_words import StandState
 
-_MEASURED, _VERDICT, _EFFECTS, _STAND = 3, 5, 7, 8
+_MEASURED, _VERDICT, _EFFECTS, _STAND = 2, 3, 5, 6
 """Columns."""
 _STAND_SIGNS: Final = {
     StandState.CORRECTED: CORRECTED,
@@ -34,14 +34,14 @@ class RecordTable(SortableTable):
     def __init__(self, parent: QWidget | None = None) -> None:
         headings = (
             tr("unit"),
-            tr("method"),
             tr("programme"),
             tr("measured"),
-            tr("revision"),
             tr("verdict"),
             tr("result"),
             tr("effects"),
             tr("stand"),
+            tr("method"),
+            tr("revision"),
             tr("record"),
         )
         super().__init__(headings, newest=_MEASURED, parent=parent)

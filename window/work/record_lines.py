@@ -33,14 +33,14 @@ class RecordLine:
         origin = self.record.provenance
         return (
             origin.serial_number,
-            self.method,
             origin.programme_name,
             self.measured,
-            str(self.record.revision),
             verdict_words(self.record.verdict.outcome),
             self.result,
             str(self.findings.count),
             origin.stand_name,
+            self.method,
+            str(self.record.revision),
             self.record.id,
         )
 
