@@ -50,7 +50,7 @@ class RecordPreview(QScrollArea):
         self.values.show_whole()
         self.effects.setText(_listed(tr("Effects"), shown.findings))
         self.stand.setText(_listed(tr("Stand"), [shown.stand] if shown.stand else []))
-        self.warnings.setText("\n".join(f"⚠ {warning}" for warning in shown.warnings))
+        self.warnings.setText(f"⚠ {shown.warnings}" if shown.warnings else "")
         for part in self._parts:
             part.show()
         for label in (self.stand, self.warnings):

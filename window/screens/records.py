@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtWidgets import QHBoxLayout, QPushButton, QTabWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QPushButton, QTabWidget, QVBoxLayout, QWidget
 
 from tumble.app.discarding import FOLDER
 from tumble.calibrations.records.record import Record
@@ -20,6 +20,7 @@ from tumble.window.screens.record_preview import RecordPreview
 from tumble.window.screens.stand_records import StandRecords
 from tumble.window.widgets.comparison_table import ComparisonTable
 from tumble.window.widgets.dialog import FileDialog, QuestionDialog
+from tumble.window.widgets.folding_row import FoldingRow, buttons_at_left, buttons_beside
 from tumble.window.widgets.record_search import RecordSearch
 from tumble.window.widgets.record_table import RecordTable
 from tumble.window.widgets.side_pane import SidePane
@@ -105,12 +106,9 @@ class RecordsScreen(QWidget):
             self._start(partial(store.export, self._folder(), record.id, path), self._say_exported)
 
     def _lay_out(self) -> None:
-        buttons = QHBoxLayout()
-        alone = (self.open_button, self.again_button, self.export_button)
-        for button in (*alone[:1], self.compare_button, self.verify_button, *alone[1:]):
-            buttons.addWidget(button)
-        buttons.addStretch(1)
-        buttons.addWidget(self.file_button)
+        of_records = (self.open_button, self.compare_button, self.verify_button)
+        further = (self.again_button, self.export_button, self.file_button)
+        buttons = FoldingRow((buttons_at_left(of_records), buttons_beside(further)))
         self.said.setWordWrap(True)
         self.said.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         listed = QWidget()
@@ -118,7 +116,7 @@ class RecordsScreen(QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(self.table, stretch=1)
         column.addWidget(self.more)
-        column.addLayout(buttons)
+        column.addWidget(buttons)
         column.addWidget(self.said)
         for part, title in (
             (self.trend, tr("Trend")),

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import Final
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QWidget
 
@@ -47,6 +47,7 @@ class RecordTable(SortableTable):
         super().__init__(headings, newest=_MEASURED, parent=parent)
         self._lines: Sequence[RecordLine] = ()
         self.setWordWrap(False)
+        self._size_signs()
 
     def show_lines(self, lines: Sequence[RecordLine]) -> None:
         """Show other records."""
@@ -66,6 +67,16 @@ class RecordTable(SortableTable):
                 item = self.cell(row, column)
                 item.setToolTip(as_tooltip(said))
                 item.setData(Qt.ItemDataRole.AccessibleTextRole, said)
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802  # Qt's name
+        """Paint signs as high as another size of text."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._size_signs()
+
+    def _size_signs(self) -> None:
+        edge = self.fontMetrics().height()
+        self.setIconSize(QSize(edge, edge))
 
     def colour(self) -> None:
         """Write and paint in the colours of the window."""

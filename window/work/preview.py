@@ -7,6 +7,7 @@ from tumble.calibrations.core.quantities import format_concise, format_quantity
 from tumble.calibrations.core.verdict import Outcome
 from tumble.calibrations.records.parameter import RecordedParameter
 from tumble.calibrations.records.record import Record
+from tumble.messages import Message
 from tumble.window.look.moments import moment_text
 from tumble.window.look.sentences import in_language
 from tumble.window.look.verdicts import verdict_words
@@ -22,10 +23,11 @@ class Preview:
     """Programme, moment, operator."""
     outcome: Outcome
     values: Sequence[tuple[str, str, str]]
-    """The values to use: name, value with its expanded uncertainty or why there is none, verdict and condition."""
+    """The values to use: name, value with its expanded uncertainty, verdict and condition."""
     findings: Sequence[str]
     stand: str
-    warnings: Sequence[str]
+    warnings: str
+    """How many there are; empty where there are none."""
 
 
 def preview(record: Record) -> Preview:
@@ -39,14 +41,28 @@ def preview(record: Record) -> Preview:
         values=[_value(record, each) for each in record.values.values()],
         findings=tuple(map(in_language, findings_in(record).lines)),
         stand=in_language(stand_words(record)),
-        warnings=tuple(in_language(str(each)) for each in record.result.get("warnings", ())),
+        warnings=_counted(len(record.result.get("warnings", ()))),
     )
 
 
 def _value(record: Record, parameter: RecordedParameter) -> tuple[str, str, str]:
     judged = record.verdict.of(parameter.name)
     beside = (verdict_words(judged.outcome) if judged else "", in_language(parameter.condition))
-    return parameter.name, in_language(value_text(parameter) or parameter.reason), "; ".join(filter(None, beside))
+    text = value_text(parameter) or Message("not identifiable")
+    return parameter.name, in_language(text), "; ".join(filter(None, beside))
+
+
+def _counted(warnings: int) -> str:
+    """A record keeps them in English, as they were written; they are read where it is opened."""
+    if not warnings:
+        return ""
+    return in_language(
+        Message.counted(
+            "{count} warning: open the record to read it",
+            "{count} warnings: open the record to read them",
+            count=warnings,
+        )
+    )
 
 
 def value_text(parameter: RecordedParameter) -> str:
