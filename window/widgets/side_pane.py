@@ -15,7 +15,7 @@ class SidePane(QWidget):
         self._tabs, self._pane, self._title = tabs, pane, title
         self._row = QHBoxLayout(self)
         self._row.setContentsMargins(0, 0, 0, 0)
-        self._row.addWidget(main, stretch=1)
+        self._row.addWidget(main, stretch=3)
         tabs.addTab(pane, title)
 
     @property
@@ -32,5 +32,5 @@ class SidePane(QWidget):
             self._tabs.addTab(self._pane, self._title)
         elif not narrow and self.is_folded:
             self._tabs.removeTab(self._tabs.indexOf(self._pane))
-            self._row.addWidget(self._pane)
+            self._row.addWidget(self._pane, stretch=1)
             self._pane.show()
