@@ -123,6 +123,25 @@ def test_a_preview_stands_beside_the_list_where_there_is_room_and_is_a_tab_where
     measured.wait(lambda: records.tabs.indexOf(records.preview) >= 0)
 
 
+def test_what_is_chosen_stays_chosen_wherever_its_row_goes(measured):
+    records = measured.window.records
+    records.table.selectRow(1)
+    records.table.sortByColumn(0, Qt.SortOrder.AscendingOrder)
+    records.refresh()
+    with measured.bot.waitSignal(records.shown, timeout=60_000):
+        pass
+    assert [record.provenance.serial_number for record in records._chosen()] == ["A-1"]
+
+
+def test_of_two_that_are_chosen_the_one_that_is_still_found_stays(measured):
+    records = measured.window.records
+    records.table.selectAll()
+    records.search.serial.setText("b")
+    measured.wait(lambda: units(measured) == ["B-2"])
+    assert [record.provenance.serial_number for record in records._chosen()] == ["B-2"]
+    measured.wait(lambda: records.preview.unit.text() == "B-2")
+
+
 def test_a_sign_says_in_words_what_it_is(measured):
     table = measured.window.records.table
     said = [table.item(0, column).data(Qt.ItemDataRole.AccessibleTextRole) for column in (3, 5, 6)]

@@ -1,9 +1,9 @@
 """The records that were found, a row for each, with signs for verdict, effects and stand."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import Final
 
-from PySide6.QtCore import QEvent, QSize, Qt
+from PySide6.QtCore import QEvent, QItemSelectionModel, QSignalBlocker, QSize, Qt
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QWidget
 
@@ -50,9 +50,21 @@ class RecordTable(SortableTable):
         self._size_signs()
 
     def show_lines(self, lines: Sequence[RecordLine]) -> None:
-        """Show other records."""
-        self._lines = lines
-        self.fill([line.cells for line in lines])
+        """Show other records; what was chosen and is among them stays chosen."""
+        chosen = {record.id for record in self.chosen_records}
+        with QSignalBlocker(self):  # nobody asks what is chosen while rows and records differ
+            self.clearSelection()
+            self._lines = lines
+            self.fill([line.cells for line in lines])
+            self._choose(chosen)
+        if chosen:
+            self.itemSelectionChanged.emit()
+
+    def _choose(self, ids: Collection[str]) -> None:
+        select = QItemSelectionModel.SelectionFlag.Select | QItemSelectionModel.SelectionFlag.Rows
+        for row in range(self.rowCount()):
+            if self._lines[self.number(row)].record.id in ids:
+                self.selectionModel().select(self.model().index(row, 0), select)
 
     @property
     def chosen_records(self) -> list[Record]:
