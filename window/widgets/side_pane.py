@@ -1,5 +1,6 @@
 """A pane beside other parts, which is one of their tabs where there is no room for it."""
 
+from PySide6.QtCore import QEvent
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QTabWidget, QWidget
 
@@ -26,6 +27,15 @@ class SidePane(QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802  # Qt's name
         """Fold, or unfold."""
         super().resizeEvent(event)
+        self._fold()
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802  # Qt's name
+        """The same for another size of text."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._fold()
+
+    def _fold(self) -> None:
         narrow = self.width() < _WIDE_LINES * self.fontMetrics().height()
         if narrow and not self.is_folded:
             self._row.removeWidget(self._pane)
