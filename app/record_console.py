@@ -1,7 +1,7 @@
 """Records on the terminal."""
 
-from collections.abc import Mapping, Sequence
-from typing import Any, Final
+from collections.abc import Mapping
+from typing import Final
 
 from rich.table import Column, Table
 
@@ -52,12 +52,6 @@ def _result(record: Record) -> str:
         return parameter.condition if parameter else ""
     named = Message("{parameter} {value}", parameter=parameter.name, value=_value(parameter))
     return Message.joined("; ", filter(None, (named, parameter.condition)))
-
-
-def effects_of(record: Record) -> Sequence[Mapping[str, Any]]:
-    """The effects found, of the loop in a result or of a result that is one."""
-    found: Sequence[Mapping[str, Any]] = record.result.get("loop", record.result).get("effects", ())
-    return found
 
 
 def show_parameters(parameters: Mapping[str, RecordedParameter]) -> None:

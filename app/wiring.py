@@ -11,6 +11,7 @@ from tumble.app.guarding import CHAMBER_NEEDS, DAQ_NEEDS, EXCITER_NEEDS, HEAD_NE
 from tumble.app.simulation import Hand, Past, TurningEyepiece, simulation, switching_on
 from tumble.app.stand import LoadedStand
 from tumble.app.terminal import say
+from tumble.drivers.attention import Attention
 from tumble.drivers.clock import Clock, ReleasedClock, SystemClock
 from tumble.drivers.driver import Bench, DaqDriver, HeadDriver
 from tumble.drivers.links.opened import Links
@@ -97,11 +98,11 @@ def connect(
     backstage, links = _backstage(loaded), Links()
     clock = clock or (backstage.clock if backstage else SystemClock())
     attendant = attendant or _attendant(answers, attended or backstage is None)
-    operator = cache(attendant.operator)
+    operator, attention = cache(attendant.operator), Attention()
     person = _Person(operator, clock, backstage.hand if backstage else None)
     bench = Bench(clock=clock, links=links, folder=loaded.folder, eyepiece=person.at(HEAD))
     try:
-        positioners, samplers = _instruments(loaded, bench, person)
+        positioners, samplers = _instruments(loaded, bench, person, attention)
         environments = {name: _chamber(loaded, name, bench) for name in loaded.file.environments}
         exciters = {name: _exciter(loaded, name, bench) for name in loaded.file.exciters}
     except BaseException:
@@ -119,6 +120,7 @@ def connect(
         most=loaded.file.most,
         quiet=loaded.file.quiet,
         titles=TITLES,
+        attention=attention,
     )
     warnings = (Message.marked(_UNASKED, stand=loaded.file.name),) if backstage and attendant.imagined else ()
     made = Connected(
@@ -203,13 +205,14 @@ class _Person:
 
 
 def _instruments(
-    loaded: LoadedStand, bench: Bench, person: _Person
+    loaded: LoadedStand, bench: Bench, person: _Person, attention: Attention
 ) -> tuple[dict[str, Positioner], dict[str, Sampler]]:
     """Positioners and samplers of a stand that is not simulated, by name. Raises `InputError`, `DeviceError`."""
+    attentive = replace(bench, links=bench.links.checking(attention.check))
     try:
         # the samplers first: they never need a person
         sampling = {
-            name: _sampler(loaded, name, driver, bench) for name, driver in loaded.sampler_drivers.items() if driver
+            name: _sampler(loaded, name, driver, attentive) for name, driver in loaded.sampler_drivers.items() if driver
         }
         return _positioners(loaded, bench, person), sampling
     except ValueError as error:

@@ -165,7 +165,7 @@ class Day:
         hands.tab_to(records.table)
         hands.press("Shift+Down")
         hands.access("C")
-        hands.wait(lambda: "kx" in records.said.text(), "the comparison")
+        hands.wait(lambda: records.tabs.currentWidget() is records.comparison, "the comparison")
 
     def _report(self) -> None:
         """The report of a record is written for the customer."""

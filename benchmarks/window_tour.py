@@ -14,7 +14,7 @@ from itertools import product
 from pathlib import Path
 
 from PySide6.QtCore import QSettings
-from PySide6.QtWidgets import QApplication, QTabWidget, QWidget
+from PySide6.QtWidgets import QApplication, QTableWidgetSelectionRange, QTabWidget, QWidget
 
 from benchmarks.window_flaws import faint, flaws
 from benchmarks.window_marks import faint_marks
@@ -82,13 +82,15 @@ class Tour:
         return self._running.window
 
     def measure(self) -> None:
-        """Make a result, and a record."""
-        run = self.window.run
+        """Make a result, and two records of a unit."""
+        run, result = self.window.run, self.window.result
         self.window.open(run)
         run.form.add_programme(str(self._programme))
-        run.form.serial.setText("SN-1")
-        run.controls.start.click()
-        self._wait(lambda: self.window.result.presentation is not None)
+        for _ in range(2):
+            result.presentation = None
+            run.form.serial.setText("SN-1")
+            run.controls.start.click()
+            self._wait(lambda: result.presentation is not None and not self.window.busy)
 
     def take(self, language: Language, shade: Shade, size: tuple[int, int], scale: float) -> None:
         """Have the window look like that."""
@@ -109,6 +111,7 @@ class Tour:
         for place, screen in zip(window.frame.places, window.frame.screens, strict=True):
             window.open(screen)
             yield from (f"{place.sign}{tab}" for tab in self._tabs(screen))
+        yield from self._comparing()
         yield from self._asking()
         window.open(window.stand)
         window.stand.open(self._stand)
@@ -128,6 +131,26 @@ class Tour:
         self.settle()
         yield "finder"
         window.frame.close_newest()
+
+    def _comparing(self) -> Iterator[str]:
+        """A record in short, and two beside each other."""
+        records = self.window.records
+        self.window.open(records)
+        self.settle()
+        records.table.selectRow(0)
+        if records.tabs.indexOf(records.preview) >= 0:
+            records.tabs.setCurrentWidget(records.preview)
+        self._wait(lambda: records.preview.shown is not None)
+        self.settle()
+        yield "short"
+        two = QTableWidgetSelectionRange(0, 0, 1, records.table.columnCount() - 1)
+        records.table.setRangeSelected(two, True)
+        records.compare_button.click()
+        self._wait(lambda: records.tabs.currentWidget() is records.comparison)
+        self.settle()
+        yield "comparison"
+        records.table.clearSelection()
+        records.tabs.setCurrentIndex(0)
 
     def _asking(self) -> Iterator[str]:
         """What a run that waits for somebody shows, and one that was stopped."""

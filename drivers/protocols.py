@@ -11,6 +11,7 @@ from typing import Final, Protocol, TypeAlias, runtime_checkable
 import numpy as np
 from numpy.typing import NDArray
 
+from tumble.drivers.attention import Attention
 from tumble.drivers.clock import Clock
 from tumble.drivers.excitation import Excitation
 
@@ -294,6 +295,8 @@ class Stand:
     """The greatest standard deviation of the samples of a channel while every exciter rests."""
     channels: Mapping[str, Sequence[str]] = field(default_factory=dict)
     """Names of the channels of a sampler, in their order, by its name; those that it gives where nothing is said."""
+    attention: Attention = field(default_factory=Attention)
+    """Paid by the samplers while their answers are awaited."""
 
     @property
     def instruments(self) -> Mapping[str, "Instrument"]:

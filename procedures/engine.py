@@ -48,8 +48,9 @@ class Engine:
     """Carries out one run.
 
     A pause or a stop that its `control` is asked for, from any thread, is heeded between steps, while a positioner
-    moves and while the outputs settle; a stop also while the operator or a lost link is awaited. Samples being taken
-    are taken first. A step in which a link is lost begins anew once it is back, see `Recovery`.
+    moves and while the outputs settle; a stop also while the operator, a lost link or the answer of a sampler is
+    awaited. Samples being taken are taken first, where a stop need not wait for them. A step in which a link is lost
+    begins anew once it is back, see `Recovery`.
 
     Parameters
     ----------
@@ -85,6 +86,7 @@ class Engine:
         look: Look = look_away,
     ) -> None:
         self._clock = stand.clock
+        self._attention = stand.attention
         self._operator = operator
         self._announcer = Announcer(sink, listeners)
         self._acquisition = acquisition
@@ -164,7 +166,8 @@ class Engine:
 
     def _to_its_end(self, procedure: Procedure, step: Step | None, prepare: Callable[[], None]) -> Outcome:
         try:
-            self._carry_out(procedure, step, prepare)
+            with self._attention.paid_to(self.control.check):  # and no longer: at the end nothing breaks a wait off
+                self._carry_out(procedure, step, prepare)
         except (Exception, KeyboardInterrupt) as error:
             return self._finish(error)
         except BaseException as error:

@@ -5,6 +5,7 @@ goes back to where it stood, and the step that was interrupted begins anew: its 
 """
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from types import MappingProxyType
 from typing import Final, TypeVar
 
@@ -179,6 +180,7 @@ class Recovery:
         )
         began_s = self._clock.monotonic_s()
         self._exciters.calm_those_heard()
+        self._brake_those_heard()
         for name, instrument in self._instruments.items():
             self._reach(name, instrument, began_s + RECONNECTING_S)
         self._exciters.calm()
@@ -193,6 +195,13 @@ class Recovery:
                 away_s=self._clock.monotonic_s() - began_s,
             )
         )
+
+    def _brake_those_heard(self) -> None:
+        """Have nothing move while links are awaited: whoever cannot be heard is brought to rest once it is back."""
+        for name, positioner in self._stand.positioners.items():
+            with suppress(DeviceError):
+                if name not in self._losses.names and positioner.status().turning:
+                    self._axes.motions[name].brake()
 
     def _put_back(self, name: str, place: Place | None) -> None:
         """Home a positioner that was lost, and take it to its place; one that was not is brought to rest."""

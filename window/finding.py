@@ -49,4 +49,4 @@ class Finding:
         ]
 
     def _offer_units(self, names: tuple[str, ...]) -> None:
-        self.frame.finder.add(sources.of_names(tr("Unit"), names, self.show_unit))
+        self.frame.finder.add(sources.of_names(tr("Unit under test"), names, self.show_unit))

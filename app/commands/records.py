@@ -11,7 +11,8 @@ from tumble.app.console import results
 from tumble.app.exits import Exit
 from tumble.app.opening import open_store
 from tumble.app.recall import unprotected
-from tumble.app.record_console import effects_of, listing, show_parameters
+from tumble.app.record_console import listing, show_parameters
+from tumble.app.record_effects import effects_of
 from tumble.app.terminal import labelled, say
 from tumble.app.verifying import Finding, Judgement, leftovers, verified_record
 from tumble.calibrations.core.verdict import Model, Outcome

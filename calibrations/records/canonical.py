@@ -3,11 +3,16 @@
 import hashlib
 import json
 import math
+import re
 from collections.abc import Mapping
 from datetime import date
-from typing import Any
+from typing import Any, Final
+
+import orjson
 
 from tumble.messages import Message
+
+_LONG_NUMBER: Final = re.compile(r"\d{19}")
 
 
 def plain(content: Mapping[str, Any]) -> dict[str, Any]:
@@ -45,6 +50,19 @@ def _plain(value: object) -> object:
 def canonical_text(content: object) -> str:
     """JSON with sorted keys, no spaces, and the shortest digits that give each number back (Python's `json`)."""
     return json.dumps(content, sort_keys=True, separators=(",", ":"), ensure_ascii=False, allow_nan=False)
+
+
+def read_json(text: str) -> Any:  # noqa: ANN401  # whatever a document holds
+    """What Python's `json` reads, in a third of the time wherever orjson reads the same.
+
+    Of integers beyond 64 bits orjson makes floats, and it refuses lone surrogates and what is no JSON at all.
+    """
+    if _LONG_NUMBER.search(text):
+        return json.loads(text)
+    try:
+        return orjson.loads(text)
+    except ValueError:
+        return json.loads(text)
 
 
 def canonical_sha256(content: Mapping[str, Any]) -> str:

@@ -12,7 +12,7 @@ from sqlalchemy import Connection, Engine, NullPool, Table, create_engine, event
 from sqlalchemy.engine import URL
 from sqlalchemy.exc import DBAPIError
 
-from tumble.calibrations.records.canonical import canonical_text
+from tumble.calibrations.records.canonical import canonical_text, read_json
 from tumble.calibrations.records.errors import StoreError
 from tumble.calibrations.records.schema import METADATA, STORE, STORE_VERSION
 from tumble.calibrations.records.transactions import BEGIN, immediately
@@ -146,6 +146,7 @@ def _engine(path: Path, busy_timeout_s: float) -> Engine:
         connect_args={"timeout": busy_timeout_s, "isolation_level": None},
         poolclass=NullPool,
         json_serializer=canonical_text,
+        json_deserializer=read_json,
     )
     event.listen(engine, "connect", _on_connect)
     event.listen(engine, "begin", _begin)

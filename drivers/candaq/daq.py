@@ -2,6 +2,7 @@
 
 import math
 import time
+from collections.abc import Callable
 from typing import Final
 
 import numpy as np
@@ -33,6 +34,8 @@ class CanDaq:
         The DAQ's frames.
     clock
         Dates a block where the DAQ does not tell its own time.
+    check
+        Called many times a second while a frame is awaited; what it raises breaks the wait off.
 
     Raises
     ------
@@ -40,13 +43,15 @@ class CanDaq:
         The bus is not there.
     """
 
-    def __init__(self, link: CanLink, frames: DaqFrames, clock: Clock) -> None:
+    def __init__(
+        self, link: CanLink, frames: DaqFrames, clock: Clock, check: Callable[[], object] = lambda: None
+    ) -> None:
         self._link = link
         self._frames = frames
         self._clock = clock
         self._generation = 0
         self._epoch = 0
-        self._inbox = Inbox(link, frames)
+        self._inbox = Inbox(link, frames, check)
         self._generation = link.reopen(self._generation)
 
     def reconnect(self) -> None:

@@ -113,13 +113,13 @@ def _connect(table: CanDaqTable, bench: Bench) -> CanDaq | FreeRunningDaq | Seve
         return _several(table, bench)
     frames = frames_of(table, bench.folder)
     kind = FreeRunningDaq if frames.free_running else CanDaq
-    return kind(bench.links.can(table), frames, bench.clock)
+    return kind(bench.links.can(table), frames, bench.clock, bench.links.check)
 
 
 def _several(table: CanDaqTable, bench: Bench) -> SeveralChannels:
     """A DAQ that sends several channels by itself: one of one channel for each of them."""
     frames, link = channel_frames(table, bench.folder), bench.links.can(table)
-    channels = {name: FreeRunningDaq(link, each, bench.clock) for name, each in frames.items()}
+    channels = {name: FreeRunningDaq(link, each, bench.clock, bench.links.check) for name, each in frames.items()}
     return SeveralChannels(channels, {name: frames[name].range for name in table.quantities})
 
 

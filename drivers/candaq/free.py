@@ -1,6 +1,7 @@
 """A voltmeter on CAN that sends by itself, without being told to begin."""
 
 import time
+from collections.abc import Callable
 from typing import Final
 
 import numpy as np
@@ -35,6 +36,8 @@ class FreeRunningDaq:
         The DAQ's frames.
     clock
         Dates a block where the DAQ does not tell its own time.
+    check
+        Called many times a second while a frame is awaited; what it raises breaks the wait off.
 
     Raises
     ------
@@ -42,11 +45,13 @@ class FreeRunningDaq:
         The bus is not there.
     """
 
-    def __init__(self, link: CanLink, frames: DaqFrames, clock: Clock) -> None:
+    def __init__(
+        self, link: CanLink, frames: DaqFrames, clock: Clock, check: Callable[[], object] = lambda: None
+    ) -> None:
         self._link = link
         self._frames = frames
         self._clock = clock
-        self._inbox = Inbox(link, frames)
+        self._inbox = Inbox(link, frames, check)
         self._generation = link.reopen(0)
 
     def reconnect(self) -> None:

@@ -1,6 +1,7 @@
 """The frames of a DAQ as they come from its bus."""
 
 import time
+from collections.abc import Callable
 from contextlib import suppress
 from queue import Empty, Queue
 from typing import Final
@@ -22,10 +23,14 @@ _SLICE_S: Final = 0.05
 
 
 class Inbox:
-    """Takes the frames of a DAQ from a link that others may share; spoilt ones are dropped and counted."""
+    """Takes the frames of a DAQ from a link that others may share; spoilt ones are dropped and counted.
 
-    def __init__(self, link: CanLink, frames: DaqFrames) -> None:
+    `check` is called many times a second while one is awaited; what it raises breaks the wait off.
+    """
+
+    def __init__(self, link: CanLink, frames: DaqFrames, check: Callable[[], object] = lambda: None) -> None:
         self._link = link
+        self._check = check
         self._frames = frames
         self._tally = Tally(DEVICE)
         self._received: Queue[Frame] = Queue()
@@ -34,6 +39,7 @@ class Inbox:
     def next(self, deadline_s: float) -> Frame | None:
         """The next frame; None after the deadline, by the computer's clock. Raises `LinkLostError`."""
         while time.monotonic() <= deadline_s:
+            self._check()
             try:
                 return self._received.get(timeout=_SLICE_S)
             except Empty:

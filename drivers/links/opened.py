@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from contextlib import ExitStack
+from copy import copy
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from tumble.drivers.tables import OnCan, OnSerialLine
@@ -18,15 +19,23 @@ class Links:
     """What is open. Instruments on the same CAN bus share it, and so may those on one serial line."""
 
     def __init__(self) -> None:
+        self.check: Callable[[], object] = lambda: None
+        """To be called many times a second while an answer is awaited; may raise."""
         self._opened = ExitStack()
         self._buses: dict[str, CanLink] = {}
         self._common: dict[str, Any] = {}
+
+    def checking(self, check: Callable[[], object]) -> "Links":
+        """The same, for instruments whose answers are awaited only as long as `check` does not raise."""
+        links = copy(self)
+        links.check = check
+        return links
 
     def serial(self, table: OnSerialLine, device: str) -> "SerialLink":
         """Open a serial line; errors call the instrument `device`. Raises `LinkLostError`."""
         from tumble.drivers.links.serial_link import SerialLink
 
-        link = SerialLink(table.url, table.baud_rate, device)
+        link = SerialLink(table.url, table.baud_rate, device, self.check)
         self._opened.callback(link.close)
         return link
 

@@ -3,7 +3,7 @@
 import select
 import socket
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from functools import partial
 from typing import Final
@@ -52,6 +52,8 @@ class SerialLink:
         Of a real port; what is reached over a network does not care.
     device
         What errors call the instrument at the other end.
+    check
+        Called many times a second while a line is awaited; what it raises breaks the wait off.
 
     Raises
     ------
@@ -59,8 +61,15 @@ class SerialLink:
         The port cannot be opened.
     """
 
-    def __init__(self, url: str, baud_rate: int = 115_200, device: str = "instrument") -> None:
+    def __init__(
+        self,
+        url: str,
+        baud_rate: int = 115_200,
+        device: str = "instrument",
+        check: Callable[[], object] = lambda: None,
+    ) -> None:
         self.url = url
+        self._check = check
         self.device = device
         self._baud_rate = baud_rate
         self._is_socket = url.startswith("socket://")
@@ -88,9 +97,12 @@ class SerialLink:
             came without the end of a line.
         LinkLostError
             The port is gone.
+
+        And whatever `check` raises: what came of the line stays for the next call then, too.
         """
         deadline_s = time.monotonic() + timeout_s
         while terminator not in self._waiting:
+            self._check()
             if time.monotonic() > deadline_s:
                 raise NoReplyError(
                     self.device,

@@ -18,6 +18,7 @@ from records_examples import (
     raw_source,
     sweep_only,
 )
+from sqlalchemy.dialects import sqlite
 
 from tumble.calibrations.core.verdict import Outcome
 from tumble.calibrations.methods.dividing_head.entry import entry
@@ -216,12 +217,27 @@ def test_what_was_superseded_is_not_among_the_newest(store, several):
     assert several[0].id not in [record.id for record in store.newest(Wanted(), 10)]
 
 
-def test_a_search_reads_no_table_but_an_index(store, several):
+@pytest.mark.parametrize("part", ["", "b", "ä"])
+def test_a_search_reads_no_table_but_an_index(store, several, part):
     with sqlite3.connect(store.path) as database:
-        query = str(newest(Wanted(), 3).compile(compile_kwargs={"literal_binds": True}))
+        database.create_function("folded", 1, str.casefold, deterministic=True)
+        wanted = newest(Wanted(part_of_serial_number=part), 3)
+        query = str(wanted.compile(dialect=sqlite.dialect(), compile_kwargs={"literal_binds": True}))
         plan = " ".join(row[3] for row in database.execute(f"EXPLAIN QUERY PLAN {query}"))
     assert "USING COVERING INDEX ix_records_listing" in plan
     assert "TEMP B-TREE" not in plan
+
+
+def test_letters_that_sqlite_does_not_fold_are_folded_once_a_unit(store):
+    for _ in range(3):
+        store.add(entry(calibration()), provenance(serial_number="ÄB-2"))
+    folded = []
+    with sqlite3.connect(store.path) as database:
+        database.create_function("folded", 1, lambda text: (folded.append(text), text.casefold())[1])
+        wanted = newest(Wanted(part_of_serial_number="ä"), 10)
+        query = str(wanted.compile(dialect=sqlite.dialect(), compile_kwargs={"literal_binds": True}))
+        assert len(database.execute(query).fetchall()) == 3
+    assert folded == ["ÄB-2"]
 
 
 def test_a_store_without_the_index_gets_it_with_the_next_record(store, several):

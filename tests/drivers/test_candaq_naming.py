@@ -111,6 +111,14 @@ def test_whatever_comes_the_inbox_goes_on_and_counts_it(frames):
     assert inbox.next(1e12).number("Counter") == 42
 
 
+def test_the_wait_for_a_frame_is_broken_off_where_that_is_wanted():
+    def stop():
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        Inbox(Line(), logger(), stop).next(1e12)
+
+
 def test_what_was_dropped_is_told_with_its_number_and_an_example():
     line = Line()
     inbox = Inbox(line, logger())

@@ -7,6 +7,7 @@ import socket
 import pytest
 import serial
 
+from tumble.drivers.attention import Attention
 from tumble.drivers.clock import VirtualClock
 from tumble.drivers.errors import LinkLostError, NoReplyError
 from tumble.drivers.links import SerialLink, serial_link
@@ -97,6 +98,34 @@ def test_messages_of_others_without_end_are_no_answer(monkeypatch):
     monkeypatch.setattr(serial_link.time, "monotonic", lambda: next(moments))
     with pytest.raises(NoReplyError, match=r"did not come within 0.6 s"):
         head_on(Alerts()).status()
+
+
+class Halves:
+    """A port that gives a line in two pieces, the second when that is wanted."""
+
+    in_waiting = 0
+
+    def __init__(self):
+        self.pieces = [b"+2.5", b""]
+
+    def read(self, _size):
+        return self.pieces.pop(0) if self.pieces else b""
+
+
+def test_a_wait_is_broken_off_where_that_is_wanted_and_what_came_stays(monkeypatch):
+    port = Halves()
+    monkeypatch.setattr(serial, "serial_for_url", lambda *_, **__: port)
+    attention = Attention()
+    link = SerialLink("COM7", check=attention.check)
+
+    def stop():
+        if not port.pieces:
+            raise KeyboardInterrupt
+
+    with attention.paid_to(stop), pytest.raises(KeyboardInterrupt):
+        link.read_line(b"\n", 1e9)
+    port.pieces = [b"1\n"]
+    assert link.read_line(b"\n", 1e9) == b"+2.51\n"
 
 
 class TerminalError(Exception):

@@ -9,6 +9,7 @@ from functools import partial
 import numpy as np
 import pytest
 
+from tumble.drivers.attention import Attention
 from tumble.drivers.errors import DeviceError, LinkLostError
 from tumble.drivers.links import SerialLink
 from tumble.drivers.scpi import ScpiMultimeter
@@ -36,8 +37,10 @@ def served(
 
 
 @contextmanager
-def meter_at(server: Server, clock: FasterClock, timeout_s: float = 0.3) -> Iterator[ScpiMultimeter]:
-    link = SerialLink(server.url, device="multimeter")
+def meter_at(
+    server: Server, clock: FasterClock, timeout_s: float = 0.3, check: Callable[[], object] = lambda: None
+) -> Iterator[ScpiMultimeter]:
+    link = SerialLink(server.url, device="multimeter", check=check)
     try:
         yield ScpiMultimeter(link, clock, temperature_sensor="FRTD", timeout_s=timeout_s)
     finally:
@@ -65,6 +68,24 @@ def test_whatever_happens_to_an_answer_the_readings_are_right(kind, containing):
     with served(serve_tcp, fault) as at, meter_at(*at) as meter:
         assert meter.identify().serial == "MY57200001"
         assert_right(meter)
+        assert_right(meter)
+
+
+@pytest.mark.parametrize("containing", ["INIT", "FETC?", "SYST:ERR?"])
+def test_a_block_that_was_given_up_while_the_meter_was_silent_spoils_no_later_one(containing):
+    fault = {"kind": "late", "at": {"command": 1, "containing": containing}, "lasts_s": 0.5}
+    attention, asked = Attention(), []
+
+    def stop():
+        asked.append(True)
+        if len(asked) > 8:
+            raise KeyboardInterrupt
+
+    with served(serve_tcp, fault) as at, meter_at(*at, timeout_s=3600.0, check=attention.check) as meter:
+        meter.identify()
+        with attention.paid_to(stop), pytest.raises(KeyboardInterrupt):
+            while True:
+                meter.acquire(100, 100.0)
         assert_right(meter)
 
 

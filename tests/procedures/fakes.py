@@ -7,6 +7,7 @@ from functools import lru_cache
 import numpy as np
 
 from tumble.calibrations.methods.dividing_head.geometry import projections
+from tumble.drivers.attention import Attention
 from tumble.drivers.clock import VirtualClock
 from tumble.drivers.errors import DeviceError
 from tumble.drivers.protocols import Identity, PositionerStatus, SampleBlock, Stand
@@ -161,6 +162,7 @@ class FakeStand:
 
     def __init__(self) -> None:
         self.clock = VirtualClock(wall_start_ns=0)
+        self.attention = Attention()
         self.head = FakeHead(self.clock)
         self.daq = FakeDaq(self.clock, self.head)
         self.operator = FakeOperator(self.daq)
@@ -174,6 +176,7 @@ class FakeStand:
             clock=self.clock,
             serials=serials or {},
             titles={"head": "dividing head", "daq": "DAQ"},
+            attention=self.attention,
         )
         return Engine(stand, self.operator, self.sink, acquisition, listeners)
 

@@ -45,6 +45,34 @@ def test_a_stop_while_the_output_settles_takes_no_point(stand: FakeStand):
     assert stand.daq.blocks == 1
 
 
+def test_a_stop_does_not_wait_for_a_meter_that_is_silent(stand: FakeStand):
+    engine = stand.engine()
+
+    def keep_silent():
+        engine.control.stop()
+        stand.attention.check()
+        raise AssertionError("the wait went on")
+
+    stand.daq.on_acquire = keep_silent
+    outcome = engine.run(dwells(10.0))
+    assert (outcome.reason, outcome.at_standstill) == (FinishReason.STOPPED, True)
+    assert stand.head.stops > 0
+
+
+def test_at_the_end_of_a_run_that_was_stopped_an_answer_is_awaited(stand: FakeStand):
+    waited = []
+
+    def await_an_answer():
+        stand.attention.check()
+        waited.append(True)
+
+    engine = stand.engine()
+    engine.control.stop()
+    stand.head.on_status = await_an_answer
+    assert engine.run(dwells(10.0)).at_standstill
+    assert waited
+
+
 def test_a_pause_lasts_until_it_is_taken_back(stand: FakeStand):
     def pause():
         engine.control.pause()

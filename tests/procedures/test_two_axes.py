@@ -240,6 +240,25 @@ def test_a_link_that_is_lost_on_one_axis_is_awaited(stand, programme):
     assert len(outcome.points) == 4
 
 
+def test_while_a_link_is_awaited_no_other_axis_goes_on(stand, programme):
+    seen = []
+
+    class Gone(type(stand.inner)):
+        def start_move(self, angle_deg):
+            if angle_deg == 30.0:  # while the outer axis turns, too
+                raise LinkLostError("inner axis", "was lost", "plug it in")
+            super().start_move(angle_deg)
+
+        def reconnect(self):
+            seen.append(stand.outer.status().moving)
+
+    stand.inner = Gone(stand.clock)
+    stand.samplers = {"triad": type(stand.samplers["triad"])(stand.clock, stand.outer, stand.inner)}
+    stand.engine().run(programme.procedure())
+    assert seen
+    assert not any(seen)
+
+
 @pytest.mark.parametrize(
     ("conditions", "positions_deg", "said"),
     [

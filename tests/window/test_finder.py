@@ -156,7 +156,7 @@ def test_a_unit_of_the_store_is_found(driver, tiny, no_report):
     driver.start(tiny, serial="QX-77")
     driver.wait_for_result()
     finder = find(driver, "qx77")
-    driver.wait(lambda: finder.titles == ["Unit: QX-77"])
+    driver.wait(lambda: finder.titles == ["Unit under test: QX-77"])
     press(driver, Qt.Key.Key_Return)
     assert driver.window.frame.current is driver.window.records
     assert driver.window.records.search.serial.text() == "QX-77"

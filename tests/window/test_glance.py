@@ -7,10 +7,16 @@ from tumble.app.stand import load_stand
 from tumble.app.wiring import Attendant, obliging_operator
 from tumble.drivers.errors import DeviceError, NoReplyError
 from tumble.drivers.simulated.daq import SimulatedDaq
+from tumble.drivers.simulated.head import SimulatedHead
 from tumble.procedures.axes import look_away
+from tumble.procedures.errors import StopRequestedError
 from tumble.window.work.session import StandSession
 
 AT_ONCE = Attendant(operator=obliging_operator)
+
+
+def unheard():
+    """Nobody wants the look to end."""
 
 
 def session_of(method):
@@ -28,7 +34,7 @@ def recorded(method, watched):
             positioner.start_move(angle_deg)
         stand.clock.sleep(20.0)
         for _ in range(watched):
-            assert session.readings
+            assert session.readings(unheard)
         blocks += [sampler.acquire(8, 100.0) for sampler in stand.samplers.values()]
     return blocks
 
@@ -57,22 +63,54 @@ def failing(monkeypatch, error):
 def test_a_meter_that_does_not_answer_is_not_looked_at_again(monkeypatch):
     session = session_of("dividing_head")
     asked = failing(monkeypatch, NoReplyError("voltmeter", "does not answer", "look at it"))
-    assert [session.readings, session.readings] == [{"daq": None}, {}]
+    assert [session.readings(unheard), session.readings(unheard)] == [{"daq": None}, {}]
     assert len(asked) == 1
 
 
 def test_it_is_looked_at_again_once_the_stand_is_connected_anew(monkeypatch):
     session = session_of("dividing_head")
     failing(monkeypatch, NoReplyError("voltmeter", "does not answer", "look at it"))
-    assert session.readings == {"daq": None}
+    assert session.readings(unheard) == {"daq": None}
     monkeypatch.undo()
     session.disconnect()
     session.connect(AT_ONCE)
-    assert session.readings["daq"] is not None
+    assert session.readings(unheard)["daq"] is not None
 
 
 def test_a_meter_that_answers_something_else_has_no_value_and_is_asked_again(monkeypatch):
     session = session_of("dividing_head")
     asked = failing(monkeypatch, DeviceError("voltmeter", "answers something else", "look at it"))
-    assert [session.readings, session.readings] == [{"daq": None}, {"daq": None}]
+    assert [session.readings(unheard), session.readings(unheard)] == [{"daq": None}, {"daq": None}]
     assert len(asked) == 2
+
+
+def test_a_look_ends_where_somebody_wants_that_and_the_meter_is_looked_at_again(monkeypatch):
+    session = session_of("dividing_head")
+
+    def wait_for_an_answer(*_):
+        session.connected.stand.attention.check()
+        raise AssertionError("the wait went on")
+
+    def stop():
+        raise StopRequestedError("stopped")
+
+    monkeypatch.setattr(SimulatedDaq, "acquire", wait_for_an_answer)
+    with pytest.raises(StopRequestedError):
+        session.readings(stop)
+    monkeypatch.undo()
+    assert session.readings(unheard)["daq"] is not None
+
+
+def test_a_stop_while_a_meter_is_asked_who_it_is_brings_the_head_to_rest(monkeypatch):
+    stops = []
+    monkeypatch.setattr(SimulatedHead, "stop", lambda _: stops.append("told to stop"))
+
+    def stop(*_):
+        raise StopRequestedError("stopped")
+
+    monkeypatch.setattr(SimulatedDaq, "identify", stop)
+    session = StandSession(load_stand(), look_away)
+    with pytest.raises(StopRequestedError):
+        session.connect(AT_ONCE, check=stop)
+    assert stops
+    assert not session.is_connected

@@ -1,14 +1,18 @@
 """The screen Stand shows what a meter reads, while somebody looks at it."""
 
+import math
+from threading import Event
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from PySide6.QtCore import Qt
 
 from tumble.app.stand import load_stand
 from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
 from tumble.drivers.protocols import ChannelBlock, SampleBlock
 from tumble.drivers.simulated.daq import SimulatedDaq
+from tumble.drivers.simulated.head import SimulatedHead
 from tumble.window.widgets.instrument_table import InstrumentTable
 from tumble.window.widgets.live_value import LiveValue, Sparkline, _pieces, _places
 
@@ -89,6 +93,21 @@ def test_a_line_is_broken_at_a_gap():
     pieces = _pieces(np.array([1.0, 2.0, np.nan, 3.0, np.inf, np.nan, 4.0, 5.0]), 100.0, 42.0)
     assert [len(piece) for piece in pieces] == [2, 1, 2]
     assert _pieces(np.array([np.nan]), 100.0, 42.0) == []
+
+
+def test_a_value_between_two_gaps_is_a_dot(qtbot, qapp):
+    line = Sparkline()
+    qtbot.addWidget(line)
+    line.resize(100, 42)
+    line.add(1.0)
+    for value in (math.nan, 2.0, math.nan, 1.0):
+        line.add(value)
+    picture = line.grab().toImage()
+    ground = picture.pixelColor(0, 0)
+    place = _places(np.array(line.values), 100.0, 42.0)[1]
+    inked = [(x, y) for x in range(picture.width()) for y in range(12) if picture.pixelColor(x, y) != ground]
+    assert inked
+    assert all(abs(x - place.x()) < 3 and abs(y - place.y()) < 3 for x, y in inked)
 
 
 def test_a_value_that_stays_is_drawn_at_half_the_height():
@@ -178,3 +197,21 @@ def test_a_meter_that_is_gone_is_told(driver, monkeypatch):
     monkeypatch.setattr(SimulatedDaq, "acquire", vanish)
     driver.wait(lambda: driver.complaints)
     assert driver.complaints == ["voltmeter: is gone; check its cable"]
+
+
+def test_stop_does_not_wait_for_a_meter_that_is_silent(driver, monkeypatch):
+    attention, told, waiting = driver.window.worker.session.connected.stand.attention, Event(), Event()
+    stop = SimulatedHead.stop
+
+    def keep_silent(*_):
+        waiting.set()
+        while not told.wait(0.01):
+            attention.check()
+        raise NoReplyError("voltmeter", "does not answer", "look at it")
+
+    monkeypatch.setattr(SimulatedDaq, "acquire", keep_silent)
+    monkeypatch.setattr(SimulatedHead, "stop", lambda head: (told.set(), stop(head)))
+    driver.wait(waiting.is_set)
+    driver.press(Qt.Key.Key_F12)
+    driver.wait(told.is_set, timeout_s=10)
+    assert driver.complaints == []

@@ -1,6 +1,7 @@
 """What is painted by hand stands out from its ground, in light, in dark and in high contrast."""
 
 from itertools import product
+from typing import get_args
 
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ from benchmarks.window_marks import Mark, marks
 from tumble.calibrations.methods.dividing_head.geometry import MOUNTS
 from tumble.window.look.shades import CONTRAST, DARK, LIGHT, Shade
 from tumble.window.look.sheet import style_sheet
+from tumble.window.look.signs import Ink
 from tumble.window.look.theme import dress
 from tumble.window.look.tints import BLUE
 from tumble.window.methods.dividing_head.pose_picture import PosePicture
@@ -107,6 +109,13 @@ def test_every_series_of_a_plot_stands_out(shade, window):
 @pytest.mark.parametrize("chosen", [LIGHT, DARK, CONTRAST])
 def test_colours_of_data_stand_out_from_paper_and_window(chosen):
     pairs = product(chosen.data, (chosen.paper, chosen.window))
+    assert [pair for pair in pairs if contrast(*map(rgb, pair)) < LEAST_CONTRAST] == []
+
+
+@pytest.mark.parametrize("chosen", [LIGHT, DARK, CONTRAST])
+def test_signs_and_bars_stand_out_from_every_row_of_a_table(chosen):
+    inks = {getattr(chosen, ink) for ink in get_args(Ink)} | set(chosen.data[:2])
+    pairs = [*product(inks, (chosen.paper, chosen.other_row)), (chosen.highlighted, chosen.highlight)]
     assert [pair for pair in pairs if contrast(*map(rgb, pair)) < LEAST_CONTRAST] == []
 
 

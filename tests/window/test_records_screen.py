@@ -44,10 +44,11 @@ def measured(qtbot, two_records, driver_of, tmp_path, no_report):
     search.verdict.setCurrentIndex(0)
     search.until.setDate(search.until.minimumDate())
     records.said.clear()
-    records.table.sortByColumn(3, Qt.SortOrder.DescendingOrder)
+    records.table.sortByColumn(2, Qt.SortOrder.DescendingOrder)
     driver.window.open(records)
     records.refresh()
     driver.wait(lambda: not (driver.window.background.is_busy or records.surveyor.is_busy))
+    driver.wait(lambda: records.trend.records == records.records)
     records.table.clearSelection()
     assert units(driver) == ["B-2", "A-1"]
     return driver
@@ -94,7 +95,58 @@ def test_two_records_are_compared(measured):
     records = measured.window.records
     records.table.selectAll()
     records.compare_button.click()
-    measured.wait(lambda: "u0 changed by" in records.said.text())
+    measured.wait(lambda: records.tabs.currentWidget() is records.comparison)
+    texts = records.comparison.texts()[0]
+    assert (texts[0], texts[6].split(",")[0][:13]) == ("u0", "u0 changed by")
+    assert [records.comparison.horizontalHeaderItem(column).text()[:5] for column in (1, 2)] == ["● A-1", "■ B-2"]
+
+
+def test_the_record_that_is_chosen_is_shown_in_short(measured):
+    records = measured.window.records
+    records.table.selectRow(0)
+    measured.wait(lambda: records.preview.shown is not None)
+    assert records.preview.unit.text() == "B-2"
+    assert records.preview.values.texts()[0][0] == "u0"
+    assert records.preview.stand.text() == "Stand:\n  simulated: a simulated stand"
+    records.table.selectAll()
+    assert records.preview.unit.text() == "Choose a record to see it in short."
+
+
+def test_a_preview_stands_beside_the_list_where_there_is_room_and_is_a_tab_where_there_is_none(measured):
+    window, records = measured.window, measured.window.records
+    window.resize(1280, 800)
+    measured.wait(lambda: records.tabs.indexOf(records.preview) >= 0)
+    window.resize(1920, 1080)
+    measured.wait(lambda: records.tabs.indexOf(records.preview) < 0)
+    assert records.preview.isVisible()
+    window.resize(1280, 800)
+    measured.wait(lambda: records.tabs.indexOf(records.preview) >= 0)
+
+
+def test_what_is_chosen_stays_chosen_wherever_its_row_goes(measured):
+    records = measured.window.records
+    records.table.selectRow(1)
+    records.table.sortByColumn(0, Qt.SortOrder.AscendingOrder)
+    records.refresh()
+    with measured.bot.waitSignal(records.shown, timeout=60_000):
+        pass
+    assert [record.provenance.serial_number for record in records._chosen()] == ["A-1"]
+
+
+def test_of_two_that_are_chosen_the_one_that_is_still_found_stays(measured):
+    records = measured.window.records
+    records.table.selectAll()
+    records.search.serial.setText("b")
+    measured.wait(lambda: units(measured) == ["B-2"])
+    assert [record.provenance.serial_number for record in records._chosen()] == ["B-2"]
+    measured.wait(lambda: records.preview.unit.text() == "B-2")
+
+
+def test_a_sign_says_in_words_what_it_is(measured):
+    table = measured.window.records.table
+    said = [table.item(0, column).data(Qt.ItemDataRole.AccessibleTextRole) for column in (3, 5, 6)]
+    assert said == ["not judged", "no effect was found", "simulated: a simulated stand"]
+    assert not any(table.item(0, column).icon().isNull() for column in (3, 5, 6))
 
 
 def test_a_record_is_verified_and_an_altered_raw_file_is_not(measured, tmp_path):
@@ -163,7 +215,7 @@ def test_a_row_is_copied_whole(measured):
     table = measured.window.records.table
     table.selectRow(1)
     measured.press(Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier, at=table)
-    assert QGuiApplication.clipboard().text().split("\t")[0::2][:2] == ["A-1", "tiny"]
+    assert QGuiApplication.clipboard().text().split("\t")[:2] == ["A-1", "tiny"]
 
 
 @pytest.mark.parametrize("ending", ["JSON (*.json)", "HTML (*.html)", "CSV (*.csv)", "PDF (*.pdf)"])

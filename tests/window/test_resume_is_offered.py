@@ -79,7 +79,7 @@ def test_what_there_is_of_a_run_is_analysed_and_recorded(driver, tiny, tmp_path,
     assert (concluded.recordings, bool(concluded.record_id)) == ((path,), True)
     driver.wait(lambda: driver.window.records.records)
     assert not driver.window.records.records[0].complete
-    assert driver.window.records.table.texts()[0][6].startswith("⚠")
+    assert driver.window.records.table.texts()[0][4].startswith("⚠")
 
 
 def test_what_cannot_be_analysed_is_told(driver, tmp_path):

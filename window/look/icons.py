@@ -17,17 +17,18 @@ _LINE: Final = 1.8
 def icon(name: str, ink: str, chosen_ink: str) -> QIcon:
     """A sign in one colour, and in another where its button is pressed."""
     made = QIcon()
-    made.addPixmap(_pixmap(name, ink), QIcon.Mode.Normal, QIcon.State.Off)
-    made.addPixmap(_pixmap(name, chosen_ink), QIcon.Mode.Normal, QIcon.State.On)
+    made.addPixmap(painted(_SIGNS[name], ink), QIcon.Mode.Normal, QIcon.State.Off)
+    made.addPixmap(painted(_SIGNS[name], chosen_ink), QIcon.Mode.Normal, QIcon.State.On)
     return made
 
 
 def window_icon() -> QIcon:
     """The sign of the program, for the desktop."""
-    return QIcon(_pixmap("stand", "#0072B2"))
+    return QIcon(painted(_stand, "#0072B2"))
 
 
-def _pixmap(name: str, ink: str) -> QPixmap:
+def painted(sign: Callable[[QPainter], None], ink: str) -> QPixmap:
+    """A sign, which is described in a field of 24 by 24, in a colour."""
     pixmap = QPixmap(_PX, _PX)
     pixmap.fill(Qt.GlobalColor.transparent)
     painter = QPainter(pixmap)
@@ -37,7 +38,7 @@ def _pixmap(name: str, ink: str) -> QPixmap:
     pen.setCapStyle(Qt.PenCapStyle.RoundCap)
     pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
     painter.setPen(pen)
-    _SIGNS[name](painter)
+    sign(painter)
     painter.end()
     return pixmap
 

@@ -1,11 +1,31 @@
 """Verdicts as words in lists, each with a sign."""
 
+from typing import Final
+
 from tumble.calibrations.core.verdict import Outcome
 from tumble.window.look.language import tr
+from tumble.window.look.signs import CROSS, DASH, QUESTION, TICK
+
+VERDICT_SIGNS: Final = {
+    Outcome.PASS: TICK,
+    Outcome.FAIL: CROSS,
+    Outcome.NOT_DECIDED: QUESTION,
+    Outcome.NO_LIMITS: DASH,
+}
+
+
+def verdict_words(outcome: Outcome) -> str:
+    """How a unit stands against the limits of its programme, where a sign is beside."""
+    return {
+        Outcome.PASS: tr("inside"),
+        Outcome.FAIL: tr("outside"),
+        Outcome.NOT_DECIDED: tr("not decided"),
+        Outcome.NO_LIMITS: tr("not judged"),
+    }[outcome]
 
 
 def verdict_mark(outcome: Outcome) -> str:
-    """How a unit stands against the limits of its programme."""
+    """The same where there is none."""
     return {
         Outcome.PASS: tr("✓ inside"),
         Outcome.FAIL: tr("✗ outside"),

@@ -1,30 +1,29 @@
 """The screen Records: what was measured, compared, verified, written elsewhere, and what came to no end."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QPushButton, QTabWidget, QVBoxLayout, QWidget
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtWidgets import QPushButton, QTabWidget, QVBoxLayout, QWidget
 
 from tumble.app.discarding import FOLDER
-from tumble.app.headline import headline
-from tumble.calibrations.core.quantities import format_in_unit
-from tumble.calibrations.core.verdict import Model
 from tumble.calibrations.records.record import Record
 from tumble.procedures.errors import InputError
 from tumble.window.look.language import tr
-from tumble.window.look.numbers import local
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
-from tumble.window.look.verdicts import verdict_mark
 from tumble.window.screens.cut_off_view import CutOffView
 from tumble.window.screens.exporting import Exporting
+from tumble.window.screens.record_preview import RecordPreview
 from tumble.window.screens.stand_records import StandRecords
+from tumble.window.widgets.comparison_table import ComparisonTable
 from tumble.window.widgets.dialog import FileDialog, QuestionDialog
+from tumble.window.widgets.folding_row import FoldingRow, buttons_at_left, buttons_beside
 from tumble.window.widgets.record_search import RecordSearch
-from tumble.window.widgets.sortable_table import SortableTable
+from tumble.window.widgets.record_table import RecordTable
+from tumble.window.widgets.side_pane import SidePane
 from tumble.window.widgets.splitter import Splitter
 from tumble.window.widgets.trend_plot import TrendPlot
 from tumble.window.work import records as store
@@ -33,8 +32,11 @@ from tumble.window.work.background import Background
 from tumble.window.work.newest import Newest
 
 if TYPE_CHECKING:
-    from tumble.calibrations.records.compare import Difference
     from tumble.calibrations.records.verify import Verification
+    from tumble.window.work.compared import Comparison
+
+_REST_MS: Final = 150
+"""The trend is drawn once nobody has looked for others for so long: drawing keeps a key waiting."""
 
 
 class RecordsScreen(QWidget):
@@ -58,22 +60,11 @@ class RecordsScreen(QWidget):
         self._background, self._folder, self._searches = background, folder, Newest(background)
         self.surveyor = Background(self)
         """Looks around in the store, which takes longer than a search and keeps none waiting."""
+        self._rest = QTimer(self, interval=_REST_MS)
         self.records: tuple[Record, ...] = ()
+        self.preview, self._previews, self.comparison = RecordPreview(), Newest(background), ComparisonTable()
         self.search, self.trend, self.cut_off, self.stands = RecordSearch(), TrendPlot(), CutOffView(), StandRecords()
-        self.table = SortableTable(
-            (
-                tr("unit"),
-                tr("method"),
-                tr("programme"),
-                tr("measured"),
-                tr("revision"),
-                tr("verdict"),
-                tr("result"),
-                tr("record"),
-            ),
-            newest=3,
-        )
-        self._titles: Mapping[str, str] = {}
+        self.table = RecordTable()
         self.said, self.more = PlainLabel(), PlainLabel()
         self.more.hide()
         self.tabs = QTabWidget()
@@ -89,9 +80,11 @@ class RecordsScreen(QWidget):
         self._exporting.wanted.connect(self.export_to)
         self.search.changed.connect(self.look)
         self.table.itemActivated.connect(lambda _: self._open())
-        self.table.itemSelectionChanged.connect(self._refresh_buttons)
+        self.table.itemSelectionChanged.connect(self._show_chosen)
         self.cut_off.resume_wanted.connect(self.resume)
-        self.shown.connect(self._draw_trend, Qt.ConnectionType.QueuedConnection)  # the table is seen before
+        self._rest.setSingleShot(True)
+        self._rest.timeout.connect(self._draw_trend)
+        self.shown.connect(self._rest.start)
         self.refresh()
 
     def refresh(self) -> None:
@@ -113,12 +106,9 @@ class RecordsScreen(QWidget):
             self._start(partial(store.export, self._folder(), record.id, path), self._say_exported)
 
     def _lay_out(self) -> None:
-        buttons = QHBoxLayout()
-        alone = (self.open_button, self.again_button, self.export_button)
-        for button in (*alone[:1], self.compare_button, self.verify_button, *alone[1:]):
-            buttons.addWidget(button)
-        buttons.addStretch(1)
-        buttons.addWidget(self.file_button)
+        of_records = (self.open_button, self.compare_button, self.verify_button)
+        further = (self.again_button, self.export_button, self.file_button)
+        buttons = FoldingRow((buttons_at_left(of_records), buttons_beside(further)))
         self.said.setWordWrap(True)
         self.said.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         listed = QWidget()
@@ -126,7 +116,7 @@ class RecordsScreen(QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(self.table, stretch=1)
         column.addWidget(self.more)
-        column.addLayout(buttons)
+        column.addWidget(buttons)
         column.addWidget(self.said)
         for part, title in (
             (self.trend, tr("Trend")),
@@ -136,7 +126,8 @@ class RecordsScreen(QWidget):
             self.tabs.addTab(part, title)
         layout = QVBoxLayout(self)
         layout.addWidget(self.search)
-        layout.addWidget(Splitter(Qt.Orientation.Vertical, (listed, self.tabs), (3, 2)), stretch=1)
+        parts = Splitter(Qt.Orientation.Vertical, (listed, self.tabs), (3, 2))
+        layout.addWidget(SidePane(parts, self.tabs, self.preview, tr("In short")), stretch=1)
 
     def _button(self, text: str, do: Callable[[], None]) -> QPushButton:
         button = QPushButton(text)
@@ -144,12 +135,21 @@ class RecordsScreen(QWidget):
         return button
 
     def _show(self, found: store.Found) -> None:
-        self.records, self._titles = found.records, found.titles
-        self.table.fill([self._line(record) for record in found.records])
-        self.more.setText(tr("The newest {count} are listed; look for fewer to see others.", count=len(found.records)))
+        self.records = tuple(line.record for line in found.lines)
+        self.table.show_lines(found.lines)
+        self.more.setText(tr("The newest {count} are listed; look for fewer to see others.", count=len(self.records)))
         self.more.setVisible(found.more)
         self._refresh_buttons()
         self.shown.emit()
+
+    def _show_chosen(self) -> None:
+        """Say what can be done with what is chosen, and show it in short."""
+        self._refresh_buttons()
+        chosen = self._chosen()
+        if len(chosen) == 1:
+            self._previews.start(partial(store.preview, chosen[0]), self.preview.show_preview)
+        else:
+            self.preview.show_nothing()
 
     def _draw_trend(self) -> None:
         self.trend.show_records(self.records)
@@ -160,23 +160,11 @@ class RecordsScreen(QWidget):
         self.found_cut_off.emit(around.cut_off)
         self.stands.show_records(around.stands)
         title = tr("Runs without a record")
-        self.tabs.setTabText(1, f"{title} ({len(around.cut_off)})" if around.cut_off else title)
-
-    def _line(self, record: Record) -> tuple[str, ...]:
-        origin = record.provenance
-        return (
-            origin.serial_number,
-            in_language(self._titles.get(record.method, record.method)),
-            origin.programme_name,
-            (origin.measured_at or f"{record.created_at:%Y-%m-%dT%H:%M}").replace("T", " ")[:16],
-            str(record.revision),
-            verdict_mark(record.verdict.outcome),
-            f"⚠ {_headline(record)}" if unsettled(record) else _headline(record),
-            record.id,
-        )
+        counted = f"{title} ({len(around.cut_off)})" if around.cut_off else title
+        self.tabs.setTabText(self.tabs.indexOf(self.cut_off), counted)
 
     def _chosen(self) -> list[Record]:
-        return [self.records[row] for row in self.table.chosen]
+        return self.table.chosen_records
 
     def _refresh_buttons(self) -> None:
         count = len(self.table.chosen)
@@ -211,10 +199,14 @@ class RecordsScreen(QWidget):
 
     def _compare(self) -> None:
         first, second = self._chosen()
-        self._start(partial(store.differences, self._folder(), first.id, second.id), self._say_differences)
+        self._start(partial(store.comparison, first, second), self._show_comparison)
 
-    def _say_differences(self, found: "tuple[Difference, ...]") -> None:
-        self.said.setText("\n".join(in_language(difference.sentence) for difference in found))
+    def _show_comparison(self, found: "Comparison") -> None:
+        self.said.clear()
+        self.comparison.show_comparison(found)
+        if self.tabs.indexOf(self.comparison) < 0:
+            self.tabs.insertTab(1, self.comparison, tr("Comparison"))
+        self.tabs.setCurrentWidget(self.comparison)
 
     def _verify(self) -> None:
         ids = [record.id for record in self._chosen()]
@@ -276,21 +268,3 @@ class RecordsScreen(QWidget):
             self.refused.emit(error)
             return
         self.resume_wanted.emit(resumption, resumption.unfinished.recording.points)
-
-
-def unsettled(record: Record) -> bool:
-    """Whether a record has something to be read before its values: found, withheld, or cut off."""
-    if record.model is Model.AUGMENTED or not record.complete:
-        return True
-    declared, values = record.parameters, record.values
-    return any(each.value is not None and values[name].value is None for name, each in declared.items())
-
-
-def _headline(record: Record) -> str:
-    """The parameter that stands for the result, with the condition on which it stands; empty where none has a value."""
-    parameter = headline(record)
-    if parameter is None or parameter.value is None:
-        return ""
-    value = local(format_in_unit(parameter.value, parameter.standard_uncertainty, parameter.unit))
-    condition = f" ({in_language(parameter.condition)})" if parameter.condition else ""
-    return f"{parameter.name} = {value}{condition}"

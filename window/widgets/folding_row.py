@@ -40,6 +40,17 @@ class FoldingRow(QWidget):
         self.updateGeometry()
 
 
+def buttons_at_left(buttons: Sequence[QPushButton]) -> QWidget:
+    """Buttons that stay beside each other, as wide as they want to be wherever there is more room."""
+    together = buttons_beside(buttons)
+    room = QWidget()
+    across = QHBoxLayout(room)
+    across.setContentsMargins(0, 0, 0, 0)
+    across.addWidget(together)
+    across.addStretch(1)
+    return room
+
+
 def buttons_beside(buttons: Sequence[QPushButton]) -> QWidget:
     """Buttons that stay beside each other."""
     together = QWidget()

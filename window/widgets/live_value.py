@@ -6,7 +6,7 @@ from itertools import pairwise
 from typing import Final
 
 import numpy as np
-from PySide6.QtCore import QEvent, QPointF, QSize
+from PySide6.QtCore import QEvent, QPointF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
@@ -23,6 +23,8 @@ _KEPT: Final = 150
 _TOLD: Final = 3
 """Channels whose values are told; the line is that of the first."""
 _EDGE_PX: Final = 2.0
+_LINE_PX: Final = 1.5
+_DOT_PX: Final = 3.0
 
 
 class LiveValue(QWidget):
@@ -98,13 +100,17 @@ class Sparkline(QWidget):
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: N802, ARG002  # Qt's name
-        """Draw the line."""
-        values = np.array(self.values)
+        """Draw the line, and a dot where a value stands alone between two gaps."""
+        values, colour = np.array(self.values), QColor(colours(self).accent)
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setPen(QPen(QColor(colours(self).accent), 1.5))
         for piece in _pieces(values, self.width(), self.height()):
-            painter.drawPolyline(QPolygonF(piece))
+            if len(piece) > 1:
+                painter.setPen(QPen(colour, _LINE_PX))
+                painter.drawPolyline(QPolygonF(piece))
+            else:
+                painter.setPen(QPen(colour, _DOT_PX, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
+                painter.drawPoint(piece[0])
 
 
 def _pieces(values: FloatArray, width: float, height: float) -> list[list[QPointF]]:

@@ -16,8 +16,14 @@ _ROW: Final = Qt.ItemDataRole.UserRole
 class _Item(QTableWidgetItem):
     """Comes before another by the numbers in their texts, and by the row that they had where these are alike."""
 
+    def __init__(self, text: str, row: int) -> None:
+        super().__init__(text)
+        self.setData(_ROW, row)
+        self.place = _parts(text), row
+
     def __lt__(self, other: QTableWidgetItem) -> bool:
-        return (_parts(self.text()), self.data(_ROW)) < (_parts(other.text()), other.data(_ROW))
+        assert isinstance(other, _Item), "all cells of a table are of this kind"
+        return self.place < other.place
 
 
 class SortableTable(Table):
@@ -31,25 +37,24 @@ class SortableTable(Table):
         self.setSortingEnabled(True)
         self.sortByColumn(newest, Qt.SortOrder.DescendingOrder)
 
-    def fill(self, rows: Sequence[Sequence[str]], inks: Sequence[Ink | None] = ()) -> None:
-        """Show other rows in the order that is chosen."""
+    def write(self, rows: Sequence[Sequence[str]], inks: Sequence[Ink | None]) -> None:
+        """Put other texts into the cells, in the order that is chosen."""
         self.setSortingEnabled(False)
-        super().fill(rows, inks)
+        super().write(rows, inks)
         self.setSortingEnabled(True)
+
+    def number(self, row: int) -> int:
+        """The number that a row had when it was filled in, by where it stands now."""
+        return int(self.model().index(row, 0).data(_ROW))
 
     @property
     def chosen(self) -> list[int]:
         """Numbers of the rows that are selected, as they were filled in, the lowest first."""
-        return sorted(self._number(row) for row in super().chosen)
+        return sorted(self.number(row) for row in super().chosen)
 
     def item_made(self, text: str, row: int) -> QTableWidgetItem:
         """A cell that knows its order."""
-        item = _Item(text)
-        item.setData(_ROW, row)
-        return item
-
-    def _number(self, row: int) -> int:
-        return int(self.model().index(row, 0).data(_ROW))
+        return _Item(text, row)
 
 
 def _parts(text: str) -> list[tuple[int, float, str]]:

@@ -38,6 +38,12 @@ class Table(QTableWidget):
         """Show other rows, each in an ink of its own where one is given."""
         self.clearSpans()
         self._measure(QHeaderView.ResizeMode.Fixed)  # once at the end, and not all cells again after each
+        self.write(rows, inks)
+        self.colour()
+        self._measure(QHeaderView.ResizeMode.ResizeToContents)
+
+    def write(self, rows: Sequence[Sequence[str]], inks: Sequence[Ink | None]) -> None:
+        """Put other texts into the cells."""
         self.setRowCount(len(rows))
         for number, row in enumerate(rows):
             ink = inks[number] if number < len(inks) else None
@@ -46,11 +52,9 @@ class Table(QTableWidget):
                 item.setToolTip(as_tooltip(text))
                 item.setData(_INK, ink)
                 self.setItem(number, column, item)
-        self._ink()
-        self._measure(QHeaderView.ResizeMode.ResizeToContents)
 
-    def _ink(self) -> None:
-        """Write in the colours that are chosen."""
+    def colour(self) -> None:
+        """Write in the colours of the window; called again where they change."""
         chosen = colours(self)
         for row in range(self.rowCount()):
             for column in range(self.columnCount()):
@@ -61,6 +65,12 @@ class Table(QTableWidget):
     def item_made(self, text: str, row: int) -> QTableWidgetItem:  # noqa: ARG002  # for tables that are sorted
         """A cell of a row, by its number."""
         return QTableWidgetItem(text)
+
+    def cell(self, row: int, column: int) -> QTableWidgetItem:
+        """A cell that was written."""
+        item = self.item(row, column)
+        assert item is not None, "every cell of a row is written"
+        return item
 
     def _measure(self, mode: QHeaderView.ResizeMode) -> None:
         """How rows and columns find their sizes."""
@@ -92,7 +102,7 @@ class Table(QTableWidget):
         if event.type() == QEvent.Type.FontChange:
             self._keep_lines()
         elif event.type() == QEvent.Type.PaletteChange:
-            self._ink()
+            self.colour()
 
     def _keep_lines(self) -> None:
         self.setMinimumHeight(_LEAST_LINES * self.fontMetrics().height())

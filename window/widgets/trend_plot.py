@@ -35,7 +35,8 @@ class TrendPlot(QWidget):
         self._dates, self._numbers = pg.DateAxisItem(orientation="bottom"), LocalAxis(orientation="bottom")
         self._bars = pg.ErrorBarItem(beam=0)
         self._marks = pg.ScatterPlotItem(size=9)
-        self._records: Sequence[Record] = ()
+        self.records: Sequence[Record] = ()
+        """Those that are drawn, as far as they have a value."""
         self.drawn = 0
         """How many records have a value."""
         self.key = ""
@@ -48,13 +49,13 @@ class TrendPlot(QWidget):
 
     def show_records(self, records: Sequence[Record]) -> None:
         """Draw other records, of the parameter that is chosen where one of them has it."""
-        self._records = records
+        self.records = records
         self._offer()
         self._draw()
 
     def _offer(self) -> None:
         """Offer the parameters of all records; one whose unit differs between methods once for each."""
-        offered = list(dict.fromkeys(_key(each) for record in self._records for each in record.values.values()))
+        offered = list(dict.fromkeys(_key(each) for record in self.records for each in record.values.values()))
         chosen = self.parameter.currentData() or self._headline()
         self.parameter.blockSignals(True)
         self.parameter.clear()
@@ -67,7 +68,7 @@ class TrendPlot(QWidget):
 
     def _headline(self) -> tuple[str, str] | None:
         """That which stands for the result of the newest record."""
-        found = (headline(record) for record in self._records)
+        found = (headline(record) for record in self.records)
         return next((_key(each) for each in found if each is not None), None)
 
     def _lay_out(self) -> None:
@@ -87,7 +88,7 @@ class TrendPlot(QWidget):
         name, unit = self.parameter.currentData() or ("", "")
         told = [
             (record, parameter.value, parameter.interval_95)
-            for record in self._records
+            for record in self.records
             if (parameter := record.values.get(name))
             and parameter.unit == unit
             and parameter.value is not None

@@ -34,6 +34,11 @@ class OrderThread:
         """Have `action` called after everything before it, and `done` in the event loop with what it raised."""
         self._orders.put((action, done))
 
+    @property
+    def is_wanted(self) -> bool:
+        """Whether an order waits; from any thread."""
+        return not self._orders.empty()
+
     def end(self) -> None:
         """Carry out what waits, and end; returns when that is done."""
         self._orders.put(None)

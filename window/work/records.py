@@ -5,7 +5,7 @@ Database and analysis are imported when they are called: a window is up before t
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
@@ -21,9 +21,12 @@ from tumble.window.work.activity import Concluded, Resumption
 
 if TYPE_CHECKING:
     from tumble.app.cut_off import CutOff
-    from tumble.calibrations.records.compare import Difference
+    from tumble.calibrations.records.store import Store
     from tumble.calibrations.records.verify import Verification
     from tumble.calibrations.stand_records.record import StandRecord
+    from tumble.window.work.compared import Comparison
+    from tumble.window.work.preview import Preview
+    from tumble.window.work.record_lines import RecordLine
 
 
 SHOWN: Final = 60
@@ -34,12 +37,10 @@ SHOWN: Final = 60
 class Found:
     """What was looked for."""
 
-    records: tuple[Record, ...]
+    lines: "tuple[RecordLine, ...]"
     """The newest of them, in the order in which they were measured."""
     more: bool
     """Whether there are older ones."""
-    titles: Mapping[str, str]
-    """What the installed methods measure, in words, by name."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -55,13 +56,21 @@ class Around:
 
 def search(folder: Path, wanted: Wanted) -> Found:
     """Look for records; a store that is not there holds nothing."""
-    from tumble.app.opening import open_store
     from tumble.calibrations.records.store import DATABASE
+    from tumble.window.work.record_lines import lines_of
 
     if not (folder / DATABASE).is_file():
-        return Found(records=(), more=False, titles=method_titles())
-    found = open_store(folder).newest(wanted, SHOWN + 1)
-    return Found(records=found[:SHOWN][::-1], more=len(found) > SHOWN, titles=method_titles())
+        return Found(lines=(), more=False)
+    found = _kept_open(folder).newest(wanted, SHOWN + 1)
+    return Found(lines=lines_of(found[:SHOWN][::-1], method_titles()), more=len(found) > SHOWN)
+
+
+@lru_cache(maxsize=1)
+def _kept_open(folder: Path) -> "Store":
+    """A store as it was opened first: of a search among many records a tenth of the time would go into opening it."""
+    from tumble.app.opening import open_store
+
+    return open_store(folder)
 
 
 def look_around(folder: Path) -> Around:
@@ -161,13 +170,18 @@ def discard(folder: Path, path: Path) -> Path:
     return discard(folder, path)
 
 
-def differences(folder: Path, first: str, second: str) -> "tuple[Difference, ...]":
-    """Compare two records."""
-    from tumble.app.opening import open_store
-    from tumble.calibrations.records.compare import compare
+def preview(record: Record) -> "Preview":
+    """A record in short."""
+    from tumble.window.work.preview import preview
 
-    records = open_store(folder)
-    return compare(records.get(first), records.get(second))
+    return preview(record)
+
+
+def comparison(first: Record, second: Record) -> "Comparison":
+    """Hold two records against each other. Raises `RecordError`."""
+    from tumble.window.work.comparison import comparison
+
+    return comparison(first, second)
 
 
 def verify_all(folder: Path, record_ids: Sequence[str]) -> "tuple[Verification, ...]":

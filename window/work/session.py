@@ -1,6 +1,6 @@
 """The stand of the window, as one object."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import ExitStack, suppress
 from copy import deepcopy
 from dataclasses import dataclass
@@ -12,12 +12,14 @@ from tumble.app.stand import LoadedStand
 from tumble.app.stand_lock import holding
 from tumble.app.wiring import Attendant, Connected, connect
 from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
-from tumble.drivers.protocols import Block, Identity, PositionerStatus, Sampler
+from tumble.drivers.protocols import Block, Identity, PositionerStatus, Sampler, Stand
 from tumble.messages import Message
 from tumble.procedures.axes import Look
+from tumble.procedures.errors import InputError, StopRequestedError
 from tumble.procedures.interlock import Interlock
 from tumble.procedures.losses import Losses
 from tumble.procedures.motion import Motion, standstill
+from tumble.window.look.language import tr
 
 _TOLERANCE_DEG: Final = 0.01
 _GLANCE_S: Final = 0.05
@@ -55,6 +57,14 @@ class StandSession:
         """Whether a stand file is the one that was chosen: it lies in the same place and says the same."""
         return (_place(other), other.sha256) == (_place(self.loaded), self.loaded.sha256)
 
+    def check_is_of(self, its: LoadedStand) -> None:
+        """Raise `InputError` where a run belongs to another stand than the one that was chosen."""
+        if not self.is_of(its):
+            names = {"its": its.file.name, "chosen": self.loaded.file.name}
+            raise InputError(
+                tr("The run belongs to the stand {its}, and {chosen} is chosen: choose {its} first", **names)
+            )
+
     @property
     def is_connected(self) -> bool:
         """Whether there are instruments."""
@@ -72,14 +82,17 @@ class StandSession:
         """Where the positioners are, as they read it now, by name. Raises `DeviceError`."""
         return {name: positioner.status() for name, positioner in self.connected.stand.positioners.items()}
 
-    @property
-    def readings(self) -> dict[str, Block | None]:
+    def readings(self, check: Callable[[], object]) -> dict[str, Block | None]:
         """What the samplers read now, by name: a few samples of each that takes them within an instant.
 
         None of one that answers something else than samples. One that does not answer is not looked at again until the
-        stand is connected anew, and a look ends with it: a stop waits for one that is silent at most once. Raises
-        `LinkLostError`, and as `connected`.
+        stand is connected anew, and a look ends with it. Raises `LinkLostError`, as `connected`, and what `check`
+        raises, which is called while an answer is awaited.
         """
+        with self.connected.stand.attention.paid_to(check):
+            return self._readings()
+
+    def _readings(self) -> dict[str, Block | None]:
         tables = self.loaded.file.samplers
         quick = {name: table.rate_hz for name, table in tables.items() if table.rate_hz * _GLANCE_S >= 1.0}
         blocks: dict[str, Block | None] = {}
@@ -117,7 +130,9 @@ class StandSession:
 
     def motion(self, name: str) -> Motion:
         """Moves of a positioner. Raises `DeviceError`."""
-        stand = self.connected.stand
+        return self._motion(self.connected.stand, name)
+
+    def _motion(self, stand: Stand, name: str) -> Motion:
         look = partial(self._look, name)
         return Motion(stand.positioners[name], stand.clock, _TOLERANCE_DEG, look=look, title=stand.title(name))
 
@@ -125,22 +140,37 @@ class StandSession:
         """What makes sure that nothing turns behind an open door. Raises as `connected`."""
         return Interlock(self.connected.stand, Losses())
 
-    def connect(self, attendant: Attendant, past: Sequence[Past] = ()) -> StandIdentity:
-        """Reach the instruments, which were left before. Raises `InputError`, `JobError`, `DeviceError`."""
+    def connect(
+        self, attendant: Attendant, past: Sequence[Past] = (), check: Callable[[], object] = lambda: None
+    ) -> StandIdentity:
+        """Reach the instruments, which were left before.
+
+        `check` is called while a sampler is awaited; it may raise `StopRequestedError`, at which whatever moves is
+        brought to rest. Raises `InputError`, `JobError`, `DeviceError`.
+        """
         with ExitStack() as stack:
             stack.enter_context(holding(self.loaded, "no unit yet"))
             connected = connect(self.loaded, attendant=attendant, past=past)
             stack.callback(connected.links.close)
             stand = connected.stand
-            identity = StandIdentity(
-                loaded=self.loaded,
-                instruments={name: instrument.identify() for name, instrument in stand.instruments.items()},
-                statuses={name: positioner.status() for name, positioner in stand.positioners.items()},
-                warnings=connected.warnings,
-            )
+            try:
+                with stand.attention.paid_to(check):
+                    identity = self._identity(connected)
+            except StopRequestedError:
+                self._halt(stand)
+                raise
             self._connected, self._held = connected, stack.pop_all()
             self._silent.clear()
         return identity
+
+    def _identity(self, connected: Connected) -> StandIdentity:
+        stand = connected.stand
+        return StandIdentity(
+            loaded=self.loaded,
+            instruments={name: instrument.identify() for name, instrument in stand.instruments.items()},
+            statuses={name: positioner.status() for name, positioner in stand.positioners.items()},
+            warnings=connected.warnings,
+        )
 
     def disconnect(self) -> None:
         """Leave the instruments; raises what closing them raises."""
@@ -149,10 +179,11 @@ class StandSession:
 
     def halt(self) -> None:
         """Tell every positioner to stop and read its rest back. Raises `DeviceError` where that could not be read."""
-        if self._connected is None:
-            return
-        stand = self._connected.stand
-        motions = [self.motion(name) for name in stand.positioners]
+        if self._connected is not None:
+            self._halt(self._connected.stand)
+
+    def _halt(self, stand: Stand) -> None:
+        motions = [self._motion(stand, name) for name in stand.positioners]
         for motion in motions:
             with suppress(Exception):  # `standstill` says it again, over a link that it opens anew
                 motion.brake()

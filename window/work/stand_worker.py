@@ -93,7 +93,7 @@ class StandWorker(QObject):
     def connect_to(self, attendant: Attendant) -> None:
         """Reach the instruments of the stand that is chosen."""
         session = self.session
-        self._begin(lambda _: self._connect(session, attendant))
+        self._begin(lambda control: self._connect(session, attendant, control))
 
     def disconnect_from(self) -> None:
         """Leave the instruments."""
@@ -104,13 +104,8 @@ class StandWorker(QObject):
 
         Raises `InputError` where the run belongs to another stand than the one that is chosen.
         """
-        session, its = self.session, activity.job.stand
-        if not session.is_of(its):
-            names = {"its": its.file.name, "chosen": session.loaded.file.name}
-            raise InputError(
-                tr("The run belongs to the stand {its}, and {chosen} is chosen: choose {its} first", **names)
-            )
-        return self._begin(partial(self._carry_out, session, activity, attendant), self.broken_off)
+        self.session.check_is_of(activity.job.stand)
+        return self._begin(partial(self._carry_out, self.session, activity, attendant), self.broken_off)
 
     def watch(self, watched: bool) -> None:
         """Whether somebody looks at what the samplers read while there is nothing else to do."""
@@ -217,9 +212,11 @@ class StandWorker(QObject):
 
     # What follows happens in the thread of the stand.
 
-    def _connect(self, session: StandSession, attendant: Attendant, past: Sequence[Past] = ()) -> Connected:
+    def _connect(
+        self, session: StandSession, attendant: Attendant, control: Control, past: Sequence[Past] = ()
+    ) -> Connected:
         self._leave_stand(session)
-        self._tell(session, self.connected, session.connect(attendant, past))
+        self._tell(session, self.connected, session.connect(attendant, past, control.check))
         return session.connected
 
     def _leave_stand(self, session: StandSession) -> None:
@@ -230,7 +227,7 @@ class StandWorker(QObject):
     def _carry_out(self, session: StandSession, activity: Activity, attendant: Attendant, control: Control) -> None:
         """Run at the instruments that are connected, unless a simulated stand must live through something first."""
         as_it_is = session.is_connected and not activity.past
-        connected = session.connected if as_it_is else self._connect(session, attendant, activity.past)
+        connected = session.connected if as_it_is else self._connect(session, attendant, control, activity.past)
         self._bridge.count(progress_of(activity, connected))
         ready = replace(connected, control=control, look=self._bridge.look)
         tell, ran = partial(self._tell, session, self.stage), len(connected.ran)
@@ -277,11 +274,18 @@ class StandWorker(QObject):
         try:
             for name, status in session.statuses.items():
                 self._tell(session, self.position_seen, name, status)
-            for name, block in session.readings.items() if self._watched else ():
+            for name, block in session.readings(self._give_way).items() if self._watched else ():
                 self._tell(session, self.reading_seen, name, block)
+        except StopRequestedError:  # the next look sees what this one has not
+            return
         except Exception:
             self._leave_stand(session)
             raise
+
+    def _give_way(self) -> None:
+        """Look no longer where an order waits."""
+        if self._thread.is_wanted:
+            raise StopRequestedError("an order waits")
 
 
 def _unless_stopped(action: Action, control: Control) -> None:

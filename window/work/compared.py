@@ -1,0 +1,39 @@
+"""Two records held against each other, as they are shown."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, kw_only=True)
+class Interval:
+    """A value and the ends of its 95% interval, all in one unit."""
+
+    value: float
+    low: float
+    high: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class ComparedLine:
+    """One parameter of two records."""
+
+    name: str
+    first: str
+    second: str
+    difference: str
+    """The second minus the first, with its expanded uncertainty (coverage factor 2); empty where there is none."""
+    ratio: str
+    """The difference in its standard uncertainties."""
+    sentence: str
+    intervals: tuple[Interval | None, Interval | None]
+    """Of both, to be drawn on one axis; None where there is none, or where both are of different units."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Comparison:
+    """All parameters of two records."""
+
+    first: str
+    """Unit and moment."""
+    second: str
+    lines: Sequence[ComparedLine]

@@ -1,0 +1,51 @@
+"""Two records held against each other, put into words where that keeps nobody waiting."""
+
+from tumble.calibrations.core.quantities import format_quantity
+from tumble.calibrations.records.compare import Difference, compare
+from tumble.calibrations.records.parameter import RecordedParameter
+from tumble.calibrations.records.record import Record
+from tumble.window.look.moments import moment_text
+from tumble.window.look.numbers import local
+from tumble.window.look.sentences import in_language
+from tumble.window.work.compared import ComparedLine, Comparison, Interval
+from tumble.window.work.preview import value_text
+
+
+def comparison(first: Record, second: Record) -> Comparison:
+    """Hold the values to use against each other. Raises `RecordError` where the records are of different methods."""
+    lines = [_line(each, first.values.get(each.name), second.values.get(each.name)) for each in compare(first, second)]
+    return Comparison(first=_called(first), second=_called(second), lines=lines)
+
+
+def _line(found: Difference, a: RecordedParameter | None, b: RecordedParameter | None) -> ComparedLine:
+    return ComparedLine(
+        name=found.name,
+        first=_told(a),
+        second=_told(b),
+        difference=_difference(found),
+        ratio="" if found.significance is None else local(f"{found.significance:+.2f}"),
+        sentence=in_language(found.sentence),
+        intervals=(_interval(a, found.unit), _interval(b, found.unit)),
+    )
+
+
+def _difference(found: Difference) -> str:
+    if found.difference is None or found.standard_uncertainty is None:
+        return ""
+    return in_language(format_quantity(found.difference, 2.0 * found.standard_uncertainty, found.unit))
+
+
+def _interval(parameter: RecordedParameter | None, unit: str) -> Interval | None:
+    if parameter is None or parameter.value is None or parameter.interval_95 is None or parameter.unit != unit:
+        return None
+    low, high = parameter.interval_95
+    return Interval(value=parameter.value, low=low, high=high)
+
+
+def _told(parameter: RecordedParameter | None) -> str:
+    return in_language(value_text(parameter)) if parameter else ""
+
+
+def _called(record: Record) -> str:
+    origin = record.provenance
+    return ", ".join(filter(None, (origin.serial_number, moment_text(origin.measured_at))))
