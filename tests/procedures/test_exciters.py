@@ -263,7 +263,7 @@ def test_what_is_left_driving_is_brought_to_rest_before_a_run_is_resumed(shaken,
     seen = []
     usual = resumed.operator.ask
     resumed.operator.ask = lambda ask: (seen.append(resumed.driven), usual(ask))
-    outcome = resumed.engine.resume(resumed.programme.procedure(), journal[:1], tolerance_v=10.0)
+    outcome = resumed.engine.resume(resumed.programme.procedure, journal[:1], tolerance_v=10.0)
     assert (outcome.reason, seen[0]) == (FinishReason.COMPLETED, "rest"), outcome.message
 
 
@@ -279,7 +279,7 @@ def test_a_run_that_was_cut_off_goes_on_at_every_point(points, tmp_path):
     whole = ShakenStand(tmp_path)
     journal = whole.run().points
     resumed = ShakenStand(tmp_path)
-    outcome = resumed.engine.resume(resumed.programme.procedure(), journal[:points], tolerance_v=10.0)
+    outcome = resumed.engine.resume(resumed.programme.procedure, journal[:points], tolerance_v=10.0)
     assert outcome.reason is FinishReason.COMPLETED, outcome.message
     assert [point.index for point in outcome.points] == list(range(6))
     assert [event.points for event in resumed.sink.of(RunResumed)] == [points]

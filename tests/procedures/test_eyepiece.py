@@ -58,8 +58,8 @@ def run(readings, programme=SWEEP, journal=None):
         ReadAgain({"head": eyepiece}, contradiction),
     )
     if journal is None:
-        return engine.run(programme.procedure()), sink
-    return engine.resume(programme.procedure(), journal), sink
+        return engine.run(programme.procedure), sink
+    return engine.resume(programme.procedure, journal), sink
 
 
 def asked(sink):
