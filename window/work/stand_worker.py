@@ -142,6 +142,11 @@ class StandWorker(QObject):
         for control in self._controls:
             control.resume()
 
+    def take_again(self, point: int) -> None:
+        """Have the last point of the run measured once more; `point` is its number, from 0."""
+        for control in self._controls:
+            control.take_again(point)
+
     def stop(self) -> None:
         """Bring the head to rest, whatever is under way."""
         session = self._stopped()
