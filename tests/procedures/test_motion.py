@@ -192,3 +192,20 @@ def test_a_place_is_gone_back_to_in_the_direction_of_then(direction, targets_deg
     motion.return_to(Place(angle_deg=30.0, direction=direction), going_on)
     assert head.targets_deg == targets_deg
     assert motion.direction == (direction or 1)
+
+
+def test_whoever_watches_a_move_is_told_where_it_goes(stand: FakeStand):
+    seen = []
+    motion = Motion(stand.head, stand.clock, 0.01, look=lambda status: seen.append(status.target_deg), title="head")
+    motion.travel(90.0, lambda: False)
+    assert set(seen) == {None, 90.0}
+    assert seen[-1] == 90.0
+
+
+def test_a_head_that_finds_its_reference_was_sent_nowhere(stand: FakeStand):
+    seen = []
+    motion = Motion(stand.head, stand.clock, 0.01, look=lambda status: seen.append(status.target_deg), title="head")
+    motion.travel(90.0, lambda: False)
+    seen.clear()
+    motion.home(lambda: False)
+    assert seen[-1] is None
