@@ -14,6 +14,7 @@ from window_driver import LONG, TINY, Driver
 
 from tumble.calibrations.methods.dividing_head import analysis
 from tumble.messages import Language
+from tumble.window.look.language import speak
 from tumble.window.start import Application, application
 
 
@@ -105,6 +106,7 @@ def home(qapp, tmp_path_factory):
         QSettings().setValue("look/language", str(Language.ENGLISH))
         QSettings().setValue("look/shade", "light")
         yield home
+        speak(Language.ENGLISH)  # tests of parts without a window go by it
 
 
 @pytest.fixture(scope="module")
