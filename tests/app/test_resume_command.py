@@ -8,11 +8,10 @@ from pathlib import Path
 from unittest.mock import patch
 
 import pytest
-from app_jobs import STAND, tumble
+from app_jobs import STAND, take_again_once, tumble
 
 from tumble.app.resuming import _elapsed_s, find
 from tumble.drivers.clock import ReleasedClock
-from tumble.procedures.control import Control
 from tumble.procedures.events import FinishReason, PointCompleted, PointVerified, RunFinished, RunResumed
 from tumble.procedures.recording.reader import iter_samples, read_recording
 from tumble.procedures.recording.writer import Recorder
@@ -168,20 +167,6 @@ def test_a_run_may_be_cut_off_and_resumed_again(cut, copy_at, tmp_path):
     assert ran.status == 0, ran.err
     assert measured(read_recording(broken)) == measured(read_recording(whole))
     assert sorted(path.name for path in tmp_path.glob("run*")) == ["run.cut-1.mcap", "run.cut-2.mcap", "run.mcap"]
-
-
-def take_again_once(monkeypatch, index):
-    """Have a point of a run taken again as soon as it is there, as somebody at the window would."""
-    wishes, record, heed = [], Recorder.record, Control.heed_again
-
-    def record_and_wish(recorder, event):
-        remark = record(recorder, event)
-        if isinstance(event, PointCompleted) and (event.point.index, event.point.take) == (index, 1):
-            wishes.append(index)
-        return remark
-
-    monkeypatch.setattr(Recorder, "record", record_and_wish)
-    monkeypatch.setattr(Control, "heed_again", lambda control: wishes.pop() if wishes else heed(control))
 
 
 def test_a_run_in_which_a_point_was_taken_again_goes_on_too(programme, tmp_path, monkeypatch, copy_at):
