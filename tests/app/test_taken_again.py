@@ -1,4 +1,4 @@
-"""A point that is taken again, in a run of any method: both readings are kept, the later one counts, and that is told."""
+"""A point that is taken again, by each method: both readings are kept, the later one counts, and that is told."""
 
 import csv
 
