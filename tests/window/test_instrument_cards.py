@@ -8,9 +8,11 @@ from PySide6.QtCore import QPoint, QSize, Qt
 from PySide6.QtGui import QGuiApplication
 from window_driver import STAND
 
+from benchmarks.endurance.two_axes import SIMULATED, SIMULATED_CHAMBER, WORLD
 from tumble.app.stand import load_stand
-from tumble.drivers.errors import DeviceError, LimitError
+from tumble.drivers.errors import DeviceError, LimitError, NoReplyError
 from tumble.drivers.protocols import Identity
+from tumble.drivers.simulated.chamber import SimulatedChamber
 from tumble.drivers.tables import Instrument
 from tumble.window.widgets.instrument_card import calibration
 from tumble.window.widgets.instrument_cards import InstrumentCards
@@ -157,3 +159,37 @@ def test_cards_fold_where_one_of_them_says_something_longer(cards, qtbot):
     qtbot.waitUntil(lambda: head.y() == daq.y())
     cards.show_identity("daq", Identity(model="a voltmeter with a name that is very long", serial="7"))
     qtbot.waitUntil(lambda: head.y() < daq.y())
+
+
+WITH_CHAMBER = f'name = "oven"\n{SIMULATED}\n{SIMULATED_CHAMBER}\n{WORLD}'
+
+
+@pytest.fixture
+def oven(lent_driver, write):
+    """The card of a temperature chamber that is connected."""
+    screen = lent_driver.window.stand
+    screen.open(write("oven.toml", WITH_CHAMBER))
+    lent_driver.window.open(screen)
+    screen.connect_button.click()
+    lent_driver.wait(screen.disconnect_button.isEnabled)
+    return screen.cards.cards["chamber"]
+
+
+def test_a_chamber_shows_the_temperature_of_its_air(lent_driver, oven):
+    lent_driver.wait(lambda: oven.live.said.text().endswith(" °C"))
+    assert oven.live.line.isVisible()
+    assert lent_driver.complaints == []
+
+
+def test_a_chamber_that_falls_silent_shows_none_and_leaves_the_stand_connected(lent_driver, oven, monkeypatch):
+    asked = []
+
+    def keep_silent(_):
+        asked.append(True)
+        raise NoReplyError("temperature chamber", "does not answer", "look at it")
+
+    monkeypatch.setattr(SimulatedChamber, "status", keep_silent)
+    lent_driver.wait(lambda: oven.live.said.text() == "no value")
+    lent_driver.bot.wait(500)
+    assert len(asked) == 1
+    assert lent_driver.window.worker.session.is_connected

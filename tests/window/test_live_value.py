@@ -70,7 +70,9 @@ def test_a_stand_with_the_same_names_has_its_own_samplers(qtbot, qapp):
     cards = InstrumentCards()
     qtbot.addWidget(cards)
     for samplers in (["daq"], ["head"]):
-        file = SimpleNamespace(instruments=instruments, samplers={name: instruments[name] for name in samplers})
+        file = SimpleNamespace(
+            instruments=instruments, samplers={name: instruments[name] for name in samplers}, environments={}
+        )
         cards.show_stand(SimpleNamespace(file=file))
         assert list(cards.live) == samplers
 

@@ -28,14 +28,14 @@ class InstrumentCards(QWidget):
 
     @property
     def live(self) -> Mapping[str, LiveValue]:
-        """What the samplers read, by name."""
+        """What samplers and environments read, by name."""
         return {name: card.live for name, card in self.cards.items() if card.live is not None}
 
     def show_stand(self, loaded: LoadedStand) -> None:
         """Show what the stand file says."""
-        tables, samplers = loaded.file.instruments, list(loaded.file.samplers)
-        if (list(tables), samplers) != (list(self.cards), list(self.live)):
-            self._make({name: name in samplers for name in tables})
+        tables, reading = loaded.file.instruments, [*loaded.file.samplers, *loaded.file.environments]
+        if (list(tables), set(reading)) != (list(self.cards), set(self.live)):
+            self._make({name: name in reading for name in tables})
         for name, table in tables.items():
             self.cards[name].show_table(table)
         self.forget_identities()
@@ -65,7 +65,7 @@ class InstrumentCards(QWidget):
             live.forget()
 
     def see(self, name: str, block: Block | None) -> None:
-        """Show what a sampler reads; None where it gives no samples."""
+        """Show what a sampler or an environment reads; None where it gives nothing."""
         if name in self.live:
             self.live[name].see(block)
 
