@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QLockFile, Qt
 
+from tumble.app.exits import JobError
 from tumble.procedures.errors import InputError
 from tumble.window.work import queue_file
 from tumble.window.work.queue_file import QueueFile
@@ -29,13 +30,8 @@ import sys
 from pathlib import Path
 from tumble.window.work.queue_file import QueueFile
 
-queue, claimed = QueueFile(Path(sys.argv[1])), []
-queue.be_present()
-while True:
-    queue.update(lambda each: claimed.append(each.claim(queue.owner, "")))
-    if claimed[-1] is None:
-        break
-print(*(entry.number for entry in claimed[:-1]), flush=True)
+queue = QueueFile(Path(sys.argv[1]))
+print(*(entry.number for entry in iter(lambda: queue.claim(""), None)), flush=True)
 sys.stdin.read()
 """
 
@@ -47,13 +43,6 @@ def entry(serial_number="A-1", stand=""):
 def add(queue, *serial_numbers):
     for serial_number in serial_numbers:
         queue.update(lambda each, serial_number=serial_number: each.add(entry(serial_number)))
-
-
-def claim(queue, stand=""):
-    claimed = []
-    queue.be_present()
-    queue.update(lambda each: claimed.append(each.claim(queue.owner, stand)))
-    return claimed[0]
 
 
 def stages(queue):
@@ -91,20 +80,20 @@ def test_neither_undoes_what_the_other_did_meanwhile(both):
 def test_an_entry_is_carried_out_by_one_of_them(both):
     one, other = both
     add(one, "A-1", "B-2")
-    assert (claim(one).serial_number, claim(other).serial_number, claim(one)) == ("A-1", "B-2", None)
+    assert (one.claim("").serial_number, other.claim("").serial_number, one.claim("")) == ("A-1", "B-2", None)
 
 
 def test_an_entry_of_another_stand_is_left_to_its_window(both):
     one, other = both
     one.update(lambda queue: queue.add(entry(stand=OTHER_STAND)))
-    assert claim(one) is None
-    assert claim(other, OTHER_STAND).serial_number == "A-1"
+    assert one.claim("") is None
+    assert other.claim(OTHER_STAND).serial_number == "A-1"
 
 
 def test_what_another_window_carries_out_is_neither_stopped_nor_taken_out(both):
     one, other = both
     add(one, "A-1")
-    claim(one)
+    one.claim("")
     other.update(lambda queue: queue.clear())
     assert stages(other) == [("A-1", Stage.MEASURING)]
 
@@ -112,7 +101,7 @@ def test_what_another_window_carries_out_is_neither_stopped_nor_taken_out(both):
 def test_what_a_window_left_under_way_is_stopped(both):
     one, other = both
     add(one, "A-1")
-    claim(one)
+    one.claim("")
     other.look()
     one.leave()
     assert other.look()
@@ -143,6 +132,25 @@ def test_a_damaged_file_is_no_empty_queue_to_who_knows_it(both, tmp_path):
     assert stages(one) == [("A-1", Stage.WAITING), ("B-2", Stage.WAITING)]
 
 
+def test_a_file_that_is_found_damaged_by_a_change_is_told_and_the_change_is_kept(both, tmp_path):
+    one, other = both
+    add(one, "A-1")
+    (tmp_path / "queue.json").write_text("{", encoding="utf-8")
+    add(one, "B-2")
+    with pytest.raises(InputError, match=r"is no queue that can be read; it is kept as queue.damaged-1\.json"):
+        one.look()
+    other.look()
+    assert stages(other) == [("A-1", Stage.WAITING), ("B-2", Stage.WAITING)]
+
+
+def test_a_store_that_cannot_be_is_told(tmp_path, qapp):
+    (tmp_path / "file").write_text("")
+    queue = QueueFile(tmp_path / "file" / "store")
+    with pytest.raises((InputError, JobError), match=r"queue\.json"):
+        add(queue, "A-1")
+    assert stages(queue) == [("A-1", Stage.WAITING)]
+
+
 def test_a_change_that_another_window_is_in_the_way_of_is_told(both, tmp_path, monkeypatch):
     one, _ = both
     monkeypatch.setattr(queue_file, "_PATIENCE_MS", 10)
@@ -150,9 +158,12 @@ def test_a_change_that_another_window_is_in_the_way_of_is_told(both, tmp_path, m
     assert held.tryLock(0)
     with pytest.raises(InputError, match="another window has it in use all the time"):
         add(one, "A-1")
-    held.unlock()
     assert stages(one) == [("A-1", Stage.WAITING)]
     assert not (tmp_path / "queue.json").exists()
+    with pytest.raises(InputError):
+        one.claim("")
+    assert stages(one) == [("A-1", Stage.WAITING)]
+    held.unlock()
 
 
 @pytest.fixture
@@ -227,7 +238,7 @@ def test_the_window_shows_what_another_one_adds_and_measures_it(driver, tiny, tm
 def test_the_window_leaves_alone_what_another_one_measures(driver, tiny, tmp_path):
     other = QueueFile(tmp_path / "store")
     other.update(lambda queue: queue.add(Entry(number=0, serial_number="X-9", programme=str(tiny))))
-    claim(other)
+    other.claim("")
     driver.wait(lambda: [each.stage for each in driver.run.queue.queue.entries] == [Stage.MEASURING], 10)
     driver.window.open(driver.run)
     driver.run.queue.start()

@@ -60,6 +60,8 @@ class QueueRunner(QObject):
         self._beginning: int | None = None
         self._wanted: int | None = None
         """Entry whose unit is awaited."""
+        self._seated_entry: Entry | None = None
+        """One whose unit is there, and that is begun next."""
         self._seated = ""
         """Serial number of the unit that was measured last."""
         self._watch = QTimer(self, interval=_WATCH_MS)
@@ -73,7 +75,7 @@ class QueueRunner(QObject):
     def open(self) -> None:
         """Read what the store has kept, and go on looking at it: other windows of the store have a part in it."""
         self._file.leave()
-        self._file, self._of, self._wanted = QueueFile(self._folder()), [], None
+        self._file, self._of, self._wanted, self._seated_entry = QueueFile(self._folder()), [], None, None
         self.going, self.said = False, ""
         self.look()
         self.changed.emit()
@@ -142,7 +144,7 @@ class QueueRunner(QObject):
         """Begin the next run; to be called whenever the stand is free."""
         if not self.going or self._wanted is not None:
             return
-        entry = self._claimed()
+        entry, self._seated_entry = self._seated_entry or self._claimed(), None
         if entry is None:
             return
         try:
@@ -163,8 +165,8 @@ class QueueRunner(QObject):
         """The unit that was wanted is on the stand: its run begins as soon as that is told."""
         entry = self.queue.get(self._wanted) if self._wanted is not None else None
         if entry is not None:
-            self._seated = entry.serial_number
-            self._want_no_unit()
+            self._seated, self._seated_entry, self._wanted = entry.serial_number, entry, None
+            self.unit_wanted.emit("")
 
     def hear_begun(self, activity: Activity) -> None:
         """A run has the stand, begun from here or by the person."""
@@ -225,22 +227,16 @@ class QueueRunner(QObject):
 
     def _claimed(self) -> Entry | None:
         """The entry to be carried out here, kept from every other window; None, and the queue held, without one."""
-        stand, found = place_of(self._stand()), list[Entry | None]()
-        self._file.be_present()
         try:
-            trouble = self._file.update(lambda queue: found.append(queue.claim(self._file.owner, stand)))
-        except (InputError, JobError) as error:  # another window may begin it too
-            if claimed := found[-1]:
-                self.queue.change(claimed.number, lambda each: each.at(Stage.WAITING))
+            entry = self._file.claim(place_of(self._stand()))
+        except (InputError, JobError) as error:
             self._hold(tr("The queue is held: it could not be changed. F4 goes on with it."))
             self.refused.emit(error)
             return None
-        if trouble is not None:
-            self.refused.emit(trouble)
-        if found[-1] is None:
+        if entry is None:
             elsewhere = tr("The queue is held: what waits was added for another stand. Choose that one, then F4.")
             self._hold(elsewhere if self.queue.waiting else tr("Everything in the queue was measured."))
-        return found[-1]
+        return entry
 
     def _begin(self, entry: Entry, job: Job) -> None:
         self._beginning = entry.number
@@ -266,6 +262,8 @@ class QueueRunner(QObject):
         self.changed.emit()
 
     def _want_no_unit(self) -> None:
+        seated, self._seated_entry = self._seated_entry, None
+        self._release(seated)
         if self._wanted is not None:
             entry, self._wanted = self.queue.get(self._wanted), None
             self._release(entry)
@@ -293,9 +291,7 @@ class QueueRunner(QObject):
     def _update(self, change: Callable[[RunQueue], None]) -> None:
         """Change the queue for every window, and have it shown."""
         try:
-            trouble: Exception | None = self._file.update(change)
+            self._file.update(change)
         except (InputError, JobError) as error:
-            trouble = error
-        if trouble is not None:
-            self.refused.emit(trouble)
+            self.refused.emit(error)
         self.changed.emit()

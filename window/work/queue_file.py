@@ -7,17 +7,19 @@ Qt's lock files hold on Linux and on Windows, and one whose process has died is 
 
 import json
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from typing import Any, Final, TypeAlias
 from uuid import uuid4
 
 from PySide6.QtCore import QLockFile
 
+from tumble.app.exits import JobError
 from tumble.app.files import write_text
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.system_errors import reason
-from tumble.window.work.run_queue import Entry, RunQueue
+from tumble.window.work.run_queue import Entry, RunQueue, Stage
 
 NAME: Final = "queue.json"
 _SCHEMA: Final = "tumble.queue/1"
@@ -37,6 +39,8 @@ class QueueFile:
         """Of the entries that this window carries out."""
         self.queue = RunQueue()
         self._seen: Stamp = None
+        self._trouble: InputError | None = None
+        """What is still to be told."""
         self._presence = _lock_file(self._presence_of(self.owner))
 
     def look(self) -> bool:
@@ -46,31 +50,45 @@ class QueueFile:
         known here is left as it is.
         """
         before = list(self.queue.entries)
-        stamp = self._stamp()
-        if stamp != self._seen:
-            self._seen = stamp
-            self.queue.entries = self._read()
-        self.queue.settle(self._is_present)
+        self._take_over()
+        trouble, self._trouble = self._trouble, None
+        if trouble is not None:
+            raise trouble
         return self.queue.entries != before
 
-    def update(self, change: Callable[[RunQueue], object]) -> InputError | None:
+    def update(self, change: Callable[[RunQueue], object]) -> None:
         """Change the queue as it is now, here and for every window, all or nothing.
 
-        Returns what was wrong with the file before, as `look` would raise it. Raises `InputError` or `JobError` where
-        the change cannot be kept; then it holds in this window alone.
+        Raises `InputError` or `JobError` where the change cannot be kept; then it holds in this window alone. What was
+        wrong with the file before is raised by the next `look`.
         """
-        self.path.parent.mkdir(parents=True, exist_ok=True)
+        with suppress(OSError):  # whoever writes the file says what is wrong
+            self.path.parent.mkdir(parents=True, exist_ok=True)
         lock = QLockFile(str(self.path.with_name(f"{NAME}.lock")))
-        if not lock.tryLock(_PATIENCE_MS):
+        if not lock.tryLock(_PATIENCE_MS) and _is_held(lock):
             change(self.queue)
             raise self._in_use(lock)
         try:
-            trouble = self._troubled_look()
+            self._take_over()
             change(self.queue)
             self._write()
         finally:
             lock.unlock()
-        return trouble
+
+    def claim(self, stand: str) -> Entry | None:
+        """Have the entry that waits longest for a stand carried out by this window alone; None where none waits.
+
+        Raises as `update`; another window may begin the entry then, and this one does not.
+        """
+        claimed: list[Entry | None] = []
+        self.be_present()
+        try:
+            self.update(lambda queue: claimed.append(queue.claim(self.owner, stand)))
+        except (InputError, JobError):
+            for entry in filter(None, claimed):
+                self.queue.change(entry.number, lambda each: each.at(Stage.WAITING))
+            raise
+        return claimed[-1]
 
     def be_present(self) -> None:
         """Show other windows that this one is open: what it carries out is left to it."""
@@ -81,12 +99,16 @@ class QueueFile:
         """Carry nothing out any more."""
         self._presence.unlock()
 
-    def _troubled_look(self) -> InputError | None:
-        try:
-            self.look()
-        except InputError as error:
-            return error
-        return None
+    def _take_over(self) -> None:
+        """Read what is kept, where that is other than it was."""
+        stamp = self._stamp()
+        if stamp != self._seen:
+            self._seen = stamp
+            try:
+                self.queue.entries = self._read()
+            except InputError as error:
+                self._trouble = error
+        self.queue.settle(self._is_present)
 
     def _in_use(self, lock: QLockFile) -> InputError:
         return InputError(
@@ -129,12 +151,17 @@ class QueueFile:
         if not owner.isalnum():
             return False
         lock = _lock_file(self._presence_of(owner))
-        held = not lock.tryLock(0) and lock.error() is QLockFile.LockError.LockFailedError
+        held = not lock.tryLock(0) and _is_held(lock)
         lock.unlock()
         return held
 
     def _presence_of(self, owner: str) -> Path:
         return self.path.with_name(f"queue-{owner}.lock")
+
+
+def _is_held(lock: QLockFile) -> bool:
+    """Whether it is another's, where it could not be had; it may be that the folder takes none."""
+    return lock.error() is QLockFile.LockError.LockFailedError
 
 
 def _lock_file(path: Path) -> QLockFile:
