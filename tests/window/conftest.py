@@ -93,6 +93,7 @@ def take_away(qapp, running):
     for made in (running.window, running):
         made.deleteLater()
     qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    speak(Language.ENGLISH)  # tests of parts without a window go by it
 
 
 @pytest.fixture(scope="module")
@@ -106,7 +107,6 @@ def home(qapp, tmp_path_factory):
         QSettings().setValue("look/language", str(Language.ENGLISH))
         QSettings().setValue("look/shade", "light")
         yield home
-        speak(Language.ENGLISH)  # tests of parts without a window go by it
 
 
 @pytest.fixture(scope="module")

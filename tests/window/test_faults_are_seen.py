@@ -126,6 +126,7 @@ def test_every_thread_and_timer_is_known_here():
     assert found == {
         ("work/order_thread.py", "Thread"),
         ("work/background.py", "ThreadPoolExecutor"),
+        ("screens/queue_runner.py", "QTimer"),
         ("screens/run_view.py", "QTimer"),
         ("widgets/notice.py", "QTimer"),
         ("start.py", "QTimer"),
