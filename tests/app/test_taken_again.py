@@ -41,8 +41,9 @@ def test_each_method_has_the_time_of_the_later_reading_in_its_row(ran):
 
 
 def test_each_table_and_the_warnings_of_each_method_say_so(ran, tmp_path):
-    done = tumble("export", ran, "--out", tmp_path / "table.csv")
-    assert done.status == 0, done.err
+    for _ in range(2):  # the second one takes the place of the first, which is known as a table of a recording
+        done = tumble("export", ran, "--out", tmp_path / "table.csv")
+        assert done.status == 0, done.err
     assert "was taken again as the operator wished; the later reading is used" in done.err
     with (tmp_path / "table.csv").open(encoding="utf-8", newline="") as table:
         takes = [row["take"] for row in csv.DictReader(table)]
