@@ -16,6 +16,8 @@ from tumble.window.look.theme import colours
 
 _TICK_DEG: Final = 10
 _LABEL_DEG: Final = 30
+_LEAST_LINES: Final = 8.5
+"""Its edge in lines of text."""
 _THERE_DEG: Final = 0.01
 """What a head that is where it was sent may be away from there."""
 
@@ -29,11 +31,15 @@ class Dial(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._status: PositionerStatus | None = None
-        self.setMinimumSize(140, 140)
 
     def sizeHint(self) -> QSize:  # noqa: N802  # Qt's name
         """Readable from two metres where there is room."""
         return QSize(360, 360)
+
+    def minimumSizeHint(self) -> QSize:  # noqa: N802  # Qt's name
+        """So large that what is written in it is no smaller than text beside it."""
+        edge = round(_LEAST_LINES * self.fontMetrics().height())
+        return QSize(edge, edge)
 
     def show_status(self, status: PositionerStatus | None) -> None:
         """Show where the head is; None, and a head that has not found its reference, where nobody knows."""
@@ -44,6 +50,7 @@ class Dial(QWidget):
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802  # Qt's name
         """Take over another palette or text size."""
         super().changeEvent(event)
+        self.updateGeometry()
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: N802, ARG002  # Qt's name
