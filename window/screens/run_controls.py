@@ -23,7 +23,7 @@ class RunControls(QWidget):
         self.start = MotionButton(tr("Start"), "F5")
         self.pause = MotionButton(tr("Pause"), "F6")
         self.resume = MotionButton(tr("Go on"), "F7")
-        self.again = MotionButton(tr("Repeat the last point"), "Ctrl+F7")
+        self.again = MotionButton(tr("Repeat point"), "Ctrl+F7")
         self.add = MotionButton(tr("Add to the queue"), "F2")
         self.start_queue = MotionButton(tr("Start the queue"), "F4")
         self.hold_queue = MotionButton(tr("Hold the queue"), "F4")
