@@ -135,7 +135,7 @@ def _past(recording: Recording, stand: LoadedStand, first: Recording) -> Past:
     return Past(
         programme=programme,
         acquisition=job.acquisition,
-        points=len(recording.points),
+        takes=[point.take for point in recording.points],
         began_s=(header.started_wall_ns - first.header.started_wall_ns) / 1e9,
     )
 
@@ -183,7 +183,7 @@ def resume(
     )
     return carry_out(
         lambda engine: engine.resume(
-            job.programme.procedure(),
+            job.programme.procedure,
             recording.points,
             elapsed_s=elapsed_s,
             known=unfinished.identities,

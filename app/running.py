@@ -159,7 +159,7 @@ def run(
         recorder = begin_recording(recording, header, connected.stand.clock)
         connected.ran.append(recording.resolve())
         with recorder:
-            return carry_out(lambda engine: engine.run(job.programme.procedure()), job, connected, recorder, listeners)
+            return carry_out(lambda engine: engine.run(job.programme.procedure), job, connected, recorder, listeners)
 
 
 def begin_recording(

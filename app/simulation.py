@@ -17,13 +17,13 @@ from tumble.drivers.tables import TITLES
 from tumble.messages import Message
 from tumble.procedures.acquisition import Acquisition
 from tumble.procedures.announcer import Listener
-from tumble.procedures.composition import advance
+from tumble.procedures.control import Control
 from tumble.procedures.engine import Engine
 from tumble.procedures.errors import InputError
-from tumble.procedures.events import Event, RunResumed, StepStarted
+from tumble.procedures.events import Event, PointCompleted, RunResumed, StepStarted
 from tumble.procedures.operator import Answers, ScriptedOperator, SeatingOperator
 from tumble.procedures.programme import Programme
-from tumble.procedures.steps import Dwell, Point, Procedure
+from tumble.procedures.steps import Dwell
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -32,7 +32,8 @@ class Past:
 
     programme: Programme
     acquisition: Acquisition
-    points: int
+    takes: Sequence[int]
+    """How often each of its points was taken."""
     began_s: float = 0.0
     """Since the first run began; not before the one before it was over."""
 
@@ -64,16 +65,26 @@ class Simulation:
         clock.sleep(past.began_s - clock.monotonic_s())
         began_s = clock.monotonic_s()
         operator = SeatingOperator(ScriptedOperator(Answers(mounts={"default": "yes"})), self.world.setters)
-        engine = Engine(self.stand, operator, _Nowhere(), past.acquisition, self.listeners)
+        control = Control()
         moments_s: list[float] = []
         counts: list[Counted] = []
 
         def stop() -> None:
             moments_s.append(clock.monotonic_s())
             counts.append(deepcopy(self.world.counts))
-            engine.control.stop()
+            control.stop()
 
-        outcome = engine.run(_beginning(past.programme.procedure(), past.points, stop))
+        def relive(event: Event) -> None:
+            if isinstance(event, PointCompleted):
+                if event.point.take < past.takes[event.point.index]:
+                    control.take_again(event.point.index)
+                elif event.point.index + 1 == len(past.takes):
+                    stop()
+
+        if not past.takes:
+            stop()
+        engine = Engine(self.stand, operator, _Nowhere(), past.acquisition, [*self.listeners, relive], control=control)
+        outcome = engine.run(past.programme.procedure)
         if not moments_s and outcome.error:  # somebody interrupted the program
             raise outcome.error
         putting_back = _putting_back(self.world, clock, counts[0], moments_s[0])
@@ -181,18 +192,6 @@ class TurningEyepiece:
         """Leave the head where it is."""
         self._hand.let_go()
         self._eyepiece.withdraw()
-
-
-def _beginning(procedure: Procedure, points: int, stop: Callable[[], None]) -> Procedure:
-    """The steps of a procedure up to a point; then the run is stopped, where it stands."""
-    step = next(procedure, None)
-    while step is not None and points:
-        reply = yield step
-        points -= isinstance(reply, Point)
-        step = advance(procedure, reply)
-    stop()
-    if step is not None:
-        yield step
 
 
 def _putting_back(world: World, clock: Clock, counts: Counted, lived_s: float) -> Listener:

@@ -88,7 +88,7 @@ def ours(points: int) -> float:
     acquisition = Acquisition(samples=100, rate_hz=100.0, settle_samples=10)
     stand = Stand(name="soft", positioners={"head": SoftHead()}, samplers={"daq": SoftDaq()}, clock=SystemClock())
     engine = Engine(stand, ScriptedOperator(Answers(mounts={"default": "yes"})), ListSink(), acquisition)
-    procedure = programme_from_text(text, "bench.toml").procedure()
+    procedure = programme_from_text(text, "bench.toml").procedure
     began_s = time.perf_counter()
     outcome = engine.run(procedure)
     took_s = time.perf_counter() - began_s

@@ -45,6 +45,8 @@ class PositionerStatus:
     """Whether the head knows its angle; false from the loss of its power until it has been homed."""
     by_hand: bool = False
     """Whether a person turns the head and reads it: who may take any time, and whose reading is where it stands."""
+    target_deg: float | None = None
+    """Where it was sent; None where it was not, or is to find its reference. Who sent it says so, and no driver."""
 
     @property
     def turning(self) -> bool:

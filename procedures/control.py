@@ -1,5 +1,6 @@
-"""Pausing and stopping a run from another thread."""
+"""Pausing and stopping a run from another thread, and having its last point taken again."""
 
+from collections import deque
 from threading import Event
 
 from tumble.messages import Message
@@ -12,6 +13,7 @@ class Control:
     def __init__(self) -> None:
         self._pause = Event()
         self._stop = Event()
+        self._again: deque[int] = deque(maxlen=1)
 
     def pause_wanted(self) -> bool:
         """Whether the run should pause, or stay paused."""
@@ -24,6 +26,14 @@ class Control:
     def resume(self) -> None:
         """Take back a pause."""
         self._pause.clear()
+
+    def take_again(self, point: int) -> None:
+        """Ask for the last point to be measured once more; `point` is its number, from 0."""
+        self._again.append(point)
+
+    def heed_again(self) -> int | None:
+        """Which point was asked for; None where none was since this was called the last time."""
+        return self._again.pop() if self._again else None
 
     def stop(self) -> None:
         """Ask for the end of the run; this cannot be taken back."""

@@ -17,13 +17,10 @@ from tumble.procedures.axes import Axes, Look, look_away
 from tumble.procedures.composition import advance
 from tumble.procedures.control import Control
 from tumble.procedures.environments import Environments
-from tumble.procedures.errors import ProcedureError, StorageError, UnansweredError
+from tumble.procedures.errors import RetakeRequestedError, StorageError
 from tumble.procedures.events import (
-    ConditionAnswered,
-    ConditionRequested,
-    PointCompleted,
+    RetakeBegun,
     RunResumed,
-    SamplesAcquired,
     State,
     StateChanged,
     StepStarted,
@@ -33,14 +30,16 @@ from tumble.procedures.exciters import Exciters
 from tumble.procedures.interlock import Interlock
 from tumble.procedures.journeys import POLL_S
 from tumble.procedures.losses import Losses
-from tumble.procedures.measuring import Measuring, Taken
-from tumble.procedures.operator import Answer, Operator
+from tumble.procedures.measuring import Measuring
+from tumble.procedures.operator import Operator
 from tumble.procedures.outcome import Outcome, message_of, outcome_of
 from tumble.procedures.recovery import Recovery
 from tumble.procedures.replay import replay
+from tumble.procedures.requests import Requests
 from tumble.procedures.sampling import Sampling
 from tumble.procedures.second_look import SecondLook
-from tumble.procedures.steps import Ask, Confirmed, Dwell, Point, Procedure, Reply, Step, pose
+from tumble.procedures.steps import Ask, Beginning, Dwell, Point, Procedure, Reply, Step
+from tumble.procedures.taking import Taking
 from tumble.procedures.verification import check_agreement, verified
 
 
@@ -51,6 +50,11 @@ class Engine:
     moves and while the outputs settle; a stop also while the operator, a lost link or the answer of a sampler is
     awaited. Samples being taken are taken first, where a stop need not wait for them. A step in which a link is lost
     begins anew once it is back, see `Recovery`.
+
+    The last point is taken again where that is asked for, as long as the run is not over: at once, but not while
+    samples are taken, a link is lost or the run is paused. The step under way is given up; a condition that is another
+    one by now is asked for as it was; the positioners come back as they came then. The later reading takes the place
+    of the one before, also in what the procedure is told, which goes on from there.
 
     Parameters
     ----------
@@ -87,7 +91,6 @@ class Engine:
     ) -> None:
         self._clock = stand.clock
         self._attention = stand.attention
-        self._operator = operator
         self._announcer = Announcer(sink, listeners)
         self._acquisition = acquisition
         self.control = control or Control()
@@ -104,26 +107,41 @@ class Engine:
         self._measuring = Measuring(
             stand, acquisition, self._axes, sampling, self._exciters, self._recovery, self._guarded
         )
-        self._environments = Environments(stand, acquisition, sampling, self._recovery, losses, self.control.check)
+        environments = Environments(stand, acquisition, sampling, self._recovery, losses, self._interlock, self._heed)
+        self._requests = Requests(
+            operator,
+            stand.clock,
+            environments,
+            self._exciters,
+            self._recovery,
+            self._announcer.announce,
+            self._change,
+            self._heed,
+        )
         self._moving = " or ".join(map(stand.title, (*stand.positioners, *stand.exciters)))
-        self._eyepiece = eyepiece
-        if eyepiece is not None:
-            eyepiece.attach(self._announcer.announce)
-        self._points: list[Point] = []
-        self._conditions: dict[str, str] = {}
-        self._began_s = 0.0
+        self._taking = Taking(
+            self._measuring,
+            eyepiece,
+            self._announcer.announce,
+            self.control.check,
+            self._heed,
+            acquisition.settle_timeout_s,
+        )
+        self._by_eye = eyepiece is not None
+        self._under_way = False
         self._left_unsafe: list[str] = []
         self.state = State.IDLE
         """Where the run stands; only the engine changes it."""
 
-    def run(self, procedure: Procedure) -> Outcome:
-        """Carry out `procedure` to its end, or until something else ends it, and bring everything to a standstill."""
-        self._began_s = self._clock.monotonic_s()
-        return self._to_its_end(procedure, next(procedure, None), self._meet)
+    def run(self, begin: Beginning) -> Outcome:
+        """Carry out a procedure to its end, or until something else ends it, and bring everything to a standstill."""
+        self._taking.began_s = self._clock.monotonic_s()
+        procedure = begin()
+        return self._to_its_end(begin, procedure, next(procedure, None), self._meet)
 
     def resume(
         self,
-        procedure: Procedure,
+        begin: Beginning,
         journal: Iterable[Reply],
         *,
         elapsed_s: Callable[[], float] = lambda: 0.0,
@@ -150,24 +168,31 @@ class Engine:
         Raises
         ------
         JournalError
-            Where `journal` is not the beginning of `procedure`; nothing has moved then.
+            Where `journal` is not the beginning of the procedure; nothing has moved then.
         """
+        procedure = begin()
         replayed = replay(procedure, journal, self._replay_tolerance_deg)
-        self._points = list(replayed.points)
+        self._taking.points = list(replayed.points)
         self._recovery.know(known or {})
         return self._to_its_end(
-            procedure, replayed.pending, partial(self._go_on, replayed.asks, elapsed_s, tolerance_v)
+            begin, procedure, replayed.pending, partial(self._go_on, replayed.asks, elapsed_s, tolerance_v)
         )
+
+    @property
+    def _points(self) -> list[Point]:
+        return self._taking.points
 
     @property
     def _replay_tolerance_deg(self) -> float:
         """What a person reads may differ by anything from what was to be set."""
-        return math.inf if self._eyepiece else self._acquisition.position_tolerance_deg
+        return math.inf if self._by_eye else self._acquisition.position_tolerance_deg
 
-    def _to_its_end(self, procedure: Procedure, step: Step | None, prepare: Callable[[], None]) -> Outcome:
+    def _to_its_end(
+        self, begin: Beginning, procedure: Procedure, step: Step | None, prepare: Callable[[], None]
+    ) -> Outcome:
         try:
             with self._attention.paid_to(self.control.check):  # and no longer: at the end nothing breaks a wait off
-                self._carry_out(procedure, step, prepare)
+                self._carry_out(begin, procedure, step, prepare)
         except (Exception, KeyboardInterrupt) as error:
             return self._finish(error)
         except BaseException as error:
@@ -187,108 +212,62 @@ class Engine:
         if last is not None:
             self._verify(last, asks, tolerance_v)
         self._announcer.announce(RunResumed(points=len(self._points)))
-        self._began_s = self._clock.monotonic_s() - max(elapsed_s(), last.time_s if last else 0.0)
+        self._taking.began_s = self._clock.monotonic_s() - max(elapsed_s(), last.time_s if last else 0.0)
 
-    def _carry_out(self, procedure: Procedure, step: Step | None, prepare: Callable[[], None]) -> None:
+    def _carry_out(
+        self, begin: Beginning, procedure: Procedure, step: Step | None, prepare: Callable[[], None]
+    ) -> None:
         self._change(State.RUNNING)
         if step is None:
-            return
+            return None
         self._checkpoint()
         prepare()
         self._recovery.persist(self._interlock.begin)
         self._recovery.reference()
+        self._under_way, again = True, False
+        while True:
+            try:
+                if again:
+                    self._take_again(begin)
+                    procedure = begin()
+                    step = replay(procedure, self._points, self._replay_tolerance_deg).pending
+                return self._follow(procedure, step)
+            except RetakeRequestedError:
+                again = True
+
+    def _follow(self, procedure: Procedure, step: Step | None) -> None:
+        """Carry out a step and all that come after it."""
         while step is not None:
             self._checkpoint()
             self._announcer.announce(StepStarted(step=step))
-            reply = self._ask(step) if isinstance(step, Ask) else self._dwell(step)
+            reply = self._requests.fulfil(step) if isinstance(step, Ask) else self._taken(step)
             self._recovery.tell_remarks()
+            self._heed()
             step = advance(procedure, reply)
         self._measuring.unwind()
 
-    def _ask(self, ask: Ask) -> Confirmed:
-        self._change(State.AWAITING_OPERATOR)
-        self._announcer.announce(ConditionRequested(condition=ask.condition, value=ask.value, prompt=ask.prompt))
-        answer = self._set_by_itself(ask) or self._asked(ask)
-        self._announcer.announce(
-            ConditionAnswered(condition=ask.condition, value=ask.value, answer=answer.text, confirmed=answer.confirmed)
-        )
-        if not answer.confirmed:
-            said = (
-                Message("was answered {answer!r}", answer=answer.text) if answer.text else Message("was not answered")
-            )
-            raise UnansweredError(
-                Message(
-                    "the request to {task} {said}; {remedy} and resume the run",
-                    task=ask.task,
-                    said=said,
-                    remedy=ask.remedy,
-                )
-            )
-        self._conditions[ask.condition] = ask.value
+    def _taken(self, dwell: Dwell) -> Point:
+        self._requests.check(dwell)
+        return self._taking.take(dwell)
+
+    def _take_again(self, begin: Beginning) -> None:
+        """Measure the last point once more, under the conditions that it was taken under."""
+        replayed = replay(begin(), self._points, self._replay_tolerance_deg)
+        self._announcer.announce(RetakeBegun(point=len(self._points) - 1))
         self._change(State.RUNNING)
-        return Confirmed(condition=ask.condition, value=ask.value)
-
-    def _set_by_itself(self, ask: Ask) -> Answer | None:
-        """Have an environment or an exciter set a condition, in place of the operator; None where there is neither."""
-        if ask.condition in self._environments.names:
-            self._change(State.RUNNING)
-            self._interlock.used.add(ask.condition)
-            return Answer(text=self._environments.soak(ask.condition, float(ask.value)), confirmed=True)
-        if ask.condition in self._exciters.names:
-            self._change(State.RUNNING)
-            excite = partial(self._exciters.excite, ask.condition, ask.value)
-            return Answer(text=self._recovery.persist(excite), confirmed=True)
-        return None
-
-    def _asked(self, ask: Ask) -> Answer:
-        """What the operator answers; nothing shakes what he may have to touch."""
-        self._recovery.persist(self._exciters.clear)
-        self._operator.ask(ask)
-        while (answer := self._operator.poll()) is None:
-            self.control.check()
-            self._clock.sleep(POLL_S)
-        return answer
-
-    def _dwell(self, dwell: Dwell) -> Point:
-        self._check_conditions(dwell)
-        taken = self._measuring.measure(dwell)
-        index = len(self._points)
-        point = taken.point(dwell, index, self._began_s)
-        for block in taken.blocks:
-            self._announcer.announce(SamplesAcquired(point=index, time_s=taken.began_s - self._began_s, block=block))
-        self._warn_of(taken, dwell)
-        if self._eyepiece is not None:
-            point = self._eyepiece.reconsidered(point, self._points, self.control.check)
-        self._announcer.announce(PointCompleted(point=point))
-        self._points.append(point)
-        return point
-
-    def _check_conditions(self, dwell: Dwell) -> None:
-        for condition, value in dwell.conditions.items():
-            if (standing := self._conditions.get(condition)) != value:
-                raise ProcedureError(f"a dwell was asked for with the {condition} {value} while it is {standing}")
-
-    def _warn_of(self, taken: Taken, dwell: Dwell) -> None:
-        if taken.unusable:
-            bad = Message(
-                "{unusable} of {samples} samples are overloads or no numbers; the point will be set aside",
-                unusable=taken.unusable,
-                samples=taken.samples,
-            )
-            self._warn(dwell, bad)
-        if not taken.settled:
-            late = Message(
-                "the output had not settled after {waited_s:g} s; the point is kept and marked",
-                waited_s=self._acquisition.settle_timeout_s,
-            )
-            self._warn(dwell, late)
+        for ask in replayed.asks:
+            if not self._requests.stands(ask):
+                self._requests.fulfil(ask)
+        dwell = replayed.dwells[-1]
+        self._announcer.announce(StepStarted(step=dwell))
+        self._taking.take_again(dwell)
 
     def _verify(self, last: Point, asks: Iterable[Ask], tolerance_v: float | None) -> None:
         """Bring everything back to where `last` was taken, and see whether a point gives there what it gave."""
         for name, angle_deg in last.positions_deg.items():
             self._recovery.tell_of_winding(name, angle_deg)
         for ask in asks:
-            self._ask(ask)
+            self._requests.fulfil(ask)
         self._measuring.home()
         now = self._measuring.measure_again(last).readings
         for seen in verified(self._points, now, self._acquisition.position_tolerance_deg, tolerance_v):
@@ -300,10 +279,23 @@ class Engine:
         self._interlock.check()
         return self._checkpoint()
 
+    def _heed(self) -> None:
+        """Stop here where that is wanted, or give the step up to take the last point again."""
+        self.control.check()
+        if not self._under_way or (wanted := self.control.heed_again()) is None:
+            return
+        last = len(self._points) - 1
+        if wanted == last:
+            self._axes.halt()
+            raise RetakeRequestedError
+        late = Message("point {point} is not taken again: it is not the last one any more", point=wanted)
+        self._announcer.announce(WarningRaised(message=late))
+
     def _checkpoint(self) -> bool:
         """Stop or pause here where that is wanted; true where the run was paused, and everything stood for it."""
         self.control.check()
         if not self.control.pause_wanted():
+            self._heed()
             return False
         self._axes.halt()
         self._exciters.clear()
@@ -312,6 +304,7 @@ class Engine:
             self.control.check()
             self._clock.sleep(POLL_S)
         self._change(State.RUNNING)
+        self._heed()
         return True
 
     def _finish(self, error: BaseException | None) -> Outcome:
@@ -344,12 +337,3 @@ class Engine:
     def _change_anyway(self, state: State, reason: str) -> None:
         self.state = state
         self._announcer.announce_anyway(StateChanged(state=state, reason=reason))
-
-    def _warn(self, dwell: Dwell, message: str) -> None:
-        said = Message(
-            "point {index} ({pose}): {message}",
-            index=len(self._points),
-            pose=pose(dwell.conditions, dwell.targets_deg),
-            message=message,
-        )
-        self._announcer.announce(WarningRaised(message=said))

@@ -5,6 +5,7 @@ from functools import partial
 
 from tumble.drivers.protocols import Stand
 from tumble.procedures.acquisition import Acquisition
+from tumble.procedures.interlock import Interlock
 from tumble.procedures.losses import Losses
 from tumble.procedures.recovery import Recovery
 from tumble.procedures.reduction import reduce_channels
@@ -15,7 +16,8 @@ from tumble.procedures.soaking import Seen, Soaking
 class Environments:
     """Soaks the unit, each time from the beginning where a link is lost in the midst of it.
 
-    `check` is called while it is waited for, and raises where the run should end.
+    `interlock` leaves them safe at the end of the run. `check` is called while it is waited for, and raises where the
+    run should end.
     """
 
     def __init__(
@@ -25,10 +27,12 @@ class Environments:
         sampling: Sampling,
         recovery: Recovery,
         losses: Losses,
+        interlock: Interlock,
         check: Callable[[], object],
     ) -> None:
         self._stand, self._acquisition, self._sampling = stand, acquisition, sampling
-        self._recovery, self._losses, self._check = recovery, losses, check
+        self._recovery, self._losses = recovery, losses
+        self._interlock, self._check = interlock, check
 
     @property
     def names(self) -> Collection[str]:
@@ -37,6 +41,7 @@ class Environments:
 
     def soak(self, condition: str, setpoint_degc: float) -> str:
         """Bring the unit to a temperature; returns what came of it, in words. Raises `DeviceError`."""
+        self._interlock.used.add(condition)
         return self._recovery.persist(partial(self._soak, condition, setpoint_degc))
 
     def _soak(self, condition: str, setpoint_degc: float) -> str:

@@ -28,5 +28,9 @@ class StopRequestedError(Exception):
     """Somebody asked the run to stop."""
 
 
+class RetakeRequestedError(Exception):
+    """Somebody asked for the last point to be measured once more: the step that is under way is given up for that."""
+
+
 class UnansweredError(Exception):
     """A prompt was declined, or nobody was there to answer it."""

@@ -74,6 +74,13 @@ class RunResumed:
 
 
 @dataclass(frozen=True, kw_only=True)
+class RetakeBegun:
+    """The last point is measured once more, as the operator wishes; its dwell is the step that comes next."""
+
+    point: int
+
+
+@dataclass(frozen=True, kw_only=True)
 class StepStarted:
     """The engine begins to carry out a step."""
 
@@ -126,11 +133,13 @@ class SamplesAcquired:
     time_s: float
     """First sample, in seconds since the run began, by the stand's clock."""
     block: Block
+    take: int = 1
+    """Which taking of the point, from 1."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class PointCompleted:
-    """A dwell was reduced and is on the disk."""
+    """A dwell was reduced and is on the disk; a point that was taken again is there in the place of the one before."""
 
     point: Point
 
@@ -156,6 +165,7 @@ Event: TypeAlias = (
     | Identified
     | PointVerified
     | RunResumed
+    | RetakeBegun
     | StepStarted
     | ConditionRequested
     | ConditionAnswered

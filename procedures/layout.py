@@ -104,6 +104,8 @@ class Layout:
     def point_fields(self, point: Point) -> Fields:
         """A point by columns."""
         fields: Fields = {"index": point.index}
+        if point.take > 1:
+            fields["take"] = point.take
         for name, position in self.positions.items():
             fields[position.position_deg.name] = point.positions_deg[name]
         for name, channel in self.channels.items():
@@ -133,6 +135,7 @@ class Layout:
             realisation=fields["realisation"],
             conditions=self._conditions(fields),
             settled=fields["settled"],
+            take=fields.get("take", 1),
         )
 
     def dwell_fields(self, dwell: Dwell) -> Fields:
@@ -158,7 +161,7 @@ class Layout:
 
     def described(self) -> dict[str, tuple[str, str]]:
         """JSON type and meaning of every column of a point, by its name."""
-        columns: dict[str, tuple[str, str]] = {"index": POINT_INDEX}
+        columns: dict[str, tuple[str, str]] = {"index": POINT_INDEX, "take": TAKE}
         columns |= {it.position_deg.name: ("number", it.position_deg.meaning) for it in self.positions.values()}
         for channel in self.channels.values():
             columns |= channel.described()
@@ -180,6 +183,7 @@ def _reading(columns: ChannelColumns, fields: Mapping[str, Any]) -> Reading:
 
 
 POINT_INDEX: Final = ("integer", "number of the point in the run, from 0")
+TAKE: Final = ("integer", "which taking of the point, from 1; left out where it is the first")
 TIME: Final = ("number", "middle of the dwell, s since the run began, by the stand's clock")
 TEMPERATURE_MEAN: Final = ("number", "mean of the temperature channel, °C")
 REALISATION: Final = ("integer", "which repeat, from 1")

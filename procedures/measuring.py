@@ -45,7 +45,7 @@ class Taken:
         """Of the first sampler that has a thermometer."""
         return next((it.temperature_degc for it in self.blocks if it.temperature_degc is not None), None)
 
-    def point(self, dwell: Dwell, index: int, run_began_s: float) -> Point:
+    def point(self, dwell: Dwell, index: int, run_began_s: float, take: int = 1) -> Point:
         """The point of `dwell` in a run that began at `run_began_s` by the stand's clock."""
         first_s = self.began_s - run_began_s
         return Point(
@@ -59,6 +59,7 @@ class Taken:
             realisation=dwell.realisation,
             conditions=dwell.conditions,
             settled=self.settled,
+            take=take,
         )
 
 
@@ -89,6 +90,15 @@ class Measuring:
     def measure(self, dwell: Dwell) -> Taken:
         """Measure where a dwell says. Raises `DeviceError`."""
         go = partial(self._axes.travel, dwell.targets_deg, self._checkpoint)
+        return self._recovery.persist(partial(self._take, go, dwell.channels, dwell.further), self._axes.places)
+
+    def retake(self, dwell: Dwell, point: Point) -> Taken:
+        """Measure the dwell of a point once more, coming there as then. Raises `DeviceError`."""
+        places = {
+            name: Place(angle_deg=target_deg, direction=point.directions[name])
+            for name, target_deg in dwell.targets_deg.items()
+        }
+        go = partial(self._axes.return_to, places, self._checkpoint)
         return self._recovery.persist(partial(self._take, go, dwell.channels, dwell.further), self._axes.places)
 
     def measure_again(self, point: Point) -> Taken:

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from importlib.resources.abc import Traversable
-from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Any, Final, Generic, Protocol, TypeAlias, TypeVar
 
 from tumble.calibrations.core.rows import Rows
 from tumble.procedures.layout import Layout
@@ -13,7 +13,8 @@ if TYPE_CHECKING:
     from tumble.procedures.programme import Programme
     from tumble.procedures.recording.recorded import Recording
 
-_TEMPERATURE = "temperature_degc"
+_OFTEN_LACKING: Final = frozenset({"temperature_degc", "take"})
+"""Columns that a table has where there was a thermometer, and where a point was taken again."""
 Demand: TypeAlias = Callable[[Mapping[str, Any]], None]
 """Looks at a stand file as data, without `simulated`. Raises `ValueError`: what it lacks, and what to do."""
 
@@ -45,7 +46,7 @@ class ProcedurePart(Generic[Table]):
     derived: frozenset[str] = frozenset()
     """Columns of the table that are worked out from those of a recording."""
     lacking: frozenset[str] = frozenset()
-    """Columns of the table that some recordings have and others lack, besides the temperature."""
+    """Columns of the table that some recordings have and others lack, besides temperature and `take`."""
     demand: Demand = demand_nothing
     """What its table needs of the stand file; asked before anything moves."""
     stand: Traversable | None = None
@@ -58,7 +59,7 @@ class ProcedurePart(Generic[Table]):
 
     def exports(self, columns: Sequence[str]) -> bool:
         """Whether the table of a recording has these columns, as tables spell them, in this order."""
-        recorded, lacking = self.layout.described().keys() | self.derived, self.lacking | {_TEMPERATURE}
+        recorded, lacking = self.layout.described().keys() | self.derived, self.lacking | _OFTEN_LACKING
         spelt = {name: field for name, field in self.rows.spelt().items() if field in recorded | self.lacking}
         return list(columns) == [name for name, field in spelt.items() if name in columns or field not in lacking]
 

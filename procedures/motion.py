@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable, Sequence
 from contextlib import suppress
+from dataclasses import replace
 from typing import Final
 
 from tumble.drivers.clock import Clock
@@ -24,7 +25,7 @@ class Motion:
 
     Every move is watched, see `Watch`. A standstill must be there within 10 s; a reference within the time of two
     passes over all angles, plus 65 s. One that a person turns may take its time, and stands where it is read.
-    `look` is shown where it is whenever that is read on its way.
+    `look` is shown where it is whenever that is read on its way, and where it was sent.
     """
 
     def __init__(
@@ -46,6 +47,7 @@ class Motion:
         """What sentences call it."""
         self.direction: Direction = 0
         """Sign of the last move that was one; 0 before the first, and after the head was homed."""
+        self._target_deg: float | None = None
         self.place: Place | None = None
         """Where the last journey ended; None before the first."""
 
@@ -101,7 +103,7 @@ class Motion:
             self.unwind(checkpoint)
         deadline_s = self._begin_homing()
         while (status := self._head.status()).moving or not status.referenced:
-            self._look(status)
+            self._see(status)
             if self._clock.monotonic_s() > deadline_s:
                 raise DeviceError(
                     self.title,
@@ -158,7 +160,7 @@ class Motion:
         with suppress(Exception):
             try:
                 status = self._head.status()
-                self._look(status)  # whoever watches sees where it came to rest
+                self._see(status)  # whoever watches sees where it came to rest
                 if not status.moving:
                     return status.angle_deg
             except LinkLostError:
@@ -197,6 +199,7 @@ class Motion:
         start_deg = self._referenced_status().angle_deg
         if not self._near(start_deg, angle_deg):
             self.direction = direction_of(angle_deg - start_deg)
+        self._target_deg = angle_deg
         self._head.start_move(angle_deg)
         return Watch(
             start_deg,
@@ -218,17 +221,21 @@ class Motion:
     def _begin_homing(self) -> float:
         """Send the head to its reference and return the time by which it must have found it."""
         low_deg, high_deg = self._head.limits_deg
+        self._target_deg = None
         self._head.home()
         return self._clock.monotonic_s() + allowed_s(high_deg - low_deg, self._head.speed_deg_s) + _HOMING_S
 
     def _referenced_status(self) -> PositionerStatus:
         status = self._head.status()
-        self._look(status)
+        self._see(status)
         if not status.referenced:
             raise ReferenceLostError(
                 self.title, Message("has lost its reference"), Message("look at its power supply, then resume the run")
             )
         return status
+
+    def _see(self, status: PositionerStatus) -> None:
+        self._look(replace(status, target_deg=self._target_deg))
 
     def _at(self, status: PositionerStatus, angle_deg: float) -> bool:
         return status.by_hand or self._near(status.angle_deg, angle_deg)

@@ -21,7 +21,15 @@ from collections import deque
 from dataclasses import dataclass
 
 from tumble.drivers.clock import Clock
-from tumble.procedures.events import ConditionAnswered, Event, PointCompleted, State, StateChanged, StepStarted
+from tumble.procedures.events import (
+    ConditionAnswered,
+    Event,
+    PointCompleted,
+    RetakeBegun,
+    State,
+    StateChanged,
+    StepStarted,
+)
 from tumble.procedures.plan import Plan
 from tumble.procedures.steps import Ask, Dwell
 
@@ -56,12 +64,20 @@ class Progress:
         self._left = deque(plan.steps_after(points_done))
         self._paces = {Dwell: _Pace(), Ask: _Pace()}
         self._began_s: float | None = None
+        self._taking_again = False
+        """Whether what happens belongs to a point that is there already: no step of the programme."""
         self._pause_began_s: float | None = None
         self._paused_s = 0.0
 
     def __call__(self, event: Event) -> None:
         """Take note of an event."""
         match event:
+            case RetakeBegun():
+                self._taking_again, self._began_s = True, None
+            case StepStarted() if self._taking_again:
+                pass
+            case PointCompleted() if self._taking_again:
+                self._taking_again = False
             case StepStarted():
                 self._began_s = self._working_s()
             case ConditionAnswered(confirmed=True):
@@ -87,7 +103,7 @@ class Progress:
         )
 
     def _step_done(self) -> None:
-        if self._began_s is None:  # the mount of a resumed run, confirmed again: no step of the programme
+        if self._began_s is None:  # a mount that is confirmed again: no step of the programme
             return
         if not self._left:
             return  # a run that has more steps than were planned: its time is not known

@@ -16,6 +16,8 @@ class Replayed:
     points: tuple[Point, ...]
     pending: Step | None
     """The step that comes next; None where nothing is left to do."""
+    dwells: tuple[Dwell, ...]
+    """What the points answered, in their order."""
     asks: tuple[Ask, ...]
     """What was asked for the last point, the latest of each condition."""
 
@@ -34,22 +36,25 @@ def replay(procedure: Procedure, journal: Iterable[Reply], tolerance_deg: float)
     points = tuple(reply for reply in journal if isinstance(reply, Point))
     step = next(procedure, None)
     asks: dict[str, Ask] = {}
+    dwells: list[Dwell] = []
     for number, point in enumerate(points):
         while isinstance(step, Ask):
             asks[step.condition] = step
             step = advance(procedure, Confirmed(condition=step.condition, value=step.value))
-        _compare(number, point, step, tolerance_deg)
+        dwells.append(_compared(number, point, step, tolerance_deg))
         step = advance(procedure, point)
-    return Replayed(points=points, pending=step, asks=tuple(asks.values()))
+    return Replayed(points=points, pending=step, dwells=tuple(dwells), asks=tuple(asks.values()))
 
 
-def _compare(number: int, point: Point, dwell: Dwell | None, tolerance_deg: float) -> None:
+def _compared(number: int, point: Point, dwell: Dwell | None, tolerance_deg: float) -> Dwell:
+    """The dwell that a point answers. Raises `JournalError` where it answers another."""
     if dwell is None:
         raise _mismatch(number, point, Message("the programme is over"))
     expected = (number, dict(dwell.conditions), dwell.procedure, dwell.realisation)
     recorded = (point.index, dict(point.conditions), point.procedure, point.realisation)
     if recorded != expected or not _near(point, dwell, tolerance_deg):
         raise _mismatch(number, point, Message("the programme has {pose}", pose=_pose(number, dwell)))
+    return dwell
 
 
 def _near(point: Point, dwell: Dwell, tolerance_deg: float) -> bool:

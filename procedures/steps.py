@@ -5,7 +5,7 @@ can hold them and a resumed run can compare them. Positioners, channels and cond
 method give them; see `tumble.procedures.layout`.
 """
 
-from collections.abc import Generator, Mapping
+from collections.abc import Callable, Generator, Mapping
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
@@ -95,12 +95,17 @@ class Point:
     conditions: Mapping[str, str] = field(default_factory=dict)
     settled: bool
     """False where an output was still moving when the time allowed for settling was over."""
+    take: int = 1
+    """Which taking of the dwell, from 1; more where the operator had it taken again."""
 
 
 Reply: TypeAlias = Confirmed | Point
 
 Procedure: TypeAlias = Generator[Step, Reply, None]
 """Yields steps, is sent the reply to each."""
+
+Beginning: TypeAlias = Callable[[], Procedure]
+"""A procedure at its beginning, anew with every call."""
 
 
 def pose(conditions: Mapping[str, str], positions_deg: Mapping[str, float], unit: str = " deg") -> str:

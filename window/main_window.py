@@ -124,6 +124,7 @@ class MainWindow(QMainWindow):
         remember_place(self, self.frame.rail.current)
         self.worker.leave()
         self.run.course.leave()
+        self.run.queue.leave()
         self.records.surveyor.leave()
         self.background.leave()
         event.accept()

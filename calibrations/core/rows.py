@@ -90,6 +90,8 @@ class Rows:
     time_s: FloatArray | None = column("time_s", needed=True)
     """Middle of the dwell, in seconds from any origin."""
     realisation: NDArray[np.int64] | None = column("realisation", kind=Kind.WHOLE, default=1)
+    take: NDArray[np.int64] | None = column("take", kind=Kind.WHOLE, default=1)
+    """Which taking of the dwell a row is, from 1; more where the operator had it taken again."""
     run: NDArray[np.int64] | None = column(kind=Kind.WHOLE, default=0)
     """Number of the run of each row, from 0, where several were joined."""
     extra: Mapping[str, FloatArray | NDArray[np.str_]] = field(default_factory=dict)

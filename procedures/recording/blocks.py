@@ -21,6 +21,7 @@ def split(event: SamplesAcquired) -> Iterator[Fields]:
         for number, (name, values) in enumerate(block.channels.items()):
             yield {
                 "point": event.point,
+                "take": take_of(event.take),
                 "channel": number,
                 "channels": len(block.channels),
                 "first_sample": first,
@@ -57,7 +58,16 @@ def join(parts: Iterable[Fields]) -> Iterator[SamplesAcquired]:
         last = channel == part["channels"] - 1 and first + len(stretch) == part["samples"]
         if last and come == values.size:
             channels = {names[number]: row for number, row in enumerate(values)}
-            yield SamplesAcquired(point=part["point"], time_s=float(part["time_s"]), block=_joined(part, channels))
+            yield _event(part, _joined(part, channels))
+
+
+def take_of(take: int) -> int | None:
+    """As a message has it: left out where it is the first."""
+    return take if take > 1 else None
+
+
+def _event(part: Fields, block: Block) -> SamplesAcquired:
+    return SamplesAcquired(point=part["point"], time_s=float(part["time_s"]), block=block, take=part.get("take", 1))
 
 
 def _named(name: str, stretch: FloatArray) -> Fields:

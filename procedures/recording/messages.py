@@ -22,6 +22,7 @@ from tumble.procedures.events import (
     PointVerified,
     ReadingAnswered,
     ReadingRequested,
+    RetakeBegun,
     RunFinished,
     RunResumed,
     SamplesAcquired,
@@ -31,7 +32,7 @@ from tumble.procedures.events import (
     WarningRaised,
 )
 from tumble.procedures.layout import Fields, Layout
-from tumble.procedures.recording.blocks import split
+from tumble.procedures.recording.blocks import split, take_of
 from tumble.procedures.recording.said import message_of, said_of
 from tumble.procedures.recording.schemas import ANSWER, EVENT, POINT, SAMPLES, STEP, TEMPERATURE, positioner_topic
 from tumble.procedures.steps import Ask, Point, Step
@@ -41,6 +42,7 @@ Announcement: TypeAlias = (
     | Identified
     | PointVerified
     | RunResumed
+    | RetakeBegun
     | ConditionRequested
     | ReadingRequested
     | WarningRaised
@@ -56,6 +58,7 @@ _RECORDS: Final[Mapping[str, Mapping[str, type[Any]]]] = {
         "identified": Identified,
         "verified": PointVerified,
         "resumed": RunResumed,
+        "retake": RetakeBegun,
         "reading requested": ReadingRequested,
         "warning": WarningRaised,
         "finished": RunFinished,
@@ -152,7 +155,7 @@ def encode(values: Mapping[str, object]) -> bytes:
 
 def _point_messages(point: Point, layout: Layout) -> Iterator[tuple[str, Fields]]:
     row = layout.point_fields(point)
-    at = {"point": point.index, "time_s": point.time_s}
+    at = {"point": point.index, "take": take_of(point.take), "time_s": point.time_s}
     for name, columns in layout.positions.items():
         shown = (columns.position_deg.name, columns.direction.name)
         yield positioner_topic(name), {**at, **{column: row[column] for column in shown}}

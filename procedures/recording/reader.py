@@ -1,6 +1,6 @@
 """Reading a recording, whole or cut off."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import TypeVar
@@ -46,8 +46,7 @@ def read_recording(path: Path) -> Recording:
                 damage[what] = None
             case Closed():
                 closed = True
-    # A point stands for good once it is recorded: were it to come twice, the first would count.
-    points = {point.index: point for point in reversed(_only(Point, journal))}
+    points = _latest(_only(Point, journal))
     return Recording(
         path=path,
         header=header,
@@ -101,24 +100,35 @@ def iter_samples(path: Path) -> Iterator[SamplesAcquired]:
 
 
 def complete_messages(recording: Recording) -> Iterator[Said]:
-    """Yield every message as it was recorded, but for what belongs to a point that was not completed.
+    """Yield every message as it was recorded, but for what belongs to the take of a point that was not completed.
 
     Raises
     ------
     RecordingError
         As `read_recording`.
     """
-    wanted = {None, *(point.index for point in recording.points)}
+    takes = {point.index: point.take for point in recording.points}
     layout = layout_of(recording.path, recording.header)
     of_points = {SAMPLES, TEMPERATURE, POINT, *map(positioner_topic, layout.positions)}
     for said in contents(recording.path, topics(layout)):
-        if isinstance(said, Said) and (_point_of(said) if said.topic in of_points else None) in wanted:
+        if isinstance(said, Said) and (said.topic not in of_points or _is_complete(said, takes)):
             yield said
 
 
-def _point_of(said: Said) -> int:
-    """Number of the point to which a message on the topic of a point belongs."""
-    return int(orjson.loads(said.data)["index" if said.topic == POINT else "point"])
+def _is_complete(said: Said, takes: Mapping[int, int]) -> bool:
+    """Whether a message belongs to a take of a point that was completed; `takes` are the latest ones."""
+    values = orjson.loads(said.data)
+    point = int(values["index" if said.topic == POINT else "point"])
+    return int(values.get("take", 1)) <= takes.get(point, 0)
+
+
+def _latest(points: Iterable[Point]) -> dict[int, Point]:
+    """Points by number: of several takes the latest, which stands for good once it is recorded."""
+    latest: dict[int, Point] = {}
+    for point in points:
+        if point.index not in latest or point.take > latest[point.index].take:
+            latest[point.index] = point
+    return latest
 
 
 def monotonic_s(said: Said) -> float:

@@ -3,6 +3,9 @@
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
+from numpy.typing import NDArray
+
 from tumble.procedures.events import ConditionAnswered, FinishReason, ReadingAnswered, RunFinished
 from tumble.procedures.recording.header import Header
 from tumble.procedures.recording.messages import Announcement
@@ -16,7 +19,7 @@ class Recording:
     path: Path
     header: Header
     points: tuple[Point, ...]
-    """Completed points by index, each once."""
+    """Completed points by index, each once: of one that was taken again the latest take."""
     steps: tuple[Step, ...]
     """Steps that were begun, in order."""
     answers: tuple[ConditionAnswered | ReadingAnswered, ...]
@@ -35,6 +38,12 @@ class Recording:
             if self.points
             else ()
         )
+
+    @property
+    def takes(self) -> NDArray[np.int64] | None:
+        """How often each point was taken; None where none was taken again, as tables leave it out then."""
+        takes = np.array([point.take for point in self.points], dtype=np.int64)
+        return takes if (takes > 1).any() else None
 
     @property
     def ending(self) -> RunFinished | None:

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Any, Final
 
-from tumble.procedures.layout import POINT_INDEX, PROCEDURE, REALISATION, TEMPERATURE_MEAN, TIME, Layout
+from tumble.procedures.layout import POINT_INDEX, PROCEDURE, REALISATION, TAKE, TEMPERATURE_MEAN, TIME, Layout
 
 HEADER_METADATA = "tumble"
 """Name of the metadata record that holds the header."""
@@ -28,6 +28,7 @@ _SETTING = ("number", "angle to which the operator shall set a positioner by han
 _SAMPLES_FIELDS: Final[Mapping[str, tuple[str, str]]] = MappingProxyType(
     {
         "point": POINT_INDEX,
+        "take": TAKE,
         "channel": ("integer", "channel of the sampler, from 0"),
         "channels": ("integer", "number of channels in the block"),
         "first_sample": ("integer", "place in the block of the first sample in this message, from 0"),
@@ -45,7 +46,8 @@ _EVENT_FIELDS: Final[Mapping[str, tuple[str, str]]] = MappingProxyType(
     {
         "kind": (
             "string",
-            "state, identified, verified, resumed, reading requested, warning or finished; or what is requested",
+            "state, identified, verified, resumed, retake, reading requested, warning or finished; or what is "
+            "requested",
         ),
         "state": ("string", "state into which the run went over"),
         "reason": ("string", "why"),
@@ -85,7 +87,7 @@ def positioner_topic(name: str) -> str:
 def topics(layout: Layout) -> dict[str, dict[str, tuple[str, str]]]:
     """Fields of every topic of a method: name to type and meaning. Every message has `monotonic_s` besides."""
     conditions = layout.described_conditions()
-    at = {"point": POINT_INDEX, "time_s": TIME}
+    at = {"point": POINT_INDEX, "take": TAKE, "time_s": TIME}
     positioners = {positioner_topic(name): at | columns.described() for name, columns in layout.positions.items()}
     settings = {columns.position_deg.name: ("number", "where to go, deg") for columns in layout.positions.values()}
     step = {"kind": ("string", "dwell, or what is asked for"), **conditions, **settings}

@@ -12,6 +12,9 @@ from markupsafe import Markup
 from tumble.app.cli import main
 from tumble.calibrations.methods.dividing_head import analysis
 from tumble.calibrations.methods.dividing_head.loop.loop import explain_questioned
+from tumble.procedures.control import Control
+from tumble.procedures.events import PointCompleted
+from tumble.procedures.recording.writer import Recorder
 
 STAND = """\
 name = "bench-1"
@@ -140,3 +143,17 @@ def raiser(error):
         raise error
 
     return fail
+
+
+def take_again_once(monkeypatch, index):
+    """Have a point of a run taken again as soon as it is there, as somebody at the window would."""
+    wishes, record, heed = [], Recorder.record, Control.heed_again
+
+    def record_and_wish(recorder, event):
+        remark = record(recorder, event)
+        if isinstance(event, PointCompleted) and (event.point.index, event.point.take) == (index, 1):
+            wishes.append(index)
+        return remark
+
+    monkeypatch.setattr(Recorder, "record", record_and_wish)
+    monkeypatch.setattr(Control, "heed_again", lambda control: wishes.pop() if wishes else heed(control))

@@ -8,7 +8,7 @@ from pathlib import Path
 from unittest.mock import patch
 
 import pytest
-from app_jobs import STAND, tumble
+from app_jobs import STAND, take_again_once, tumble
 
 from tumble.app.resuming import _elapsed_s, find
 from tumble.drivers.clock import ReleasedClock
@@ -167,6 +167,18 @@ def test_a_run_may_be_cut_off_and_resumed_again(cut, copy_at, tmp_path):
     assert ran.status == 0, ran.err
     assert measured(read_recording(broken)) == measured(read_recording(whole))
     assert sorted(path.name for path in tmp_path.glob("run*")) == ["run.cut-1.mcap", "run.cut-2.mcap", "run.mcap"]
+
+
+def test_a_run_in_which_a_point_was_taken_again_goes_on_too(programme, tmp_path, monkeypatch, copy_at):
+    whole, broken = tmp_path / "whole.mcap", tmp_path / "run.mcap"
+    copy_at(6, broken)
+    take_again_once(monkeypatch, 3)
+    assert tumble("run", "--programme", programme, "--serial", "A", "--out", whole).status == 0
+    assert [point.take for point in read_recording(broken).points] == [1, 1, 1, 2, 1, 1, 1]
+    ran = tumble("resume", broken)
+    assert ran.status == 0, ran.err
+    assert measured(read_recording(broken)) == measured(read_recording(whole))
+    assert [event.point for event in iter_samples(broken)] == [0, 1, 2, 3, *range(3, POINTS)]
 
 
 def test_a_run_that_was_stopped_goes_on_too(programme, tmp_path, monkeypatch):

@@ -59,7 +59,7 @@ class Mercury:
             serials=serials,
             titles=TITLES,
         )
-        outcome = Engine(stand, FakeOperator(daq), sink, QUICK).run(compose([SWEEP], 1, LAYOUT.ask))
+        outcome = Engine(stand, FakeOperator(daq), sink, QUICK).run(lambda: compose([SWEEP], 1, LAYOUT.ask))
         return outcome, [event.message for event in sink.of(WarningRaised)], sink
 
 

@@ -5,9 +5,14 @@ from tumble.procedures.methods.dividing_head.layout import dwell_at, mounting
 
 
 def dwells(*angles_deg):
-    yield mounting("face-up")
-    for angle_deg in angles_deg:
-        yield dwell_at(angle_deg=angle_deg, procedure="sweep", realisation=1, mount="face-up")
+    """A procedure that dwells at angles in one mount."""
+
+    def begin():
+        yield mounting("face-up")
+        for angle_deg in angles_deg:
+            yield dwell_at(angle_deg=angle_deg, procedure="sweep", realisation=1, mount="face-up")
+
+    return begin
 
 
 def states(stand):

@@ -132,7 +132,7 @@ class ShakenStand:
         )
 
     def run(self):
-        return self.engine.run(self.programme.procedure())
+        return self.engine.run(self.programme.procedure)
 
     @property
     def driven(self):

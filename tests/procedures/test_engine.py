@@ -95,18 +95,18 @@ def test_a_procedure_is_sent_the_reply_to_each_step(stand: FakeStand):
         replies.append((yield mounting("edge")))
         replies.append((yield dwell_at(angle_deg=5.0, procedure="flip", realisation=1, mount="edge")))
 
-    outcome = stand.engine().run(procedure())
+    outcome = stand.engine().run(procedure)
     assert replies == [Confirmed(condition=MOUNT, value="edge"), outcome.points[0]]
 
 
 def test_the_head_goes_where_the_programme_says(stand: FakeStand):
-    stand.engine().run(flips())
+    stand.engine().run(flips)
     assert stand.head.targets_deg == [180.0, 0.0, 180.0, 0.0]
     assert stand.operator.asked == ["face-up", "edge"]
 
 
 def test_an_empty_procedure_is_completed(stand: FakeStand):
-    assert stand.engine().run(dwell for dwell in ()).reason is FinishReason.COMPLETED
+    assert stand.engine().run(lambda: (dwell for dwell in ())).reason is FinishReason.COMPLETED
 
 
 def test_a_point_with_an_overload_is_kept_without_a_voltage(stand: FakeStand):
@@ -201,19 +201,19 @@ def test_a_head_that_never_rests_is_said_to_move(stand: FakeStand):
 
 def test_without_a_standstill_no_run_is_completed(stand: FakeStand):
     def coast_at_the_end():
-        yield from dwells(10.0)
+        yield from dwells(10.0)()
         stand.head.coasting = True
 
-    outcome = stand.engine().run(coast_at_the_end())
+    outcome = stand.engine().run(coast_at_the_end)
     assert (outcome.reason, len(outcome.points)) == (FinishReason.DEVICE_FAULT, 1)
 
 
 def test_an_exception_inside_a_procedure_is_a_fault_of_the_program(stand: FakeStand):
     def broken():
-        yield from dwells(10.0)
+        yield from dwells(10.0)()
         raise ZeroDivisionError("by zero")
 
-    outcome = stand.engine().run(broken())
+    outcome = stand.engine().run(broken)
     assert (outcome.reason, outcome.at_standstill) == (FinishReason.INTERNAL, True)
     assert isinstance(outcome.error, ZeroDivisionError)
     assert outcome.message == "a fault of the program: ZeroDivisionError: by zero; report it, then resume the run"
@@ -229,7 +229,7 @@ def test_a_part_of_a_programme_that_is_told_nonsense_says_so():
 
 def test_a_dwell_in_a_mount_that_nobody_confirmed_is_not_taken(stand: FakeStand):
     steps = (dwell_at(angle_deg=5.0, procedure="flip", realisation=1, mount=mount) for mount in ["edge"])
-    outcome = stand.engine().run(steps)
+    outcome = stand.engine().run(lambda: steps)
     assert outcome.reason is FinishReason.INTERNAL
     assert stand.head.targets_deg == []
 

@@ -11,7 +11,7 @@ from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
 from tumble.drivers.excitation import REST, excitation_of
 from tumble.drivers.protocols import ExciterStatus, Identity
 from tumble.procedures.errors import StorageError
-from tumble.procedures.events import FinishReason, RunResumed
+from tumble.procedures.events import ConditionAnswered, FinishReason, PointCompleted, RunResumed
 
 BACK = "sine 4 g 21.3 Hz"
 
@@ -263,7 +263,7 @@ def test_what_is_left_driving_is_brought_to_rest_before_a_run_is_resumed(shaken,
     seen = []
     usual = resumed.operator.ask
     resumed.operator.ask = lambda ask: (seen.append(resumed.driven), usual(ask))
-    outcome = resumed.engine.resume(resumed.programme.procedure(), journal[:1], tolerance_v=10.0)
+    outcome = resumed.engine.resume(resumed.programme.procedure, journal[:1], tolerance_v=10.0)
     assert (outcome.reason, seen[0]) == (FinishReason.COMPLETED, "rest"), outcome.message
 
 
@@ -279,11 +279,33 @@ def test_a_run_that_was_cut_off_goes_on_at_every_point(points, tmp_path):
     whole = ShakenStand(tmp_path)
     journal = whole.run().points
     resumed = ShakenStand(tmp_path)
-    outcome = resumed.engine.resume(resumed.programme.procedure(), journal[:points], tolerance_v=10.0)
+    outcome = resumed.engine.resume(resumed.programme.procedure, journal[:points], tolerance_v=10.0)
     assert outcome.reason is FinishReason.COMPLETED, outcome.message
     assert [point.index for point in outcome.points] == list(range(6))
     assert [event.points for event in resumed.sink.of(RunResumed)] == [points]
     assert resumed.driven == "rest"
+
+
+def test_a_point_is_taken_again_under_the_vibration_that_it_was_taken_under(shaken):
+    usual, wished = shaken.sink.record, []
+
+    def record(event):
+        usual(event)
+        points = shaken.sink.of(PointCompleted)
+        if isinstance(event, ConditionAnswered) and len(points) == 2 and not wished:
+            wished.append(event.value)
+            shaken.engine.control.take_again(1)
+
+    shaken.sink.record = record
+    outcome = shaken.run()
+    assert outcome.reason is FinishReason.COMPLETED, outcome.message
+    assert wished == ["rest"]
+    answered = [event.value for event in shaken.sink.of(ConditionAnswered) if event.condition == "exciter"]
+    assert answered[:4] == ["rest", BACK, "rest", BACK]
+    assert answered[4] == "rest"
+    assert [point.take for point in outcome.points] == [1, 2, 1, 1, 1, 1]
+    assert [point.conditions["exciter"] for point in outcome.points] == ["rest", BACK, "rest"] * 2
+    assert shaken.driven == "rest"
 
 
 def test_where_the_references_still_shake_at_rest_nobody_is_asked_and_the_operator_is_told(shaken):

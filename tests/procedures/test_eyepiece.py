@@ -39,7 +39,7 @@ class HandTurned:
         self.eyepiece.withdraw()
 
 
-def run(readings, programme=SWEEP, journal=None):
+def run(readings, programme=SWEEP, journal=None, hear=lambda _control, _event: None):
     """Run with what is typed at each question, Enter alone by default; return the outcome and the events."""
     clock = VirtualClock()
     fake = FakeHead(clock)
@@ -54,12 +54,12 @@ def run(readings, programme=SWEEP, journal=None):
         operator,
         sink,
         QUICK,
-        (),
+        (lambda event: hear(engine.control, event),),
         ReadAgain({"head": eyepiece}, contradiction),
     )
     if journal is None:
-        return engine.run(programme.procedure()), sink
-    return engine.resume(programme.procedure(), journal), sink
+        return engine.run(programme.procedure), sink
+    return engine.resume(programme.procedure, journal), sink
 
 
 def asked(sink):
@@ -212,3 +212,18 @@ def test_a_pause_takes_the_request_back_and_puts_it_again():
     head.stop()
     head.start_move(30.0)
     assert head.status().angle_deg == 30.0
+
+
+def test_a_point_is_taken_again_while_the_next_setting_is_awaited():
+    wished = []
+
+    def hear(control, event):
+        if isinstance(event, ReadingRequested) and event.setting_deg == 90.0 and not wished:
+            wished.append(event)
+            control.take_again(2)
+
+    outcome, sink = run({"default": ""}, hear=hear)
+    assert outcome.reason is FinishReason.COMPLETED
+    assert [event.setting_deg for event in sink.of(ReadingRequested)][:6] == [0.0, 30.0, 60.0, 90.0, 60.0, 90.0]
+    assert [point.take for point in outcome.points] == [1, 1, 2, *[1] * 9]
+    assert [point.positions_deg["head"] for point in outcome.points] == [30.0 * number for number in range(12)]

@@ -44,14 +44,14 @@ def test_an_angle_is_passed_where_the_head_would_come_from_the_wrong_side(direct
 def test_a_programme_with_an_approach_arrives_everywhere_in_that_direction(stand: FakeStand):
     text = 'name = "a"\napproach = "up"\n[[procedure]]\nkind = "sweep"\nstep_deg = -10\npoints = 4\n'
     programme = programme_from_text(text, "a.toml")
-    outcome = stand.engine(programme.acquisition(samples=10, rate_hz=100.0)).run(programme.procedure())
+    outcome = stand.engine(programme.acquisition(samples=10, rate_hz=100.0)).run(programme.procedure)
     assert [point.directions["head"] for point in outcome.points] == [1, 1, 1, 1]
     assert stand.head.targets_deg == [-2.0, 0.0, -12.0, -10.0, -22.0, -20.0, -32.0, -30.0]
 
 
 def test_without_one_the_head_goes_straight(stand: FakeStand):
     programme = programme_from_text('name = "a"\n[[procedure]]\nkind = "sweep"\nstep_deg = -10\npoints = 3\n', "a.toml")
-    stand.engine(programme.acquisition(samples=10, rate_hz=100.0)).run(programme.procedure())
+    stand.engine(programme.acquisition(samples=10, rate_hz=100.0)).run(programme.procedure)
     assert stand.head.targets_deg == [0.0, -10.0, -20.0]
 
 
@@ -95,7 +95,7 @@ def test_a_plan_that_winds_the_cable_too_far_is_refused():
 @pytest.mark.parametrize(("last_deg", "rest_deg"), [(395.0, 35.0), (-350.0, 10.0), (720.0, 0.0), (170.0, 170.0)])
 def test_a_cable_that_was_wound_is_unwound_at_the_end(stand: FakeStand, last_deg, rest_deg):
     text = f'name = "a"\n[[procedure]]\nkind = "sweep"\nstart_deg = {last_deg}\nstep_deg = 0\npoints = 1\n'
-    outcome = stand.engine().run(programme_from_text(text, "a.toml").procedure())
+    outcome = stand.engine().run(programme_from_text(text, "a.toml").procedure)
     assert [point.positions_deg["head"] for point in outcome.points] == [last_deg]
     assert stand.head.status().angle_deg == rest_deg
 
@@ -178,7 +178,7 @@ def test_a_head_that_is_turned_during_a_dwell_ends_the_run(stand: FakeStand):
 
     stand.daq.on_acquire = lambda: nudge() if stand.daq.blocks == 2 else None
     text = 'name = "a"\n[[procedure]]\nkind = "sweep"\nstart_deg = 10\nstep_deg = 5\npoints = 2\n'
-    outcome = stand.engine().run(programme_from_text(text, "a.toml").procedure())
+    outcome = stand.engine().run(programme_from_text(text, "a.toml").procedure)
     assert outcome.points == ()
     assert outcome.message == (
         "dividing head: was to stand at 10 deg for a dwell, and is at 12.0000 deg after it; look for what turns it, "
@@ -192,3 +192,20 @@ def test_a_place_is_gone_back_to_in_the_direction_of_then(direction, targets_deg
     motion.return_to(Place(angle_deg=30.0, direction=direction), going_on)
     assert head.targets_deg == targets_deg
     assert motion.direction == (direction or 1)
+
+
+def test_whoever_watches_a_move_is_told_where_it_goes(stand: FakeStand):
+    seen = []
+    motion = Motion(stand.head, stand.clock, 0.01, look=lambda status: seen.append(status.target_deg), title="head")
+    motion.travel(90.0, lambda: False)
+    assert set(seen) == {None, 90.0}
+    assert seen[-1] == 90.0
+
+
+def test_a_head_that_finds_its_reference_was_sent_nowhere(stand: FakeStand):
+    seen = []
+    motion = Motion(stand.head, stand.clock, 0.01, look=lambda status: seen.append(status.target_deg), title="head")
+    motion.travel(90.0, lambda: False)
+    seen.clear()
+    motion.home(lambda: False)
+    assert seen[-1] is None

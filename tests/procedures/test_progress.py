@@ -99,5 +99,19 @@ def test_steps_planned_to_take_no_time_say_nothing():
 
 def test_at_the_end_of_a_real_run_no_time_is_left(stand: FakeStand):
     progress = Progress(plan(PROGRAMME, QUICK, speeds_deg_s={"head": 30.0}), stand.clock)
-    stand.engine(listeners=[progress]).run(PROGRAMME.procedure())
+    stand.engine(listeners=[progress]).run(PROGRAMME.procedure)
     assert (progress.done, progress.time_left()) == (5, TimeLeft(time_s=0.0, standard_error_s=0.0))
+
+
+def test_a_point_that_is_taken_again_is_no_step_of_the_programme(stand: FakeStand):
+    progress, wished = Progress(PLAN, stand.clock), []
+
+    def wish(event):
+        if isinstance(event, PointCompleted) and event.point.take == 1:
+            wished.append(event.point.index)
+            engine.control.take_again(event.point.index)
+
+    engine = stand.engine(listeners=[progress, wish])
+    engine.run(PROGRAMME.procedure)
+    assert progress.done == progress.total == len(wished)
+    assert progress.time_left().time_s == 0.0

@@ -32,7 +32,7 @@ SWEEP = programme_from_text('name = "a"\n[[procedure]]\nkind = "sweep"\nstep_deg
 
 
 def procedure_of(text):
-    return programme_from_text(text, "any.toml").procedure()
+    return programme_from_text(text, "any.toml").procedure
 
 
 def fast_stand():
@@ -89,9 +89,9 @@ def test_a_run_resumed_twice_goes_on_from_its_whole_journal(cut):
 
 
 def test_the_mount_is_confirmed_again_before_anything_moves(stand: FakeStand):
-    begun = FakeStand().engine().run(SWEEP.procedure()).points[:2]
+    begun = FakeStand().engine().run(SWEEP.procedure).points[:2]
     stand.operator.answer = Answer(text="no", confirmed=False)
-    outcome = stand.engine().resume(SWEEP.procedure(), begun)
+    outcome = stand.engine().resume(SWEEP.procedure, begun)
     assert outcome.reason is FinishReason.UNANSWERED
     assert stand.operator.asked == ["face-up"]
     assert stand.head.targets_deg == []
@@ -105,26 +105,26 @@ def test_the_last_mount_is_gone_back_to_before_a_change_that_is_due(stand: FakeS
 
 
 def test_a_run_that_was_complete_is_complete_at_once(stand: FakeStand):
-    begun = FakeStand().engine().run(SWEEP.procedure()).points
-    outcome = stand.engine().resume(SWEEP.procedure(), begun)
+    begun = FakeStand().engine().run(SWEEP.procedure).points
+    outcome = stand.engine().resume(SWEEP.procedure, begun)
     assert (outcome.reason, outcome.points) == (FinishReason.COMPLETED, begun)
     assert stand.operator.asked == []
 
 
 @pytest.mark.parametrize(("elapsed_s", "least_s"), [(0.0, 0.3), (500.0, 500.0)])
 def test_time_goes_on_from_the_beginning_of_the_run(stand: FakeStand, elapsed_s, least_s):
-    begun = FakeStand().engine().run(SWEEP.procedure()).points[:2]
-    last = stand.engine().resume(SWEEP.procedure(), begun, elapsed_s=lambda: elapsed_s).points[2]
+    begun = FakeStand().engine().run(SWEEP.procedure).points[:2]
+    last = stand.engine().resume(SWEEP.procedure, begun, elapsed_s=lambda: elapsed_s).points[2]
     assert least_s < last.time_s < least_s + 5.0
     assert last.time_s > begun[1].time_s
 
 
 def test_the_direction_before_the_cut_holds_until_the_next_move(stand: FakeStand):
     still = programme_from_text(SWEEP.text.replace("step_deg = 5", "step_deg = 0\nstart_deg = -40"), "a.toml")
-    begun = FakeStand().engine().run(still.procedure()).points[:2]
+    begun = FakeStand().engine().run(still.procedure).points[:2]
     stand.head.start_move(-40.0)
     stand.clock.sleep(60.0)
-    assert [point.directions["head"] for point in stand.engine().resume(still.procedure(), begun).points] == [
+    assert [point.directions["head"] for point in stand.engine().resume(still.procedure, begun).points] == [
         -1,
         -1,
         -1,
@@ -154,7 +154,7 @@ def test_a_reported_angle_may_differ_by_the_tolerance():
 def test_a_recording_of_another_programme_is_refused_before_anything_moves(stand: FakeStand, other, seen):
     points = [point_at(AT(angle_deg=0.0)), replace(row_of(point_at(SECOND, index=1)), **other).point]
     with pytest.raises(JournalError) as raised:
-        stand.engine().resume(SWEEP.procedure(), points)
+        stand.engine().resume(SWEEP.procedure, points)
     assert str(raised.value) == (
         f"the recorded run does not belong to this programme: where it has {seen}, the programme has point 1 (sweep, "
         "realisation 1, face-up at 5 deg) after 1 points; resume it with the programme that it was begun with"

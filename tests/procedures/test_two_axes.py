@@ -45,7 +45,7 @@ def programme(installed):
 
 
 def test_a_point_has_both_positions_and_a_mean_of_every_channel(stand, programme):
-    outcome = stand.engine().run(programme.procedure())
+    outcome = stand.engine().run(programme.procedure)
     assert outcome.reason is FinishReason.COMPLETED
     point = outcome.points[1]
     assert point.positions_deg == {"outer": 90.0, "inner": 45.0}
@@ -58,20 +58,20 @@ def test_a_point_has_both_positions_and_a_mean_of_every_channel(stand, programme
 
 
 def test_both_axes_set_out_at_once(stand):
-    (point,) = stand.engine().run(dwell for dwell in [replace(dwell_at(90.0, 60.0), conditions={})]).points
+    (point,) = stand.engine().run(lambda: (dwell for dwell in [replace(dwell_at(90.0, 60.0), conditions={})])).points
     longer_move_s, two_blocks_s, half_a_dwell_s = 90.0 / 30.0, 0.04, 0.05
     assert point.time_s == pytest.approx(longer_move_s + two_blocks_s + half_a_dwell_s, abs=0.06)
 
 
 def test_every_axis_is_approached_from_the_same_side(stand, programme):
     acquisition = replace(QUICK, approach=Approach(direction=1))
-    stand.engine(acquisition).run(programme.procedure())
+    stand.engine(acquisition).run(programme.procedure)
     assert stand.outer.targets_deg == [90.0, 90.0, -2.0, 0.0, -92.0, -90.0]
     assert stand.inner.targets_deg == [-2.0, 0.0, 45.0, 45.0, 28.0, 30.0]
 
 
 def test_the_operator_is_asked_for_the_condition_once(stand, programme):
-    stand.engine().run(programme.procedure())
+    stand.engine().run(programme.procedure)
     answered = ConditionAnswered(condition="base", value="level", answer="yes", confirmed=True)
     assert stand.sink.of(ConditionAnswered) == [answered]
 
@@ -79,7 +79,7 @@ def test_the_operator_is_asked_for_the_condition_once(stand, programme):
 @pytest.mark.parametrize("stuck", ["outer", "inner"])
 def test_where_one_axis_is_stuck_both_are_brought_to_rest(stand, programme, stuck):
     getattr(stand, stuck).stuck_at_deg = 3.0
-    outcome = stand.engine().run(programme.procedure())
+    outcome = stand.engine().run(programme.procedure)
     assert (outcome.reason, outcome.at_standstill) == (FinishReason.DEVICE_FAULT, True)
     assert outcome.message.startswith(f"{stuck} axis: ")
     assert stand.outer.stops
@@ -96,7 +96,7 @@ def test_an_axis_that_cannot_be_told_to_stop_leaves_no_other_moving(stand, deaf)
 
     stand.outer.on_status = stop
     getattr(stand, deaf).deaf_stops = 1
-    outcome = engine.run(dwell for dwell in [replace(dwell_at(300.0, 300.0), conditions={})])
+    outcome = engine.run(lambda: (dwell for dwell in [replace(dwell_at(300.0, 300.0), conditions={})]))
     assert (outcome.reason, outcome.at_standstill) == (FinishReason.STOPPED, True)
     assert not stand.outer.status().moving
     assert not stand.inner.status().moving
@@ -105,7 +105,7 @@ def test_an_axis_that_cannot_be_told_to_stop_leaves_no_other_moving(stand, deaf)
 def test_an_axis_that_coasts_for_ever_is_no_standstill(stand, programme):
     engine = stand.engine()
     stand.inner.coasting = True
-    outcome = engine.run(programme.procedure())
+    outcome = engine.run(programme.procedure)
     assert (outcome.reason, outcome.at_standstill) == (FinishReason.DEVICE_FAULT, False)
     assert "outer axis or inner axis: its standstill could not be read back" in outcome.message
 
@@ -116,8 +116,8 @@ def test_only_the_axis_that_lost_its_power_is_homed_and_comes_back_to_its_place(
             stand.inner.on_status, stand.inner.knows = (lambda: None), False
 
     stand.inner.on_status = lose_power
-    outcome = stand.engine().run(programme.procedure())
-    undisturbed = TwoAxesStand().engine().run(programme.procedure())
+    outcome = stand.engine().run(programme.procedure)
+    undisturbed = TwoAxesStand().engine().run(programme.procedure)
     assert outcome.reason is FinishReason.COMPLETED
     assert [point.positions_deg for point in outcome.points] == [point.positions_deg for point in undisturbed.points]
     assert stand.inner.targets_deg == [0.0, 45.0, 0.0, 0.0, 45.0, 45.0, 30.0]  # homed, back to its place, on its way
@@ -126,7 +126,7 @@ def test_only_the_axis_that_lost_its_power_is_homed_and_comes_back_to_its_place(
 
 def test_two_samplers_may_share_the_channels(stand, programme):
     stand.samplers["thermometer"] = FakeDaq(stand.clock, stand.outer)
-    outcome = stand.engine().run(programme.procedure())
+    outcome = stand.engine().run(programme.procedure)
     assert list(outcome.points[0].readings) == list(CHANNELS)
     assert outcome.points[0].temperature_degc == 23.0
     assert len(stand.sink.of(SamplesAcquired)) == 8
@@ -134,12 +134,12 @@ def test_two_samplers_may_share_the_channels(stand, programme):
 
 def test_two_samplers_with_a_channel_of_one_name_are_refused(stand, programme):
     stand.samplers["again"] = stand.samplers["triad"]
-    assert "two samplers with a channel u_x_v" in stand.engine().run(programme.procedure()).message
+    assert "two samplers with a channel u_x_v" in stand.engine().run(programme.procedure).message
 
 
 def test_a_channel_that_no_sampler_gives_is_a_fault_of_the_stand(stand, programme):
     stand.samplers = {"daq": FakeDaq(stand.clock, stand.outer)}
-    outcome = stand.engine().run(programme.procedure())
+    outcome = stand.engine().run(programme.procedure)
     assert outcome.reason is FinishReason.DEVICE_FAULT
     assert "gives no channel 'u_x_v', only voltage_v" in outcome.message
 
@@ -163,7 +163,7 @@ def test_a_stand_without_an_axis_of_the_programme_is_refused(programme):
 def recorded(stand, programme, path):
     header = replace(HEADER, method="two_axes", method_version=2, format_version=4, programme_text=PROGRAMME)
     with Recorder(path, header, stand.clock) as recorder:
-        return stand.engine(sink=recorder).run(programme.procedure())
+        return stand.engine(sink=recorder).run(programme.procedure)
 
 
 def test_a_recording_says_its_method_and_comes_back(stand, programme, tmp_path):
@@ -181,16 +181,16 @@ def test_a_recording_says_its_method_and_comes_back(stand, programme, tmp_path):
 def test_a_run_that_was_cut_off_goes_on_and_every_channel_is_held_against_its_own(stand, programme, tmp_path):
     points = recorded(stand, programme, tmp_path / "run.mcap").points
     again = TwoAxesStand()
-    outcome = again.engine().resume(programme.procedure(), points[:3])
+    outcome = again.engine().resume(programme.procedure, points[:3])
     assert outcome.reason is FinishReason.COMPLETED
     assert [seen.channel for seen in again.sink.of(PointVerified)] == list(CHANNELS)
     assert [point.positions_deg for point in outcome.points] == [point.positions_deg for point in points]
 
 
 def test_another_mean_of_one_channel_ends_a_resumed_run(stand, programme):
-    points = stand.engine().run(programme.procedure()).points[:3]
+    points = stand.engine().run(programme.procedure).points[:3]
     changed = {**points[2].readings, "u_y_v": replace(points[2].readings["u_y_v"], mean=0.02)}
-    outcome = TwoAxesStand().engine().resume(programme.procedure(), [*points[:2], replace(points[2], readings=changed)])
+    outcome = TwoAxesStand().engine().resume(programme.procedure, [*points[:2], replace(points[2], readings=changed)])
     assert outcome.reason is FinishReason.DEVICE_FAULT
     assert "now and gave 0.020000 V before" in outcome.message
 
@@ -235,7 +235,7 @@ def test_a_link_that_is_lost_on_one_axis_is_awaited(stand, programme):
 
     stand.inner = Pulled(stand.clock)
     stand.samplers = {"triad": type(stand.samplers["triad"])(stand.clock, stand.outer, stand.inner)}
-    outcome = stand.engine().run(programme.procedure())
+    outcome = stand.engine().run(programme.procedure)
     assert (outcome.reason, stand.inner.pulled) == (FinishReason.COMPLETED, 2)
     assert len(outcome.points) == 4
 
@@ -275,5 +275,5 @@ def test_where_a_dwell_is_taken_is_said_in_few_words(conditions, positions_deg, 
 def test_a_stand_that_moves_nothing_measures_and_is_at_rest(stand):
     still = Stand(name="shelf", positioners={}, samplers=stand.samplers, clock=stand.clock)
     dwell = replace(dwell_at(0.0, 0.0), targets_deg={}, conditions={})
-    outcome = Engine(still, stand.operator, stand.sink, QUICK).run(step for step in [dwell])
+    outcome = Engine(still, stand.operator, stand.sink, QUICK).run(lambda: (step for step in [dwell]))
     assert (outcome.reason, len(outcome.points)) == (FinishReason.COMPLETED, 1)

@@ -22,7 +22,7 @@ def off_by(point, volts_v):
 
 
 def begun(points=3):
-    return FakeStand().engine().run(SWEEP.procedure()).points[:points]
+    return FakeStand().engine().run(SWEEP.procedure).points[:points]
 
 
 def test_five_standard_deviations_of_the_difference_are_allowed():
@@ -38,7 +38,7 @@ def test_where_the_head_may_stand_elsewhere_the_output_may_differ_accordingly():
 
 def test_the_last_point_is_taken_again_and_neither_lost_nor_doubled(stand: FakeStand):
     points = begun()
-    outcome = stand.engine().resume(SWEEP.procedure(), points)
+    outcome = stand.engine().resume(SWEEP.procedure, points)
     (seen,) = stand.sink.of(PointVerified)
     assert (seen.point, seen.now, seen.recorded) == (
         2,
@@ -51,14 +51,14 @@ def test_the_last_point_is_taken_again_and_neither_lost_nor_doubled(stand: FakeS
 
 
 def test_the_head_is_homed_before_the_last_point_is_taken_again(stand: FakeStand):
-    stand.engine().resume(SWEEP.procedure(), begun())
+    stand.engine().resume(SWEEP.procedure, begun())
     assert stand.head.targets_deg == [0.0, 60.0, 90.0]
 
 
 def test_a_voltage_that_is_another_ends_the_run_before_it_goes_on(stand: FakeStand):
     points = begun()
     changed = (*points[:2], off_by(points[2], 0.02))
-    outcome = stand.engine().resume(SWEEP.procedure(), changed)
+    outcome = stand.engine().resume(SWEEP.procedure, changed)
     assert (outcome.reason, outcome.points, outcome.at_standstill) == (FinishReason.DEVICE_FAULT, changed, True)
     assert outcome.message.startswith(
         "stand: point 2 gives 1.633975 V now and gave 1.653975 V before the interruption, where 0.0024 V is the most "
@@ -70,19 +70,19 @@ def test_a_voltage_that_is_another_ends_the_run_before_it_goes_on(stand: FakeSta
 def test_who_knows_that_only_the_room_has_changed_may_allow_more(stand: FakeStand):
     points = begun()
     changed = (*points[:2], off_by(points[2], 0.02))
-    outcome = stand.engine().resume(SWEEP.procedure(), changed, tolerance_v=0.05)
+    outcome = stand.engine().resume(SWEEP.procedure, changed, tolerance_v=0.05)
     assert outcome.reason is FinishReason.COMPLETED
 
 
 def test_a_last_point_without_a_voltage_cannot_be_compared(stand: FakeStand):
     points = begun()
     bad = (*points[:2], off_by(points[2], math.nan))
-    outcome = stand.engine().resume(SWEEP.procedure(), bad)
+    outcome = stand.engine().resume(SWEEP.procedure, bad)
     assert (outcome.reason, stand.sink.of(PointVerified)) == (FinishReason.COMPLETED, [])
 
 
 def test_an_overload_now_is_no_agreement(stand: FakeStand):
     stand.daq.overload_at = {2}
-    outcome = stand.engine().resume(SWEEP.procedure(), begun())
+    outcome = stand.engine().resume(SWEEP.procedure, begun())
     assert outcome.reason is FinishReason.DEVICE_FAULT
     assert "point 2 gives nan V now" in outcome.message

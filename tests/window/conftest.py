@@ -14,6 +14,7 @@ from window_driver import LONG, TINY, Driver
 
 from tumble.calibrations.methods.dividing_head import analysis
 from tumble.messages import Language
+from tumble.window.look.language import speak
 from tumble.window.start import Application, application
 
 
@@ -92,6 +93,7 @@ def take_away(qapp, running):
     for made in (running.window, running):
         made.deleteLater()
     qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    speak(Language.ENGLISH)  # tests of parts without a window go by it
 
 
 @pytest.fixture(scope="module")

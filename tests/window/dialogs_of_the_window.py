@@ -89,7 +89,7 @@ POPUPS = {
     "trend": _list("records", lambda window: window.records.trend.parameter),
     "menu of a field": _context_menu("run", lambda window: window.run.form.serial),
     "menu of the log": _context_menu("run", lambda window: window.run.view.log.viewport()),
-    "menu of a label": _context_menu("stand", lambda window: window.stand.table._cells["head", "driver"]),
+    "menu of a label": _context_menu("stand", lambda window: window.stand.cards.cards["head"].cell("driver")),
 }
 """Each is called with the driver, and opens what takes keyboard and mouse to itself."""
 

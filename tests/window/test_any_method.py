@@ -155,8 +155,8 @@ def test_every_axis_has_a_dial_and_its_place_beside_stop(driver, tmp_path):
     driver.wait(lambda: driver.run.view.dials.of("inner").accessibleName() == "30.0000°")
     assert driver.window.stand.dials.of("outer").accessibleName() == "-90.0000°"
     driver.wait(lambda: driver.window.stop_bar._angle.text() == "outer -90° 00′ 00″\ninner 30° 00′ 00″")
-    shown = driver.window.stand.table
-    assert [shown.text(name, "model") for name in ("outer", "inner", "triad")] == ["fake head"] * 2 + ["fake triad"]
+    shown = driver.window.stand.cards.cards
+    assert [shown[name].text("model") for name in ("outer", "inner", "triad")] == ["fake head"] * 2 + ["fake triad"]
 
 
 def test_either_axis_is_turned_by_hand(driver):

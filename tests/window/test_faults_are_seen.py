@@ -53,7 +53,7 @@ def test_a_look_at_an_idle_head_that_fails_leaves_the_stand_and_says_why(driver,
     monkeypatch.setattr(SimulatedHead, "status", lambda _: 1 / 0)
     driver.wait(lambda: driver.complaints)
     assert "ZeroDivisionError" in told(driver)[0]
-    assert driver.window.stand.table.text("head", "model") == "—"
+    assert driver.window.stand.cards.cards["head"].text("model") == "—"
     monkeypatch.undo()
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
     still_works(driver)
@@ -127,6 +127,7 @@ def test_every_thread_and_timer_is_known_here():
         ("work/order_thread.py", "Thread"),
         ("work/background.py", "ThreadPoolExecutor"),
         ("screens/records.py", "QTimer"),
+        ("screens/queue_runner.py", "QTimer"),
         ("screens/run_view.py", "QTimer"),
         ("widgets/notice.py", "QTimer"),
         ("start.py", "QTimer"),

@@ -13,7 +13,7 @@ from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
 from tumble.drivers.protocols import ChannelBlock, SampleBlock
 from tumble.drivers.simulated.daq import SimulatedDaq
 from tumble.drivers.simulated.head import SimulatedHead
-from tumble.window.widgets.instrument_table import InstrumentTable
+from tumble.window.widgets.instrument_cards import InstrumentCards
 from tumble.window.widgets.live_value import LiveValue, Sparkline, _pieces, _places
 
 
@@ -30,7 +30,7 @@ def driver(lent_driver):
 
 
 def live(driver):
-    return driver.window.stand.table.live["daq"]
+    return driver.window.stand.cards.live["daq"]
 
 
 def test_the_newest_value_is_told_with_its_unit(qtbot, qapp):
@@ -71,12 +71,14 @@ def test_a_meter_that_gives_nothing_has_no_value_and_one_gap(qtbot, qapp):
 
 def test_a_stand_with_the_same_names_has_its_own_samplers(qtbot, qapp):
     instruments = load_stand().file.instruments
-    table = InstrumentTable()
-    qtbot.addWidget(table)
+    cards = InstrumentCards()
+    qtbot.addWidget(cards)
     for samplers in (["daq"], ["head"]):
-        file = SimpleNamespace(instruments=instruments, samplers={name: instruments[name] for name in samplers})
-        table.show_stand(SimpleNamespace(file=file))
-        assert list(table.live) == samplers
+        file = SimpleNamespace(
+            instruments=instruments, samplers={name: instruments[name] for name in samplers}, environments={}
+        )
+        cards.show_stand(SimpleNamespace(file=file))
+        assert list(cards.live) == samplers
 
 
 def test_a_line_goes_from_the_lowest_value_at_the_bottom_to_the_highest_on_top():

@@ -34,6 +34,16 @@ def test_every_text_is_whole_and_in_the_language(tour, language, scale):
     assert [(state, flaw) for state in tour.states() for flaw in flaws(tour.window, language)] == []
 
 
+@pytest.mark.parametrize("language", Language)
+def test_stand_and_run_are_not_scrolled_across_with_large_text(tour, language):
+    tour.take(language, Shade.LIGHT, SMALL, 2.0)
+    window = tour.window
+    for screen in (window.stand, window.run):
+        window.open(screen)
+        tour.settle()
+        assert screen.layout().minimumSize().width() <= screen.parentWidget().width()
+
+
 @pytest.mark.parametrize("shade", [Shade.LIGHT, Shade.DARK, Shade.CONTRAST])
 def test_every_text_and_mark_stands_out_from_its_ground(tour, shade):
     tour.take(Language.ENGLISH, shade, SMALL, 1.0)

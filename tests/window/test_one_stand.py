@@ -172,7 +172,7 @@ def test_an_instrument_that_names_itself_anew_in_a_run_is_shown(driver):
     driver.window.stand.connect_button.click()
     driver.wait(driver.window.stand.jog.isEnabled)
     driver.window.bridge.listen(Identified(instrument="daq", model="34465A", serial="MY2", firmware="3"))
-    driver.wait(lambda: driver.window.stand.table.text("daq", "serial") == "MY2")
+    driver.wait(lambda: driver.window.stand.cards.cards["daq"].text("serial") == "MY2")
 
 
 def test_a_stand_that_cannot_be_read_any_more_is_told_at_the_start(driver, stands):

@@ -25,10 +25,11 @@ def connect(driver):
 
 def test_a_stand_says_who_it_is(driver):
     stand = connect(driver)
-    assert stand.table.text("head", "model") == "tumble simulated head"
-    assert stand.table.text("daq", "serial") == "SIM-DAQ"
+    assert stand.cards.cards["head"].text("model") == "tumble simulated head"
+    assert stand.cards.cards["daq"].text("serial") == "SIM-DAQ"
+    assert stand.cards.cards["head"].link.text() == "connected"
     stand.disconnect_button.click()
-    driver.wait(lambda: stand.table.text("head", "model") == "—")
+    driver.wait(lambda: stand.cards.cards["head"].text("model") == "—")
 
 
 def test_the_head_goes_where_it_is_told(driver):
@@ -71,10 +72,10 @@ def test_certificates_are_shown_with_what_is_due(driver, write):
     dated = STAND.replace("[daq]\n", f'[daq]\ncertificate = "C-17"\ncalibration_due = {today + timedelta(days=7)}\n')
     dated = dated.replace("[head]\n", f"[head]\ncalibration_due = {today - timedelta(days=1)}\n")
     driver.window.stand.open(write("dated.toml", dated))
-    table = driver.window.stand.table
-    assert table.text("daq", "certificate") == "C-17"
-    assert table.text("head", "due").endswith("overdue")
-    assert table.text("daq", "due").endswith("soon")
+    head, daq = (driver.window.stand.cards.cards[name] for name in ("head", "daq"))
+    assert daq.text("certificate") == "C-17"
+    assert head.calibration.text().startswith("Calibration overdue since ")
+    assert daq.calibration.text().startswith("Calibration soon due: ")
 
 
 def test_a_head_that_is_turned_by_hand_cannot_be_jogged(driver, write):
@@ -83,7 +84,7 @@ def test_a_head_that_is_turned_by_hand_cannot_be_jogged(driver, write):
     stand.open(write("manual.toml", manual))
     driver.window.open(stand)
     stand.connect_button.click()
-    driver.wait(lambda: stand.table.text("head", "serial") == "OG-7")
+    driver.wait(lambda: stand.cards.cards["head"].text("serial") == "OG-7")
     driver.wait(stand.disconnect_button.isEnabled)
     assert not stand.jog.isEnabled()
 

@@ -64,10 +64,16 @@ class PointTable(Overview):
         conditions, positions, channels = self._names
         places = (_angle(point.positions_deg[name]) for name in positions)
         means = (_mean(point.readings.get(name)) for name in channels)
-        return (str(point.index + 1), *(point.conditions.get(name, "") for name in conditions), *places, *means)
+        return (_number(point), *(point.conditions.get(name, "") for name in conditions), *places, *means)
 
     def _fill(self) -> None:
         self.table.fill([row for row in (self._now, *self._rows) if row])
+
+
+def _number(point: Point) -> str:
+    """Of the point, and which take it is where it was taken again."""
+    number = str(point.index + 1)
+    return number if point.take == 1 else tr("{point}, take {take}", point=number, take=point.take)
 
 
 def _angle(angle_deg: float) -> str:

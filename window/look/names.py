@@ -3,9 +3,14 @@
 The words of the contracts (`scale_drift`) stay what they are in programmes, tables and documents.
 """
 
+from typing import Final
+
 from tumble.messages import Message, with_wording
 from tumble.window.look.language import spoken, tr
 from tumble.window.look.shades import Shade
+
+AIR: Final = "air_degc"
+"""The channel by which the temperature of an environment is shown."""
 
 
 def instrument_name(name: str) -> str:

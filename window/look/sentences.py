@@ -9,6 +9,7 @@ from tumble.procedures.events import (
     Identified,
     PointVerified,
     ReadingAnswered,
+    RetakeBegun,
     RunFinished,
     RunResumed,
     State,
@@ -42,7 +43,7 @@ def sentence_of(event: Event, words: ConditionWords) -> str:
             said = tr("Set to {setting}; read: {answer}.", setting=format_dms(event.setting_deg), answer=answer)
         case RunResumed():
             said = tr("The run goes on; {points} points are there already.", points=event.points)
-        case PointVerified():
+        case RetakeBegun() | PointVerified():
             said = _taken_again(event)
         case StateChanged(state=State.PAUSED | State.STANDSTILL):
             said = state_name(event.state) + "."
@@ -55,8 +56,10 @@ def sentence_of(event: Event, words: ConditionWords) -> str:
     return local(said)
 
 
-def _taken_again(event: PointVerified) -> str:
-    """In volts where the name of the channel ends in these."""
+def _taken_again(event: RetakeBegun | PointVerified) -> str:
+    """That it is, or what came of it: in volts where the name of the channel ends in these."""
+    if isinstance(event, RetakeBegun):
+        return tr("Point {point} is taken again.", point=event.point)
     if not event.channel.endswith("_v"):
         return tr(
             "Point {point} was taken again: {channel} {now:.7g} now, {before:.7g} before.",

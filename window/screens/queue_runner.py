@@ -2,21 +2,23 @@
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import Final
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from tumble.app.exits import JobError
 from tumble.app.running import Job
 from tumble.app.stand import LoadedStand
 from tumble.procedures.errors import InputError
-from tumble.procedures.plan import Plan
-from tumble.procedures.programmes import load_programme
-from tumble.procedures.steps import Dwell
 from tumble.window.look.language import tr
 from tumble.window.screens.run_course import RunCourse, was_stopped
 from tumble.window.work.activity import Activity, Calibration, Concluded, Resumption
-from tumble.window.work.queue_file import read_queue, write_queue
+from tumble.window.work.queue_file import QueueFile
+from tumble.window.work.queued_run import asks_first, place_of, planned
 from tumble.window.work.run_queue import AT_STAND, Entry, RunQueue, Stage
+
+_WATCH_MS: Final = 1000
+"""How often it is looked at what other windows have changed."""
 
 
 class QueueRunner(QObject):
@@ -50,7 +52,7 @@ class QueueRunner(QObject):
     ) -> None:
         super().__init__(parent)
         self._begin_run, self._stand, self._folder = begin, stand, folder
-        self.queue = RunQueue()
+        self._file = QueueFile(folder())
         self.going, self.said = False, ""
         """Whether it goes on by itself, and how it stands, in a sentence."""
         self._of: list[tuple[Activity, int]] = []
@@ -58,17 +60,41 @@ class QueueRunner(QObject):
         self._beginning: int | None = None
         self._wanted: int | None = None
         """Entry whose unit is awaited."""
+        self._seated_entry: Entry | None = None
+        """One whose unit is there, and that is begun next."""
         self._seated = ""
         """Serial number of the unit that was measured last."""
+        self._watch = QTimer(self, interval=_WATCH_MS)
+        self._watch.timeout.connect(self.look)
+
+    @property
+    def queue(self) -> RunQueue:
+        """What is known of the queue of the store."""
+        return self._file.queue
 
     def open(self) -> None:
-        """Read what the store has kept."""
-        entries, trouble = read_queue(self._folder())
-        self.queue, self._of, self._wanted = RunQueue(entries), [], None
+        """Read what the store has kept, and go on looking at it: other windows of the store have a part in it."""
+        self._file.leave()
+        self._file, self._of, self._wanted, self._seated_entry = QueueFile(self._folder()), [], None, None
         self.going, self.said = False, ""
+        self.look()
         self.changed.emit()
-        if trouble is not None:
-            self.refused.emit(trouble)
+        self._watch.start()
+
+    def look(self) -> None:
+        """Show what other windows have changed."""
+        try:
+            changed = self._file.look()
+        except InputError as error:
+            self.refused.emit(error)
+            return
+        if changed:
+            self.changed.emit()
+
+    def leave(self) -> None:
+        """Carry nothing out any more: what was under way here is stopped."""
+        self._watch.stop()
+        self._file.leave()
 
     def follow(self, course: RunCourse) -> None:
         """Hear what becomes of runs."""
@@ -85,34 +111,30 @@ class QueueRunner(QObject):
             serial_number=job.serial_number,
             programme=programme,
             operator=job.operator,
-            stand=_place(job.stand),
+            stand=place_of(job.stand),
         )
-        self.queue.add(entry, repeats)
-        self._tell()
+        self._update(lambda queue: queue.add(entry, repeats))
 
     def move(self, number: int, places: int) -> None:
         """Move an entry that waits."""
-        self.queue.move(number, places)
-        self._tell()
+        self._update(lambda queue: queue.move(number, places))
 
     def remove(self, number: int) -> None:
         """Take an entry out that is not under way; one whose unit is awaited holds the queue."""
         if number == self._wanted:
             self.hold()
-        self.queue.remove(number)
-        self._tell()
+        self._update(lambda queue: queue.remove(number))
 
     def clear(self) -> None:
         """Take out everything that is not under way."""
         if self._wanted is not None:
             self.hold()
-        self.queue.clear()
-        self._tell()
+        self._update(RunQueue.clear)
 
     def start(self) -> None:
         """Go on by itself from now."""
         self.going, self.said = True, ""
-        self._tell()
+        self.changed.emit()
 
     def hold(self) -> None:
         """Begin nothing more by itself."""
@@ -122,18 +144,17 @@ class QueueRunner(QObject):
         """Begin the next run; to be called whenever the stand is free."""
         if not self.going or self._wanted is not None:
             return
-        entry = self.queue.next_waiting()
+        entry, self._seated_entry = self._seated_entry or self._claimed(), None
         if entry is None:
-            self._hold(tr("Everything in the queue was measured."))
             return
         try:
-            job, plan = self._planned(entry)
+            job, plan = planned(entry, self._stand())
         except InputError as error:
             self.going = False
             self._fail(entry, str(error))
             self.refused.emit(error)
             return
-        if self._seated not in ("", entry.serial_number) and not _asks_first(plan):
+        if self._seated not in ("", entry.serial_number) and not asks_first(plan):
             self._wanted = entry.number
             self._change(entry.number, lambda each: each.at(Stage.MOUNTING))
             self.unit_wanted.emit(entry.serial_number)
@@ -144,8 +165,8 @@ class QueueRunner(QObject):
         """The unit that was wanted is on the stand: its run begins as soon as that is told."""
         entry = self.queue.get(self._wanted) if self._wanted is not None else None
         if entry is not None:
-            self._seated = entry.serial_number
-            self._want_no_unit()
+            self._seated, self._seated_entry, self._wanted = entry.serial_number, entry, None
+            self.unit_wanted.emit("")
 
     def hear_begun(self, activity: Activity) -> None:
         """A run has the stand, begun from here or by the person."""
@@ -157,13 +178,15 @@ class QueueRunner(QObject):
         self._seated = activity.job.serial_number
         if number is not None:
             self._of.append((activity, number))
-            self._change(number, Entry.begun)
+            self._file.be_present()
+            self._change(number, lambda each: each.begun(self._file.owner))
 
     def hear_waiting(self, waiting: bool) -> None:
         """Whether the run at the stand waits for the person."""
         stage = Stage.MOUNTING if waiting else Stage.MEASURING
-        for entry in self.queue.entries:
-            if entry.stage in AT_STAND and entry.number != self._wanted and entry.stage is not stage:
+        for number in [number for _, number in self._of]:
+            entry = self.queue.get(number)
+            if entry is not None and entry.stage in AT_STAND and entry.stage is not stage:
                 self._change(entry.number, lambda each: each.at(stage))
 
     def hear_recorded(self, activity: Activity, path: Path) -> None:
@@ -202,25 +225,24 @@ class QueueRunner(QObject):
         if self.going:
             self._hold(tr("The queue is held: it was stopped. F4 goes on with it."))
 
-    def _planned(self, entry: Entry) -> tuple[Job, Plan]:
-        """The run of an entry. Raises `InputError` where it does not fit the stand that is on screen."""
-        stand = self._stand()
-        if entry.stand != _place(stand):
-            raise InputError(
-                tr(
-                    "{unit} was put into the queue for the stand {its}, and another one is on screen",
-                    unit=entry.serial_number,
-                    its=entry.stand or tr("the simulated stand that is built in"),
-                )
-            )
-        programme = load_programme(entry.programme)
-        job = Job(stand=stand, programme=programme, serial_number=entry.serial_number, operator=entry.operator)
-        return job, job.plan()
+    def _claimed(self) -> Entry | None:
+        """The entry to be carried out here, kept from every other window; None, and the queue held, without one."""
+        try:
+            entry = self._file.claim(place_of(self._stand()))
+        except (InputError, JobError) as error:
+            self._hold(tr("The queue is held: it could not be changed. F4 goes on with it."))
+            self.refused.emit(error)
+            return None
+        if entry is None:
+            elsewhere = tr("The queue is held: what waits was added for another stand. Choose that one, then F4.")
+            self._hold(elsewhere if self.queue.waiting else tr("Everything in the queue was measured."))
+        return entry
 
     def _begin(self, entry: Entry, job: Job) -> None:
         self._beginning = entry.number
         try:
             if not self._begin_run(Calibration(job=job, store=self._folder())):
+                self._release(entry)
                 self._hold(tr("The queue is held: the stand is at work. F4 goes on with it."))
         finally:
             self._beginning = None
@@ -237,13 +259,19 @@ class QueueRunner(QObject):
     def _hold(self, said: str) -> None:
         self.going, self.said = False, said
         self._want_no_unit()
-        self._tell()
+        self.changed.emit()
 
     def _want_no_unit(self) -> None:
+        seated, self._seated_entry = self._seated_entry, None
+        self._release(seated)
         if self._wanted is not None:
-            self.queue.change(self._wanted, lambda each: each.at(Stage.WAITING))
-            self._wanted = None
+            entry, self._wanted = self.queue.get(self._wanted), None
+            self._release(entry)
             self.unit_wanted.emit("")
+
+    def _release(self, entry: Entry | None) -> None:
+        """Have an entry wait again, for any window."""
+        self._change(entry.number if entry else None, lambda each: each.at(Stage.WAITING))
 
     def _number(self, activity: Activity) -> int | None:
         return next((number for each, number in self._of if each is activity), None)
@@ -258,24 +286,12 @@ class QueueRunner(QObject):
 
     def _change(self, number: int | None, change: Callable[[Entry], Entry]) -> None:
         if number is not None:
-            self.queue.change(number, change)
-            self._tell()
+            self._update(lambda queue: queue.change(number, change))
 
-    def _tell(self) -> None:
-        """Keep the queue, and have it shown."""
+    def _update(self, change: Callable[[RunQueue], None]) -> None:
+        """Change the queue for every window, and have it shown."""
         try:
-            write_queue(self._folder(), self.queue.entries)
+            self._file.update(change)
         except (InputError, JobError) as error:
             self.refused.emit(error)
         self.changed.emit()
-
-
-def _place(stand: LoadedStand) -> str:
-    return str(stand.path.resolve()) if stand.path else ""
-
-
-def _asks_first(plan: Plan) -> bool:
-    """Whether the person sets something before the first dwell, and so is shown the unit that is meant."""
-    before = (planned.by_hand for planned in plan.steps)
-    dwells = (isinstance(planned.step, Dwell) for planned in plan.steps)
-    return next((asked for asked, dwell in zip(before, dwells, strict=True) if asked or dwell), False)

@@ -145,6 +145,7 @@ class RunScreen(QWidget):
         self.controls.start.clicked.connect(self.start)
         self.controls.pause.clicked.connect(self.course.pause)
         self.controls.resume.clicked.connect(self.course.go_on)
+        self.controls.again.clicked.connect(self.course.repeat)
         self.offered.offered.connect(lambda offered: self.course.await_choice(offered and self._broken_off))
         self.form.changed.connect(self._refresh)
         self.form.changed.connect(self._tell_unit)

@@ -16,13 +16,14 @@ _MOST_REPEATS: Final = 99
 
 
 class RunControls(QWidget):
-    """Start, pause and go on, the queue likewise, and how far a run is; knows which of them means something now."""
+    """Start, pause, go on, repeat; the queue likewise; how far a run is. Knows which of them means something now."""
 
     def __init__(self, summary: QWidget, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.start = MotionButton(tr("Start"), "F5")
         self.pause = MotionButton(tr("Pause"), "F6")
         self.resume = MotionButton(tr("Go on"), "F7")
+        self.again = MotionButton(tr("Repeat point"), "Ctrl+F7")
         self.add = MotionButton(tr("Add to the queue"), "F2")
         self.start_queue = MotionButton(tr("Start the queue"), "F4")
         self.hold_queue = MotionButton(tr("Hold the queue"), "F4")
@@ -42,6 +43,7 @@ class RunControls(QWidget):
         self.start.setEnabled(free and named)
         self.pause.setEnabled(running and not now.paused and not now.pausing)
         self.resume.setEnabled(now.paused or now.pausing)
+        self.again.setEnabled(now.repeatable)
         self.state.setText(now.text)
 
     def show_queue(self, waiting: int, going: bool) -> None:
@@ -85,7 +87,7 @@ class RunControls(QWidget):
         self.repeats.setAccessibleName(tr("How often it is measured"))
         self.repeats.setToolTip(self.repeats.accessibleName())
         run, queue = QHBoxLayout(), QHBoxLayout()
-        for button in (self.start, self.pause, self.resume):
+        for button in (self.start, self.pause, self.resume, self.again):
             run.addWidget(button)
         run.addStretch()
         queue.addStretch()

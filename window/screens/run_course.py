@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, Signal
 from tumble.app.exits import Exit, JobError
 from tumble.app.wiring import Attendant
 from tumble.drivers.protocols import PositionerStatus
-from tumble.procedures.events import Event, RunFinished, State, StateChanged
+from tumble.procedures.events import Event, PointCompleted, RetakeBegun, RunFinished, State, StateChanged
 from tumble.window.screens.run_state import RunState
 from tumble.window.work.activity import Activity, Concluded, Conclusion
 from tumble.window.work.bridge import EventBridge
@@ -75,7 +75,7 @@ class RunCourse(QObject):
         if self.now.running or not self._worker.begin(activity, self._attendant()):
             return False
         self._activity = activity
-        self.now.begin()
+        self.now.begin(activity.points_done)
         return True
 
     def pause(self) -> None:
@@ -88,6 +88,12 @@ class RunCourse(QObject):
         """Go on with a run that is paused."""
         self.now.pausing = False
         self._worker.resume()
+        self.changed.emit()
+
+    def repeat(self) -> None:
+        """Have the last point taken again."""
+        self.now.repeating = True
+        self._worker.take_again(self.now.last)
         self.changed.emit()
 
     def await_reading(self, awaited: bool) -> None:
@@ -128,13 +134,16 @@ class RunCourse(QObject):
     def _hear(self, event: Event) -> None:
         if not self.now.running:
             return
+        repeatable = self.now.repeatable
         if isinstance(event, StateChanged):
             self.now.change(event.state)
+        elif isinstance(event, PointCompleted):
+            self.now.complete(event.point.index)
         elif isinstance(event, RunFinished):
             self.now.reading = False
             self.now.settle(event.at_standstill)
         self.heard.emit(event)
-        if isinstance(event, StateChanged):
+        if isinstance(event, StateChanged) or repeatable != self.now.repeatable:
             self.changed.emit()
 
     def _see(self, name: str, status: PositionerStatus) -> None:
@@ -182,4 +191,4 @@ def asks_nothing(event: Event) -> bool:
     """Whether whatever was asked for need not be answered any more."""
     if isinstance(event, StateChanged):
         return event.state not in (State.AWAITING_OPERATOR, State.RUNNING)
-    return isinstance(event, RunFinished)
+    return isinstance(event, RunFinished | RetakeBegun)

@@ -48,6 +48,10 @@ class RunState:
     """Whether a pause was asked for that has not begun."""
     restless: bool = False
     """Whether the standstill of a positioner could not be read back."""
+    last: int = -1
+    """Number of the last point that is there, from 0; -1 before the first."""
+    repeating: bool = False
+    """Whether it is to be taken again, as was asked for."""
     reading: bool = False
     """Whether a reading of the head is awaited."""
     resting: set[str] = field(default_factory=set)
@@ -66,6 +70,12 @@ class RunState:
         return self.running and self.state is State.PAUSED
 
     @property
+    def repeatable(self) -> bool:
+        """Whether the last point can be taken again."""
+        ending = self.state in (State.STOPPING, State.STANDSTILL)
+        return self.running and not ending and self.last >= 0 and not self.repeating
+
+    @property
     def waiting(self) -> bool:
         """Whether nothing goes on before the person at the stand has done something."""
         asked = self.reading and self.state is State.RUNNING
@@ -75,6 +85,10 @@ class RunState:
         """Take over what the engine tells."""
         self.state = state
         self.pausing = self.pausing and state is not State.PAUSED
+
+    def complete(self, point: int) -> None:
+        """A point is there."""
+        self.last, self.repeating = point, False
 
     def settle(self, at_standstill: bool) -> None:
         """Something ended, and the standstill of the stand was read back or was not."""
@@ -86,13 +100,15 @@ class RunState:
         if self.resting.issuperset(positioners):
             self.restless = False
 
-    def begin(self) -> None:
-        """A run has the stand."""
+    def begin(self, points: int) -> None:
+        """A run has the stand, of which so many points are there."""
+        self.last, self.repeating = points - 1, False
         self.running, self.changing_unit, self.stopped, self.faulty = True, False, False, False
 
     def end(self) -> None:
         """The run is over."""
-        self.running, self.state, self.pausing, self.reading = False, State.IDLE, False, False
+        self.running, self.state = False, State.IDLE
+        self.pausing = self.reading = self.repeating = False
 
     @property
     def text(self) -> str:
@@ -105,6 +121,13 @@ class RunState:
             return tr("Waits for you, and pauses then") if self.waiting else tr("Pausing…")
         if self.stopped and self.phase is Phase.IDLE and not self.waiting:
             return tr("Stopped by a fault") if self.faulty else tr("Stopped")
+        return self._going_on
+
+    @property
+    def _going_on(self) -> str:
+        """What a run does that neither ends nor is about to pause."""
+        if self.repeating and not self.waiting:
+            return tr("Paused; then the last point again") if self.paused else tr("Taking the last point again")
         if self.running and self.state is State.IDLE:
             return tr("Getting ready")
         return state_name(State.AWAITING_OPERATOR if self.waiting else self.state)

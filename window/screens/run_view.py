@@ -8,7 +8,14 @@ from PySide6.QtWidgets import QTabWidget, QVBoxLayout, QWidget
 
 from tumble.app.running import Job
 from tumble.drivers.protocols import Block, PositionerStatus
-from tumble.procedures.events import Event, PointCompleted, SamplesAcquired, StepStarted, WarningRaised
+from tumble.procedures.events import (
+    Event,
+    PointCompleted,
+    RetakeBegun,
+    SamplesAcquired,
+    StepStarted,
+    WarningRaised,
+)
 from tumble.procedures.plan import Plan
 from tumble.procedures.programme import Programme
 from tumble.procedures.steps import Ask, Dwell, Point, Step
@@ -40,7 +47,10 @@ class RunView(QWidget):
         super().__init__(parent)
         self._background = background
         self.points: list[Point] = []
+        self._dwells: list[Dwell] = []
         self._step: Dwell | None = None
+        self._repeating = False
+        """Whether the last point is taken again, which is no further step."""
         self._block: Block | None = None
         self._drawn = 0
         self.dials, self.log, self.steps = Dials(), RunLog(), StepList()
@@ -63,11 +73,11 @@ class RunView(QWidget):
         for page in (self.prompt, self.reading):
             page.show_unit(job.serial_number)
         self.points = list(points)
-        dwells = [planned.step for planned in plan.steps if isinstance(planned.step, Dwell)]
-        self.overview.show_plan(dwells, points)
+        self._dwells = [planned.step for planned in plan.steps if isinstance(planned.step, Dwell)]
+        self.overview.show_plan(self._dwells, points)
         self.steps.show_steps(plan.steps, len(points))
         self.figures.begin(points)
-        self._step, self._block = None, None
+        self._step, self._block, self._repeating = None, None, False
         self._drawn = -1
         self.samples.begin(programme.layout.channels)
         for plot in self.findChildren(Plot):
@@ -78,10 +88,14 @@ class RunView(QWidget):
     def hear(self, event: Event) -> None:
         """Show what happened."""
         match event:
+            case RetakeBegun():
+                self._repeating = True
             case StepStarted(step=step):
                 self._begin_step(step)
             case SamplesAcquired(block=block):
                 self._block = block
+            case PointCompleted(point=point) if self._repeating:
+                self._replace(point)
             case PointCompleted(point=point):
                 self._complete(point)
         if sentence := sentence_of(event, self._part.words):
@@ -134,7 +148,8 @@ class RunView(QWidget):
         shown.show()
 
     def _begin_step(self, step: Step) -> None:
-        self.steps.begin(step)
+        if not self._repeating:
+            self.steps.begin(step)
         if isinstance(step, Dwell):
             self._step = step
             self.overview.begin(step)
@@ -145,6 +160,14 @@ class RunView(QWidget):
         self.steps.complete()
         if self._step is not None:
             self.overview.complete(self._step, point)
+
+    def _replace(self, point: Point) -> None:
+        """Show what the last point gave when it was taken again, in the place of what it gave before."""
+        self._repeating = False
+        self.points[-1] = point
+        self.overview.show_plan(self._dwells, self.points)
+        self.figures.begin(self.points)
+        self._drawn = -1
 
     def _make_parts(self, programme: Programme) -> None:
         layout, self._part = programme.layout, window_part(programme.method)

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
 
 from tumble.app.stand import LoadedStand, load_stand
 from tumble.app.wiring import Attendant
+from tumble.drivers.errors import DeviceError, LimitError
 from tumble.drivers.protocols import Block, Identity, PositionerStatus
 from tumble.procedures.errors import InputError
 from tumble.procedures.events import Event, Identified
@@ -21,7 +22,7 @@ from tumble.window.widgets.column import Column
 from tumble.window.widgets.dialog import FileDialog
 from tumble.window.widgets.dials import Dials
 from tumble.window.widgets.folding_row import FoldingRow, buttons_beside
-from tumble.window.widgets.instrument_table import InstrumentTable
+from tumble.window.widgets.instrument_cards import InstrumentCards
 from tumble.window.widgets.jog import Jog
 from tumble.window.widgets.simulation_settings import SimulationSettings
 from tumble.window.widgets.splitter import Splitter
@@ -50,7 +51,7 @@ class StandScreen(QWidget):
         """Whose stand is the one that is built in."""
         self._lost: set[str] = set()
         """Positioners that do not know their angle."""
-        self.dials, self.table, self.jog = Dials(), InstrumentTable(), Jog()
+        self.dials, self.cards, self.jog = Dials(), InstrumentCards(), Jog()
         self.simulation = SimulationSettings()
         self.connect_button, self.disconnect_button = (
             QPushButton(tr("&Connect")),
@@ -81,7 +82,7 @@ class StandScreen(QWidget):
         """Leave them alone again, and keep no reading that grows old."""
         super().hideEvent(event)
         self._worker.watch(False)
-        self.table.pause_readings()
+        self.cards.pause_readings()
 
     def use(self, loaded: LoadedStand) -> bool:
         """Choose a stand, and leave the one before; returns whether that could be."""
@@ -104,7 +105,7 @@ class StandScreen(QWidget):
     def _show_stand(self, loaded: LoadedStand) -> None:
         place = str(loaded.path) if loaded.path else tr("the simulated stand that is built in")
         self._name.setText(f"<b>{escape(loaded.file.name)}</b><br>{escape(place)}")
-        self.table.show_stand(loaded)
+        self.cards.show_stand(loaded)
         self.jog.show_positioners(tuple(loaded.file.positioners))
         self.simulation.setVisible(loaded.file.simulates)
         QSettings().setValue("stand/path", str(loaded.path) if loaded.path else "")
@@ -127,6 +128,7 @@ class StandScreen(QWidget):
         worker.connected.connect(self._show_connected)
         worker.disconnected.connect(self._show_disconnected)
         worker.working.connect(self._show_working)
+        worker.failed.connect(self._show_fault)
         worker.position_seen.connect(self._see)
         worker.reading_seen.connect(self._see_reading)
         bridge.position_seen.connect(self._see)
@@ -143,7 +145,7 @@ class StandScreen(QWidget):
         self._notice.setObjectName("bad")
         files = buttons_beside((self._browse, self._built_in, self.edit_button))
         links = buttons_beside((self.connect_button, self.disconnect_button))
-        facts = Column((self.table, self.simulation, self._notice, self.jog))
+        facts = Column((self.cards, self.simulation, self._notice, self.jog))
         self._facts = Splitter(Qt.Orientation.Horizontal, (self.dials, facts), (1, 1))
         self.editor.hide()
         layout = QVBoxLayout(self)
@@ -184,9 +186,9 @@ class StandScreen(QWidget):
     def _show_connected(self, identity: StandIdentity) -> None:
         self._connected = True
         self._by_hand = any(status.by_hand for status in identity.statuses.values())
-        self.table.show_stand(self.loaded)  # what is due may have changed since
+        self.cards.show_stand(self.loaded)  # what is due may have changed since
         for name, instrument in identity.instruments.items():
-            self.table.show_identity(name, instrument)
+            self.cards.show_identity(name, instrument)
         self._warnings = identity.warnings
         for name, status in identity.statuses.items():
             self._see(name, status)
@@ -194,7 +196,7 @@ class StandScreen(QWidget):
 
     def _show_disconnected(self) -> None:
         self._connected = False
-        self.table.forget_identities()
+        self.cards.forget_identities()
         self.dials.show_positioners(tuple(self.loaded.file.positioners))
         self._lost = set()
         self._notice.clear()
@@ -202,8 +204,13 @@ class StandScreen(QWidget):
 
     def _show_working(self, working: bool) -> None:
         if working:
-            self.table.pause_readings()
+            self.cards.pause_readings()
+            self.cards.forget_faults()
         self._refresh()
+
+    def _show_fault(self, error: BaseException) -> None:
+        if isinstance(error, DeviceError) and not isinstance(error, LimitError):
+            self.cards.show_fault(error.device)
 
     def _see(self, name: str, status: PositionerStatus) -> None:
         self.dials.show_status(name, status)
@@ -214,13 +221,13 @@ class StandScreen(QWidget):
     def _see_reading(self, name: str, block: Block | None) -> None:
         """Show what a look saw, unless it is of the past: an order has begun since, or nobody watches any more."""
         if self.isVisible() and not self._worker.busy:
-            self.table.see(name, block)
+            self.cards.see(name, block)
 
     def _hear(self, event: Event) -> None:
         """Show who answers in a run, which asks anew whenever a link was lost."""
         if isinstance(event, Identified):
             identity = Identity(model=event.model, serial=event.serial, firmware=event.firmware)
-            self.table.show_identity(event.instrument, identity)
+            self.cards.show_identity(event.instrument, identity)
 
     def _refresh(self) -> None:
         free = not self._worker.busy

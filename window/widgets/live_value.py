@@ -14,6 +14,7 @@ from tumble.calibrations.core.arrays import FloatArray
 from tumble.drivers.protocols import VOLTAGE, Block
 from tumble.drivers.usable import OVERLOAD
 from tumble.window.look.language import tr
+from tumble.window.look.names import AIR
 from tumble.window.look.numbers import local
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.theme import colours
@@ -139,7 +140,8 @@ def _mean(values: FloatArray) -> float:
 
 
 def _told(name: str, value: float) -> str:
+    """A value with its unit where its channel is the only one that such an instrument has; else with its name."""
     if math.isfinite(value):
-        return local(f"{value:.6f} V" if name == VOLTAGE else f"{name}: {value:.6g}")
+        return local({VOLTAGE: f"{value:.6f} V", AIR: f"{value:.2f} °C"}.get(name, f"{name}: {value:.6g}"))
     said = tr("overload") if math.isinf(value) else tr("no value")
-    return said if name == VOLTAGE else f"{name}: {said}"
+    return said if name in (VOLTAGE, AIR) else f"{name}: {said}"

@@ -44,6 +44,8 @@ class Entry:
     repeats: int = 1
     """Which one of how many runs that were added together."""
     stage: Stage = Stage.WAITING
+    owner: str = ""
+    """Which window carries it out; empty where none does."""
     said: str = ""
     """Why it failed."""
     outcome: Outcome | None = None
@@ -52,12 +54,12 @@ class Entry:
     record_id: str = ""
 
     def at(self, stage: Stage) -> "Entry":
-        """The same, so far."""
-        return replace(self, stage=stage)
+        """The same, so far; where it is not under way, no window carries it out."""
+        return replace(self, stage=stage, owner=self.owner if stage in UNDER_WAY else "")
 
-    def begun(self) -> "Entry":
-        """The same at the stand, for the first time or again."""
-        return replace(self, stage=Stage.MEASURING, said="", outcome=None, record_id="")
+    def begun(self, owner: str) -> "Entry":
+        """The same at the stand of a window, for the first time or again."""
+        return replace(self, stage=Stage.MEASURING, owner=owner, said="", outcome=None, record_id="")
 
     def recorded(self, path: Path) -> "Entry":
         """The same with its recording."""
@@ -65,11 +67,11 @@ class Entry:
 
     def failed(self, why: str) -> "Entry":
         """The same once it has failed."""
-        return replace(self, stage=Stage.FAILED, said=why)
+        return replace(self.at(Stage.FAILED), said=why)
 
     def judged(self, outcome: Outcome, record_id: str) -> "Entry":
         """The same with its record."""
-        return replace(self, stage=Stage.JUDGED, said="", outcome=outcome, record_id=record_id)
+        return replace(self.at(Stage.JUDGED), said="", outcome=outcome, record_id=record_id)
 
     def as_json(self) -> dict[str, Any]:
         """As it is kept."""
@@ -77,15 +79,15 @@ class Entry:
 
     @classmethod
     def from_json(cls, kept: dict[str, Any]) -> "Entry":
-        """An entry as it was kept; what was under way then is stopped. Raises `TypeError`, `ValueError`."""
+        """An entry as it was kept. Raises `TypeError`, `ValueError`."""
         outcome = kept.get("outcome")
         entry = cls(**kept | {"stage": Stage(kept["stage"]), "outcome": Outcome(outcome) if outcome else None})
         texts = (entry.serial_number, entry.programme, entry.operator, entry.stand, entry.recording, entry.record_id)
-        if not all(isinstance(text, str) for text in (*texts, entry.said)):
+        if not all(isinstance(text, str) for text in (*texts, entry.said, entry.owner)):
             raise TypeError("a text is none")
         if not all(isinstance(number, int) for number in (entry.number, entry.repeat, entry.repeats)):
             raise TypeError("a number is none")
-        return replace(entry, stage=Stage.STOPPED) if entry.stage in UNDER_WAY else entry
+        return entry
 
 
 class RunQueue:
@@ -113,9 +115,20 @@ class RunQueue:
         """How many wait."""
         return sum(entry.stage is Stage.WAITING for entry in self.entries)
 
-    def next_waiting(self) -> Entry | None:
-        """The one to be measured next."""
-        return next((entry for entry in self.entries if entry.stage is Stage.WAITING), None)
+    def claim(self, owner: str, stand: str) -> Entry | None:
+        """Give a window the entry that waits longest for its stand; returns it, None where none waits for that."""
+        waiting = (each for each in self.entries if each.stage is Stage.WAITING and each.stand == stand)
+        entry = next(waiting, None)
+        if entry is not None:
+            self.change(entry.number, lambda each: each.begun(owner))
+        return entry
+
+    def settle(self, is_open: Callable[[str], bool]) -> None:
+        """Have what was under way in a window that is open no more be stopped."""
+        self.entries = [
+            entry if entry.stage not in UNDER_WAY or is_open(entry.owner) else entry.at(Stage.STOPPED)
+            for entry in self.entries
+        ]
 
     def of_recording(self, path: str) -> Entry | None:
         """The entry that a recording belongs to."""

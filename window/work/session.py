@@ -7,12 +7,22 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Final
 
+import numpy as np
+
 from tumble.app.simulation import Past
 from tumble.app.stand import LoadedStand
 from tumble.app.stand_lock import holding
 from tumble.app.wiring import Attendant, Connected, connect
 from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
-from tumble.drivers.protocols import Block, Identity, PositionerStatus, Sampler, Stand
+from tumble.drivers.protocols import (
+    Block,
+    ChannelBlock,
+    EnvironmentStatus,
+    Identity,
+    PositionerStatus,
+    Sampler,
+    Stand,
+)
 from tumble.messages import Message
 from tumble.procedures.axes import Look
 from tumble.procedures.errors import InputError, StopRequestedError
@@ -20,6 +30,7 @@ from tumble.procedures.interlock import Interlock
 from tumble.procedures.losses import Losses
 from tumble.procedures.motion import Motion, standstill
 from tumble.window.look.language import tr
+from tumble.window.look.names import AIR
 
 _TOLERANCE_DEG: Final = 0.01
 _GLANCE_S: Final = 0.05
@@ -119,6 +130,27 @@ class StandSession:
         return deepcopy(sampler) if simulated else sampler
 
     @property
+    def climates(self) -> dict[str, Block | None]:
+        """The temperature that each environment measures, by name; None of one that does not answer.
+
+        As of `readings`, one that is silent is not looked at again. Raises likewise.
+        """
+        climates: dict[str, Block | None] = {}
+        for name, environment in self.connected.stand.environments.items():
+            if name in self._silent:
+                continue
+            try:
+                climates[name] = _climate(environment.status())
+            except LinkLostError:
+                raise
+            except NoReplyError:
+                self._silent.add(name)
+                return climates | {name: None}
+            except DeviceError:
+                climates[name] = None
+        return climates
+
+    @property
     def answers(self) -> bool:
         """Whether every positioner says where it is."""
         try:
@@ -191,6 +223,11 @@ class StandSession:
             remedy = "switch it off and look at it before you touch it"
             titles = " or ".join(motion.title for motion in motions)
             raise DeviceError(titles, "its standstill could not be read back", remedy)
+
+
+def _climate(status: EnvironmentStatus) -> Block:
+    temperature_degc = np.array([status.temperature_degc])
+    return ChannelBlock(channels={AIR: temperature_degc}, rate_hz=1.0, device_time_s=0.0, temperature_degc=None)
 
 
 def _place(loaded: LoadedStand) -> str:

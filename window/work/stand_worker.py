@@ -43,7 +43,7 @@ class StandWorker(QObject):
     position_seen = Signal(str, object)
     """Name and `PositionerStatus` of a positioner that nobody moves."""
     reading_seen = Signal(str, object)
-    """Name and samples of a sampler, or None where it has none, while somebody watches."""
+    """Name and samples of a sampler or an environment, or None where it has none, while somebody watches."""
     working = Signal(bool)
     """Whether an order is under way; leaving a stand is none."""
     stage = Signal(str)
@@ -136,6 +136,11 @@ class StandWorker(QObject):
         """Go on with a run that is paused."""
         for control in self._controls:
             control.resume()
+
+    def take_again(self, point: int) -> None:
+        """Have the last point of the run measured once more; `point` is its number, from 0."""
+        for control in self._controls:
+            control.take_again(point)
 
     def stop(self) -> None:
         """Bring the head to rest, whatever is under way."""
@@ -272,6 +277,8 @@ class StandWorker(QObject):
         if not session.is_connected:
             return
         try:
+            for name, climate in session.climates.items() if self._watched else ():
+                self._tell(session, self.reading_seen, name, climate)
             for name, status in session.statuses.items():
                 self._tell(session, self.position_seen, name, status)
             for name, block in session.readings(self._give_way).items() if self._watched else ():

@@ -32,6 +32,7 @@ def observations(recording: Recording) -> Observations:
         temperature_degc=_temperatures(rows),
         voltage_sd_v=_numbers(rows, "voltage_sd_v"),
         samples=_counts(rows, "samples"),
+        take=recording.takes,
         warnings=tuple(warnings(recording)),
         complete=recording.complete,
         source=str(recording.path),

@@ -30,6 +30,8 @@ class Row:
     mount: str
     settled: bool
     """False where the output was still moving when the time allowed for settling was over."""
+    take: int = 1
+    """Which taking of the dwell, from 1; more where the operator had it taken again."""
 
     @property
     def point(self) -> Point:

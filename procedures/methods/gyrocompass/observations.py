@@ -58,6 +58,7 @@ def observations(recording: Recording) -> GyrocompassObservations:
         rate_sd_deg_h=_numbers([point.readings[LEVELLING_RATE].sd for point in points]),
         samples=np.array(samples, dtype=np.int64),
         azimuth_rate_deg_h=_means(points, AZIMUTH_RATE) if _all_have(points, AZIMUTH_RATE) else None,
+        take=recording.takes,
         warnings=tuple(warnings(recording)),
         complete=recording.complete,
         source=str(recording.path),

@@ -34,6 +34,7 @@ def observations(recording: Recording) -> TriadObservations:
         realisation=np.array([point.realisation for point in points], dtype=np.int64),
         temperature_degc=_known([point.temperature_degc for point in points]),
         samples=np.array([point.readings[CHANNELS[0]].samples for point in points], dtype=np.int64),
+        take=recording.takes,
         warnings=tuple(warnings(recording)),
         complete=recording.complete,
         source=str(recording.path),

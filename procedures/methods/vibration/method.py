@@ -31,6 +31,7 @@ PROCEDURE_PART: Final = ProcedurePart(
     programme=VibrationProgramme,
     shipped=files(__package__) / "programmes",
     rows=VibrationObservations,
+    derived=frozenset(VibrationObservations.columns()),
     table=_table,
     stand=files(__package__) / "stand.toml",
 )

@@ -46,10 +46,12 @@ def observations(recording: Recording) -> VibrationObservations:
     numbers: dict[str, Any] = {
         name: np.array([row[name] for row in rows], dtype=np.float64) for name in (rows[0] if rows else _NAMES)
     }
+    takes = np.array([dwell.point.take for dwell in dwells], dtype=np.int64)
     temperatures = [dwell.point.temperature_degc for dwell in dwells]
     table = VibrationObservations(
         row=np.array([dwell.point.index + 1 for dwell in dwells], dtype=np.int64),
         realisation=np.array([dwell.point.realisation for dwell in dwells], dtype=np.int64),
+        take=takes if (takes > 1).any() else None,
         apparatus=np.array(apparatus),
         mounting=np.array(mountings, dtype=np.int64),
         temperature_degc=None if None in temperatures else np.array(temperatures, dtype=np.float64),

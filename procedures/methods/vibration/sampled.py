@@ -81,7 +81,7 @@ def sampled_dwells(recording: Recording, scale_v_per_g: float) -> list[SampledDw
     channels: dict[int, dict[str, FloatArray]] = {}
     begins: dict[int, tuple[float, float]] = {}
     for taken in iter_samples(recording.path):
-        if taken.point in complete:
+        if taken.point in complete and taken.take == complete[taken.point].take:
             channels[taken.point] = {**channels.get(taken.point, {}), **taken.block.channels}
             begins[taken.point] = (taken.time_s, taken.block.rate_hz)
     references = references_of(recording.header.stand)
