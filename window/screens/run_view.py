@@ -71,7 +71,7 @@ class RunView(QWidget):
         self._drawn = -1
         self.samples.begin(programme.layout.channels)
         for plot in self.findChildren(Plot):
-            plot.way_back.begin_anew()
+            plot.begin_anew()
         self.ask_nothing()
         self.log.clear()
 
