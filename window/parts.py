@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from PySide6.QtWidgets import QWidget
 
 from tumble.procedures.steps import Dwell, Point
+from tumble.window.look.plots import Plot
 from tumble.window.work.presentation import Presentation
 
 
@@ -62,6 +63,8 @@ class Figures(QWidget):
             draw = next(iter(self._stale))
             del self._stale[draw]
             draw()
+            for plot in self.findChildren(Plot):
+                plot.fit_axes()
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -21,8 +21,8 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QWidget
 
-from tumble.window.look.language import tr
-from tumble.window.look.numbers import local
+from tumble.numerals import localised
+from tumble.window.look.language import spoken, tr
 from tumble.window.look.shades import Colours
 from tumble.window.look.theme import colours
 from tumble.window.look.way_back import WayBack
@@ -42,7 +42,8 @@ class LocalAxis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph is not typed
 
     def tickStrings(self, values: list[float], scale: float, spacing: float) -> list[str]:  # noqa: N802  # its name
         """The numbers beside the ticks."""
-        return [local(text) for text in super().tickStrings(values, scale, spacing)]
+        language = spoken()  # asked once: it takes longer than all the rest
+        return [localised(text, language) for text in super().tickStrings(values, scale, spacing)]
 
     def tickSpacing(self, minVal: float, maxVal: float, size: float) -> list[tuple[float, float]]:  # noqa: N802, N803
         """Steps between ticks and where they begin, the widest first, which has room for a line of text."""
@@ -93,6 +94,7 @@ class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
         self.setAccessibleName(f"{left}, {bottom}")
         for side in ("bottom", "left"):
             self.getAxis(side).enableAutoSIPrefix(False)
+            self.getAxis(side).setStyle(maxTickLevel=1)  # a third kind of line takes as long as all others
         self.getAxis("bottom").setLabel(bottom)
         self.entitle()
 
@@ -112,6 +114,10 @@ class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
         tint = QColor(self.colours.accent)
         tint.setAlphaF(_BAND)
         return tint
+
+    def fit_axes(self) -> None:
+        """Fit the axes to what is drawn now: when it is painted it would be too late, and be painted twice."""
+        self.scene().prepareForPaint()
 
     def begin_anew(self) -> None:
         """Forget what was seen of that which was drawn before."""

@@ -186,7 +186,7 @@ class RunView(QWidget):
         """Draw the newest samples, and one of the plots that are not up to date: all at once would be felt."""
         if not self.isVisible():
             return
-        if self._block is not None:
+        if self._block is not None and self.samples.isVisible():
             self.samples.draw_block(self._block)
             self._block = None
         if len(self.points) != self._drawn:
