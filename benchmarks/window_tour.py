@@ -40,6 +40,12 @@ kind = "sweep"
 step_deg = 30.0
 points = 12
 
+[[procedure]]
+kind = "sweep"
+mount = "face-down"
+step_deg = 30.0
+points = 12
+
 [limits]
 kx = { min = 0.9, max = 1.1 }
 ky = { min = -0.001, max = 0.001 }

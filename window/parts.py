@@ -57,14 +57,16 @@ class Figures(QWidget):
         """Have something drawn by the calls of `draw_next` that follow."""
         self._stale |= dict.fromkeys(draw)
 
-    def draw_next(self) -> None:
-        """Draw one of the plots that are not up to date."""
-        if self._stale:
-            draw = next(iter(self._stale))
-            del self._stale[draw]
-            draw()
-            for plot in self.findChildren(Plot):
-                plot.fit_axes()
+    def draw_next(self) -> bool:
+        """Draw one of the plots that are not up to date; false where all are."""
+        if not self._stale:
+            return False
+        draw = next(iter(self._stale))
+        del self._stale[draw]
+        draw()
+        for plot in self.findChildren(Plot):
+            plot.fit_axes()
+        return True
 
 
 @dataclass(frozen=True, kw_only=True)
