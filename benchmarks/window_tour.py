@@ -40,14 +40,8 @@ kind = "sweep"
 step_deg = 30.0
 points = 12
 
-[[procedure]]
-kind = "sweep"
-mount = "face-down"
-step_deg = 30.0
-points = 12
-
 [limits]
-kx = { min = 0.9, max = 1.1 }
+u0 = { min = 2.4, max = 2.6 }
 ky = { min = -0.001, max = 0.001 }
 """
 

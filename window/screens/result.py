@@ -1,6 +1,7 @@
 """The screen Result: what a calibration says, and what to do next."""
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Final
@@ -11,7 +12,7 @@ from PySide6.QtWidgets import QHBoxLayout, QPushButton, QTabWidget, QVBoxLayout,
 
 from tumble.app.running import Job
 from tumble.app.stand import LoadedStand, same_instruments
-from tumble.calibrations.core.verdict import Model, Outcome, Verdict
+from tumble.calibrations.core.verdict import Judgement, Model, Outcome, Verdict
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.first_method import FIRST
@@ -199,11 +200,17 @@ class ResultScreen(QWidget):
 def notices_of(presentation: Presentation) -> list[str]:
     """What must be read before the numbers, each once; files by their names, and without what a page says of itself."""
     undecided = [each for each in presentation.verdict.parameters if each.outcome is Outcome.NOT_DECIDED]
-    told = [*(each.sentence for each in undecided), *presentation.notices]
+    told = [*(_told(each) for each in undecided), *presentation.notices]
     texts = [in_language(_without(_OF_THE_PAGE, notice)) for notice in told]
     for path in presentation.concluded.recordings:
         texts = [text.replace(str(path), path.name) for text in texts]
     return list(dict.fromkeys(texts))
+
+
+def _told(judgement: Judgement) -> str:
+    """Why nothing is decided, and what to do, but for a command of the terminal: a tab has the experiment."""
+    is_command = isinstance(judgement.remedy, Message) and "command" in judgement.remedy.fields
+    return (replace(judgement, remedy="") if is_command else judgement).sentence
 
 
 def _without(sentence: str, notice: str) -> str:

@@ -29,6 +29,8 @@ _Index: TypeAlias = QModelIndex | QPersistentModelIndex
 _BAR: Final = Qt.ItemDataRole.UserRole + 8
 _LONG: Final = 6
 """Length of a bar in heights of a line."""
+_GAP_PX: Final = 6
+"""Between a bar and the text after it."""
 _COLUMNS: Final[dict[str, Callable[[ParameterLine], str]]] = {
     Message("parameter"): lambda line: line.name,
     Message("quantity"): lambda line: line.words,
@@ -131,4 +133,4 @@ class _BarDelegate(QStyledItemDelegate):
         table = filled.widget
         place = table.style().subElementRect(QStyle.SubElement.SE_ItemViewItemDecoration, filled, table)
         ink = colours(table).highlighted if filled.state & QStyle.StateFlag.State_Selected else ""
-        draw_bar(painter, QRectF(place), bar, colours(table), ink=ink)
+        draw_bar(painter, QRectF(place.adjusted(0, 0, -_GAP_PX, 0)), bar, colours(table), ink=ink)

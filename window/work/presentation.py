@@ -35,7 +35,7 @@ class ParameterLine:
     words: str = ""
     """What the parameter is called; empty where its method does not say."""
     declared: str = ""
-    """Value and expanded uncertainty of the declared model, where two models were recorded."""
+    """Value and expanded uncertainty of the declared model, where others are to be used."""
     bar: "LimitBar | None" = None
     """How it lies between its limits; None where it has none."""
     change: str = ""

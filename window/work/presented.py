@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.provenance import LimitCheck
-from tumble.calibrations.core.verdict import Verdict
+from tumble.calibrations.core.verdict import Model, Verdict
 from tumble.window.look.language import spoken
 from tumble.window.work.activity import Concluded
 from tumble.window.work.presentation import Presentation
@@ -96,10 +96,10 @@ def _changes(folder: Path, record: "Record | None") -> dict[str, tuple[str, str]
 
 
 def _declared(record: "Record | None") -> dict[str, str]:
-    """Value and expanded uncertainty of the declared model, by name, where two models were recorded."""
+    """Value and expanded uncertainty of the declared model, by name, where others are to be used."""
     from tumble.calibrations.report.values import expanded
 
-    told = record.parameters.values() if record and len(record.models) > 1 else ()
+    told = record.parameters.values() if record and record.model is Model.AUGMENTED else ()
     return {
         each.name: expanded(each.value, each.interval_95, each.unit)
         for each in told
