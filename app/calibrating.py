@@ -12,6 +12,7 @@ from tumble.app.analysing import fit, trace
 from tumble.app.exits import Exit, JobError
 from tumble.app.jobs import find_job
 from tumble.app.kept_reports import keep, report_path
+from tumble.app.last_calibration import changes_since
 from tumble.app.learning import Learned, contradictions_of, learn
 from tumble.app.measurements import read_measurement
 from tumble.app.running import Job, failure, recording_path, run
@@ -81,7 +82,8 @@ def report_record(
 
     `chain` are the experiments that closed the loop, if there were any. Raises `JobError`.
     """
-    report = traced.report(record.id, record.revision, chain, contradictions_of(traced))
+    said = traced.report(record.id, record.revision, chain, contradictions_of(traced))
+    report = said.with_changes(changes_since(folder, record))
     keep(report, record, folder)
     reports.write(report, path, language)
 

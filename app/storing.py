@@ -7,6 +7,7 @@ from tumble.app import reports
 from tumble.app.exits import Exit, JobError
 from tumble.app.identity import program_identity
 from tumble.app.kept_reports import keep
+from tumble.app.last_calibration import changes_since
 from tumble.app.methods import close_loop, method_called
 from tumble.app.section_report import table_report
 from tumble.calibrations.core.method import Method, Result
@@ -48,7 +49,8 @@ def traced_again(record: Record, files: Sequence[Path]) -> tuple[Method, Result]
 def report_tables(method: Method, result: Result, record: Record, folder: Path, path: Path, language: Language) -> None:
     """Write the report of a record of tables in a language, and keep in its store what it says. Raises `JobError`."""
     name = Path(record.provenance.sources[-1].path).name
-    report = table_report(method, result, record.provenance, name, record.id)
+    said = table_report(method, result, record.provenance, name, record.id)
+    report = said.with_changes(changes_since(folder, record))
     keep(report, record, folder)
     reports.write(report, path, language)
 

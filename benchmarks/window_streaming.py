@@ -1,8 +1,8 @@
 """The window under load: 50,000 samples/s on 4 channels, streamed by another process, recorded and plotted.
 
 Every sample carries its own number, so that one that is lost is seen in the recording. Measured are the gaps between
-beats of the event loop, the time that it spends on a frame (data into the plots, and painting them all), and the
-memory of the process.
+beats of the event loop, the time that it spends on a frame (data into the plots, and painting them all, the samples
+of every channel among them), and the memory of the process.
 """
 
 import argparse
@@ -86,9 +86,13 @@ class Meter:
     gaps_ms: "array[float]" = field(default_factory=lambda: array("f"))
     """In four bytes each, lest the scales weigh them: as numbers of Python they take 1 MB a minute."""
     frames_ms: "array[float]" = field(default_factory=lambda: array("f"))
+    """By the clock, which goes on while other processes have the cores."""
+    processor_ms: "array[float]" = field(default_factory=lambda: array("f"))
+    """Of processor time that the thread of the window spends on a frame."""
     memory_mb: list[float] = field(default_factory=list)
     _beat_s: float = 0.0
     _frame_s: float = 0.0
+    _frame_processor_s: float = 0.0
 
     def beat(self) -> None:
         """The event loop is alive."""
@@ -101,11 +105,13 @@ class Meter:
         """A frame begins: what was spent since the last one began is that one's."""
         if self._frame_s:
             self.frames_ms.append(1e3 * self._frame_s)
-        self._frame_s = 0.0
+            self.processor_ms.append(1e3 * self._frame_processor_s)
+        self._frame_s = self._frame_processor_s = 0.0
 
-    def spend(self, seconds: float) -> None:
-        """Count time towards the frame."""
+    def spend(self, seconds: float, processor_s: float) -> None:
+        """Count time towards the frame, by the clock and of a processor."""
         self._frame_s += seconds
+        self._frame_processor_s += processor_s
 
     def weigh(self) -> None:
         """Note the memory of the process."""
@@ -114,18 +120,18 @@ class Meter:
 
     def forget(self) -> None:
         """Begin anew: everything is warm."""
-        del self.gaps_ms[:], self.frames_ms[:]
+        del self.gaps_ms[:], self.frames_ms[:], self.processor_ms[:]
 
 
 def timed(meter: Meter, function):
     """The same function, its time counted towards the frame."""
 
     def wrapper(*arguments):
-        began_s = time.perf_counter()
+        began_s, processor_s = time.perf_counter(), time.thread_time()
         try:
             return function(*arguments)
         finally:
-            meter.spend(time.perf_counter() - began_s)
+            meter.spend(time.perf_counter() - began_s, time.thread_time() - processor_s)
 
     return wrapper
 
@@ -201,6 +207,7 @@ def measure(minutes: float) -> dict[str, Any]:
     job = Job(stand=load_stand(), programme=programme_from_text(_PROGRAMME, "stream"), serial_number="STREAM")
     running.window.open(running.window.run)
     view.begin(job, job.plan())
+    view.tabs.setCurrentWidget(view.samples)
     running.window.run.course.now.running = True
     beat = QTimer(interval=BEAT_MS, timerType=Qt.TimerType.PreciseTimer)
     beat.timeout.connect(meter.beat)
@@ -240,6 +247,7 @@ def measure(minutes: float) -> dict[str, Any]:
 
 def summary(meter: Meter) -> dict[str, Any]:
     gaps, frames, memory = np.array(meter.gaps_ms), np.array(meter.frames_ms), meter.memory_mb
+    processor = np.array(meter.processor_ms)
     return {
         "gap_p50_ms": float(np.percentile(gaps, 50)),
         "gap_p99_ms": float(np.percentile(gaps, 99)),
@@ -248,6 +256,8 @@ def summary(meter: Meter) -> dict[str, Any]:
         "frames": len(frames),
         "frame_median_ms": float(np.median(frames)),
         "frame_p99_ms": float(np.percentile(frames, 99)),
+        "frame_processor_median_ms": float(np.median(processor)),
+        "frame_processor_p99_ms": float(np.percentile(processor, 99)),
         "memory_mb": [round(memory[place], 1) for place in np.linspace(0, len(memory) - 1, 7).round().astype(int)],
     }
 

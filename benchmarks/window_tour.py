@@ -39,6 +39,10 @@ settle_s = 0.0
 kind = "sweep"
 step_deg = 30.0
 points = 12
+
+[limits]
+u0 = { min = 2.4, max = 2.6 }
+ky = { min = -0.001, max = 0.001 }
 """
 
 _STOPPED = CutOff(

@@ -20,6 +20,7 @@ from tumble.window.look.keys import KeyedAction
 from tumble.window.look.language import tr
 from tumble.window.menus import Menus
 from tumble.window.place import keep_on_screen, remember_place, restore_place
+from tumble.window.plots.saving import SavingPlots
 from tumble.window.recent import remember_stand
 from tumble.window.remedies import Remedies
 from tumble.window.screens.help import HelpScreen
@@ -58,13 +59,13 @@ class MainWindow(QMainWindow):
         self.bridge, self.operator, self.background = EventBridge(self), WindowOperator(self), Background(self)
         loaded, trouble = remembered_stand()
         self.worker = StandWorker(self.bridge, loaded, self)
-        self.way_out = WayOut(self.worker, lambda: self.busy, self)
-        self.choices = Choices(lambda: self.busy, self)
+        self.way_out, self.choices = WayOut(self.worker, lambda: self.busy, self), Choices(lambda: self.busy, self)
         self._make_screens()
         self.frame = Frame(_places(), self._in_order, lambda: self.menuBar().minimumSizeHint().height())
         self.strip, self.stop_bar, self.dialogs = self.frame.strip, self.frame.stop_bar, self.frame.dialogs
         self.notices, self.finder = self.frame.notices, self.frame.finder
         self.setCentralWidget(self.frame)
+        self._plots = SavingPlots(self, self.frame, self.tell)
         self.setWindowIcon(window_icon())
         self.menus, self._guard = Menus(self.menuBar(), self), StopGuard(self.stop_bar.button, self)
         self._badges, self._caller = Badges(self.frame.rail), Caller(self)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from PySide6.QtWidgets import QWidget
 
 from tumble.procedures.steps import Dwell, Point
+from tumble.window.look.plots import Plot
 from tumble.window.work.presentation import Presentation
 
 
@@ -56,12 +57,16 @@ class Figures(QWidget):
         """Have something drawn by the calls of `draw_next` that follow."""
         self._stale |= dict.fromkeys(draw)
 
-    def draw_next(self) -> None:
-        """Draw one of the plots that are not up to date."""
-        if self._stale:
-            draw = next(iter(self._stale))
-            del self._stale[draw]
-            draw()
+    def draw_next(self) -> bool:
+        """Draw one of the plots that are not up to date; false where all are."""
+        if not self._stale:
+            return False
+        draw = next(iter(self._stale))
+        del self._stale[draw]
+        draw()
+        for plot in self.findChildren(Plot):
+            plot.fit_axes()
+        return True
 
 
 @dataclass(frozen=True, kw_only=True)

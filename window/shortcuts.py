@@ -23,6 +23,7 @@ _EDITING: Final = (
     QKeySequence.StandardKey.Undo,
     QKeySequence.StandardKey.Redo,
     QKeySequence.StandardKey.SelectAll,
+    QKeySequence.StandardKey.Save,
 )
 _PLAIN: Final = Qt.KeyboardModifier.NoModifier
 _SHIFTED: Final = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier

@@ -1,6 +1,7 @@
 """The application: one window, its colours and its language, and what becomes of exceptions and signals."""
 
 import gc
+import os
 import signal
 import sys
 import threading
@@ -114,10 +115,15 @@ class Application(QObject):
 
 
 def application() -> QApplication:
-    """The one `QApplication`, with the name under which settings are kept."""
+    """The one `QApplication`, with the name under which settings are kept.
+
+    It paints in its own thread alone: Qt shares every transparent line of a plot with threads of a pool, two hundred
+    times each time a plot is painted, and waits for them, which takes ten times as long where others want the cores.
+    """
     made = QApplication.instance()
     if made is None:
         gc.freeze()  # what was imported stays, and need not be looked at whenever garbage is collected
+        os.environ.setdefault("QT_NO_GUI_THREADPOOL", "1")
         made = QApplication(sys.argv[:1])
     assert isinstance(made, QApplication), "another kind of application was made before"
     made.setOrganizationName("tumble")

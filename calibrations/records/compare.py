@@ -25,6 +25,8 @@ class Difference:
     difference: float | None = None
     """The second minus the first."""
     standard_uncertainty: float | None = None
+    degrees_of_freedom: float | None = None
+    """Of that uncertainty, effective; may be infinite."""
     significance: float | None = None
     """The difference in standard uncertainties."""
     p_value: float | None = None
@@ -73,12 +75,14 @@ def _difference(a: RecordedParameter, b: RecordedParameter, same_file: bool, rem
         return _incomparable(a, obstacle)
     difference, u = b.value - a.value, math.hypot(a.standard_uncertainty or 0.0, b.standard_uncertainty or 0.0)
     significance = difference / u if u else None
-    p_value = None if significance is None else _two_sided_p(significance, _freedom(a, b, u))
+    freedom = _freedom(a, b, u)
+    p_value = None if significance is None else _two_sided_p(significance, freedom)
     return Difference(
         name=a.name,
         unit=a.unit,
         difference=difference,
         standard_uncertainty=u,
+        degrees_of_freedom=freedom,
         significance=significance,
         p_value=p_value,
         sentence=Message.joined(" ", [_sentence(a, difference, u, p_value, same_file), *remarks]),

@@ -4,11 +4,13 @@ The index holds everything that is looked for, in the order of measurement, so t
 that it shows. A store that has none, made by an earlier version of the program, gets it with the next record.
 """
 
+from datetime import datetime
 from sqlite3 import Connection as Database
 from typing import Any, Final
 
 from sqlalchemy import ColumnElement, Connection, Index, Select, func, select
 
+from tumble.calibrations.records.record import Record
 from tumble.calibrations.records.schema import RECORDS
 from tumble.calibrations.records.times import utc_text
 from tumble.calibrations.records.wanted import Wanted
@@ -17,7 +19,7 @@ NEWER: Final = RECORDS.alias("newer")
 STANDS: Final = ~select(NEWER.c.supersedes).where(NEWER.c.supersedes == RECORDS.c.id).correlate(RECORDS).exists()
 MEASURED_AT: Final = func.coalesce(RECORDS.c.measured_at, RECORDS.c.created_at)
 """Start of the run, or when the record was made where the source does not say."""
-_NEWEST_FIRST: Final = (MEASURED_AT.desc(), RECORDS.c.created_at.desc(), RECORDS.c.sequence.desc(), RECORDS.c.id.desc())
+NEWEST_FIRST: Final = (MEASURED_AT.desc(), RECORDS.c.created_at.desc(), RECORDS.c.sequence.desc(), RECORDS.c.id.desc())
 INDEX: Final = Index(
     "ix_records_listing",
     MEASURED_AT,
@@ -33,7 +35,19 @@ INDEX: Final = Index(
 
 def newest(wanted: Wanted, limit: int) -> Select[Any]:
     """The ids of the newest records that stand and are wanted, the newest first."""
-    return select(RECORDS.c.id).where(*_conditions(wanted), STANDS).order_by(*_NEWEST_FIRST).limit(limit)
+    return select(RECORDS.c.id).where(*_conditions(wanted), STANDS).order_by(*NEWEST_FIRST).limit(limit)
+
+
+def earlier(record: Record) -> tuple[ColumnElement[bool], ...]:
+    """What is true of the records of a unit by one method that stand and were measured before another one."""
+    moment = record.provenance.measured_at
+    measured = utc_text(datetime.fromisoformat(moment) if moment else record.created_at)
+    return (
+        RECORDS.c.serial_number == record.provenance.serial_number,
+        RECORDS.c.method == record.method,
+        measured > MEASURED_AT,
+        STANDS,
+    )
 
 
 def programmes() -> Select[Any]:

@@ -1,6 +1,6 @@
 """A folder of calibration records."""
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from datetime import datetime
 from pathlib import Path
 from typing import Any
@@ -16,7 +16,15 @@ from tumble.calibrations.records.database import open_database, storage_errors
 from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.records.errors import RecordError, StoreError
 from tumble.calibrations.records.inventory import Inventory, inventory
-from tumble.calibrations.records.listing import MEASURED_AT, STANDS, newest, programmes, teach_folding
+from tumble.calibrations.records.listing import (
+    MEASURED_AT,
+    NEWEST_FIRST,
+    STANDS,
+    earlier,
+    newest,
+    programmes,
+    teach_folding,
+)
 from tumble.calibrations.records.raw import resolved_path, stored_path
 from tumble.calibrations.records.record import Record
 from tumble.calibrations.records.rows import parameter_rows, record_from_row, record_row
@@ -193,6 +201,19 @@ class Store:
         query = select(RECORDS).where(STANDS, RECORDS.c.serial_number == serial_number)
         found = self._records(query.order_by(MEASURED_AT.desc(), RECORDS.c.id.desc()).limit(1))
         return found[0] if found else None
+
+    def before(self, record: Record, most: int) -> Iterator[Record]:
+        """Records of the unit of a record by its method that stand and were measured earlier, the newest first.
+
+        At most so many; each is read when it is asked for. Those that share a raw file with the record are left out:
+        a joint result is no further calibration of what it holds.
+        """
+        query = select(RECORDS.c.id, RECORDS.c.sources).where(*earlier(record)).order_by(*NEWEST_FIRST)
+        own = set(record.provenance.source_hashes)
+        with storage_errors(self.path), reading(self._engine) as connection:
+            listed = [(each.id, {source["sha256"] for source in each.sources}) for each in connection.execute(query)]
+        ids = [each for each, hashes in listed if not own & hashes]
+        return map(self.get, ids[:most])
 
     def revisions(self, record: Record) -> tuple[Record, ...]:
         """Return the record with those it supersedes, the first one first."""

@@ -1,61 +1,53 @@
-"""A value against its limits, as a bar that fits into a line of a table."""
+"""A value against its limits, drawn as a bar that fits into a line of a table."""
 
 from typing import Final
 
 from markupsafe import Markup
 
-from tumble.calibrations.core.parameter import Parameter
-from tumble.calibrations.core.provenance import LimitCheck
 from tumble.calibrations.core.verdict import Outcome
+from tumble.calibrations.report.limit_bar import LimitBar
 
 _WIDE: Final = 120.0
 _HIGH: Final = 16.0
-_BEYOND: Final = 0.18
-"""Of the width, left free outside of the limits."""
+_MIDDLE: Final = _HIGH / 2
 _INSIDE: Final = "#d7e8df"
 _COLOURS: Final = {Outcome.PASS: "#00795a", Outcome.FAIL: "#b34a00"}
 _UNDECIDED: Final = "#5a616b"
 
 
-def limit_bar(parameter: Parameter, check: LimitCheck, outcome: Outcome) -> Markup:
+def drawn_bar(bar: LimitBar) -> Markup:
     """What is between the limits, shaded, and the value with its 95% interval over it; none where it has no value.
 
-    What lies far outside is drawn at the edge.
+    Without colours the mark says the outcome: a disc passes, a cross fails, a ring is not decided; an arrow points to
+    a value that lies beyond the end of the bar.
     """
-    low, high = _ends(parameter, check)
-    first = _BEYOND if check.minimum is not None else 0.0
-    last = 1.0 - _BEYOND if check.maximum is not None else 1.0
-    parts = [f'<path d="M{first * _WIDE:g} 2H{last * _WIDE:g}V{_HIGH - 2:g}H{first * _WIDE:g}z" fill="{_INSIDE}"/>']
+    first, last = (place * _WIDE for place in bar.inside)
+    parts = [f'<path d="M{first:g} 2H{last:g}V{_HIGH - 2:g}H{first:g}z" fill="{_INSIDE}"/>']
     parts += [
-        f'<path d="M{part * _WIDE:g} 1V{_HIGH - 1:g}" stroke="#666" stroke-width="1.2"/>'
-        for part, limit in ((first, check.minimum), (last, check.maximum))
+        f'<path d="M{limit * _WIDE:g} 1V{_HIGH - 1:g}" stroke="#666" stroke-width="1.2"/>'
+        for limit in (bar.minimum, bar.maximum)
         if limit is not None
     ]
-
-    def across(number: float) -> float:
-        return min(max((number - low) / (high - low), 0.03), 0.97) * _WIDE
-
-    if parameter.value is not None:
-        colour = _COLOURS.get(outcome, _UNDECIDED)
-        begin, end = parameter.interval_95 or (parameter.value, parameter.value)
-        middle = _HIGH / 2
-        parts.append(
-            f'<path d="M{across(begin):.1f} {middle:g}H{across(end):.1f}" stroke="{colour}" stroke-width="2"/>'
-            f'<circle cx="{across(parameter.value):.1f}" cy="{middle:g}" r="3.4" fill="{colour}"/>'
-        )
+    if bar.value is not None:
+        begin, end = (place * _WIDE for place in bar.interval)
+        colour = _COLOURS.get(bar.outcome, _UNDECIDED)
+        parts.append(f'<path d="M{begin:.1f} {_MIDDLE:g}H{end:.1f}" stroke="{colour}" stroke-width="2"/>')
+        parts.append(_mark(bar, bar.value * _WIDE, colour))
     return Markup(
         f'<svg xmlns="http://www.w3.org/2000/svg" class="bar" aria-hidden="true" width="{_WIDE:g}" height="{_HIGH:g}" '
         f'viewBox="0 0 {_WIDE:g} {_HIGH:g}">{"".join(parts)}</svg>'
     )
 
 
-def _ends(parameter: Parameter, check: LimitCheck) -> tuple[float, float]:
-    """What the left and the right edge stand for; an open side is as wide as it takes."""
-    low, high = check.minimum, check.maximum
-    reach = [each for each in (parameter.value, *(parameter.interval_95 or ())) if each is not None]
-    if low is None or high is None:
-        limit = low if low is not None else high or 0.0
-        width = max([abs(each - limit) for each in reach] or [0.0]) or abs(limit) or 1.0
-        low, high = (low, low + width * 1.2) if low is not None else (limit - width * 1.2, limit)
-    margin = _BEYOND / (1.0 - 2 * _BEYOND) * ((high - low) or abs(high) or 1.0)
-    return low - margin, high + margin
+def _mark(bar: LimitBar, x: float, colour: str) -> str:
+    if bar.beyond:
+        return f'<path d="M{x + 3 * bar.beyond:.1f} {_MIDDLE:g}l{-7 * bar.beyond} -5v10z" fill="{colour}"/>'
+    match bar.outcome:
+        case Outcome.PASS:
+            return f'<circle cx="{x:.1f}" cy="{_MIDDLE:g}" r="3.4" fill="{colour}"/>'
+        case Outcome.FAIL:
+            return f'<path d="M{x - 4:.1f} 4l8 8m0 -8l-8 8" stroke="{colour}" stroke-width="2.4" fill="none"/>'
+        case _:
+            return (
+                f'<circle cx="{x:.1f}" cy="{_MIDDLE:g}" r="3.4" fill="#ffffff" stroke="{colour}" stroke-width="1.6"/>'
+            )

@@ -2,11 +2,15 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
 
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.provenance import LimitCheck, Provenance
 from tumble.calibrations.core.verdict import Verdict
 from tumble.calibrations.core.view import Chapter, Drawn, Quantity, Section
+
+if TYPE_CHECKING:
+    from tumble.calibrations.records.changes import Change
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -32,6 +36,8 @@ class Front:
     """Empty where the result is in no store."""
     revision: int = 1
     picture: Picture | None = None
+    changes: "Mapping[str, Change]" = field(default_factory=dict)
+    """Of the values since the unit was calibrated before, by name; one that is not among them has no earlier value."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -46,6 +52,10 @@ class Report:
     notices: Sequence[str] = ()
     """What the reader must know before the numbers, a sentence each."""
     chapters: Sequence[Chapter] = ()
+
+    def with_changes(self, changes: "Mapping[str, Change]") -> "Report":
+        """The same, with what has changed since the unit was calibrated before; the same where it has no front."""
+        return replace(self, front=replace(self.front, changes=changes)) if self.front else self
 
 
 def page_of_sections(kind: str, title: str, sections: Sequence[Section], notices: Sequence[str] = ()) -> Report:

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
 
 from tumble.calibrations.core.coverage import coverage_factor
 from tumble.calibrations.core.parameter import Parameter
@@ -9,10 +10,19 @@ from tumble.calibrations.core.provenance import LimitCheck
 from tumble.calibrations.core.quantities import format_limits, format_quantity, rounded
 from tumble.calibrations.core.verdict import Judgement, Outcome
 from tumble.calibrations.core.view import Quantity
-from tumble.calibrations.report.bars import limit_bar
+from tumble.calibrations.report.bars import drawn_bar
+from tumble.calibrations.report.dates import dated
 from tumble.calibrations.report.document import Front
+from tumble.calibrations.report.language import language
+from tumble.calibrations.report.limit_bar import limit_bar
 from tumble.calibrations.report.verdicts import decided
-from tumble.messages import Message
+from tumble.messages import Language, Message
+
+if TYPE_CHECKING:
+    from tumble.calibrations.records.changes import Change
+
+
+_DAY: Final = len("2026-11-03")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -27,6 +37,8 @@ class Value:
     """The factor k."""
     note: str
     """The condition under which the value stands, or why there is none."""
+    change: str
+    """Since the last calibration, and when that was; empty where there was none."""
     limits: str
     bar: str
     """SVG; empty without limits."""
@@ -45,8 +57,20 @@ def values(front: Front) -> Iterator[Value]:
             value=Message("not identifiable") if parameter.value is None else stated(parameter),
             coverage=coverage(parameter),
             note=parameter.reason if parameter.value is None else parameter.condition,
+            change=_moved(front.changes.get(name)),
             **_against(parameter, checks.get(name), front.verdict.of(name)),
         )
+
+
+def day_since(change: "Change", language: Language) -> str:
+    """The day of the earlier calibration, as a language writes it."""
+    return dated(change.since[:_DAY], language)
+
+
+def _moved(change: "Change | None") -> str:
+    if change is None:
+        return ""
+    return Message("{change} since {date}", change=change.text, date=day_since(change, language()))
 
 
 def _against(parameter: Parameter, check: LimitCheck | None, judgement: Judgement | None) -> dict[str, str]:
@@ -55,7 +79,7 @@ def _against(parameter: Parameter, check: LimitCheck | None, judgement: Judgemen
         return {"limits": "", "bar": "", "decided": "", "outcome": str(Outcome.NO_LIMITS)}
     return {
         "limits": format_limits(check.minimum, check.maximum, parameter.unit),
-        "bar": limit_bar(parameter, check, judgement.outcome),
+        "bar": drawn_bar(limit_bar(parameter, check, judgement.outcome)),
         "decided": decided(parameter, check, judgement),
         "outcome": str(judgement.outcome),
     }

@@ -77,7 +77,7 @@ def _front(front: Front) -> dict[str, Any]:
         "picture": front.picture
         and {"svg": str(front.picture.figure.__html__()), "caption": say(front.picture.caption)},
         "instruments": _instruments(front),
-        "statements": [say(each) for each in _STATEMENTS],
+        "statements": [say(each) for each in (*_STATEMENTS, *([_CHANGES] if front.changes else []))],
     }
 
 
@@ -99,6 +99,10 @@ _STATEMENTS: Final = (
         "sides differ, each is stated. g is local gravity."
     ),
     Message("The results relate only to the unit named above, as it was when it was measured."),
+)
+_CHANGES: Final = Message(
+    "Below a value stands its change since the last calibration of the unit by the same method that has a value of the "
+    "same definition; its ± is the expanded uncertainty of the difference, both values taken as independent."
 )
 
 

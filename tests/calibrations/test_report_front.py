@@ -12,10 +12,11 @@ from tumble.calibrations.core.verdict import Outcome
 from tumble.calibrations.methods.dividing_head.report import calibration_report
 from tumble.calibrations.methods.triad.model import NAMES
 from tumble.calibrations.methods.triad.quantities import QUANTITIES
-from tumble.calibrations.report.bars import limit_bar
+from tumble.calibrations.report.bars import drawn_bar
 from tumble.calibrations.report.dates import dated
 from tumble.calibrations.report.instruments import instruments
 from tumble.calibrations.report.language import written_in
+from tumble.calibrations.report.limit_bar import limit_bar
 from tumble.calibrations.report.paper import pdf
 from tumble.calibrations.report.written import written
 from tumble.messages import Language, Message
@@ -69,20 +70,33 @@ def test_only_limited_values_have_a_bar():
     assert bars == {"u_0": False, "k_x": True, "k_y": True, "k_z": False, "k_xy": False, "α_0": False}
 
 
-@pytest.mark.parametrize(
-    ("value", "minimum", "maximum", "part"),
-    [(1.0, 0.9, 1.1, 0.5), (0.9, 0.9, 1.1, 0.18), (1.1, 0.9, 1.1, 0.82), (9.0, 0.9, 1.1, 0.97), (-9.0, 0.9, 1.1, 0.03)],
-)
-def test_a_bar_puts_the_value_between_its_limits(value, minimum, maximum, part):
+def bar_of(value, minimum, maximum, outcome=Outcome.PASS):
     parameter = replace(reversed_().parameters["kx"], value=value, interval_95=(value, value))
-    bar = limit_bar(parameter, LimitCheck(name="kx", minimum=minimum, maximum=maximum, inside=True), Outcome.PASS)
-    assert float(re.search(r'cx="([\d.]+)"', bar)[1]) == pytest.approx(120.0 * part, abs=0.5)
+    return limit_bar(parameter, LimitCheck(name="kx", minimum=minimum, maximum=maximum, inside=True), outcome)
+
+
+@pytest.mark.parametrize(("value", "part"), [(1.0, 0.5), (0.9, 0.18), (1.1, 0.82), (9.0, 0.97), (-9.0, 0.03)])
+def test_a_bar_puts_the_value_between_its_limits(value, part):
+    assert bar_of(value, 0.9, 1.1).value == pytest.approx(part, abs=0.005)
 
 
 @pytest.mark.parametrize(("minimum", "maximum"), [(0.9, None), (None, 1.1), (1.0, 1.0)])
 def test_a_bar_may_be_open_or_have_no_width(minimum, maximum):
-    check = LimitCheck(name="kx", minimum=minimum, maximum=maximum, inside=True)
-    assert "<circle" in limit_bar(reversed_().parameters["kx"], check, Outcome.PASS)
+    bar = bar_of(1.0, minimum, maximum)
+    assert 0.0 < bar.value < 1.0
+    assert (bar.minimum is None, bar.maximum is None) == (minimum is None, maximum is None)
+
+
+def test_the_mark_on_a_bar_says_the_outcome_without_colours():
+    marks = {re.sub(r'"#.*?"', "", drawn_bar(bar_of(1.0, 0.9, 1.1, outcome))) for outcome in Outcome}
+    assert len(marks) == 3  # without limits there is no bar
+
+
+@pytest.mark.parametrize(("value", "side"), [(9.0, 1), (1.2, 1), (1.0, 0), (-9.0, -1)])
+def test_an_arrow_points_to_what_lies_beyond_a_bar(value, side):
+    bar = bar_of(value, 0.9, 1.1, Outcome.FAIL)
+    assert bar.beyond == side
+    assert ("z" in re.findall(r'd="([^"]+)"', drawn_bar(bar))[-1]) == bool(side)
 
 
 def test_an_instrument_whose_calibration_was_overdue_is_marked():

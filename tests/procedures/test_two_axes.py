@@ -254,7 +254,7 @@ def test_while_a_link_is_awaited_no_other_axis_goes_on(stand, programme):
 
     stand.inner = Gone(stand.clock)
     stand.samplers = {"triad": type(stand.samplers["triad"])(stand.clock, stand.outer, stand.inner)}
-    stand.engine().run(programme.procedure())
+    stand.engine().run(programme.procedure)
     assert seen
     assert not any(seen)
 

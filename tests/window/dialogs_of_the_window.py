@@ -44,6 +44,11 @@ def _context_menu(screen, field):
     return open_it
 
 
+def _plot_menu(driver):
+    driver.window.open(driver.window.run)
+    driver.window.run.view.figures.output.menu.open_at(driver.window.mapToGlobal(QPoint(600, 300)))
+
+
 def _export_over(driver, path):
     driver.window.records._exporting._write_unless_there(path)
 
@@ -66,6 +71,7 @@ DIALOGS = {
     "copy of the stand file": lambda driver, path: driver.window.stand.editor._choose_place(),
     "leave the stand file": _leave_changed,
     "leave": lambda driver, path: driver.window.way_out._ask(),
+    "save a plot": lambda driver, path: driver.window.run.view.temperature.save(),
 }
 """Each is called with the driver and with the path of a stand file, and opens a `Dialog`."""
 
@@ -89,6 +95,7 @@ POPUPS = {
     "trend": _list("records", lambda window: window.records.trend.parameter),
     "menu of a field": _context_menu("run", lambda window: window.run.form.serial),
     "menu of the log": _context_menu("run", lambda window: window.run.view.log.viewport()),
+    "menu of a plot": _plot_menu,
     "menu of a label": _context_menu("stand", lambda window: window.stand.cards.cards["head"].cell("driver")),
 }
 """Each is called with the driver, and opens what takes keyboard and mouse to itself."""
@@ -99,6 +106,8 @@ SOURCES = {
     ("frame.py", "Dialogs"),
     ("beginning.py", "QuestionDialog"),
     ("way_out.py", "QuestionDialog"),
+    ("plots/menu.py", "QMenu"),
+    ("plots/saving.py", "FileDialog"),
     ("screens/stand.py", "FileDialog"),
     ("screens/stand_editor.py", "FileDialog"),
     ("screens/stand_editor.py", "QuestionDialog"),

@@ -198,8 +198,9 @@ def test_its_result_is_shown_by_parameters_and_sections(driver, tmp_path):
     measure(driver, tmp_path)
     result = driver.window.result
     bias, scale = result.table.texts()
-    assert bias[:6] == ["bias", bias[1], "-2.0 to 2.0 mV", "1.0 mV", "up to -1 V", "fail"]
-    assert scale[:2] == ["scale", "there is one position"]
+    assert bias[2:] == [bias[2], "up to -1 V", "fail", "", "-2.0 to 2.0 mV", "1.0 mV", "", ""]
+    assert (scale[0], scale[2]) == ("scale", "not identifiable")
+    assert result.table.reasons.text() == "scale is not identifiable: there is one position"
     assert result.verdict.text() == "✗ Outside the limits: bias"
     assert [result.tabs.tabText(place) for place in range(result.tabs.count()) if result.tabs.isTabVisible(place)] == [
         "Parameters",

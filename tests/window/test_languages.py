@@ -38,7 +38,7 @@ def test_a_whole_run_in_ukrainian(driver, tiny, no_report):
     driver.wait_for_result()
     assert "Прогін завершено: програму виконано." in driver.log
     assert driver.window.stop_bar.button.text() == "⬢ СТОП  [F12]"
-    assert driver.window.result.table.texts()[0][1].startswith("(2,")
+    assert driver.window.result.table.texts()[0][2].startswith("(2,")
     latin = {
         text
         for part in driver.window.findChildren(QWidget)

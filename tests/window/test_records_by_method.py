@@ -1,5 +1,6 @@
 """Records of several methods in one list."""
 
+from datetime import datetime
 from types import SimpleNamespace
 
 import pytest
@@ -52,6 +53,18 @@ def test_the_parameter_that_is_chosen_stays_chosen_with_other_records(records):
     records.trend.parameter.setCurrentText("late")
     records.trend.show_records(records.records[1:])
     assert records.trend.parameter.currentText() == "late"
+
+
+def test_a_trend_tells_values_intervals_and_moments(records):
+    trend = records.trend
+    trend.parameter.setCurrentText("period")
+    (headings, *rows) = trend.plot.values().rows()
+    assert headings[0] == "series"
+    assert headings[-2:] == ("lower end", "upper end")
+    assert len(rows) == trend.drawn == 2
+    for _, moment, value, low, high in rows:
+        assert datetime.fromisoformat(moment).tzinfo is not None
+        assert float(low) <= float(value) <= float(high)
 
 
 def test_without_records_there_is_no_trend(records):

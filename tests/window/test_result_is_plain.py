@@ -52,6 +52,17 @@ def test_each_warning_is_said_once(told):
     ]
 
 
+def test_a_command_of_the_terminal_is_not_told(told):
+    remedy = Message("one sweep would settle it: {command}", command="tumble run")
+    judged = Judgement(name="ky", outcome=Outcome.NOT_DECIDED, reason="it rests on kxy alone", remedy=remedy)
+    assert notices_of(told(judged=(judged,))) == ["ky not decided: it rests on kxy alone"]
+
+
+def test_what_to_do_is_told(told):
+    judged = Judgement(name="ky", outcome=Outcome.NOT_DECIDED, reason="it scatters", remedy="measure again")
+    assert notices_of(told(judged=(judged,))) == ["ky not decided: it scatters; measure again"]
+
+
 def test_a_moment_is_written_as_the_language_writes_it(qapp):
     texts = []
     for language in Language:

@@ -3,10 +3,12 @@
 from importlib import resources
 
 import pytest
+from PySide6.QtSvgWidgets import QSvgWidget
 from PySide6.QtWidgets import QLabel
 
 from tumble.window.generic.figure_list import FigureList
 from tumble.window.generic.section_list import SectionList
+from tumble.window.look.plots import Plot
 from tumble.window.methods.triad.pose_overview import PoseOverview
 
 STAND = resources.files("tumble.procedures.methods.triad") / "stand.toml"
@@ -50,7 +52,11 @@ def test_from_a_programme_to_the_pictures_of_its_result(measured):
     assert view.overview.picture.renderer().isValid()
     (pictures,) = measured.window.result.findChildren(FigureList)
     assert len(pictures.figures) == 4
-    assert all(figure.renderer().isValid() for figure in pictures.figures)
+    drawn = [figure for figure in pictures.figures if isinstance(figure, QSvgWidget)]
+    assert all(figure.renderer().isValid() for figure in drawn)
+    plots = [plot for figure in pictures.figures for plot in figure.findChildren(Plot)]
+    assert (len(drawn), len(plots)) == (3, 1)
+    assert plots[0].values().series
 
 
 def test_dwells_of_ten_minutes_show_how_the_noise_falls(lent_driver, write):

@@ -26,8 +26,8 @@ def test_seed_from_serial_number_to_stored_record(driver, tmp_path):
     assert len(driver.run.view.points) == 430
     assert driver.run.view.overview.done == 430
     assert presentation.concluded.record_id == record.id
-    assert driver.window.result.table.texts()[1][0] == "kx"
-    assert driver.window.result.table.texts()[1][1].endswith("V/g")
+    assert driver.window.result.table.texts()[1][:2] == ["kx", "scale factor"]
+    assert driver.window.result.table.texts()[1][2].endswith("V/g")
     assert presentation.concluded.report.is_file()
     assert "The run is over: the programme was carried out." in driver.log
 

@@ -2,12 +2,17 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from tumble.calibrations.core.view import Section
 from tumble.window.generic.presenting import SectionPresentation
 from tumble.window.generic.presenting import present as present_sections
+from tumble.window.look.language import spoken
 from tumble.window.work.activity import Concluded
 from tumble.window.work.presentation import Presentation
+
+if TYPE_CHECKING:
+    from tumble.calibrations.report.layers import Sheet
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -16,7 +21,10 @@ class Drawn:
 
     title: str
     svg: str
+    """In the language of the window; empty where it is drawn as plots."""
     caption: str
+    sheet: "Sheet | None" = None
+    """What there is to plot."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -40,5 +48,13 @@ def present(concluded: Concluded) -> DrawnPresentation:
 
 
 def _drawn(section: Section) -> Drawn:
+    from tumble.calibrations.report.language import written_in
+    from tumble.calibrations.report.layers import Sheet
+    from tumble.window.generic.panel_plot import plottable
+
     assert section.figure is not None, "it has one"
-    return Drawn(title=section.title, svg=section.figure().__html__(), caption=section.caption)
+    figure = section.figure()
+    if isinstance(figure, Sheet) and plottable(figure):
+        return Drawn(title=section.title, svg="", caption=section.caption, sheet=figure)
+    with written_in(spoken()):
+        return Drawn(title=section.title, svg=figure.__html__(), caption=section.caption)

@@ -1,17 +1,35 @@
 """Plots in the colours of the window."""
 
 import math
+import re
+from collections.abc import Iterable
 from typing import Any
 
 import pyqtgraph as pg
 from PySide6.QtCore import QEvent, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QKeyEvent
+from PySide6.QtGui import (
+    QColor,
+    QContextMenuEvent,
+    QEnterEvent,
+    QFocusEvent,
+    QFont,
+    QFontMetricsF,
+    QGuiApplication,
+    QKeyEvent,
+    QKeySequence,
+    QResizeEvent,
+)
 from PySide6.QtWidgets import QWidget
 
-from tumble.window.look.numbers import local
+from tumble.numerals import localised
+from tumble.window.look.language import spoken, tr
 from tumble.window.look.shades import Colours
 from tumble.window.look.theme import colours
 from tumble.window.look.way_back import WayBack
+from tumble.window.plots.crosshair import Crosshair
+from tumble.window.plots.menu import Deed, PlotMenu
+from tumble.window.plots.savable import Savable, ask_to_save
+from tumble.window.plots.values import Series, Values, items_of, without_unit
 
 _WIDE_LINES, _HIGH_LINES = 11, 7
 """Least size, in lines of text."""
@@ -24,7 +42,8 @@ class LocalAxis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph is not typed
 
     def tickStrings(self, values: list[float], scale: float, spacing: float) -> list[str]:  # noqa: N802  # its name
         """The numbers beside the ticks."""
-        return [local(text) for text in super().tickStrings(values, scale, spacing)]
+        language = spoken()  # asked once: it takes longer than all the rest
+        return [localised(text, language) for text in super().tickStrings(values, scale, spacing)]
 
     def tickSpacing(self, minVal: float, maxVal: float, size: float) -> list[tuple[float, float]]:  # noqa: N802, N803
         """Steps between ticks and where they begin, the widest first, which has room for a line of text."""
@@ -38,7 +57,11 @@ class LocalAxis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph is not typed
 
 
 class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
-    """Axes with a grid, and a way back after the wheel; told with `recoloured` that the palette has changed."""
+    """Axes with a grid, a way back after the wheel, and values that can be read, copied and saved.
+
+    Whoever draws lines and points, as items with names where there are several, has all that; what is drawn otherwise
+    is told with `state`. `recoloured` says that the palette has changed.
+    """
 
     recoloured = Signal()
     _look: tuple[Colours, QFont] | None = None
@@ -48,10 +71,12 @@ class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
         axes = {side: LocalAxis(side) for side in ("left", "bottom")}
         super().__init__(parent, axisItems=axes, enableMenu=False)
         self.hideButtons()
-        self.way_back = WayBack(self)
+        self.way_back, self.crosshair = WayBack(self), Crosshair(self, self.values)
+        self.menu = PlotMenu(self, self._deeds())
+        self._stated: tuple[Series, ...] | None = None
+        self.scene().sigMouseClicked.connect(self._hear_click)
         self.getPlotItem().setContentsMargins(0, 4, 8, 0)
         self.name_axes(bottom, left)
-        self.setAccessibleName(f"{left}, {bottom}")
         self._recolour()
 
     def sizeHint(self) -> QSize:  # noqa: N802  # Qt's name
@@ -65,9 +90,11 @@ class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
 
     def name_axes(self, bottom: str, left: str) -> None:
         """Say what is drawn against what: the ordinate above the plot, where it is read without turning the head."""
-        self._left = left
+        self._bottom, self._left = bottom, left
+        self.setAccessibleName(f"{left}, {bottom}")
         for side in ("bottom", "left"):
             self.getAxis(side).enableAutoSIPrefix(False)
+            self.getAxis(side).setStyle(maxTickLevel=1)  # a third kind of line takes as long as all others
         self.getAxis("bottom").setLabel(bottom)
         self.entitle()
 
@@ -88,15 +115,84 @@ class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
         tint.setAlphaF(_BAND)
         return tint
 
+    def fit_axes(self) -> None:
+        """Fit the axes to what is drawn now: when it is painted it would be too late, and be painted twice."""
+        self.scene().prepareForPaint()
+
+    def begin_anew(self) -> None:
+        """Forget what was seen of that which was drawn before."""
+        self.crosshair.forget()
+        self.way_back.begin_anew()
+
+    def state(self, series: Iterable[Series]) -> None:
+        """Say what is drawn, in place of what lines and points with names say by themselves."""
+        self._stated = tuple(series)
+
+    def values(self) -> Values:
+        """What is drawn, as values."""
+        series = tuple(items_of(self.getPlotItem())) if self._stated is None else self._stated
+        return Values(bottom=self._bottom, left=self._left, series=series)
+
+    @property
+    def savable(self) -> Savable:
+        """What a file of it holds; the file is called after the ordinate."""
+        name = re.sub(r"\W+", "-", without_unit(self._left)).strip("-") or "plot"
+        return Savable(name=name, plot=self, values=self.values)
+
+    def copy_values(self) -> None:
+        """Put what is drawn on the clipboard, as a table."""
+        QGuiApplication.clipboard().setText(self.values().as_text())
+
+    def save(self) -> None:
+        """Have the window ask for a file, and write what is seen or what is drawn."""
+        ask_to_save(self.savable)
+
     def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802  # Qt's name
-        """Home shows the whole picture, Backspace what was seen before the last change."""
+        """Arrows go from point to point, up and down from series to series; the others do what the menu says."""
         match event.key():
-            case Qt.Key.Key_Home:
-                self.way_back.home()
-            case Qt.Key.Key_Backspace:
-                self.way_back.back()
+            case Qt.Key.Key_Right | Qt.Key.Key_Left:
+                self.crosshair.step(1 if event.key() == Qt.Key.Key_Right else -1)
+            case Qt.Key.Key_Down | Qt.Key.Key_Up:
+                self.crosshair.change_series(1 if event.key() == Qt.Key.Key_Down else -1)
             case _:
-                super().keyPressEvent(event)
+                pressed = QKeySequence(event.keyCombination())
+                deed = next((each for each in self._deeds() if QKeySequence(each.key) == pressed), None)
+                if deed is None:
+                    super().keyPressEvent(event)
+                else:
+                    deed.do()
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:  # noqa: N802  # Qt's name
+        """Show the menu for the key of that name; the right button may begin a drag, and is heard when it is let go."""
+        if event.reason() is QContextMenuEvent.Reason.Keyboard:
+            self.menu.open_at(self.mapToGlobal(self.rect().center()))
+
+    def enterEvent(self, event: QEnterEvent) -> None:  # noqa: N802  # Qt's name
+        """Show the button of the menu."""
+        super().enterEvent(event)
+        self.menu.place()
+
+    def leaveEvent(self, event: QEvent) -> None:  # noqa: N802  # Qt's name
+        """Hide it."""
+        super().leaveEvent(event)
+        self.menu.place()
+
+    def focusInEvent(self, event: QFocusEvent) -> None:  # noqa: N802  # Qt's name
+        """Show the button of the menu."""
+        super().focusInEvent(event)
+        self.menu.place()
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:  # noqa: N802  # Qt's name
+        """Hide it, and the values that the keys have come to."""
+        super().focusOutEvent(event)
+        self.crosshair.forget()
+        self.menu.place()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802  # Qt's name
+        """Keep the button in its corner."""
+        super().resizeEvent(event)
+        if self._look is not None:
+            self.menu.place()
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802  # Qt's name
         """Take over another palette."""
@@ -106,6 +202,18 @@ class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
         if self._look != (colours(self), self.font()):
             self._recolour()
             self.recoloured.emit()
+
+    def _hear_click(self, event: Any) -> None:  # noqa: ANN401  # pyqtgraph is not typed
+        if event.button() == Qt.MouseButton.RightButton:
+            self.menu.open_at(event.screenPos().toPoint())
+
+    def _deeds(self) -> tuple[Deed, ...]:
+        return (
+            Deed(title=tr("&Copy the values"), key="Ctrl+C", do=self.copy_values),
+            Deed(title=tr("&Save…"), key="Ctrl+S", do=self.save),
+            Deed(title=tr("One step &back"), key="Backspace", do=self.way_back.back),
+            Deed(title=tr("The &whole picture"), key="Home", do=self.way_back.home),
+        )
 
     def _recolour(self) -> None:
         self._look = colours(self), self.font()

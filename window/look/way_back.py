@@ -11,6 +11,8 @@ from tumble.window.look.language import tr
 
 Ranges: TypeAlias = list[list[float]]
 """Lowest and highest abscissa, and lowest and highest ordinate."""
+_BESIDE_PX: Final = 40
+"""Room for the button of the menu."""
 _BEFORE_A_CHANGE: Final = (QEvent.Type.Wheel, QEvent.Type.MouseButtonPress)
 
 
@@ -78,7 +80,7 @@ class WayBack(QWidget):
     def _place(self) -> None:
         self.setVisible(bool(self._steps))
         self.adjustSize()
-        self.move(self._plot.viewport().width() - self.width() - 4, 2)
+        self.move(self._plot.viewport().width() - self.width() - _BESIDE_PX, 2)
 
     def _button(self, sign: str, tooltip: str, do: Callable[[], None]) -> QToolButton:
         button = QToolButton()

@@ -1,6 +1,7 @@
 """The screen Result: what a calibration says, and what to do next."""
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Final
@@ -11,7 +12,7 @@ from PySide6.QtWidgets import QHBoxLayout, QPushButton, QTabWidget, QVBoxLayout,
 
 from tumble.app.running import Job
 from tumble.app.stand import LoadedStand, same_instruments
-from tumble.calibrations.core.verdict import Model, Outcome, Verdict
+from tumble.calibrations.core.verdict import Judgement, Model, Outcome, Verdict
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.first_method import FIRST
@@ -26,10 +27,11 @@ from tumble.window.registry import window_part
 from tumble.window.screens.loop_view import LoopView
 from tumble.window.widgets.banner import Banner
 from tumble.window.widgets.correlation_table import CorrelationTable
-from tumble.window.widgets.table import Ink, Table
+from tumble.window.widgets.values_table import ValuesTable
 from tumble.window.work.activity import Concluded, FurtherExperiment
 from tumble.window.work.background import Background
 from tumble.window.work.presentation import Presentation
+from tumble.window.work.presented import presented
 
 _OF_THE_PAGE: Final = "What that does to the parameters is said below the results."
 """True of the report; here a tab says it."""
@@ -51,17 +53,7 @@ class ResultScreen(QWidget):
         self.banner = Banner()
         self.verdict, self._subject, self._notices = PlainLabel(), PlainLabel(), PlainLabel()
         self.report_button = QPushButton(tr("Open the &report"))
-        self.table = Table(
-            (
-                tr("parameter"),
-                tr("value, expanded uncertainty"),
-                tr("95% interval"),
-                tr("standard uncertainty"),
-                tr("limits"),
-                tr("verdict"),
-                tr("condition"),
-            )
-        )
+        self.table = ValuesTable()
         self.correlation, self.loop = CorrelationTable(), LoopView()
         self.tabs, self._part = QTabWidget(), window_part(FIRST)
         self._own: Sequence[ResultTab] = ()
@@ -77,8 +69,8 @@ class ResultScreen(QWidget):
 
     def show_result(self, concluded: Concluded, store: Path) -> None:
         """Show a result as soon as it is worked out."""
-        self._store = store
-        self._background.start(partial(window_part(concluded.method).present, concluded), self._show)
+        self._store, present = store, window_part(concluded.method).present
+        self._background.start(partial(presented, present, concluded, store), self._show)
 
     def _show_nothing(self) -> None:
         for part in (self.banner, self._subject, self._notices):
@@ -90,7 +82,7 @@ class ResultScreen(QWidget):
     def _show(self, presentation: Presentation) -> None:
         self.presentation = presentation
         self._show_head(presentation)
-        self._show_table(presentation)
+        self.table.show_lines(presentation.table)
         self._take_tabs_of(presentation.concluded.method)
         for tab in self._own:
             tab.show(presentation)
@@ -152,17 +144,6 @@ class ResultScreen(QWidget):
         ]
         return " ".join(filter(None, parts))
 
-    def _show_table(self, presentation: Presentation) -> None:
-        told = [
-            (row.name, row.value or row.reason, row.interval, row.standard, row.limits, row.verdict, row.note)
-            for row in presentation.table
-        ]
-        unsettled: list[Ink | None] = [None if row.outcome.good else "bad" for row in presentation.table]
-        self.table.fill([[in_language(text) for text in row] for row in told], unsettled)
-        for number, row in enumerate(presentation.table):
-            if row.reason and not row.limits:
-                self.table.widen(number, 1)
-
     def _lay_out(self) -> None:
         for label in (self.verdict, self._subject, self._notices):
             label.setWordWrap(True)
@@ -219,11 +200,17 @@ class ResultScreen(QWidget):
 def notices_of(presentation: Presentation) -> list[str]:
     """What must be read before the numbers, each once; files by their names, and without what a page says of itself."""
     undecided = [each for each in presentation.verdict.parameters if each.outcome is Outcome.NOT_DECIDED]
-    told = [*(each.sentence for each in undecided), *presentation.notices]
+    told = [*(_told(each) for each in undecided), *presentation.notices]
     texts = [in_language(_without(_OF_THE_PAGE, notice)) for notice in told]
     for path in presentation.concluded.recordings:
         texts = [text.replace(str(path), path.name) for text in texts]
     return list(dict.fromkeys(texts))
+
+
+def _told(judgement: Judgement) -> str:
+    """Why nothing is decided, and what to do, but for a command of the terminal: a tab has the experiment."""
+    is_command = isinstance(judgement.remedy, Message) and "command" in judgement.remedy.fields
+    return (replace(judgement, remedy="") if is_command else judgement).sentence
 
 
 def _without(sentence: str, notice: str) -> str:

@@ -81,7 +81,7 @@ class RunView(QWidget):
         self._drawn = -1
         self.samples.begin(programme.layout.channels)
         for plot in self.findChildren(Plot):
-            plot.way_back.begin_anew()
+            plot.begin_anew()
         self.ask_nothing()
         self.log.clear()
 
@@ -206,16 +206,16 @@ class RunView(QWidget):
         self.ask_nothing()
 
     def _draw(self) -> None:
-        """Draw the newest samples, and one of the plots that are not up to date: all at once would be felt."""
+        """Draw one of the plots that are not up to date, or else the newest samples: all at once would be felt."""
         if not self.isVisible():
             return
-        if self._block is not None:
-            self.samples.draw_block(self._block)
-            self._block = None
         if len(self.points) != self._drawn:
             self._drawn = len(self.points)
             self.figures.draw_later(self._draw_temperature)
-        self.figures.draw_next()
+        if self.figures.draw_next() or self._block is None or not self.samples.isVisible():
+            return
+        self.samples.draw_block(self._block)
+        self._block = None
 
     def _analyse(self) -> None:
         self.figures.analyse()

@@ -25,8 +25,9 @@ class StandRecords(QWidget):
             tr("head angle (°)"),
             tr("error of the head (″)"),
         )
-        self.line = self.plot.plot([], [])
-        self._low, self._high = self.plot.plot([], []), self.plot.plot([], [])
+        self.line = self.plot.plot([], [], name=tr("error of the head (″)"))
+        self._low = self.plot.plot([], [], name=tr("error less two standard uncertainties"))
+        self._high = self.plot.plot([], [], name=tr("error plus two standard uncertainties"))
         self._band = pg.FillBetweenItem(self._low, self._high)
         self.plot.addItem(self._band)
         self._records: tuple[StandRecord, ...] = ()

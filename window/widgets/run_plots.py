@@ -34,6 +34,7 @@ class TemperaturePlot(Plot):
         told = [(point.time_s / 60.0, point.temperature_degc) for point in points if point.temperature_degc is not None]
         times_min, temperatures_degc = zip(*told, strict=True) if told else ((), ())
         self._line.setData(np.array(times_min, dtype=float), np.array(temperatures_degc, dtype=float))
+        self.fit_axes()
 
 
 class SamplesPlot(Plot):
@@ -50,13 +51,14 @@ class SamplesPlot(Plot):
 
     def draw_block(self, block: Block) -> None:
         """Draw a block, thinned to its extremes where there are more samples than columns."""
-        channels = list(block.channels.values())
+        channels = block.channels
         while len(self._lines) < len(channels):
             self._lines.append(self.plot([], []))
             self._restyle()
-        for line, voltage_v in zip(self._lines, channels, strict=False):
+        for line, (name, voltage_v) in zip(self._lines, channels.items(), strict=False):
             times_s, extremes_v = thinned(np.where(np.abs(voltage_v) < 1e30, voltage_v, np.nan), block.rate_hz)
-            line.setData(times_s, extremes_v, connect="finite")
+            line.setData(times_s, extremes_v, connect="finite", name=name)
+        self.fit_axes()
 
     def begin(self, channels: Iterable[str]) -> None:
         """Draw nothing, until there are samples of these channels; the names of those in volts end in `_v`."""

@@ -52,7 +52,7 @@ class SeriesPlot(Plot):
             colour, shape = self._style(name)
             filled, outline = pg.mkBrush(colour), pg.mkPen(None)  # of other kinds, a symbol is kept for every redraw
             style = {"pen": None, "symbol": shape, "symbolSize": 7, "symbolBrush": filled, "symbolPen": outline}
-            self._series[name] = self.plot([], [], name=name, **style)
+            self._series[name] = self.plot([], [], name=self.title_of(name), **style)
         return self._series[name]
 
     def _style(self, name: str) -> tuple[str, str]:

@@ -1,6 +1,6 @@
 """A parameter over time or over units."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from datetime import datetime
 from html import escape
 from typing import Final
@@ -16,6 +16,7 @@ from tumble.calibrations.records.record import Record
 from tumble.window.look.language import tr
 from tumble.window.look.numbers import local
 from tumble.window.look.plots import LocalAxis, Plot
+from tumble.window.plots.values import Series
 from tumble.window.widgets.series_plot import SIGNS
 
 _LEAST_S: Final = 3600.0
@@ -99,7 +100,10 @@ class TrendPlot(QWidget):
         y = np.array([value for _, value, _ in told])
         low, high = np.array([low for *_, (low, _) in told]), np.array([high for *_, (_, high) in told])
         self._bars.setData(x=x, y=y, top=high - y, bottom=y - low, pen=self.plot.pen(self.plot.colours.pale))
-        self._mark([record.provenance.serial_number for record, *_ in told], x, y)
+        units = [record.provenance.serial_number for record, *_ in told]
+        self._mark(units, x, y)
+        moments = [_moment(record).astimezone().isoformat(" ", "seconds") for record, *_ in told]
+        self.plot.state(_series(units, moments if self.over.currentData() == "time" else units, x, y, low, high))
         self.plot.name_axes(
             self._abscissa([record for record, *_ in told]),
             local(f"{name} ({unit.replace('^2', '²')})" if name else ""),
@@ -136,6 +140,16 @@ class TrendPlot(QWidget):
         self.plot.getViewBox().setLimits(minXRange=None)
         self._numbers.setTicks([list(enumerate(units))])
         return np.array([float(units.index(record.provenance.serial_number)) for record in records])
+
+
+def _series(
+    units: Sequence[str], x_texts: Sequence[str], x: FloatArray, y: FloatArray, low: FloatArray, high: FloatArray
+) -> Iterator[Series]:
+    """The values of every unit, with their intervals."""
+    for unit in dict.fromkeys(units):
+        of = np.array([each == unit for each in units])
+        texts = [text for text, each in zip(x_texts, units, strict=True) if each == unit]
+        yield Series(name=unit, x=x[of], y=y[of], low=low[of], high=high[of], x_texts=texts)
 
 
 def _key(parameter: RecordedParameter) -> tuple[str, str]:

@@ -9,6 +9,7 @@ from tumble.calibrations.core.verdict import Outcome, Verdict
 from tumble.window.work.activity import Concluded
 
 if TYPE_CHECKING:
+    from tumble.calibrations.report.limit_bar import LimitBar
     from tumble.calibrations.tracing.experiments import Experiment
     from tumble.calibrations.tracing.sentences import Finding
 
@@ -31,6 +32,16 @@ class ParameterLine:
     limits: str = ""
     verdict: str = ""
     outcome: Outcome = Outcome.NO_LIMITS
+    words: str = ""
+    """What the parameter is called; empty where its method does not say."""
+    declared: str = ""
+    """Value and expanded uncertainty of the declared model, where others are to be used."""
+    bar: "LimitBar | None" = None
+    """How it lies between its limits; None where it has none."""
+    change: str = ""
+    """Since the last calibration; empty where there was none."""
+    since: str = ""
+    """Day of that one."""
 
 
 @dataclass(frozen=True, kw_only=True)

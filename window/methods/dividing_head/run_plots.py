@@ -58,7 +58,7 @@ class OutputPlot(AnglePlot):
             self.removeItem(self._curves.pop(mount))
         for mount, curve in curves.items():
             if mount not in self._curves:
-                self._curves[mount] = self.plot([], [])
+                self._curves[mount] = self.plot([], [], name=tr("{mount}, model", mount=mount_name(mount)))
                 self._curves[mount].setZValue(-1)
                 self._recolour_curves()
             self._curves[mount].setData(*curve)
