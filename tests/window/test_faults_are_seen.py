@@ -130,5 +130,6 @@ def test_every_thread_and_timer_is_known_here():
         ("screens/queue_runner.py", "QTimer"),
         ("screens/run_view.py", "QTimer"),
         ("widgets/notice.py", "QTimer"),
+        ("plots/crosshair.py", "QTimer"),
         ("start.py", "QTimer"),
     }
