@@ -36,7 +36,7 @@ _LEAST: Final = 2e-3
 _PAIRS: Final = 4
 """So many pairs of further effects are looked at."""
 _SPARE: Final = 4 * WIDEST
-"""Of so few rows beyond what is fitted any pair would explain nearly all that is left."""
+"""Of so few settings beyond what is fitted any pair would explain nearly all by which they differ."""
 _DRAWN: Final = 1.0
 """Levels that gain less are next to nothing: their variance is at its bound."""
 
@@ -139,7 +139,8 @@ def _with_two_more(tracer: Tracer[Any], trace: Trace) -> Iterator[tuple[str, Tra
     """The trace with two other effects that together, if neither alone, would gain nearly their penalties."""
     problem = tracer.problem(trace.noise)
     explanation = problem.explain(tuple(item.number for item in trace.found))
-    if len(trace.found) + 2 > problem.most or tracer.table.rows - len(explanation.fit.theta) < _SPARE:
+    settings = len(np.unique(tracer.table.blocks("angle")))
+    if len(trace.found) + 2 > problem.most or settings - len(explanation.fit.theta) < _SPARE:
         return
     numbers = [number for number, each in enumerate(problem.offered) if _may_join(each, trace.names)]
     for pair, worth in islice(best_pairs(problem, explanation, numbers), _PAIRS):
