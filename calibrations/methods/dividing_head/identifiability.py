@@ -14,7 +14,14 @@ from tumble.calibrations.methods.dividing_head.conditional import conditional
 from tumble.calibrations.methods.dividing_head.fit import JointFit, names
 from tumble.calibrations.methods.dividing_head.geometry import MOUNTS
 from tumble.calibrations.methods.dividing_head.joint import Joint
-from tumble.calibrations.methods.dividing_head.model import ALPHA0, LINEAR, PARAMETERS, basis, coefficients_jacobian
+from tumble.calibrations.methods.dividing_head.model import (
+    ALPHA0,
+    LINEAR,
+    PARAMETERS,
+    UNITS,
+    basis,
+    coefficients_jacobian,
+)
 from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.messages import Message
 
@@ -116,9 +123,10 @@ def _with_condition(
                 given={"alpha0": 0.0},
                 settled_by=verdicts["alpha0"].settled_by,
                 remark=Message(
-                    "stands for alpha0 = 0 deg; {seat_deg:g} deg of alpha0 would change it by {shift:.2g}",
+                    "{seat_deg:g} deg of alpha0 would change it by {shift:.2g} {unit}",
                     seat_deg=SEAT_DEG,
                     shift=shift,
+                    unit=UNITS[name],
                 ),
             )
     return result

@@ -184,7 +184,7 @@ def _dependences(parameters: Sequence[Parameter]) -> Iterator[Statement]:
 def _conditions(parameters: Sequence[Parameter]) -> Iterator[Statement]:
     for parameter in parameters:
         if parameter.value is not None and parameter.given and not parameter.rests_on:
-            said = Message("{name} {remark} {unit}.", name=parameter.name, remark=parameter.remark, unit=parameter.unit)
+            said = Message("{name} stands for alpha0 = 0 deg; {remark}.", name=parameter.name, remark=parameter.remark)
             text = _with_remedy(said, parameter.settled_by)
             yield Statement(about=(parameter.name,), kind=Kind.CONDITION, text=text)
 
