@@ -279,8 +279,8 @@ class MainWindow(QMainWindow):
         self.open(self.result)
 
     def _conclude(self, concluded: Concluded) -> None:
-        """Show the result of a run to whoever watched the run, and a badge to whoever is elsewhere."""
-        if self.frame.current is self.run and self.run.phase is Phase.IDLE:
+        """Show a result to whoever watched the run; a badge to whoever is elsewhere, or is to decide on another."""
+        if self.frame.current is self.run and self.run.phase is Phase.IDLE and not self.run.broken_off:
             self._show_result(concluded)
             return
         self.result.show_result(concluded, self.store)

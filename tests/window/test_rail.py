@@ -81,6 +81,14 @@ def test_a_result_is_shown_to_whoever_watched_its_run(driver, tiny, no_report):
     assert badge(driver, RESULT) is None
 
 
+def test_a_result_takes_nobody_away_from_a_run_that_was_stopped(driver, tiny, no_report):
+    driver.start(tiny)
+    driver.window.run.broken_off = True  # that of the next unit, while this one was analysed
+    driver.wait_for_result()
+    assert driver.window.frame.current is driver.window.run
+    assert badge(driver, RESULT).meaning == "a new result"
+
+
 def test_runs_without_a_record_are_counted(driver, long):
     driver.start(long)
     driver.wait_for_points(1)

@@ -55,7 +55,7 @@ class Driver:
         window.run.view.points = []
         window.run.view.log.clear()
         window.run.offered.offer([])
-        window.run._broken_off = False
+        window.run.broken_off = False
         window.run.queue.open()
         window.run.queue._seated = ""
         window.result.presentation = None

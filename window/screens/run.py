@@ -63,7 +63,8 @@ class RunScreen(QWidget):
     ) -> None:
         super().__init__(parent)
         self._operator, self._store = operator, store
-        self._broken_off, self._setting_deg = False, 0.0
+        self._setting_deg, self.broken_off = 0.0, False
+        """The latter: whether the last run came to no end, and somebody is to say what becomes of it."""
         self._adding = False
         """Whether the form is open beside a run, to fill the queue."""
         self.form = RunForm(lambda: worker.session.loaded)
@@ -94,7 +95,7 @@ class RunScreen(QWidget):
 
     def offer(self, runs: "Sequence[CutOff]") -> None:
         """Offer to go on with the run that ended here before its time, or with one that another session left."""
-        wanted = [run for run in runs if self._broken_off or not run.ending]
+        wanted = [run for run in runs if self.broken_off or not run.ending]
         self.offered.offer(wanted if self.phase is Phase.IDLE else [])
 
     def start(self) -> None:
@@ -124,7 +125,7 @@ class RunScreen(QWidget):
         except InputError as error:
             self.refused.emit(error)
             return False
-        self._broken_off = False
+        self.broken_off = False
         self.unit_changed.emit(activity.job.serial_number, activity.job.operator)
         self.line.show_run(activity.job, plan)
         self.view.begin(activity.job, plan, points)
@@ -146,7 +147,7 @@ class RunScreen(QWidget):
         self.controls.pause.clicked.connect(self.course.pause)
         self.controls.resume.clicked.connect(self.course.go_on)
         self.controls.again.clicked.connect(self.course.repeat)
-        self.offered.offered.connect(lambda offered: self.course.await_choice(offered and self._broken_off))
+        self.offered.offered.connect(lambda offered: self.course.await_choice(offered and self.broken_off))
         self.form.changed.connect(self._refresh)
         self.form.changed.connect(self._tell_unit)
         self.form.dialog_wanted.connect(self.dialog_wanted)
@@ -266,7 +267,7 @@ class RunScreen(QWidget):
         self._adding = self._adding and self.queue.going
 
     def _break_off(self, _: Activity, error: BaseException) -> None:
-        self._broken_off = True
+        self.broken_off = True
         self._end()
         self.broke_off.emit()
         if was_stopped(error) and not self.course.now.restless:
@@ -281,7 +282,7 @@ class RunScreen(QWidget):
 
     def _fail(self, _: Activity, error: BaseException) -> None:
         """An analysis came to no end: what was measured is offered, unless another run has the stand."""
-        self._broken_off = not self.course.now.running
+        self.broken_off = not self.course.now.running
         self.broke_off.emit()
         self.refused.emit(error)
 
