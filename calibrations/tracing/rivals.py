@@ -42,7 +42,12 @@ def with_best_names(tracer: Tracer[Any], trace: Trace) -> tuple[Trace, dict[str,
     """
     while True:
         listed = {name: rivals(tracer, trace, name) for name in trace.names}
-        better = [rival for name, others in listed.items() for rival in others if _goes_before(tracer, rival, name)]
+        better = [
+            rival
+            for name, others in listed.items()
+            for rival in others
+            if _goes_before(tracer, rival, name) and _explains(tracer, trace.without(name), rival)
+        ]
         if not better:
             return trace, _near(listed)
         trace = min(better, key=lambda rival: rival.naming_difference).trace
@@ -65,6 +70,12 @@ def _goes_before(tracer: Tracer[Any], rival: Rival, name: str) -> bool:
         return rival.naming_difference < 0
     order = [*(effect.name for effect in tracer.effects), WALK]
     return order.index(rival.name) < order.index(name)
+
+
+def _explains(tracer: Tracer[Any], rest: Trace, rival: Rival) -> bool:
+    """Whether a rival is worth its penalty; one that explains nothing would be the simplest of all."""
+    nothing = replace(rest, deviance=tracer.table.deviance(rest.forms, rest.noise))
+    return penalised_deviance(rival.trace) < penalised_deviance(nothing)
 
 
 def _naming_penalty(trace: Trace) -> float:
