@@ -194,15 +194,22 @@ def _once(closing: Closing, at: AtStand, watching: Callable[[Job], AbstractConte
 def _ended(closing: Closing, most: int) -> Closing:
     """The loop with the reason why it ends here, where it does."""
     ended, why = _verdict(closing, most)
-    return replace(closing, chain=replace(closing.chain, ended=ended, why=why)) if ended else closing
+    if ended is None:
+        return closing
+    done = closing if closing.chain.last.disputed else _without_confirming(closing)
+    return replace(done, chain=replace(closing.chain, ended=ended, why=why))
+
+
+def _without_confirming(closing: Closing) -> Closing:
+    """What is told apart asks for nothing more, though it was barely so."""
+    planned = experiments_for(closing.traced.explained, closing.available.probes)
+    return replace(closing, planned=planned, traced=closing.traced.planned(planned))
 
 
 def _verdict(closing: Closing, most: int) -> tuple[Ended | None, str]:
     chain = closing.chain
-    if not chain.last.disputed and not chain.first.disputed:
-        return Ended.NOTHING_TO_TELL, Message("Nothing has to be told apart.")
-    if not chain.last.disputed and (chain.confirmed or closing.next is None or len(chain.links) >= most):
-        return Ended.TOLD_APART, Message("Everything that was found is told apart.")
+    if not chain.last.disputed:
+        return _nothing_disputed(closing, most)
     if closing.next is None:
         return Ended.NOTHING_AVAILABLE, cannot(closing.planned, _elsewhere(closing))
     if why := _in_vain(chain):
@@ -213,6 +220,15 @@ def _verdict(closing: Closing, most: int) -> tuple[Ended | None, str]:
             most=most,
             programme=closing.next.programme,
         )
+    return None, ""
+
+
+def _nothing_disputed(closing: Closing, most: int) -> tuple[Ended | None, str]:
+    """Where nothing has a rival, only what is barely so is asked once more."""
+    if not closing.chain.first.disputed:
+        return Ended.NOTHING_TO_TELL, Message("Nothing has to be told apart.")
+    if closing.next is None or len(closing.chain.links) >= most:
+        return Ended.TOLD_APART, Message("Everything that was found is told apart.")
     return None, ""
 
 

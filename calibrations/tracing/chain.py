@@ -117,16 +117,34 @@ class Link(Generic[L]):
 
     @property
     def separated(self) -> tuple[str, ...]:
-        """The names that it distinguished, the ones that are left first; none where it failed to."""
-        left = {name for names in self.after.explanations for name in names}
-        remaining = tuple(name for name in self.rivals_before if name in left)
-        gone = tuple(name for name in self.rivals_before if name not in left)
-        return (*remaining, *gone) if remaining and gone else ()
+        """The names that it distinguished, the ones that are left first; none where it failed to.
+
+        Those that stand in different explanations afterwards are distinguished too: each of them is there.
+        """
+        remaining = tuple(name for name in self.rivals_before if name in self.rivals_after)
+        gone = tuple(name for name in self.rivals_before if name not in remaining)
+        return (*remaining, *gone) if remaining and (gone or self.each_is_there) else ()
+
+    @property
+    def each_is_there(self) -> bool:
+        """Whether what could have been either turned out to be several causes."""
+        left = [set(names).intersection(self.rivals_before) for names in self.after.explanations]
+        return sum(map(bool, left)) > 1 and max(map(len, left)) == 1
+
+    @property
+    def confirming(self) -> bool:
+        """Whether it was run though nothing had a rival, since that was barely so."""
+        return not any(self._name in names for names in self.before.disputed)
+
+    @property
+    def confirmed(self) -> bool:
+        """Whether that left what had been found."""
+        return self.confirming and any(self._name == names[0] for names in self.after.explanations)
 
     @property
     def futile(self) -> bool:
         """Whether it separated nothing, though it was to do so by itself."""
-        return not (self.separated or self.experiment.together or self.experiment.runs > 1)
+        return not (self.separated or self.experiment.together or self.experiment.runs > 1 or self.confirming)
 
     @property
     def planned(self) -> int:
@@ -165,6 +183,8 @@ class Link(Generic[L]):
             return Message("against {names}: something else was found instead", names=series(self.rivals_before))
         if not self.separated:
             return Message("nothing: it could still be {names}", names=series(left, "or"))
+        if self.each_is_there:
+            return Message("that each of {names} is there", names=series(left))
         return Message.counted(
             "against {gone}: {left} remains",
             "against {gone}: {left} remain",
@@ -214,13 +234,14 @@ class Chain(Generic[L]):
 
     @property
     def doubted(self) -> frozenset[str]:
-        """Everything that had rivals before an experiment was run, and these."""
-        return frozenset(name for link in self.links for names in link.before.disputed for name in names)
+        """What had rivals before an experiment was run, and these, as far as that was not confirmed since.
 
-    @property
-    def confirmed(self) -> bool:
-        """Whether an experiment was run though nothing had a rival, since that was barely so."""
-        return any(not link.before.disputed for link in self.links)
+        Nothing while anything has rivals still.
+        """
+        if self.last.disputed:
+            return frozenset()
+        doubted = {name for link in self.links for names in link.before.disputed for name in names}
+        return frozenset(doubted.difference(*(link.experiment.separates for link in self.links if link.confirmed)))
 
     @property
     def futile(self) -> int:
@@ -290,7 +311,7 @@ def experiments_for(
     """What would tell apart the rivals of a table, of what can be run.
 
     Explanations a little too far behind to be rivals are distinguished too: by mere chance the true one may be there.
-    Of what has no rival left, so are those that were `doubted` before.
+    Of what has no rival left, so are those that were `doubted` before, where a single run is enough.
     """
     if explained is None:
         return ()
@@ -304,7 +325,7 @@ def experiments_for(
     confirming = next_experiments(explained.table, explained.trace, barely, probes)
     return (
         *next_experiments(explained.table, explained.trace, near, probes, otherwise),
-        *(each for each in confirming if each.command),
+        *(each for each in confirming if each.command and each.runs == 1 and not each.together),
         *locating_experiments(explained.table, explained.trace, explained.alike, probes, otherwise),
     )
 

@@ -109,7 +109,7 @@ _SHAPES: Final[Mapping[str, Callable[[Coordinate, Coordinate, FloatArray], Float
     "pulse": _pulse,
     "ramp": lambda own, further, sizes: ramp(_part(own, further), sizes),
     "onset": lambda own, further, sizes: onset(_part(own, further), sizes),
-    "transient": lambda own, further, sizes: transient(_part(own, further), sizes),
+    "transient": lambda own, further, sizes: transient(_part(own, further), sizes[None]),
     "changes": lambda own, further, sizes: levels(_part(own, further), sizes),
 }
 """Columns of shapes in further rows, for a channel of one, from the variable of the table and what fixes the shape."""

@@ -180,7 +180,7 @@ class Coordinate:
         tried = np.concatenate(
             [np.column_stack([self.centres, np.full(len(self.centres), away * width)]) for width in _SPOTS]
         )
-        return np.asarray(tried[np.count_nonzero(self.spots(tried) > _MIDDLE, axis=0) >= self.fewest_rows])
+        return self._spots_of_several_rows(tried)
 
     def spots(self, spots: FloatArray) -> FloatArray:
         """A bell about each of some places in space, shape (rows, spots)."""
@@ -190,7 +190,12 @@ class Coordinate:
     def spots_near(self, spot: FloatArray) -> FloatArray:
         """One of them, and the same a part of its width to each side, narrower and wider, shape (spots, n + 1)."""
         away = np.concatenate([np.zeros((1, len(spot) - 1)), *(step * np.eye(len(spot) - 1) for step in _ASIDE)])
-        return np.array([(*(spot[:-1] + spot[-1] * each), spot[-1] * ratio) for each in away for ratio in _TIMES])
+        near = [(*(spot[:-1] + spot[-1] * each), spot[-1] * ratio) for each in away for ratio in _TIMES]
+        return self._spots_of_several_rows(np.array(near))
+
+    def _spots_of_several_rows(self, spots: FloatArray) -> FloatArray:
+        """Those in whose middle are several rows."""
+        return np.asarray(spots[np.count_nonzero(self.spots(spots) > _MIDDLE, axis=0) >= self.fewest_rows])
 
     def _several_rows(self, bumps: FloatArray) -> FloatArray:
         """Those in whose middle are several rows."""

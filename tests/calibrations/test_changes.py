@@ -14,6 +14,7 @@ from tumble.calibrations.tracing.family import Family
 from tumble.calibrations.tracing.gains import seen_beside
 from tumble.calibrations.tracing.noise import WHITE
 from tumble.calibrations.tracing.scan import Scan
+from tumble.calibrations.tracing.shapes.onsets import transient
 from tumble.calibrations.tracing.trace import Tracer
 from tumble.messages import Message
 
@@ -78,6 +79,20 @@ def test_its_gain_in_the_scan_is_that_of_the_whole_likelihood(shape):
     whole = rows.deviance((), WHITE) - beside.deviance((), WHITE.with_level(best.component.name, best.variance))
 
     assert best.gain == pytest.approx(whole, abs=1e-6)
+
+
+def test_a_knock_that_heals_is_a_transient_that_rises_at_once():
+    column = transient(PART, np.array([[0.4, 0.0, 0.08]]))[:, 0]
+
+    assert np.allclose(column, (PART > 0.4) * np.exp(-SINCE / 0.08))
+
+
+def test_a_spot_between_poses_stands_on_several_rows():
+    near = np.exp(-0.5 * np.sum((POSES_G - POSES_G[7]) ** 2, axis=1) / 0.15**2)
+    rows = replace(table_of(6.0 * near + noise()), axes=axes((OFFSET, (POSE,))))
+    (spot,) = shapes_of(rows, "spot")
+
+    assert np.count_nonzero(spot.columns() > 0.6) >= POSE.fewest_rows
 
 
 def test_a_slope_begins_and_ends_between_rows():

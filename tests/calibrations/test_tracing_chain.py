@@ -127,9 +127,29 @@ def test_why_nothing_more_is_distinguished_names_what_would_help_elsewhere():
     )
 
 
-def test_what_was_barely_told_apart_is_confirmed_once():
-    told = stage(("k_xx",), k_yy=6.0)
-    chain = Chain(first=THREE, links=(link(THREE, told), link(told, told)))
-    assert (replace(chain, links=chain.links[:1]).confirmed, chain.confirmed) == (False, True)
-    assert chain.doubted == {"k_xx", "k_yy", "k_zz"}
+TOLD = stage(("k_xx",), k_yy=6.0)
+
+
+def test_what_was_barely_told_apart_is_doubted_until_it_is_confirmed():
+    chain = Chain(first=THREE, links=(link(THREE, TOLD), link(TOLD, TOLD)))
+    before = replace(chain, links=chain.links[:1])
+    assert (before.doubted, chain.doubted) == ({"k_xx", "k_yy", "k_zz"}, {"k_zz"})
     assert chain.links[1].rivals_before == ("k_xx", "k_yy")
+
+
+def test_a_confirmation_that_names_another_confirms_nothing():
+    chain = Chain(first=THREE, links=(link(THREE, TOLD), link(TOLD, stage(("k_yy",), k_xx=4.0))))
+    assert chain.doubted == {"k_xx", "k_yy", "k_zz"}
+
+
+def test_a_confirmation_that_brings_a_rival_back_is_not_futile():
+    done = link(TOLD, stage(("k_xx", "k_yy")))
+    assert (done.separated, done.futile) == ((), False)
+    assert Chain(first=THREE, links=(done,)).doubted == frozenset()
+
+
+def test_what_turns_out_to_be_several_causes_is_told_apart():
+    done = link(stage(("k_xx", "k_yy")), stage(("k_yy",), ("k_xx",)))
+    assert done.separated == ("k_xx", "k_yy")
+    assert done.decision == "that each of k_yy and k_xx is there"
+    assert not done.futile

@@ -122,7 +122,7 @@ def sides(pair: Sequence[FloatArray], number: int) -> FloatArray:
 
 def named(word: str, numbers: Sequence[float]) -> str:
     """A word, and the numbers that fix it."""
-    return " ".join([word, *(f"{number:.4g}" for number in numbers)])
+    return " ".join([word, *(f"{number:.8g}" for number in numbers)])
 
 
 def beside(undetermined: FloatArray, columns: Callable[[], FloatArray]) -> Callable[[], FloatArray]:

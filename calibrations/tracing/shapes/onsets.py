@@ -1,6 +1,6 @@
 """What begins at a place: it jumps and settles to another level, or rises and is gone again."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from functools import partial
 from itertools import combinations
 from typing import Final
@@ -8,14 +8,11 @@ from typing import Final
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
-from tumble.calibrations.tracing.gains import Gained
 from tumble.calibrations.tracing.shapes.along import Along, Shape, named
 from tumble.calibrations.tracing.shapes.places import FEWEST_PLACES
 from tumble.messages import Message
 
 _Pair = tuple[FloatArray, FloatArray]
-_Begun = Callable[[FloatArray, FloatArray], _Pair]
-"""Two columns for each of what is begun, by the part of a range where rows are."""
 _PLACES: Final = 60
 """Places that are tried."""
 _SETTLING: Final = (0.02, 0.05, 0.12, 0.3)
@@ -29,10 +26,10 @@ def onsets(along: Along) -> Iterator[Shape]:
     if len(along.coordinate.places) < FEWEST_PLACES:
         return
     tried = np.array([(place, time) for time in _SETTLING for place in _tried(along).tolist()])
-    place, time = tried[_best(along, _settling, tried)[0]].tolist()
+    place, time = tried[along.best_pair(_settling(along.coordinate.part, tried))[0]].tolist()
     near = along.coordinate.nearby(place).tolist()
     finer = np.array([(other, time * ratio) for ratio in _TIMES for other in near])
-    best, gained = _best(along, _settling, finer)
+    best, gained = along.best_pair(_settling(along.coordinate.part, finer))
     settling = along.coordinate.shown(float(along.coordinate.range * finer[best, 1]))
     start = along.shown(float(finer[best, 0]))
     yield Shape(
@@ -45,27 +42,31 @@ def onsets(along: Along) -> Iterator[Shape]:
 
 
 def transients(along: Along) -> Iterator[Shape]:
-    """The best of all that begin at a place, rise within a time, and are gone within a longer one."""
+    """The best of all that begin at a place, rise at once or within a time, and are gone within a longer one."""
     if len(along.coordinate.places) < FEWEST_PLACES:
         return
-    pairs = list(combinations(_SETTLING, 2))
+    pairs = list(combinations((0.0, *_SETTLING), 2))
     tried = np.array([(place, *times) for times in pairs for place in _tried(along).tolist()])
-    place, quick, slow = tried[_best(along, _passing, tried)[0]].tolist()
+    place, quick, slow = tried[along.best_single(transient(along.coordinate.part, tried))[0]].tolist()
     near = along.coordinate.nearby(place).tolist()
-    about = [(quick * one, slow * other) for one in _TIMES for other in _TIMES]
+    about = [(quick * one, slow * other) for one in (_TIMES if quick else (1.0,)) for other in _TIMES]
     finer = np.array([(other, *times) for times in about for other in near])
-    best, gained = _best(along, _passing, finer)
-    rising, gone = (along.coordinate.shown(float(along.coordinate.range * each)) for each in finer[best, 1:])
-    start = along.shown(float(finer[best, 0]))
+    best, gained = along.best_single(transient(along.coordinate.part, finer))
     yield Shape(
         name=named("transient", finer[best].tolist()),
-        described=Message(
-            "from {start} on, rising within {time} and gone within {gone}", start=start, time=rising, gone=gone
-        ),
-        columns=partial(transient, along.coordinate.part, finer[best]),
+        described=_passing(along, *finer[best].tolist()),
+        columns=partial(transient, along.coordinate.part, finer[best][None]),
         gained=gained,
         tried=len(tried),
     )
+
+
+def _passing(along: Along, place: float, quick: float, slow: float) -> Message:
+    start, gone = along.shown(place), along.coordinate.shown(along.coordinate.range * slow)
+    if quick == 0.0:
+        return Message("from {start} on, gone within {gone}", start=start, gone=gone)
+    rising = along.coordinate.shown(along.coordinate.range * quick)
+    return Message("from {start} on, rising within {time} and gone within {gone}", start=start, time=rising, gone=gone)
 
 
 def onset(part: FloatArray, begun: FloatArray) -> FloatArray:
@@ -74,18 +75,19 @@ def onset(part: FloatArray, begun: FloatArray) -> FloatArray:
 
 
 def transient(part: FloatArray, begun: FloatArray) -> FloatArray:
-    """What begins at a place and decays within one time, and within another, shape (rows, 2)."""
-    return np.column_stack(_passing(part, begun[None]))
+    """What begins at places, rises within a time, and decays within another, shape (rows, transients).
+
+    `begun` are places and both times, a row each; a time of 0 is a jump.
+    """
+    single, number = np.unique(begun[:, [0, 1, 0, 2]].reshape(-1, 2), axis=0, return_inverse=True)
+    left = _left(part[:, None] - single[:, 0], single[:, 1])
+    quick, slow = number.reshape(-1, 2).T
+    return np.asarray(left[:, slow] - left[:, quick])
 
 
 def _tried(along: Along) -> FloatArray:
     places = along.coordinate.places
     return np.asarray(places[np.unique(np.linspace(0, len(places) - 1, _PLACES).round().astype(int))])
-
-
-def _best(along: Along, begun: _Begun, tried: FloatArray) -> tuple[int, Gained]:
-    """Number and gain of the best of them, given as places and times, a row each."""
-    return along.best_pair(begun(along.coordinate.part, tried))
 
 
 def _settling(part: FloatArray, begun: FloatArray) -> _Pair:
@@ -94,13 +96,7 @@ def _settling(part: FloatArray, begun: FloatArray) -> _Pair:
     return (since > 0.0).astype(float), _left(since, begun[:, 1])
 
 
-def _passing(part: FloatArray, begun: FloatArray) -> _Pair:
-    """What is left of what decays within the one time, and within the other, shape (rows, transients) each."""
-    single, number = np.unique(begun[:, [0, 1, 0, 2]].reshape(-1, 2), axis=0, return_inverse=True)
-    left = _left(part[:, None] - single[:, 0], single[:, 1])
-    quick, slow = number.reshape(-1, 2).T
-    return left[:, quick], left[:, slow]
-
-
 def _left(since: FloatArray, time: FloatArray) -> FloatArray:
-    return np.asarray((since > 0.0) * np.exp(-np.maximum(since, 0.0) / time))
+    """What is left of what was one at first, within times; of a time of 0 nothing."""
+    slow = np.where(time > 0.0, time, 1.0)
+    return np.asarray((since > 0.0) * (time > 0.0) * np.exp(-np.maximum(since, 0.0) / slow))

@@ -52,7 +52,7 @@ def _finer(along: Along, best: _Best, ends: FloatArray) -> tuple[FloatArray, Gai
     """The best slope and what it gains, with its ends anywhere between two rows about those."""
     apart = np.array([np.ptp(along.coordinate.nearby(float(end))) for end in ends])
     for _ in range(_CLOSER):
-        ends, gained = best(along, np.unique(np.ravel(ends + np.outer(_ABOUT, apart))))
+        ends, gained = best(along, np.unique(np.clip(ends + np.outer(_ABOUT, apart), 0.0, 1.0)))
         apart *= _ABOUT[-1] - _ABOUT[-2]
     return ends, gained
 
@@ -72,7 +72,8 @@ def _ends(along: Along) -> FloatArray:
 def _from(along: Along, places: FloatArray) -> tuple[FloatArray, Gained]:
     """End and gain of the best slope from one of the places on."""
     sloped = _Sloped.at(along, places)
-    left, whole = np.diag(sloped.gram), np.diag(sloped.whole)
+    several = np.sum(along.coordinate.stepped(places), axis=0) >= along.coordinate.fewest_rows
+    left, whole = np.diag(sloped.gram) * several, np.diag(sloped.whole)
     best, gained = best_column(left, whole, sloped.with_left**2, along.seen.squares, along.rows)
     return places[[best]], gained
 

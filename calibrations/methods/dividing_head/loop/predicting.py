@@ -1,7 +1,7 @@
 """Whether what was found predicts rows that were held out, or describes the rows that it was found in only."""
 
 from dataclasses import replace
-from typing import Any
+from typing import Any, Final
 
 from tumble.calibrations.methods.dividing_head.held_out import held_out_parts
 from tumble.calibrations.methods.dividing_head.loop.table import DividingHeadTable
@@ -9,6 +9,9 @@ from tumble.calibrations.methods.dividing_head.result import Calibration
 from tumble.calibrations.tracing.held_out import held_out_rms
 from tumble.calibrations.tracing.trace import Trace, Tracer
 from tumble.messages import Message
+
+_LESS: Final = 1.0 - 1e-6
+"""What differs by less was predicted by the declared model all the same."""
 
 
 def with_held_out(
@@ -23,7 +26,7 @@ def with_held_out(
     after = held_out_rms(tracer, trace, held_out_parts(table.observations))
     stated = replace(stated, held_out_rms_v=after)
     before = declared.held_out_rms_v
-    if after is None or before is None or after < before or not (trace.found or trace.components):
+    if after is None or before is None or after < _LESS * before or not (trace.found or trace.components):
         return stated
     warning = Message(
         "{source}: what was found describes these rows only; rows held out are predicted no better with it than by the "
