@@ -14,7 +14,7 @@ from tumble.calibrations.tracing.changing import Changing, changing
 from tumble.calibrations.tracing.components import Component
 from tumble.calibrations.tracing.courses import Rows
 from tumble.calibrations.tracing.explained import Explained
-from tumble.calibrations.tracing.neighbours import in_other_shapes, neighbours
+from tumble.calibrations.tracing.neighbours import every_near
 from tumble.calibrations.tracing.trace import Trace
 from tumble.messages import Message
 
@@ -54,13 +54,8 @@ def averaged_over(
     `refitted` gives the parameters by another explanation. A parameter that is the mean of a course says so.
     """
     others = (*explained.alike, *explained.judged.nearly)
-    listed = neighbours(explained.tracer, explained.trace, explained.near, others)
-    alike = in_other_shapes(explained.tracer, explained.trace)
-    together = 1.0 + sum(each.odds for each in alike)  # one explanation, in whichever of its shapes
-    said = [
-        *(_of(each.odds, refitted(each.trace)) for each in alike),
-        *(_of(together * each.odds, refitted(each.trace)) for each in listed),
-    ]
+    listed = every_near(explained.tracer, explained.trace, explained.near, others)
+    said = [_of(each.odds, refitted(each.trace)) for each in listed]
     reached = [(each.component, _reaches(each, explained.best.theta, values)) for each in _changing(explained)]
     after, lines = averaged(parameters, said, {}, _together([reaches for _, reaches in reached]))
     for component, reaches in reached:

@@ -52,6 +52,19 @@ class Neighbour:
     """The effect by which it differs."""
 
 
+def every_near(
+    tracer: Tracer[Any], trace: Trace, near: Mapping[str, Sequence[Rival]], others: Sequence[Trace]
+) -> list[Neighbour]:
+    """The `neighbours` of an explanation, and the same explanation in other shapes.
+
+    It is one explanation, in whichever of its shapes: what is held against it has its odds against all of them.
+    """
+    alike = in_other_shapes(tracer, trace)
+    together = 1.0 + sum(each.odds for each in alike)
+    listed = neighbours(tracer, trace, near, others)
+    return [*alike, *(replace(each, odds=together * each.odds) for each in listed)]
+
+
 def neighbours(
     tracer: Tracer[Any], trace: Trace, near: Mapping[str, Sequence[Rival]], others: Sequence[Trace]
 ) -> list[Neighbour]:

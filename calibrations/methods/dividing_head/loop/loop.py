@@ -48,7 +48,7 @@ from tumble.calibrations.tracing.experiments import Experiment, locating_experim
 from tumble.calibrations.tracing.findings import EffectFound, Unexplained, Withheld, effects_found, withheld
 from tumble.calibrations.tracing.fitting_noise import with_likely_flicker
 from tumble.calibrations.tracing.judged import judged
-from tumble.calibrations.tracing.neighbours import in_other_shapes, neighbours
+from tumble.calibrations.tracing.neighbours import every_near
 from tumble.calibrations.tracing.rivals import Rival
 from tumble.calibrations.tracing.trace import penalised_deviance
 from tumble.messages import Message
@@ -161,8 +161,7 @@ def explain_questioned(
     whole, others = explained.table.with_components(trace.components), explained.alike
     augmented = without_alike(without_rivals(stated, whole, close), whole, trace, others)
     augmented = resting_on_absence(augmented, set(trace.names))
-    rivals = neighbours(explained.tracer, trace, explained.near, (*others, *explained.judged.nearly))
-    rivals += in_other_shapes(explained.tracer, trace)
+    rivals = every_near(explained.tracer, trace, explained.near, (*others, *explained.judged.nearly))
     courses = best.courses(whole, trace)
     augmented = averaged(augmented, explained.table, rivals, at_rest(best.joint.fit.theta, courses))
     said = scatter_and_wandering(explained.table, trace, best.joint)
