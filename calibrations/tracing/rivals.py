@@ -73,7 +73,9 @@ def _goes_before(tracer: Tracer[Any], rival: Rival, name: str) -> bool:
 
 
 def _explains(tracer: Tracer[Any], rest: Trace, rival: Rival) -> bool:
-    """Whether a rival is worth its penalty; one that explains nothing would be the simplest of all."""
+    """Whether levels are worth their penalty; those that explain nothing would be the simplest of all."""
+    if rival.found is not None:
+        return True
     nothing = replace(rest, deviance=tracer.table.deviance(rest.forms, rest.noise))
     return penalised_deviance(rival.trace) < penalised_deviance(nothing)
 

@@ -65,5 +65,5 @@ def spots(along: Along) -> Iterator[Shape]:
         described=Message("near {place}, within some {width}", place=place, width=width),
         columns=partial(coordinate.spots, spot[None]),
         gained=gain,
-        tried=len(tried),
+        tried=len(tried) * len(near),
     )
