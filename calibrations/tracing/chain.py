@@ -20,6 +20,8 @@ from tumble.messages import Message
 
 FUTILE = 2
 """After so many experiments in a row that separated nothing, none is run any more."""
+_PATIENCE: Final = 4
+"""After so many that separated nothing, whatever they were parts of, neither."""
 _MOST_NEAR = 8
 """Of explanations that are not quite rivals only the nearest are planned for, where there are many."""
 
@@ -260,8 +262,8 @@ class Chain(Generic[L]):
 
     @property
     def unkept(self) -> bool:
-        """Whether a plan of several runs was carried out, and separated nothing in any of them."""
-        return any(
+        """Whether a plan of several runs was carried out, or begun anew, and separated nothing in any of them."""
+        return len(self.in_vain) >= _PATIENCE or any(
             1 < link.planned <= sum(each.experiment.programme in link.programmes for each in self.in_vain[:since])
             for since, link in enumerate(self.in_vain, start=1)
         )

@@ -85,6 +85,7 @@ def test_only_what_should_have_separated_something_by_itself_counts_as_futile(li
         ([link(THREE, THREE, together=("probe-edge",)), link(THREE, THREE, programme="probe-back")], False),
         ([link(THREE, THREE, runs=2), link(THREE, stage(("k_xx",), k_yy=20.0))], False),
         ([link(THREE, THREE, runs=3), link(THREE, THREE, runs=2)], False),
+        ([link(THREE, THREE, runs=6)] * 4, True),
     ],
     ids=[
         "one",
@@ -94,6 +95,7 @@ def test_only_what_should_have_separated_something_by_itself_counts_as_futile(li
         "one of two, and another",
         "the second tells",
         "planned anew",
+        "planned anew for ever",
     ],
 )
 def test_a_plan_of_several_runs_is_unkept_once_all_of_them_told_nothing(links, unkept):
