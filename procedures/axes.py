@@ -91,9 +91,10 @@ class Axes:
     def brake(self) -> None:
         """Tell every positioner to stop, also where another cannot be told. Raises the first `DeviceError` of these."""
         failures: list[Exception] = []
-        for motion in self.motions.values():
+        for name, motion in self.motions.items():
             try:
-                motion.brake()
+                with self._losses.using(name):
+                    motion.brake()
             except Exception as error:  # the others still move
                 failures.append(error)
         if failures:

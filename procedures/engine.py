@@ -136,6 +136,7 @@ class Engine:
     def run(self, begin: Beginning) -> Outcome:
         """Carry out a procedure to its end, or until something else ends it, and bring everything to a standstill."""
         self._taking.began_s = self._clock.monotonic_s()
+        self.control.heed_again()  # a wish from before it began is of another run
         procedure = begin()
         return self._to_its_end(begin, procedure, next(procedure, None), self._meet)
 
@@ -251,7 +252,8 @@ class Engine:
         return self._taking.take(dwell)
 
     def _take_again(self, begin: Beginning) -> None:
-        """Measure the last point once more, under the conditions that it was taken under."""
+        """Bring all to rest, and measure the last point once more, under the conditions that it was taken under."""
+        self._recovery.persist(self._axes.halt)
         replayed = replay(begin(), self._points, self._replay_tolerance_deg)
         self._announcer.announce(RetakeBegun(point=len(self._points) - 1))
         self._change(State.RUNNING)
@@ -286,7 +288,6 @@ class Engine:
             return
         last = len(self._points) - 1
         if wanted == last:
-            self._axes.halt()
             raise RetakeRequestedError
         late = Message("point {point} is not taken again: it is not the last one any more", point=wanted)
         self._announcer.announce(WarningRaised(message=late))

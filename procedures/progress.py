@@ -60,7 +60,7 @@ class Progress:
         """Number of points of the whole run."""
         self.done = points_done
         """Number of points that are there."""
-        self._clock = clock
+        self._clock, self._plan = clock, plan
         self._left = deque(plan.steps_after(points_done))
         self._paces = {Dwell: _Pace(), Ask: _Pace()}
         self._began_s: float | None = None
@@ -74,6 +74,7 @@ class Progress:
         match event:
             case RetakeBegun():
                 self._taking_again, self._began_s = True, None
+                self._left = deque(self._plan.steps_after(self.done))  # a mount that was set since is asked for anew
             case StepStarted() if self._taking_again:
                 pass
             case PointCompleted() if self._taking_again:

@@ -5,7 +5,7 @@ from fakes import QUICK, FakeStand, point_at
 
 from tumble.drivers.clock import VirtualClock
 from tumble.procedures.acquisition import Acquisition
-from tumble.procedures.events import ConditionAnswered, PointCompleted, State, StateChanged, StepStarted
+from tumble.procedures.events import ConditionAnswered, PointCompleted, RetakeBegun, State, StateChanged, StepStarted
 from tumble.procedures.methods.dividing_head.layout import MOUNT, dwell_at, mounting
 from tumble.procedures.plan import plan
 from tumble.procedures.programmes import programme_from_text
@@ -115,3 +115,25 @@ def test_a_point_that_is_taken_again_is_no_step_of_the_programme(stand: FakeStan
     engine.run(PROGRAMME.procedure)
     assert progress.done == progress.total == len(wished)
     assert progress.time_left().time_s == 0.0
+
+
+def test_a_mount_that_gives_way_to_the_one_of_the_point_is_still_to_come(stand: FakeStand):
+    text = 'name = "a"\n' + "".join(
+        f'[[procedure]]\nkind = "sweep"\nmount = "{mount}"\nstep_deg = 5\npoints = 2\n' for mount in ("face-up", "end")
+    )
+    programme = programme_from_text(text, "a.toml")
+    planned = plan(programme, QUICK, speeds_deg_s={"head": 30.0}, request_s=60.0)
+    progress, left_s = Progress(planned, stand.clock), []
+    stand.operator.looks = 5
+
+    def hear(event):
+        if isinstance(event, ConditionAnswered) and event.value == "end" and not left_s:
+            left_s.append(progress.time_left().time_s)
+            engine.control.take_again(1)
+        elif isinstance(event, RetakeBegun):
+            left_s.append(progress.time_left().time_s)
+
+    engine = stand.engine(listeners=[progress, hear])
+    engine.run(programme.procedure)
+    assert left_s[1] > left_s[0]
+    assert progress.time_left() == TimeLeft(time_s=0.0, standard_error_s=0.0)

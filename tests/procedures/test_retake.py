@@ -9,6 +9,8 @@ from fakes import FakeStand
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tumble.drivers.errors import LinkLostError
+from tumble.drivers.protocols import Identity
 from tumble.procedures.events import (
     ConditionAnswered,
     ConditionRequested,
@@ -27,6 +29,14 @@ SEEKING = programme_from_text(
     'name = "a"\nrealisations = 2\n[[procedure]]\nkind = "flip"\naxes = ["x", "z"]\npole = "extremum"\n', "a.toml"
 )
 """Goes where the points before have shown the extremum, and through two mounts."""
+
+TWO_MOUNTS = programme_from_text(
+    'name = "a"\n'
+    + "".join(
+        f'[[procedure]]\nkind = "sweep"\nmount = "{mount}"\nstep_deg = 5\npoints = 2\n' for mount in ("face-up", "end")
+    ),
+    "a.toml",
+)
 
 
 def fast_stand():
@@ -165,10 +175,7 @@ def test_a_mount_that_is_asked_for_is_asked_for_as_it_was(stand: FakeStand):
             engine.control.take_again(1)
 
     stand.operator.on_poll = poll
-    text = 'name = "a"\n' + "".join(
-        f'[[procedure]]\nkind = "sweep"\nmount = "{mount}"\nstep_deg = 5\npoints = 2\n' for mount in ("face-up", "end")
-    )
-    outcome = engine.run(programme_from_text(text, "a.toml").procedure)
+    outcome = engine.run(TWO_MOUNTS.procedure)
     assert stand.operator.asked == ["face-up", "end", "face-up", "end"]
     assert completed(stand) == [(0, 1), (1, 1), (1, 2), (2, 1), (3, 1)]
     assert [event.value for event in stand.sink.of(ConditionAnswered)] == ["face-up", "face-up", "end"]
@@ -207,6 +214,57 @@ def test_a_stop_while_it_is_taken_again_keeps_the_point_that_was_there(stand: Fa
     outcome = engine.run(dwells(10.0, 20.0))
     assert outcome.reason is FinishReason.STOPPED
     assert [(point.index, point.take) for point in outcome.points] == [(0, 1)]
+
+
+@pytest.fixture
+def cut_off(stand: FakeStand):
+    """A stand whose head does not hear a command to stop, nor anything after it, until it is reconnected."""
+    stop, lost = stand.head.stop, []
+
+    def check():
+        if lost:
+            raise LinkLostError("fake head", "the port is gone", "check the cable")
+
+    def cut(do):
+        lost.append(True)
+        do()
+
+    stand.head.stop = lambda: (check(), stop())
+    stand.head.identify = lambda: (check(), Identity(model="fake head", serial="1"))[1]
+    stand.head.reconnect = lost.clear
+    stand.cut = cut
+    return stand
+
+
+def test_a_wish_while_a_link_is_lost_on_the_way_is_kept(cut_off):
+    engine = cut_off.engine()
+    at_angle(cut_off, 25.0, lambda: cut_off.cut(lambda: engine.control.take_again(1)))
+    outcome = engine.run(dwells(10.0, 20.0, 30.0))
+    assert outcome.reason is FinishReason.COMPLETED
+    assert completed(cut_off) == [(0, 1), (1, 1), (1, 2), (2, 1)]
+
+
+def test_a_wish_while_a_link_is_lost_at_a_question_ends_no_run(cut_off):
+    engine = cut_off.engine()
+    cut_off.operator.looks = 5
+
+    def poll():
+        if cut_off.operator.asked == ["face-up", "end"]:
+            cut_off.cut(lambda: engine.control.take_again(1))
+
+    cut_off.operator.on_poll = poll
+    outcome = engine.run(TWO_MOUNTS.procedure)
+    assert outcome.reason is FinishReason.COMPLETED
+    assert completed(cut_off) == [(0, 1), (1, 1), (1, 2), (2, 1), (3, 1)]
+
+
+def test_a_wish_that_came_too_late_is_none_of_the_next_run(stand: FakeStand):
+    control = fast_stand().engine().control
+    control.take_again(0)
+    engine = stand.engine()
+    engine.control = control
+    engine.run(dwells(10.0))
+    assert warnings(stand) == []
 
 
 WISHES = st.lists(st.tuples(st.sampled_from(["status", "acquire", "poll", "point"]), st.integers(0, 40)), max_size=6)
@@ -269,7 +327,7 @@ def test_the_last_point_before_a_cut_can_be_taken_again_after_it(stand: FakeStan
 @pytest.mark.parametrize("wished", [0, 3])
 def test_a_point_that_is_not_there_is_not_taken(stand: FakeStand, wished):
     engine = stand.engine()
-    engine.control.take_again(wished)
+    at_angle(stand, 5.0, lambda: engine.control.take_again(wished))
     assert len(engine.run(dwells(10.0)).points) == 1
     assert warnings(stand) == [f"point {wished} is not taken again: it is not the last one any more"]
     assert [type(event.step) for event in stand.sink.of(StepStarted)].count(Dwell) == 1

@@ -1,3 +1,5 @@
+from threading import Event
+
 import pytest
 from PySide6.QtCore import Qt
 
@@ -6,6 +8,7 @@ from tumble.drivers.simulated.head import SimulatedHead
 from tumble.procedures.events import FinishReason, State
 from tumble.procedures.recording.reader import read_recording
 from tumble.window.screens.run import Phase
+from tumble.window.work.session import StandSession
 
 
 @pytest.fixture
@@ -72,6 +75,43 @@ def test_a_pause_while_a_mount_is_asked_for_is_heeded_after_the_answer(slow, lon
     assert slow.run.view.points == []
     slow.press(Qt.Key.Key_F7)
     slow.wait_for_points(1)
+
+
+@pytest.fixture
+def reaching(driver, monkeypatch):
+    """A stand that is reached for as long as nobody stops that; tells whether it is."""
+    begun = Event()
+
+    def identify(_session, connected):
+        begun.set()
+        while True:
+            connected.stand.attention.check()
+
+    monkeypatch.setattr(StandSession, "_identity", identify)
+    return begun
+
+
+def assert_ended(driver):
+    driver.wait(lambda: not driver.window.busy, 10)
+    assert driver.run.phase is Phase.IDLE
+    assert driver.run.controls.start.isEnabled()
+    assert driver.complaints == []
+
+
+def test_a_run_that_is_stopped_while_it_connects_is_over(driver, long, reaching):
+    driver.start(long)
+    driver.wait(reaching.is_set)
+    driver.press(Qt.Key.Key_F12)
+    assert_ended(driver)
+
+
+def test_a_run_that_is_stopped_before_its_turn_has_come_is_over(driver, long):
+    hold = Event()
+    driver.window.worker._thread.put(hold.wait, lambda _: None)
+    driver.start(long)
+    driver.press(Qt.Key.Key_F12)
+    hold.set()
+    assert_ended(driver)
 
 
 def test_stop_before_anything_is_connected_does_nothing(driver):

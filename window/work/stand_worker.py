@@ -9,6 +9,7 @@ from queue import Empty, SimpleQueue
 
 from PySide6.QtCore import QObject, Signal, SignalInstance, Slot
 
+from tumble.app.exits import Exit, JobError
 from tumble.app.simulation import Past
 from tumble.app.stand import LoadedStand
 from tumble.app.wiring import Attendant, Connected
@@ -105,7 +106,8 @@ class StandWorker(QObject):
         Raises `InputError` where the run belongs to another stand than the one that is chosen.
         """
         self.session.check_is_of(activity.job.stand)
-        return self._begin(partial(self._carry_out, self.session, activity, attendant), self.broken_off)
+        action = partial(self._carry_out, self.session, activity, attendant)
+        return self._take_on(partial(_run_unless_stopped, action), self.broken_off)
 
     def watch(self, watched: bool) -> None:
         """Whether somebody looks at what the samplers read while there is nothing else to do."""
@@ -182,10 +184,13 @@ class StandWorker(QObject):
             control.stop()
         return self.session
 
-    def _begin(self, action: Action, failed: SignalInstance | None = None) -> bool:
+    def _begin(self, action: Action) -> bool:
+        return self._take_on(partial(_unless_stopped, action))
+
+    def _take_on(self, action: Action, failed: SignalInstance | None = None) -> bool:
         if self.busy:
             return False
-        self._order(partial(_unless_stopped, action), failed)
+        self._order(action, failed)
         return True
 
     def _order(self, action: Action, failed: SignalInstance | None = None) -> None:
@@ -298,6 +303,14 @@ class StandWorker(QObject):
 def _unless_stopped(action: Action, control: Control) -> None:
     control.check()
     action(control)
+
+
+def _run_unless_stopped(action: Action, control: Control) -> None:
+    """As `_unless_stopped`; whoever waits for the end of a run is told of a stop before its first event too."""
+    try:
+        _unless_stopped(action, control)
+    except StopRequestedError as error:
+        raise JobError(str(error), Exit.STOPPED) from error
 
 
 def _checked(control: Control, interlock: Interlock) -> bool:
