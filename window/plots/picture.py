@@ -35,7 +35,7 @@ def _png(plot: pg.PlotWidget) -> bytes:
     plot.render(painter, QRectF(image.rect()), plot.viewport().rect())
     painter.end()
     buffer = QBuffer()
-    image.save(buffer, "PNG")
+    image.save(buffer, b"PNG")
     return bytes(buffer.data().data())
 
 
