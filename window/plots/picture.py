@@ -35,7 +35,7 @@ def _png(plot: pg.PlotWidget) -> bytes:
     plot.render(painter, QRectF(image.rect()), plot.viewport().rect())
     painter.end()
     buffer = QBuffer()
-    image.save(buffer, b"PNG")
+    image.save(buffer, "PNG")  # type: ignore[call-overload]  # it takes no bytes, whatever is declared
     return bytes(buffer.data().data())
 
 
