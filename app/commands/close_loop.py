@@ -13,7 +13,7 @@ from tumble.app.acting import AtStand, measure
 from tumble.app.adopted_effects import adopted_json, with_what_is_known
 from tumble.app.analysed import Traced
 from tumble.app.analysing import fit, trace
-from tumble.app.calibrating import store, write_report
+from tumble.app.calibrating import report_record, store, write_report
 from tumble.app.closing import MOST_EXPERIMENTS, Closing, act, begin
 from tumble.app.commands import options
 from tumble.app.commands.leaving import leave_by
@@ -31,7 +31,7 @@ from tumble.app.running import Job
 from tumble.app.section_report import table_report
 from tumble.app.sections import show_sections
 from tumble.app.stand import read_stand
-from tumble.app.storing import origin_of_tables, record_tables
+from tumble.app.storing import origin_of_tables, record_tables, report_tables
 from tumble.app.terminal import language, say
 from tumble.calibrations.core.method import Method
 from tumble.calibrations.core.rows import Rows
@@ -95,13 +95,13 @@ def command(
     if files and not most:
         folder = known.folder if record else None
         traced = _traced(files, wanted, known, None if page or record else 0, folder)
-        _tell(traced, None, json_path, page, store(traced, folder) if folder else None)
+        _tell(traced, None, json_path, page, store(traced, folder) if folder else None, known.folder)
         return
     closing = _closed(wanted, files, MOST_EXPERIMENTS if most is None else most, known)
     traced = closing.traced
     say(*learn(traced, known.folder).sentences, err=True)
     traced = traced.refitted(fit(traced.measurement, wanted.serial_number, folder=known.folder))
-    _tell(traced, closing.chain, json_path, page, store(traced, known.folder))
+    _tell(traced, closing.chain, json_path, page, store(traced, known.folder), known.folder)
 
 
 def _tell_tables(
@@ -117,13 +117,16 @@ def _tell_tables(
     warn(result.warnings)
     if str(json_path) != "-":
         show_sections(result.sections(), verbose=verbose)
-    recorded = {} if folder is None else {"record": record_tables(result, files, folder).id}
+    record = None if folder is None else record_tables(result, files, folder)
+    recorded = {} if record is None else {"record": record.id}
     say(*(Message("record {name}", name=name) for name in recorded.values()), err=True)
     options.write_json(result.document() | recorded, json_path)
-    if page is not None:
-        origin = origin_of_tables(files, folder)
-        report = table_report(method, result, origin, files[-1].name, recorded.get("record", ""))
-        reports.write(report, page, language())
+    if page is None:
+        return
+    if record is not None and folder is not None:
+        report_tables(method, result, record, folder, page, language())
+    else:
+        reports.write(table_report(method, result, origin_of_tables(files, None), files[-1].name), page, language())
 
 
 def _traced(
@@ -201,9 +204,17 @@ def _tell_set_aside(observations: Rows) -> None:
 
 
 def _tell(
-    traced: Traced, chain: Chain[Any] | None, json_path: Path | None, page: Path | None, record: Record | None
+    traced: Traced,
+    chain: Chain[Any] | None,
+    json_path: Path | None,
+    page: Path | None,
+    record: Record | None,
+    folder: Path,
 ) -> None:
-    """Show the result where it is wanted. Raises `SystemExit` where limits are not met or not decided."""
+    """Show the result where it is wanted; `folder` is the store of the record.
+
+    Raises `SystemExit` where limits are not met or not decided.
+    """
     warn(traced.loop_warnings)
     if str(json_path) != "-":
         show_verdict(traced.verdict)
@@ -218,6 +229,9 @@ def _tell(
         traced.loop_json() | adopted_json(traced) | (chain.as_json() if chain else {}) | recorded, json_path
     )
     if page is not None:
-        write_report(traced, page, language(), chain=chain)
+        if record is None:
+            write_report(traced, page, language(), chain=chain)
+        else:
+            report_record(traced, record, folder, page, language(), chain)
         say(Message("report {page}", page=page), err=True)
     leave_by(traced.verdict)

@@ -43,6 +43,11 @@ class Provenance:
         """SHA-256 of every raw file."""
         return tuple(source.sha256 for source in self.sources)
 
+    @property
+    def is_simulated(self) -> bool:
+        """Whether the stand was simulated: a real instrument sees no simulated one, so that none is mixed."""
+        return _is_simulated(self.stand)
+
 
 @dataclass(frozen=True, kw_only=True)
 class LimitCheck:
@@ -59,3 +64,9 @@ def inside(value: float, limits: LimitCheck) -> bool:
     """Whether a value lies inside its limits; a limit itself does."""
     above = limits.minimum is None or value >= limits.minimum
     return above and (limits.maximum is None or value <= limits.maximum)
+
+
+def _is_simulated(table: Mapping[str, Any]) -> bool:
+    """Whether a table of a stand file, or one within it, is of a simulated instrument."""
+    within = (each for each in table.values() if isinstance(each, Mapping))
+    return table.get("driver") == "simulated" or any(map(_is_simulated, within))

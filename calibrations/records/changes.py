@@ -1,11 +1,9 @@
 """How far the values of a unit have moved since it was calibrated before."""
 
-import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Final
 
-from tumble.calibrations.core.coverage import coverage_factor
 from tumble.calibrations.core.quantities import format_number, rounded
 from tumble.calibrations.records.compare import Difference, compare
 from tumble.calibrations.records.record import Record
@@ -61,10 +59,9 @@ def changes(record: Record, earlier: Iterable[Record]) -> dict[str, Change]:
 
 
 def _change(told: Difference, difference: float, before: Record) -> Change:
-    u, freedom = told.standard_uncertainty or 0.0, told.degrees_of_freedom
     return Change(
         difference=difference,
-        expanded_uncertainty=u * coverage_factor(math.inf if freedom is None else freedom) if u else 0.0,
+        expanded_uncertainty=told.expanded_uncertainty,
         unit=told.unit,
         since=before.provenance.measured_at or before.created_at.isoformat(),
         record_id=before.id,

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from scipy.special import stdtr
 
+from tumble.calibrations.core.coverage import coverage_factor
 from tumble.calibrations.core.quantities import format_number, join, rounded
 from tumble.calibrations.core.verdict import Model
 from tumble.calibrations.records.errors import RecordError
@@ -32,6 +33,12 @@ class Difference:
     p_value: float | None = None
     """Probability of a difference as large, either way, if nothing changed (Student's t)."""
     sentence: str
+
+    @property
+    def expanded_uncertainty(self) -> float:
+        """Of the difference, for a coverage probability of 95%, in `unit`; 0 where neither value has an uncertainty."""
+        freedom = math.inf if self.degrees_of_freedom is None else self.degrees_of_freedom
+        return self.standard_uncertainty * coverage_factor(freedom) if self.standard_uncertainty else 0.0
 
 
 def compare(first: Record, second: Record) -> tuple[Difference, ...]:

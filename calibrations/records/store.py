@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from datetime import datetime
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -206,14 +207,16 @@ class Store:
         """Records of the unit of a record by its method that stand and were measured earlier, the newest first.
 
         At most so many; each is read when it is asked for. Those that share a raw file with the record are left out:
-        a joint result is no further calibration of what it holds.
+        a joint result is no further calibration of what it holds. What a simulated stand gave is held against its like
+        alone, and so is what a real one gave.
         """
         query = select(RECORDS.c.id, RECORDS.c.sources).where(*earlier(record)).order_by(*NEWEST_FIRST)
         own = set(record.provenance.source_hashes)
         with storage_errors(self.path), reading(self._engine) as connection:
             listed = [(each.id, {source["sha256"] for source in each.sources}) for each in connection.execute(query)]
-        ids = [each for each, hashes in listed if not own & hashes]
-        return map(self.get, ids[:most])
+        records = (self.get(each) for each, hashes in listed if not own & hashes)
+        simulated = record.provenance.is_simulated
+        return islice((each for each in records if each.provenance.is_simulated == simulated), most)
 
     def revisions(self, record: Record) -> tuple[Record, ...]:
         """Return the record with those it supersedes, the first one first."""

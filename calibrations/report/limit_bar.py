@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from math import isfinite
 from typing import Final
 
 from tumble.calibrations.core.parameter import Parameter
@@ -65,7 +66,7 @@ def _side(across: Callable[[float], float], value: float) -> int:
 def _ends(parameter: Parameter, check: LimitCheck) -> tuple[float, float]:
     """What the left and the right end stand for."""
     low, high = check.minimum, check.maximum
-    reach = [each for each in (parameter.value, *(parameter.interval_95 or ())) if each is not None]
+    reach = [each for each in (parameter.value, *(parameter.interval_95 or ())) if each is not None and isfinite(each)]
     if low is None or high is None:
         limit = low if low is not None else high or 0.0
         width = max([abs(each - limit) for each in reach] or [0.0]) or abs(limit) or 1.0

@@ -29,7 +29,9 @@ def store(tmp_path):
 def record(store):
     """Stores a result whose only parameter is kx, measured when it is said, of raw files of its own."""
 
-    def make(measured_at, value=1.0, u=3e-4, freedom=math.inf, raw=None, unit="SN 17", name="kx", supersedes=None):
+    def make(
+        measured_at, value=1.0, u=3e-4, freedom=math.inf, raw=None, unit="SN 17", name="kx", supersedes=None, **told
+    ):
         parameter = Parameter(
             name=name,
             unit="V/g",
@@ -39,8 +41,8 @@ def record(store):
             interval_95=(value - 2 * u, value + 2 * u),
         )
         sources = tuple(raw_source(sha256=each * 32) for each in raw or (measured_at[8:10],))
-        told = provenance(measured_at=measured_at, sources=sources, serial_number=unit)
-        return store.add(entry(replace(calibration(), parameters={name: parameter})), told, supersedes)
+        origin = provenance(measured_at=measured_at, sources=sources, serial_number=unit, **told)
+        return store.add(entry(replace(calibration(), parameters={name: parameter})), origin, supersedes)
 
     return make
 
@@ -65,6 +67,14 @@ def test_another_method_is_none_either(store, record):
     other = replace(second, method="triad")
     assert before(store, second) == [first.id]
     assert before(store, other) == []
+
+
+def test_a_simulated_stand_is_held_against_its_like_alone(store, record):
+    simulated = {"name": "bench-1", "head": {"driver": "simulated"}, "daq": {"driver": "simulated"}}
+    real, imagined = record(FIRST), record(SECOND, stand=simulated)
+    assert before(store, imagined) == []
+    assert before(store, record(THIRD)) == [real.id]
+    assert before(store, record(THIRD, stand=simulated, raw=("ab",))) == [imagined.id]
 
 
 def test_a_joint_result_is_not_held_against_what_it_holds(store, record):

@@ -1,5 +1,6 @@
 """The first page of a report: for the customer, in every language, on the page as on paper."""
 
+import math
 import re
 from dataclasses import replace
 
@@ -7,6 +8,7 @@ import pytest
 from report_examples import face_up, flips_only, page_of, provenance, reversed_
 from test_report_page import text_of
 
+from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.provenance import LimitCheck
 from tumble.calibrations.core.verdict import Outcome
 from tumble.calibrations.methods.dividing_head.report import calibration_report
@@ -85,6 +87,16 @@ def test_a_bar_may_be_open_or_have_no_width(minimum, maximum):
     bar = bar_of(1.0, minimum, maximum)
     assert 0.0 < bar.value < 1.0
     assert (bar.minimum is None, bar.maximum is None) == (minimum is None, maximum is None)
+
+
+@pytest.mark.parametrize(("minimum", "maximum"), [(None, 2.0), (0.0, None)])
+def test_a_bar_of_an_interval_without_end_reaches_from_end_to_end(minimum, maximum):
+    endless = (-math.inf, math.inf)
+    parameter = Parameter(name="kx", unit="V/g", value=1.0, standard_uncertainty=0.1, interval_95=endless)
+    check = LimitCheck(name="kx", minimum=minimum, maximum=maximum, inside=True)
+    bar = limit_bar(parameter, check, Outcome.PASS)
+    assert 0.0 < bar.value < 1.0
+    assert bar.interval == (0.03, 0.97)
 
 
 def test_the_mark_on_a_bar_says_the_outcome_without_colours():

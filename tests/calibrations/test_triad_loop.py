@@ -142,6 +142,18 @@ def test_close_loop_shows_records_and_reports_a_triad(tmp_path):
     assert verified.exit_code == 0, verified.output
 
 
+def test_the_report_of_a_triad_says_what_changed_since_the_last_calibration(tmp_path):
+    page, store, pages = tmp_path / "triad.html", tmp_path / "store", []
+    for passes in (2, 3):
+        folder = tmp_path / str(passes)
+        folder.mkdir()
+        table = written(folder / "triad.csv", made(passes=passes))
+        command = ["close-loop", str(table), "--store", str(store), "--record", "--report", str(page)]
+        assert CliRunner().invoke(cli, command).exit_code == 0
+        pages.append("change since the last calibration" in page.read_text(encoding="utf-8"))
+    assert pages == [False, True]
+
+
 def test_a_table_in_order_raises_no_doubt(clean):
     assert doubts(clean.explained.table, clean.before.deviations_v) == ()
 

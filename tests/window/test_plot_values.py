@@ -2,6 +2,8 @@
 
 import csv
 import io
+import resource
+import signal
 import xml.etree.ElementTree as ET
 
 import numpy as np
@@ -14,6 +16,7 @@ from tumble.app.exits import JobError
 from tumble.messages import Language
 from tumble.procedures.errors import InputError
 from tumble.window.look.language import speak
+from tumble.window.look.plots import Plot
 from tumble.window.plots import saving
 from tumble.window.plots.sight import sight_of
 from tumble.window.plots.values import Series, Values
@@ -97,6 +100,22 @@ def test_arrow_keys_go_to_the_nearest_point_of_another_series(qtbot, plot):
     assert plot.crosshair.point.place == (20.0, 1.25)
 
 
+def test_arrow_keys_reach_every_series_without_names(qtbot, qapp):
+    plot = Plot("x (s)", "y (V)")
+    for height in (0.0, 1.0, 2.0):
+        plot.plot([0.0, 1.0], [height, height])
+    plot.resize(500, 300)
+    plot.show()
+    plot.getViewBox().updateAutoRange()
+    qtbot.keyClick(plot, Qt.Key.Key_Right)
+    heights = {plot.crosshair.point.place[1]}
+    for _ in range(2):
+        qtbot.keyClick(plot, Qt.Key.Key_Down)
+        heights.add(plot.crosshair.point.place[1])
+    assert heights == {0.0, 1.0, 2.0}
+    plot.deleteLater()
+
+
 def test_repeats_at_one_abscissa_are_all_reached(qtbot, plot):
     plot.draw_series({"lower": (np.zeros(3), np.array([1.0, 2.0, 3.0]))})
     plot.getViewBox().updateAutoRange()
@@ -164,19 +183,19 @@ def test_intervals_and_moments_are_told_where_a_plot_states_them():
 
 def test_a_table_holds_every_digit(plot, tmp_path):
     plot.draw_series({"lower": (np.array([1.0 / 3.0]), np.array([2.5e-7]))})
-    saving.save(plot.savable, tmp_path / "plot.csv")
+    saving.save(saving.contents(plot.savable), tmp_path / "plot.csv")
     assert (tmp_path / "plot.csv").read_text("utf-8").splitlines()[1] == "lower,0.333333333333,2.5e-07"
 
 
 def test_a_picture_in_pixels_is_twice_as_sharp_as_the_screen(plot, tmp_path):
-    saving.save(plot.savable, tmp_path / "plot.png")
+    saving.save(saving.contents(plot.savable), tmp_path / "plot.png")
     picture = QImage(str(tmp_path / "plot.png"))
     assert (picture.width(), picture.height()) == (2 * plot.viewport().width(), 2 * plot.viewport().height())
     assert picture.pixelColor(0, 0) == plot.backgroundBrush().color()
 
 
 def test_a_picture_in_lines_holds_no_pixels(plot, tmp_path):
-    saving.save(plot.savable, tmp_path / "plot.svg")
+    saving.save(saving.contents(plot.savable), tmp_path / "plot.svg")
     names = {each.tag.rpartition("}")[2] for each in ET.fromstring((tmp_path / "plot.svg").read_text("utf-8")).iter()}
     assert "image" not in names
     assert {"path", "text"} <= names
@@ -184,26 +203,40 @@ def test_a_picture_in_lines_holds_no_pixels(plot, tmp_path):
 
 def test_the_screen_is_drawn_as_before_afterwards(plot, tmp_path):
     before = plot.grab().toImage()
-    saving.save(plot.savable, tmp_path / "plot.svg")
+    saving.save(saving.contents(plot.savable), tmp_path / "plot.svg")
     assert plot.grab().toImage() == before
+
+
+@pytest.mark.parametrize("name", ["plot.svg", "plot.png", "plot.csv"])
+def test_a_full_disk_is_told_and_leaves_nothing(plot, tmp_path, name):
+    before, handler = resource.getrlimit(resource.RLIMIT_FSIZE), signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    contents = saving.contents(plot.savable)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (16, before[1]))
+    try:
+        with pytest.raises(JobError, match="cannot be written"):
+            saving.save(contents, tmp_path / name)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+        signal.signal(signal.SIGXFSZ, handler)
+    assert not list(tmp_path.iterdir())
 
 
 def test_a_file_that_is_there_is_not_written_over(plot, tmp_path):
     (tmp_path / "plot.png").write_bytes(b"a picture")
     with pytest.raises(InputError, match="is there already"):
-        saving.save(plot.savable, tmp_path / "plot.png")
+        saving.save(saving.contents(plot.savable), tmp_path / "plot.png")
 
 
 @pytest.mark.parametrize(("name", "told"), [("plot.bmp", ".bmp is no format"), ("plot", "no ending is no format")])
 def test_another_format_is_refused_in_a_sentence(plot, tmp_path, name, told):
     with pytest.raises(InputError, match=told):
-        saving.save(plot.savable, tmp_path / name)
+        saving.save(saving.contents(plot.savable), tmp_path / name)
 
 
 def test_what_cannot_be_written_is_told_and_leaves_nothing(plot, tmp_path):
     (tmp_path / "file").write_text("no folder")
     with pytest.raises(JobError):
-        saving.save(plot.savable, tmp_path / "file" / "plot.png")
+        saving.save(saving.contents(plot.savable), tmp_path / "file" / "plot.png")
 
 
 @pytest.mark.parametrize(("left", "name"), [("output (V)", "output"), ("", "plot"), ("k/x: ±", "k-x")])
@@ -250,3 +283,14 @@ def test_a_file_that_cannot_be_written_is_a_notice(driver, tmp_path):
     driver.bot.keyClick(window.run.view.figures.output, Qt.Key.Key_S, Qt.KeyboardModifier.ControlModifier)
     window.dialogs.open[0].chosen.emit(tmp_path / "output.bmp")
     assert ".bmp is no format of a plot" in window.notices.cards[0].notice.text
+
+
+@pytest.mark.parametrize("ending", ["svg", "png", "csv"])
+def test_a_plot_that_goes_while_its_file_is_chosen_is_saved(driver, tmp_path, ending):
+    gone = Plot("x (s)", "y (V)", parent=driver.window)
+    gone.plot([1.0, 2.0], [3.0, 4.0])
+    gone.save()
+    gone.deleteLater()
+    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    driver.window.dialogs.open[0].chosen.emit(tmp_path / f"gone.{ending}")
+    assert (tmp_path / f"gone.{ending}").stat().st_size

@@ -1,6 +1,7 @@
 import json
 import shutil
 from pathlib import Path
+from threading import Event
 
 import pytest
 from PySide6.QtCore import QDate, Qt
@@ -12,6 +13,7 @@ from tumble.calibrations.core.quantities import format_in_unit
 from tumble.calibrations.records.store import Store
 from tumble.window.screens.exporting import FORMATS
 from tumble.window.widgets.dialog import FileDialog
+from tumble.window.work import records as store
 
 
 @pytest.fixture(scope="module")
@@ -110,6 +112,23 @@ def test_the_record_that_is_chosen_is_shown_in_short(measured):
     assert records.preview.stand.text() == "Stand:\n  simulated: a simulated stand"
     records.table.selectAll()
     assert records.preview.unit.text() == "Choose a record to see it in short."
+
+
+def test_a_record_that_is_chosen_no_more_is_not_shown_in_short(measured, monkeypatch):
+    preview, put_off = store.preview, Event()
+
+    def late(record):
+        put_off.wait(5)
+        return preview(record)
+
+    monkeypatch.setattr(store, "preview", late)
+    records = measured.window.records
+    records.preview.show_nothing()
+    records.table.selectRow(0)
+    records.table.clearSelection()
+    put_off.set()
+    measured.wait(lambda: not measured.window.background.is_busy)
+    assert records.preview.shown is None
 
 
 def test_a_preview_stands_beside_the_list_where_there_is_room_and_is_a_tab_where_there_is_none(measured):

@@ -29,6 +29,8 @@ class Crosshair(QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._plot, self._values, self._mouse = plot, values, QPointF()
         self.point: Point | None = None
+        self._number = 0
+        """Of the series of the point, in the order in which the plot states them."""
         self.text = ""
         """What it says, a line for each value."""
         self._again = QTimer(self, interval=_AGAIN_MS)
@@ -39,12 +41,13 @@ class Crosshair(QWidget):
     def point_at(self, place: QPointF) -> None:
         """Go to the point next to a place of the viewport, in pixels, if one is near."""
         self._mouse, sight = place, sight_of(self._plot)
-        found = [near for each in self._values().series if (near := sight.nearest(each, place))]
-        far, point = min(found, key=lambda near: near[0], default=(_REACH_PX, None))
+        series = enumerate(self._values().series)
+        found = [(*near, number) for number, each in series if (near := sight.nearest(each, place))]
+        far, point, number = min(found, key=lambda near: near[0], default=(_REACH_PX, None, 0))
         if point is None or far >= _REACH_PX:
             self.forget()
             return
-        self._show(point, sight)
+        self._show(point, number, sight)
         self._again.start()
 
     def step(self, by: int) -> None:
@@ -53,8 +56,8 @@ class Crosshair(QWidget):
         if not seen:
             self.forget()
             return
-        points = seen[self._series_in(seen)]
-        self._show(points[_kept(self._index_in(points) + by * bool(self.point), points)], sight)
+        number, points = seen[self._series_in(seen)]
+        self._show(points[_kept(self._index_in(points) + by * bool(self.point), points)], number, sight)
         self._again.stop()
 
     def change_series(self, by: int) -> None:
@@ -63,8 +66,8 @@ class Crosshair(QWidget):
         if not seen:
             self.forget()
             return
-        points = seen[(self._series_in(seen) + by * bool(self.point)) % len(seen)]
-        self._show(points[_nearest_along(points, self.point)], sight)
+        number, points = seen[(self._series_in(seen) + by * bool(self.point)) % len(seen)]
+        self._show(points[_nearest_along(points, self.point)], number, sight)
         self._again.stop()
 
     def forget(self) -> None:
@@ -106,8 +109,8 @@ class Crosshair(QWidget):
         painter.setPen(QColor(chosen.ink))
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, self.text)
 
-    def _show(self, point: Point, sight: Sight) -> None:
-        self.point = point
+    def _show(self, point: Point, number: int, sight: Sight) -> None:
+        self.point, self._number = point, number
         self.text = local(self._told(point, sight))
         self._plot.setAccessibleDescription(self.text)
         self.setGeometry(self._plot.viewport().rect())
@@ -121,15 +124,16 @@ class Crosshair(QWidget):
         lines = (series.name, across, told(values.left, y, sight.y[1] - sight.y[0]))
         return "\n".join(filter(None, lines))
 
-    def _seen(self) -> tuple[list[list[Point]], Sight]:
-        """The points in sight of every series that has some."""
+    def _seen(self) -> tuple[list[tuple[int, list[Point]]], Sight]:
+        """The points in sight of every series that has some, with its number."""
         sight = sight_of(self._plot)
-        return [points for each in self._values().series if (points := sight.seen(each))], sight
+        series = enumerate(self._values().series)
+        return [(number, points) for number, each in series if (points := sight.seen(each))], sight
 
-    def _series_in(self, seen: list[list[Point]]) -> int:
-        """Number of the series of the point that is shown; 0 without one."""
-        name = self.point.series.name if self.point else None
-        return next((number for number, points in enumerate(seen) if points[0].series.name == name), 0)
+    def _series_in(self, seen: list[tuple[int, list[Point]]]) -> int:
+        """Where the series of the point that is shown stands among those in sight; 0 without one."""
+        numbers = [number for number, _ in seen]
+        return numbers.index(self._number) if self.point and self._number in numbers else 0
 
     def _index_in(self, points: list[Point]) -> int:
         """Where the point that is shown stands among the points of its series; the leftmost without one."""

@@ -1,45 +1,56 @@
-"""A plot as it is seen, written into a file: PNG or SVG."""
+"""A plot as it is seen, drawn for a file: PNG or SVG."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from pathlib import Path
+from dataclasses import dataclass
 from typing import Final
 
 import pyqtgraph as pg
-from PySide6.QtCore import QByteArray, QRect, QRectF, QSize
-from PySide6.QtGui import QImage, QImageWriter, QPainter
+from PySide6.QtCore import QBuffer, QRect, QRectF, QSize
+from PySide6.QtGui import QImage, QPainter
 from PySide6.QtSvg import QSvgGenerator
 
 _SHARPNESS: Final = 2
 """Pixels of a file for one of the screen, along each side."""
 
 
-def save_png(plot: pg.PlotWidget, path: Path) -> None:
-    """Write a picture in pixels. Raises `OSError`."""
-    image = QImage(plot.viewport().size() * _SHARPNESS, QImage.Format.Format_RGB32)
+@dataclass(frozen=True, kw_only=True)
+class Drawn:
+    """A plot as it was seen, as files hold it."""
+
+    png: bytes
+    svg: bytes
+
+
+def drawn(plot: pg.PlotWidget) -> Drawn:
+    """Draw a plot as it is seen now."""
     with _as_vectors(plot):
-        painter = QPainter(image)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        plot.render(painter, QRectF(image.rect()), plot.viewport().rect())
-        painter.end()
-    writer = QImageWriter(str(path), QByteArray(b"png"))
-    if not writer.write(image):
-        raise OSError(0, writer.errorString(), str(path))
+        return Drawn(png=_png(plot), svg=_svg(plot))
 
 
-def save_svg(plot: pg.PlotWidget, path: Path) -> None:
-    """Write a picture of lines and texts."""
-    room = QRect(plot.viewport().rect())
+def _png(plot: pg.PlotWidget) -> bytes:
+    image = QImage(plot.viewport().size() * _SHARPNESS, QImage.Format.Format_RGB32)
+    painter = QPainter(image)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    plot.render(painter, QRectF(image.rect()), plot.viewport().rect())
+    painter.end()
+    buffer = QBuffer()
+    image.save(buffer, "PNG")  # type: ignore[call-overload]  # it takes no bytes, whatever is declared
+    return bytes(buffer.data().data())
+
+
+def _svg(plot: pg.PlotWidget) -> bytes:
+    room, buffer = QRect(plot.viewport().rect()), QBuffer()
     generator = QSvgGenerator()
-    generator.setFileName(str(path))
+    generator.setOutputDevice(buffer)
     generator.setSize(QSize(room.width(), room.height()))
     generator.setViewBox(room)
     generator.setTitle(plot.accessibleName())
-    with _as_vectors(plot):
-        painter = QPainter(generator)
-        painter.fillRect(room, plot.backgroundBrush())
-        plot.render(painter, QRectF(room), room)
-        painter.end()
+    painter = QPainter(generator)
+    painter.fillRect(room, plot.backgroundBrush())
+    plot.render(painter, QRectF(room), room)
+    painter.end()
+    return bytes(buffer.data().data())
 
 
 @contextmanager

@@ -1,9 +1,9 @@
 """Saving plots: which file is asked for by a dialog of the window, wherever the plot is."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
-from typing import Final
+from typing import Final, TypeAlias
 
 from PySide6.QtCore import QEvent, QObject, QSettings
 from PySide6.QtWidgets import QWidget
@@ -14,13 +14,16 @@ from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.window.frame import Frame
 from tumble.window.look.language import tr
-from tumble.window.plots.picture import save_png, save_svg
+from tumble.window.plots.picture import drawn
 from tumble.window.plots.savable import Savable, SaveWanted
 from tumble.window.widgets.dialog import FileDialog
 from tumble.window.widgets.notice import Notice
 
 FORMATS: Final = "PNG (*.png);;SVG (*.svg);;CSV (*.csv)"
 _FOLDER: Final = "plots/folder"
+
+Formats: TypeAlias = Mapping[str, bytes]
+"""What the file of a plot holds, by the ending of its name."""
 
 
 class SavingPlots(QObject):
@@ -51,12 +54,12 @@ class SavingPlots(QObject):
     def _ask(self, savable: Savable) -> None:
         folder = Path(str(QSettings().value(_FOLDER) or Path.home()))
         dialog = FileDialog(tr("Save the plot"), folder / f"{savable.name}.png", FORMATS, saving=True)
-        dialog.chosen.connect(partial(self._save, savable))
+        dialog.chosen.connect(partial(self._save, contents(savable)))
         self._frame.dialogs.show_dialog(dialog)
 
-    def _save(self, savable: Savable, path: Path) -> None:
+    def _save(self, formats: Formats, path: Path) -> None:
         try:
-            save(savable, path)
+            save(formats, path)
         except (InputError, JobError) as error:
             self._tell(error)
             return
@@ -64,29 +67,25 @@ class SavingPlots(QObject):
         self._frame.notices.show_notice(Notice(text=tr("The plot is in {path}.", path=path)))
 
 
-def save(savable: Savable, path: Path) -> None:
+def contents(savable: Savable) -> Formats:
+    """What a file of a plot would hold now, in each format; the plot may go before one is chosen."""
+    picture = drawn(savable.plot)
+    return {".png": picture.png, ".svg": picture.svg, ".csv": savable.values().as_csv().encode()}
+
+
+def save(formats: Formats, path: Path) -> None:
     """Write a plot in the format that the name of a file ends in, over no file that is there already.
 
     Raises `InputError`, `JobError`.
     """
-    match path.suffix.lower():
-        case ".png":
-            write = partial(save_png, savable.plot)
-        case ".svg":
-            write = partial(save_svg, savable.plot)
-        case ".csv":
-            write = partial(_save_csv, savable)
-        case suffix:
-            raise InputError(
-                Message(
-                    "{path}: {ending} is no format of a plot; end it in .png, .svg or .csv",
-                    path=path,
-                    ending=suffix or Message("no ending"),
-                )
+    suffix = path.suffix.lower()
+    if suffix not in formats:
+        raise InputError(
+            Message(
+                "{path}: {ending} is no format of a plot; end it in .png, .svg or .csv",
+                path=path,
+                ending=suffix or Message("no ending"),
             )
+        )
     with replacing(path, None) as begun:
-        write(begun)
-
-
-def _save_csv(savable: Savable, path: Path) -> None:
-    path.write_text(savable.values().as_csv(), encoding="utf-8", newline="\n")
+        begun.write_bytes(formats[suffix])

@@ -77,6 +77,7 @@ class QueueRunner(QObject):
         self._file.leave()
         self._file, self._of, self._wanted, self._seated_entry = QueueFile(self._folder()), [], None, None
         self.going, self.said = False, ""
+        self._file.sweep()
         self.look()
         self.changed.emit()
         self._watch.start()
@@ -85,7 +86,7 @@ class QueueRunner(QObject):
         """Show what other windows have changed."""
         try:
             changed = self._file.look()
-        except InputError as error:
+        except (InputError, JobError) as error:
             self.refused.emit(error)
             return
         if changed:

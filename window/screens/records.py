@@ -34,6 +34,7 @@ from tumble.window.work.newest import Newest
 if TYPE_CHECKING:
     from tumble.calibrations.records.verify import Verification
     from tumble.window.work.compared import Comparison
+    from tumble.window.work.preview import Preview
 
 _REST_MS: Final = 150
 """The trend is drawn once nobody has looked for others for so long: drawing keeps a key waiting."""
@@ -147,9 +148,14 @@ class RecordsScreen(QWidget):
         self._refresh_buttons()
         chosen = self._chosen()
         if len(chosen) == 1:
-            self._previews.start(partial(store.preview, chosen[0]), self.preview.show_preview)
+            self._previews.start(partial(store.preview, chosen[0]), partial(self._show_preview, chosen[0].id))
         else:
             self.preview.show_nothing()
+
+    def _show_preview(self, record_id: str, preview: "Preview") -> None:
+        """Show a record in short, if it is still the one that is chosen."""
+        if [each.id for each in self._chosen()] == [record_id]:
+            self.preview.show_preview(preview)
 
     def _draw_trend(self) -> None:
         self.trend.show_records(self.records)

@@ -21,7 +21,7 @@ class ComparedLine:
     first: str
     second: str
     difference: str
-    """The second minus the first, with its expanded uncertainty (coverage factor 2); empty where there is none."""
+    """The second minus the first, with its expanded uncertainty (95%); empty where there is none."""
     ratio: str
     """The difference in its standard uncertainties."""
     sentence: str

@@ -32,7 +32,7 @@ def _line(found: Difference, a: RecordedParameter | None, b: RecordedParameter |
 def _difference(found: Difference) -> str:
     if found.difference is None or found.standard_uncertainty is None:
         return ""
-    return in_language(format_quantity(found.difference, 2.0 * found.standard_uncertainty, found.unit))
+    return in_language(format_quantity(found.difference, found.expanded_uncertainty, found.unit))
 
 
 def _interval(parameter: RecordedParameter | None, unit: str) -> Interval | None:

@@ -1,7 +1,7 @@
 """Runs that are to be measured one after the other, and what became of each."""
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from enum import StrEnum
 from pathlib import Path
 from typing import Any, Final
@@ -79,9 +79,9 @@ class Entry:
 
     @classmethod
     def from_json(cls, kept: dict[str, Any]) -> "Entry":
-        """An entry as it was kept. Raises `TypeError`, `ValueError`."""
-        outcome = kept.get("outcome")
-        entry = cls(**kept | {"stage": Stage(kept["stage"]), "outcome": Outcome(outcome) if outcome else None})
+        """An entry as it was kept; what a later version adds is passed over. Raises `TypeError`, `ValueError`."""
+        outcome, known = kept.get("outcome"), {each.name: kept[each.name] for each in fields(cls) if each.name in kept}
+        entry = cls(**known | {"stage": Stage(kept["stage"]), "outcome": Outcome(outcome) if outcome else None})
         texts = (entry.serial_number, entry.programme, entry.operator, entry.stand, entry.recording, entry.record_id)
         if not all(isinstance(text, str) for text in (*texts, entry.said, entry.owner)):
             raise TypeError("a text is none")
