@@ -11,8 +11,9 @@ from tumble.calibrations.core.verdict import Model, Verdict
 from tumble.calibrations.core.view import Drawn, Section
 from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.report.document import Report
-from tumble.calibrations.tracing.chain import Chain, ClosedLoop
+from tumble.calibrations.tracing.chain import Chain
 from tumble.calibrations.tracing.experiments import Experiment
+from tumble.calibrations.tracing.stage import ClosedLoop
 
 if TYPE_CHECKING:
     from tumble.calibrations.tracing.explained import Explained

@@ -21,18 +21,11 @@ from tumble.app.measurement import Measurement
 from tumble.app.measurements import read_measurement
 from tumble.app.running import Job
 from tumble.calibrations.core.sentences import series
-from tumble.calibrations.tracing.chain import (
-    FUTILE,
-    Chain,
-    ClosedLoop,
-    Ended,
-    Link,
-    cannot,
-    cheapest,
-    experiments_for,
-    stage_of,
-)
+from tumble.calibrations.tracing.chain import FUTILE, Chain, Ended
 from tumble.calibrations.tracing.experiments import Experiment
+from tumble.calibrations.tracing.link import Link
+from tumble.calibrations.tracing.next_run import cannot, cheapest, experiments_for
+from tumble.calibrations.tracing.stage import ClosedLoop, stage_of
 from tumble.messages import Message
 from tumble.procedures.announcer import Listener
 from tumble.procedures.errors import InputError

@@ -13,7 +13,7 @@ from benchmarks.active.grading import Record, told
 from tumble.app.closing import MOST_EXPERIMENTS, Closing, act, begin
 from tumble.app.joining import read_together
 from tumble.calibrations.methods.dividing_head.loop.loop import explain
-from tumble.calibrations.tracing.chain import Stage, stage_of
+from tumble.calibrations.tracing.stage import Stage, stage_of
 
 
 @dataclass(frozen=True, kw_only=True)

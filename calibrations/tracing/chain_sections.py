@@ -5,7 +5,9 @@ from typing import Any
 from tumble.calibrations.core.quantities import format_number
 from tumble.calibrations.core.sentences import deviations, series
 from tumble.calibrations.core.view import Section
-from tumble.calibrations.tracing.chain import Chain, Link, Stage
+from tumble.calibrations.tracing.chain import Chain
+from tumble.calibrations.tracing.link import Link
+from tumble.calibrations.tracing.stage import Stage
 from tumble.messages import Message
 
 

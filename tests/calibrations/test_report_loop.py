@@ -19,10 +19,12 @@ from tumble.calibrations.methods.dividing_head.report.results import notices
 from tumble.calibrations.methods.dividing_head.report.subject import Subject
 from tumble.calibrations.methods.dividing_head.report.traces import MOST_FIGURES, abscissae, trace_figure
 from tumble.calibrations.report.figure import Marks
-from tumble.calibrations.tracing.chain import Chain, Link, Stage
+from tumble.calibrations.tracing.chain import Chain
 from tumble.calibrations.tracing.experiments import Experiment
 from tumble.calibrations.tracing.findings import Unexplained
+from tumble.calibrations.tracing.link import Link
 from tumble.calibrations.tracing.separation import Difference, Outlook
+from tumble.calibrations.tracing.stage import Stage
 
 UNEXPLAINED = Unexplained(depends_on="angle", description="a bump of 18 arcsec near 141 deg on the head")
 

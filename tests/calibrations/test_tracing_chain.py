@@ -3,8 +3,11 @@ from dataclasses import replace
 import pytest
 from loop_examples import clean, found
 
-from tumble.calibrations.tracing.chain import Chain, Link, Stage, cannot, cheapest
+from tumble.calibrations.tracing.chain import Chain
 from tumble.calibrations.tracing.experiments import Experiment
+from tumble.calibrations.tracing.link import Link
+from tumble.calibrations.tracing.next_run import cannot, cheapest
+from tumble.calibrations.tracing.stage import Stage
 
 
 def experiment(programme="probe-end", separates=("k_xx", "k_yy"), stand_time_s=100.0, **fields):

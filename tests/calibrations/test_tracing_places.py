@@ -7,11 +7,11 @@ from tracing_runs import FLIPS, SWEEP, programme, runs
 from tumble.calibrations.methods.dividing_head.effects.unnamed import unnamed
 from tumble.calibrations.methods.dividing_head.loop.loop import close_loop, explain
 from tumble.calibrations.methods.dividing_head.probes import PROBES
-from tumble.calibrations.tracing.chain import stage_of
 from tumble.calibrations.tracing.components import Component
 from tumble.calibrations.tracing.continued import continued
 from tumble.calibrations.tracing.experiments import locating_experiments
 from tumble.calibrations.tracing.places import PlaceQuestion, places
+from tumble.calibrations.tracing.stage import stage_of
 from tumble.messages import Message
 
 OWN = programme(FLIPS, SWEEP.format("face-up", "up"), realisations=3)

@@ -8,9 +8,9 @@ from tumble.calibrations.core.sentences import series
 from tumble.calibrations.methods.gyrocompass.fit import GyrocompassFit
 from tumble.calibrations.methods.gyrocompass.probes import PROBES, probes, usual_step_s
 from tumble.calibrations.methods.gyrocompass.table import GyrocompassTable
-from tumble.calibrations.tracing.chain import experiments_for
 from tumble.calibrations.tracing.experiments import Experiment
 from tumble.calibrations.tracing.explained import Explained
+from tumble.calibrations.tracing.next_run import experiments_for
 from tumble.messages import Message
 
 OTHERWISE: Final = Message(

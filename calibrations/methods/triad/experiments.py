@@ -8,9 +8,9 @@ from tumble.calibrations.methods.triad.fit import TriadFit
 from tumble.calibrations.methods.triad.probes import probes, usual_step_s
 from tumble.calibrations.methods.triad.programmes import POSITIONS
 from tumble.calibrations.methods.triad.table import TriadTable
-from tumble.calibrations.tracing.chain import experiments_for
 from tumble.calibrations.tracing.experiments import Experiment
 from tumble.calibrations.tracing.explained import Explained
+from tumble.calibrations.tracing.next_run import experiments_for
 from tumble.messages import Message
 
 

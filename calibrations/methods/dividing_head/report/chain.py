@@ -9,8 +9,10 @@ from tumble.calibrations.core.sentences import series
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.dividing_head.loop.loop import Loop
 from tumble.calibrations.report.figure import COLOURS, SHAPES, Axis, Figure, Layer, Line, Marks, Panel, Span
-from tumble.calibrations.tracing.chain import Chain, Link, Stage
+from tumble.calibrations.tracing.chain import Chain
+from tumble.calibrations.tracing.link import Link
 from tumble.calibrations.tracing.penalties import CLOSE
+from tumble.calibrations.tracing.stage import Stage
 from tumble.messages import Message
 
 _LEAST = 0.7
