@@ -1,6 +1,6 @@
 """A channel along a variable, in every shape that it could take."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -69,11 +69,18 @@ class Family:
     def __init__(self, axis: Axis, chance: float) -> None:
         self._axis, self._chance = axis, chance
 
-    def best(self, seen: Beside) -> Proposal | None:
-        """The shape that gains most beyond its penalty; None where none gains anything."""
+    def glance(self, seen: Beside) -> "Glance":
+        """The family beside something, with courses and waves tried, which take little time."""
         along = Along(axis=self._axis, seen=seen)
-        proposals = (self._proposed(shape) for shapes in self._tried() for shape in shapes(along))
-        return max(proposals, key=lambda proposal: proposal.worth, default=None)
+        tried = [shapes for shapes in self._tried() if shapes in (courses, waves)]
+        return Glance(
+            family=self, along=along, tried=[self._proposed(shape) for each in tried for shape in each(along)]
+        )
+
+    def further(self, along: Along) -> Iterator[Proposal]:
+        """What a glance leaves out."""
+        rest = (shapes for shapes in self._tried() if shapes not in (courses, waves))
+        return (self._proposed(shape) for shapes in rest for shape in shapes(along))
 
     def best_course(self, seen: Beside) -> Proposal:
         """The same among courses that have no shape."""
@@ -86,12 +93,6 @@ class Family:
         tried = self._tried()
         for shapes in (*tried, *((bumps_about,) if bumps in tried else ())):
             yield from map(self._proposed, shapes(along))
-
-    def at_a_glance(self, seen: Beside) -> float:
-        """About how much structure along the axis would gain: courses and waves alone, which take little time."""
-        along = Along(axis=self._axis, seen=seen)
-        tried = (courses, waves) if self._axis.coordinate.waves else (courses,)
-        return max(float(shape.gained[0]) for shapes in tried for shape in shapes(along))
 
     def _tried(self) -> list[_Tried]:
         """What makes sense along the variable."""
@@ -127,3 +128,23 @@ class Family:
             gain=float(shape.gained[0]),
             variance=float(shape.gained[1]),
         )
+
+
+@dataclass(frozen=True, kw_only=True)
+class Glance:
+    """A family beside something, of which the quick shapes were tried."""
+
+    family: Family
+    along: Along
+    tried: Sequence[Proposal]
+
+    @property
+    def gain(self) -> float:
+        """About how much structure along the axis would gain."""
+        return max(proposal.gain for proposal in self.tried)
+
+    def best(self) -> Proposal | None:
+        """Of all shapes that which gains most beyond its penalty; None where none gains anything."""
+        proposals = (*self.tried, *self.family.further(self.along))
+        best = max(proposals, key=lambda proposal: proposal.worth, default=None)
+        return best if best is not None and best.gain > 0.0 else None

@@ -34,9 +34,9 @@ def held_out_rms(tracer: Tracer[Any], trace: Trace, parts: Iterable[BoolArray]) 
 
     Effects are chosen anew from the other rows, from their scans as they stand, in the noise of the whole table. What
     has no name is predicted by its mean given the other rows; what is random (levels, a walk) cannot be, and
-    counts as error. Where folds of the other rows are predicted better by the declared model alone, or where
-    those rows do not tell what was found well enough to predict the part, or which of two effects that predict it
-    otherwise, the declared model alone predicts it.
+    counts as error. So does what those rows do not tell well enough to predict the part. Where folds of the other
+    rows are predicted better by the declared model alone, or where they do not tell which of two effects that predict
+    the part otherwise is there, the declared model alone predicts it.
     Parts without which the others do not tell the declared model are passed over; None where that is every one.
     """
     table = tracer.table
@@ -48,17 +48,30 @@ def held_out_rms(tracer: Tracer[Any], trace: Trace, parts: Iterable[BoolArray]) 
 def _errors(tracer: Tracer[Any], trace: Trace, out: BoolArray) -> FloatArray:
     """Output minus what the other rows predict, of the rows that are held out."""
     table, nothing = tracer.table, np.empty((tracer.table.rows, 0))
-    columns, *others = _chosen(tracer, trace, out)
-    shown = _Shown(table, trace.noise, trace.components, columns)
     alone = _Shown(table, WHITE, (), nothing)
-    found = np.column_stack([nothing, *(form.columns for form in trace.forms)])
-    if not all(_told(table, each, out, shown.theta(~out)) for each in (columns, found)):
-        return alone.errors(~out, out)
-    if not _agreed(shown, alone, [_Shown(table, trace.noise, trace.components, each) for each in others], out):
+    chosen, *swapped = _chosen(tracer, trace, out)
+    theta = _Shown(table, trace.noise, trace.components, np.column_stack([nothing, *chosen])).theta(~out)
+    told, found = (_told_part(table, each, out, theta) for each in (chosen, [form.columns for form in trace.forms]))
+    rivals = swapped if len(found) == len(trace.forms) else [*swapped, found]
+    shown, *others = [
+        _Shown(table, trace.noise, trace.components, np.column_stack([nothing, *each])) for each in (told, *rivals)
+    ]
+    if not _agreed(shown, alone, others, out):
         return alone.errors(~out, out)
     inner = _inner_folds(table, out)
     better = sum(shown.squares(train, test) - alone.squares(train, test) for train, test in inner) <= 0.0
     return (shown if better else alone).errors(~out, out)
+
+
+def _told_part(table: Table, forms: Sequence[FloatArray], out: BoolArray, theta: FloatArray) -> list[FloatArray]:
+    """Of forms, the strongest first, those that the other rows tell with the ones before them."""
+    if _told(table, np.column_stack([np.empty((table.rows, 0)), *forms]), out, theta):
+        return list(forms)
+    kept: list[FloatArray] = []
+    for form in forms:
+        if _told(table, np.column_stack([*kept, form]), out, theta):
+            kept.append(form)
+    return kept
 
 
 def _agreed(shown: "_Shown", alone: "_Shown", rivals: Sequence["_Shown"], out: BoolArray) -> bool:
@@ -94,8 +107,8 @@ def _leverage(columns: FloatArray, out: BoolArray) -> float:
     return float(np.max(np.sum((scaled[out] @ inverse) ** 2, axis=1), initial=0.0))
 
 
-def _chosen(tracer: Tracer[Any], trace: Trace, out: BoolArray) -> list[FloatArray]:
-    """Columns of the effects that the other rows choose, and of sets that they do not refute, shapes (rows, n)."""
+def _chosen(tracer: Tracer[Any], trace: Trace, out: BoolArray) -> list[list[FloatArray]]:
+    """Effects that the other rows choose, and sets that they do not refute: the columns of each, shapes (rows, n)."""
     table = tracer.table
     barred = [candidate.effect.random or candidate.effect.name in tracer.barred for candidate in tracer.offered]
     offered = [] if table.not_traced else list(compress(tracer.offered, np.logical_not(barred)))
@@ -104,7 +117,10 @@ def _chosen(tracer: Tracer[Any], trace: Trace, out: BoolArray) -> list[FloatArra
         sample.whitened_fit(trace.noise), sample.turned(tracer.columns[~out]), offered, table.most_effects
     )
     chosen = search(problem, beam=3).chosen
-    return [np.asarray(tracer.columns[:, problem.columns_of(each)]) for each in (chosen, *_swapped(problem, chosen))]
+    return [
+        [np.asarray(tracer.columns[:, problem.columns_of((form,))]) for form in each]
+        for each in (chosen, *_swapped(problem, chosen))
+    ]
 
 
 def _swapped(problem: Problem, chosen: tuple[int, ...]) -> Iterator[tuple[int, ...]]:

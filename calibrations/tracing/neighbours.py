@@ -27,6 +27,7 @@ from tumble.calibrations.tracing.pairs import WIDEST, best_pairs
 from tumble.calibrations.tracing.penalties import FALSE_ALARM, NOT_FOUND
 from tumble.calibrations.tracing.problem import Problem
 from tumble.calibrations.tracing.rivals import Rival
+from tumble.calibrations.tracing.search import runners_up
 from tumble.calibrations.tracing.trace import Found, Trace, Tracer, found, penalised_deviance, refined
 
 _ALLOWED: Final = 2.0 * float(np.log(NOT_FOUND / FALSE_ALARM))
@@ -35,6 +36,10 @@ _LEAST: Final = 2e-3
 """Explanations with smaller odds are left out."""
 _PAIRS: Final = 4
 """So many pairs of further effects are looked at."""
+_SETS: Final = 8
+"""So many of the cheapest sets that the search followed are looked at."""
+_EXCHANGED: Final = 2
+"""So many names differ where one effect is exchanged."""
 _SPARE: Final = 4 * WIDEST
 """Of so few settings beyond what is fitted any pair would explain nearly all by which they differ."""
 _DRAWN: Final = 1.0
@@ -78,6 +83,7 @@ def neighbours(
         *_with_one_more(everything, trace),
         *_with_one_more_beside_another_form(everything, trace),
         *_with_two_more(everything, trace),
+        *_of_other_effects(everything, trace),
         *_with_one_less(everything, trace),
         *_elsewhere(everything, others),
     ]
@@ -160,6 +166,18 @@ def _with_two_more(tracer: Tracer[Any], trace: Trace) -> Iterator[tuple[str, Tra
         if worth + 2.0 * _ALLOWED > 2.0 * np.log(_LEAST):
             both = replace(trace, found=(*trace.found, *(found(problem, number) for number in pair)))
             yield problem.offered[pair[0]].effect.name, refined(tracer.table, both, rounds=1)
+
+
+def _of_other_effects(tracer: Tracer[Any], trace: Trace) -> Iterator[tuple[str, Trace]]:
+    """Sets that the search followed and that differ by more than one effect added, left out or exchanged."""
+    problem = tracer.problem(trace.noise).named()
+    for explanation in islice(runners_up(problem), _SETS):
+        sets = [found(problem, number) for number in explanation.chosen]
+        names = {item.effect.name for item in sets}
+        other, lacking = sorted(names.difference(trace.names)), set(trace.names) - names
+        exchanged = other and lacking and len(other) + len(lacking) > _EXCHANGED
+        if exchanged and not any(item.effect.random for item in sets):
+            yield other[0], refined(tracer.table, replace(trace, found=tuple(sets)), rounds=1)
 
 
 def _may_join(candidate: Candidate, taken: Sequence[str]) -> bool:

@@ -10,7 +10,7 @@ from tumble.calibrations.tracing.noise import WALK
 from tumble.calibrations.tracing.penalties import NEAR, SIMPLER, WALK_NAMED
 from tumble.calibrations.tracing.problem import Problem
 from tumble.calibrations.tracing.table import Table
-from tumble.calibrations.tracing.trace import Found, Trace, Tracer, found, penalised_deviance, refined_one
+from tumble.calibrations.tracing.trace import Found, Trace, Tracer, found, penalised_deviance, refined, refined_one
 
 _EQUAL = 1e-3
 """Deviances closer than this are equal: the effects are the same in this table."""
@@ -40,17 +40,41 @@ def with_best_names(tracer: Tracer[Any], trace: Trace) -> tuple[Trace, dict[str,
 
     Returns the trace, and the rivals of each of its effects that are near.
     """
+    put_aside: dict[str, tuple[Found, ...]] = {}
     while True:
         listed = {name: rivals(tracer, trace, name) for name in trace.names}
         better = [
-            rival
+            (rival, name)
             for name, others in listed.items()
             for rival in others
             if _goes_before(tracer, rival, name) and _explains(tracer, trace.without(name), rival)
         ]
         if not better:
-            return trace, _near(listed)
-        trace = min(better, key=lambda rival: rival.naming_difference).trace
+            break
+        first, name = min(better, key=lambda each: each[0].naming_difference)
+        forms = tuple(item for item in trace.found if item.effect.name == name)
+        if len(forms) > 1:
+            put_aside[first.name] = forms
+        trace = first.trace
+    for name, forms in put_aside.items():
+        if name in listed:
+            listed[name].append(put_back(tracer, trace, name, forms))
+    return trace, _near(listed)
+
+
+def put_back(tracer: Tracer[Any], trace: Trace, name: str, forms: Sequence[Found]) -> Rival:
+    """An effect in several forms that was exchanged for a simpler one called `name`, in its place again."""
+    rest = trace.without(name)
+    trial = refined(tracer.table, replace(rest, found=(*rest.found, *forms)))
+    replaced = sum(item.coefficients for item in trace.found if item.effect.name == name) or 1
+    coefficients = sum(item.coefficients for item in forms) - replaced
+    return Rival(
+        name=forms[0].effect.name,
+        trace=trial,
+        found=forms[0],
+        behind=trial.deviance - trace.deviance + 2.0 * coefficients,
+        naming_difference=_naming_penalty(trial) - _naming_penalty(trace),
+    )
 
 
 def near_rivals(tracer: Tracer[Any], trace: Trace) -> dict[str, list[Rival]]:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import Final
 
 from tumble.calibrations.tracing.components import Axis
-from tumble.calibrations.tracing.family import Family, Proposal
+from tumble.calibrations.tracing.family import Family, Glance, Proposal
 from tumble.calibrations.tracing.gains import Beside
 from tumble.calibrations.tracing.penalties import FALSE_ALARM
 
@@ -24,18 +24,18 @@ class Scan:
     def proposals(self, beside_: Beside) -> list[Proposal]:
         """The best component of each of the axes that promise most, the best first."""
         if beside_.fingerprint not in self._known:
-            self._known[beside_.fingerprint] = _best_of(self._promising(beside_)[:_PROMISING], beside_)
+            self._known[beside_.fingerprint] = _best_of(self._promising(beside_)[:_PROMISING])
         return self._known[beside_.fingerprint]
 
     def foremost(self, beside_: Beside) -> list[Proposal]:
         """The same of half as many."""
         if beside_.fingerprint in self._known:
             return self._known[beside_.fingerprint]
-        return _best_of(self._promising(beside_)[:_FOREMOST], beside_)
+        return _best_of(self._promising(beside_)[:_FOREMOST])
 
-    def _promising(self, beside_: Beside) -> list[Family]:
-        """Axes in the order of what courses or waves along them explain, which takes little time."""
-        return sorted(self._families, key=lambda family: -family.at_a_glance(beside_))
+    def _promising(self, beside_: Beside) -> list[Glance]:
+        """Axes in the order of what courses or waves along them explain."""
+        return sorted((family.glance(beside_) for family in self._families), key=lambda glance: -glance.gain)
 
 
 _PROMISING: Final = 16
@@ -45,7 +45,6 @@ _FOREMOST: Final = 8
 """So many are where time is short."""
 
 
-def _best_of(families: Sequence[Family], beside_: Beside) -> list[Proposal]:
-    found = (family.best(beside_) for family in families)
-    told = [best for best in found if best is not None and best.gain > 0.0]
-    return sorted(told, key=lambda proposal: -proposal.worth)
+def _best_of(glances: Sequence[Glance]) -> list[Proposal]:
+    found = (glance.best() for glance in glances)
+    return sorted((best for best in found if best is not None), key=lambda proposal: -proposal.worth)

@@ -24,17 +24,36 @@ def search(problem: Problem, beam: int = BEAM) -> Explanation:
 
     `beam` is how many sets are followed; with one, effects are added one by one.
     """
+    best = problem.explain(())
+    for followed in _followed(problem, beam):
+        best = min(best, followed[0], key=lambda each: penalised(problem, each))
+    return settled(problem, best)
+
+
+def runners_up(problem: Problem) -> Iterator[Explanation]:
+    """The sets that a search follows, the cheapest first; of sets of the same effects the first."""
+    sets = [explanation for followed in _followed(problem, BEAM) for explanation in followed]
+    seen = set[frozenset[str]]()
+    for explanation in sorted(sets, key=lambda each: _rank(problem, each)):
+        names = frozenset(problem.offered[number].effect.name for number in explanation.chosen)
+        if names not in seen:
+            seen.add(names)
+            yield explanation
+
+
+def _followed(problem: Problem, beam: int) -> Iterator[list[Explanation]]:
+    """The best sets of one effect, of two, and so on, each the best first."""
     nothing = problem.explain(())
-    best, followed = nothing, [nothing]
+    least, followed = penalised(problem, nothing), [nothing]
     for _ in range(problem.most):
         followed = _continued(problem, followed, beam)
         if not followed:
-            break
-        if penalised(problem, followed[0]) < penalised(problem, best):
-            best = followed[0]
-        elif penalised(problem, followed[0]) > penalised(problem, best) + _HOPELESS:
-            break
-    return settled(problem, best)
+            return
+        yield followed
+        cost = penalised(problem, followed[0])
+        if cost > least + _HOPELESS:
+            return
+        least = min(least, cost)
 
 
 def penalised(problem: Problem, explanation: Explanation) -> float:

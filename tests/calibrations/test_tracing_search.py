@@ -11,10 +11,12 @@ from tumble.calibrations.methods.dividing_head.effects import CATALOGUE
 from tumble.calibrations.methods.dividing_head.fit import joint_fit
 from tumble.calibrations.methods.dividing_head.joint import fit_jointly
 from tumble.calibrations.methods.dividing_head.loop.table import dividing_head_table
+from tumble.calibrations.tracing.neighbours import neighbours
 from tumble.calibrations.tracing.noise import NoiseModel
 from tumble.calibrations.tracing.problem import Problem
-from tumble.calibrations.tracing.search import begun_anew, penalised, penalties, search, settled
-from tumble.calibrations.tracing.trace import Tracer
+from tumble.calibrations.tracing.rivals import put_back
+from tumble.calibrations.tracing.search import begun_anew, penalised, penalties, runners_up, search, settled
+from tumble.calibrations.tracing.trace import Tracer, found, refined
 
 WHITE = NoiseModel()
 
@@ -67,6 +69,36 @@ def test_the_search_ends_with_the_cheapest_set(tracer):
 
     assert [problem.offered[number].effect.name for number in found.chosen] == ["k_xx"]
     assert penalised(problem, found) == found.deviance + penalties([problem.offered[number] for number in found.chosen])
+
+
+def test_the_sets_that_were_followed_are_given_once_each_the_cheapest_first(tracer):
+    problem = tracer.problem(WHITE)
+    listed = list(runners_up(problem))
+    names = [frozenset(problem.offered[number].effect.name for number in each.chosen) for each in listed]
+
+    assert names[0] == {"k_xx"}
+    assert len(set(names)) == len(names)
+    assert [penalised(problem, each) for each in listed] == sorted(penalised(problem, each) for each in listed)
+
+
+def test_an_effect_in_two_forms_stays_a_rival_of_the_simpler_one_that_it_was_exchanged_for(tracer):
+    problem, trace = tracer.problem(WHITE), tracer.trace()
+    forms = [found(problem, number) for number in numbers(tracer, "graduation")[1:3]]
+    rival = put_back(tracer, trace, "k_xx", forms)
+    fitted = problem.explain(tuple(item.number for item in forms)).deviance
+
+    assert (rival.name, rival.trace.names) == ("graduation", ("graduation",))
+    assert rival.behind == pytest.approx(fitted - trace.deviance + 2.0 * (sum(each.coefficients for each in forms) - 1))
+
+
+def test_a_set_of_other_effects_that_the_search_followed_is_a_neighbour(tracer):
+    """Of two effects of which neither is there, the search followed the one that is."""
+    problem = tracer.problem(WHITE)
+    pair = tuple(found(problem, numbers(tracer, name)[0]) for name in ("hysteresis", "settling"))
+    worse = refined(tracer.table, replace(tracer.trace(), found=pair))
+    others = [set(each.trace.names) for each in neighbours(tracer, worse, {}, ())]
+
+    assert {"k_xx"} in others
 
 
 @pytest.mark.parametrize("rounding_v", [1e-12, -1e-12])
