@@ -11,9 +11,12 @@ from tumble.calibrations.methods.vibration.effects.stand import arm_ug, partial_
 from tumble.calibrations.methods.vibration.effects.unit import fourth_order
 from tumble.calibrations.methods.vibration.effects.unnamed import unnamed
 from tumble.calibrations.methods.vibration.experiments import next_experiments
+from tumble.calibrations.methods.vibration.line import lines
 from tumble.calibrations.methods.vibration.loop import close_vibration_loop, declared_fit
 from tumble.calibrations.methods.vibration.probes import PROBES, circle, shaken
+from tumble.calibrations.methods.vibration.products import mean_products
 from tumble.calibrations.methods.vibration.scene import VibrationScene
+from tumble.calibrations.tracing.trace import nothing_found
 
 SINGLE = (shaken(I, O),)
 FIXTURES = (
@@ -202,6 +205,29 @@ def test_the_document_has_the_keys_of_the_contract():
     assert found["augmented"]["held_out_rms_ug"] > 0.0
     assert {each["axis"] for each in found["vrc"]} == {"i", "o", "p"}
     assert all(line["straight"] for line in found["dc_against_g2"])
+
+
+def drawn_lines(seed, bent_ug=0.0):
+    """The line of each axis: whether it is straight, and at which probability."""
+    rows = dwells(circle(0), circle(1), circle(2))
+    bend = bent_ug * mean_products(rows)[:, 0] ** 2
+    declared = declared_fit(measured(rows, added_ug=bend, seed=seed))
+    drawn = lines(declared.table, declared.fit, nothing_found(declared.table))
+    return {line.axis: (line.straight, line.p_value) for line in drawn}
+
+
+def test_one_of_three_lines_that_differs_by_chance_of_one_in_fifty_is_called_straight():
+    straight, p_value = drawn_lines(seed=28)["p"]
+
+    assert 0.0167 < p_value < 0.05
+    assert straight
+
+
+def test_a_line_that_bends_is_not_straight():
+    bent = drawn_lines(seed=28, bent_ug=0.5)
+
+    assert not bent["i"][0]
+    assert bent["o"][0]
 
 
 def at_levels(rows, *levels_g):

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from tumble.calibrations.core.quantities import format_concise
+from tumble.calibrations.core.quantities import format_concise, format_probability
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.vibration.line import Line
 from tumble.calibrations.methods.vibration.loop import VibrationLoop
@@ -48,13 +48,17 @@ def _lines(beside: Shown) -> Section:
     return Section(
         title=Message("DC against mean square"),
         figure=draw if beside.lines else None,
-        caption=Message("Each dwell less its rest, less what other axes and what was found add; with a parabola."),
+        caption=Message(
+            "Each dwell less its rest, less what other axes and what was found add; with a parabola. A line is not "
+            "straight where intercept and curvature together differ from zero (F test, 5% for all axes together)."
+        ),
         headings=(
             Message("Axis"),
             Message("Slope"),
             Message("Intercept"),
             Message("Curvature"),
             Message("Verdict"),
+            "p",
         ),
         rows=[_line_row(line) for line in beside.lines],
     )
@@ -68,6 +72,7 @@ def _line_row(line: Line) -> Sequence[str]:
         format_concise(*line.intercept_ug, "µg"),
         format_concise(*curvature, "µg/g⁴") if curvature else "—",
         Message("straight through the rest") if line.straight else Message("not straight"),
+        format_probability(line.p_value),
     )
 
 
