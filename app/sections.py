@@ -27,3 +27,5 @@ def _show(section: Section) -> None:
         for row in section.rows:
             table.add_row(*map(numeric, row))
         console.print(table)
+    if section.code:
+        console.print(section.code, markup=False, soft_wrap=True, highlight=False, end="")

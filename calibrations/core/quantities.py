@@ -104,11 +104,11 @@ def format_probability(p_value: float) -> str:
 
 
 def format_freedom(freedom: float | None) -> str:
-    """Degrees of freedom, truncated to the next lower integer (GUM G.4.1); `inf` where there is no end to them."""
+    """Degrees of freedom, truncated to the next lower integer (GUM G.4.1); `∞` where there is no end to them."""
     if freedom is None:
         return ""
     if not math.isfinite(freedom):
-        return "inf"
+        return "∞"
     return f"> {_MANY}" if freedom > _MANY else str(math.floor(freedom + 1e-9))
 
 

@@ -15,7 +15,7 @@ class Drawn(Protocol):
 
 @dataclass(frozen=True, kw_only=True)
 class Section:
-    """One section: sentences, then a figure, then a table; any of them may be missing."""
+    """One section: sentences, then a figure, then a table, then code; any of them may be missing."""
 
     title: str
     lines: Sequence[str] = ()
@@ -25,13 +25,15 @@ class Section:
     """Of the figure, or without one of the table."""
     headings: Sequence[str] = ()
     rows: Sequence[Sequence[str]] = ()
+    code: str = ""
+    """To be copied into a programme as it stands; shown last, in letters of one width."""
     brief: bool = False
     """Whether it belongs to the answer; the others are details."""
 
     @property
     def empty(self) -> bool:
         """Whether there is nothing in it."""
-        return not (self.lines or self.rows or self.figure)
+        return not (self.lines or self.rows or self.figure or self.code)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -28,8 +28,8 @@ def ticks(axis: Axis, ends: Ends, most: int) -> list[float]:
     low, high = sorted(ends)
     if len(axis.ticks):
         return [float(tick) for tick in axis.ticks if low - 1e-9 <= tick <= high + 1e-9]
-    if axis.logarithmic:
-        return _decades(low, high)
+    if axis.logarithmic and len(places := _decades(low, high)) > 1:
+        return places
     step = round_step((high - low) / (2 * most if axis.whole else most))
     if axis.whole:
         step = max(1.0, math.ceil(step))

@@ -156,6 +156,7 @@ def written_section(section: Section) -> dict[str, Any]:
         "headings": [say(heading) for heading in section.headings],
         "rows": rows,
         "right": _set_right(rows),
+        "code": section.code,
     }
 
 

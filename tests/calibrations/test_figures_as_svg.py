@@ -71,6 +71,10 @@ def test_a_short_logarithmic_axis_has_steps_within_its_decade():
     assert ticks(Axis(logarithmic=True), (1.0, 9.0), 5) == pytest.approx([1.0, 2.0, 5.0])
 
 
+def test_a_logarithmic_axis_within_one_step_has_round_numbers():
+    assert ticks(Axis(logarithmic=True), (59.5, 65.6), 6) == pytest.approx([60.0, 62.0, 64.0])
+
+
 def test_whole_numbers_have_no_fractions_between_them():
     assert ticks(Axis(whole=True), (0.9, 3.1), 8) == [1.0, 2.0, 3.0]
 

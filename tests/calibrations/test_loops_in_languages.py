@@ -99,6 +99,12 @@ def test_numbers_of_a_german_report_have_a_decimal_comma_and_names_of_files_none
     assert {"turn 0.5.csv", "0,0201(3)°"} <= texts(page("", "", [section], language=Language.GERMAN))
 
 
+def test_code_that_is_copied_keeps_its_decimal_points_in_every_language():
+    code = "TRIAD_BIAS_V = (3.1e-03, -1.8e-03)\n"
+    written_out = page("", "", [Section(title=Message("Head map"), code=code)], language=Language.GERMAN)
+    assert f"<pre><code>{code}</code></pre>" in written_out
+
+
 def test_a_report_in_english_says_what_the_terminal_says(method_and_sections):
     method, sections = method_and_sections
     shown = texts(page(method.title, "runs.csv", sections))

@@ -102,7 +102,7 @@ def test_a_small_probability_is_said_to_be_small(p_value, text):
 
 @pytest.mark.parametrize(
     ("freedom", "text"),
-    [(2.0003, "2"), (617.99, "617"), (335992.0, "> 10000"), (math.inf, "inf"), (None, "")],
+    [(2.0003, "2"), (617.99, "617"), (335992.0, "> 10000"), (math.inf, "∞"), (None, "")],
 )
 def test_degrees_of_freedom_are_truncated(freedom, text):
     assert q.format_freedom(freedom) == text

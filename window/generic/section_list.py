@@ -1,7 +1,9 @@
 """The sections of a result, one below the other."""
 
 from collections.abc import Sequence
+from typing import Final
 
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from tumble.calibrations.core.view import Section
@@ -12,6 +14,9 @@ from tumble.window.look.sentences import in_language
 from tumble.window.parts import ResultTab
 from tumble.window.widgets.table import Table
 from tumble.window.work.presentation import Presentation
+
+_SELECTED: Final = Qt.TextInteractionFlag.TextSelectableByMouse | Qt.TextInteractionFlag.TextSelectableByKeyboard
+"""By both, to be copied."""
 
 
 class SectionList(QScrollArea):
@@ -31,7 +36,7 @@ class SectionList(QScrollArea):
         content, self.tables = QWidget(), []
         column = QVBoxLayout(content)
         for section in sections:
-            if section.lines or section.rows:
+            if section.lines or section.rows or section.code:
                 self._add(section, column)
         column.addStretch(1)
         self.setWidget(content)
@@ -50,6 +55,11 @@ class SectionList(QScrollArea):
             table.show_whole()
             column.addWidget(table)
             self.tables.append(table)
+        if section.code:
+            code = PlainLabel(section.code)
+            code.setObjectName("code")
+            code.setTextInteractionFlags(_SELECTED)
+            column.addWidget(code)
 
 
 def section_tabs() -> tuple[ResultTab, ...]:

@@ -42,7 +42,7 @@ def style_sheet(chosen: Colours, text_scale: float, point_size: float) -> str:
     QLabel#fault {{ font-weight: bold; font-size: {loud_pt}pt; color: {chosen.bad}; }}
     QFrame#question {{ background: {chosen.paper}; border: 3px solid {chosen.accent};
         border-radius: {2 * space}px; }}
-    QPlainTextEdit#code {{ font-family: monospace; }}
+    QPlainTextEdit#code, QLabel#code {{ font-family: monospace; }}
     QLabel#heading {{ font-weight: bold; }}
     QLabel#pale {{ color: {chosen.pale}; }}
     QLabel#good {{ color: {chosen.good}; font-weight: bold; }}

@@ -43,7 +43,7 @@ def _composed(loop: TriadLoop, parameters: Section) -> Iterator[Section]:
     constants = correction(loop.best)
     yield Section(
         title=Message("Correction a = C (u - b)"),
-        lines=[*constants.as_c().splitlines(), *constants.as_python().splitlines()],
+        code=constants.as_c() + constants.as_python(),
     )
 
 

@@ -176,15 +176,10 @@ def _row(parameter: Parameter, check: LimitCheck | None, judgement: Judgement | 
         interval=format_interval(*parameter.interval_95, parameter.unit),
         coverage=coverage(parameter),
         standard=_alone(parameter.standard_uncertainty, parameter.unit),
-        freedom=freedom(parameter.degrees_of_freedom),
+        freedom=format_freedom(parameter.degrees_of_freedom),
         note=_note(parameter),
         **cells,
     )
-
-
-def freedom(degrees_of_freedom: float | None) -> str:
-    """Degrees of freedom with the sign for no end, which paper has and a terminal may not."""
-    return format_freedom(degrees_of_freedom).replace("inf", "∞")
 
 
 def _alone(uncertainty: float, unit: str) -> str:

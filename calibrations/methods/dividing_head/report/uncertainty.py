@@ -7,9 +7,8 @@ from dataclasses import replace
 import numpy as np
 
 from tumble.calibrations.core.parameter import Parameter
-from tumble.calibrations.core.quantities import format_concise, format_number
+from tumble.calibrations.core.quantities import format_concise, format_freedom, format_number
 from tumble.calibrations.core.view import Section
-from tumble.calibrations.methods.dividing_head.report.results import freedom
 from tumble.calibrations.methods.dividing_head.report.subject import Subject
 from tumble.calibrations.report.budget import Column
 from tumble.calibrations.report.budget_sections import simulation_section
@@ -25,13 +24,13 @@ def budget_sections(subject: Subject) -> Iterator[Section]:
         return
     columns = [Column(parameter) for parameter in stated]
     sources = [
-        (line.name, line.kind, line.symbol, freedom(line.degrees_of_freedom),
+        (line.name, line.kind, line.symbol, format_freedom(line.degrees_of_freedom),
          *(column.cell(line.contributions.get(column.parameter.name, 0.0)) for column in columns))
         for line in calibration.budget
     ]  # fmt: skip
     sums: dict[str, list[str]] = {
         Message("Combined u"): [column.cell(column.combined) for column in columns],
-        Message("Effective ν"): [freedom(parameter.degrees_of_freedom) for parameter in stated],
+        Message("Effective ν"): [format_freedom(parameter.degrees_of_freedom) for parameter in stated],
         Message("k for 95%"): [column.coverage for column in columns],
         Message("Expanded U"): [column.cell(column.expanded) for column in columns],
     }
