@@ -4,18 +4,34 @@ import argparse
 import sys
 
 import benchmarks.alternatives
-from benchmarks.alternatives.comparison import compare, report, sample
+from benchmarks.alternatives.columns import Problem
+from benchmarks.alternatives.comparison import Answer, by_columns, compare, held_out, report, sheets
 from benchmarks.alternatives.stepwise import stepwise
 from benchmarks.bank import DEVELOPMENT, REPORTED
 
 try:
     from benchmarks.alternatives.lasso import lasso
+    from benchmarks.alternatives.process import Process
     from benchmarks.alternatives.sindy import sindy
 except ModuleNotFoundError as error:
     raise SystemExit(f"There is no {error.name} here; install it with: pip install -e '.[bench]'") from None
 
 _SEEDS = {"development": DEVELOPMENT, "reported": REPORTED}
-_METHODS = {"stepwise BIC": stepwise, "LassoCV + OLS": lasso, "PySINDy STLSQ": sindy}
+
+
+def gaussian_process(given: Problem) -> Answer:
+    """What a process without physics makes of a table: a variable and a prediction, and no names."""
+    process = Process(given)
+    variables = frozenset([process.variable] if process.variable else [])
+    return Answer(names=None, variables=variables, held_out=held_out(given, process.errors))
+
+
+_METHODS = {
+    "stepwise BIC": by_columns(stepwise),
+    "LassoCV + OLS": by_columns(lasso),
+    "PySINDy STLSQ": by_columns(sindy),
+    "Gaussian process": gaussian_process,
+}
 
 
 def main() -> None:
@@ -29,7 +45,7 @@ def main() -> None:
     parser.add_argument("--count", type=int, default=40, help="tables of each list")
     given = parser.parse_args()
     outcomes = []
-    for outcome in compare(sample(_SEEDS[given.seeds], given.count), _METHODS):
+    for outcome in compare(sheets(_SEEDS[given.seeds], given.count), _METHODS):
         outcomes.append(outcome)
         print(f"\r{len(outcomes)} results", end="", file=sys.stderr, flush=True)
     print(file=sys.stderr)

@@ -7,13 +7,15 @@ from numpy.typing import NDArray
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.dividing_head.effects import CATALOGUE
-from tumble.calibrations.methods.dividing_head.joint import Joint
+from tumble.calibrations.methods.dividing_head.joint import Joint, fit_jointly
 from tumble.calibrations.methods.dividing_head.loop.table import dividing_head_table
 from tumble.calibrations.methods.dividing_head.model import ALPHA0, BASIS_SIZE, PARAMETERS, coefficients_jacobian
+from tumble.calibrations.methods.dividing_head.observations import Observations
 from tumble.calibrations.tracing.candidates import all_columns, candidates
 
 _ABSORBED = 1e-5
 """A column of which less than this part is left beside the declared model says nothing."""
+_SINGULAR = 1e-9
 _SAME = 1.0 - 1e-9
 """Two columns with a larger cosine are one; as in the catalogue, the first gives its name."""
 
@@ -39,38 +41,79 @@ class Regression:
     blocks: tuple[Block, ...]
     owners: tuple[str, ...]
     """Name of the effect of each column."""
+    kept: NDArray[np.intp]
+    """Number of each column among those of the `Problem`."""
 
     def names(self, chosen: NDArray[np.bool_]) -> tuple[str, ...]:
         """Names of the effects of chosen columns, each once."""
         return tuple(dict.fromkeys(owner for owner, wanted in zip(self.owners, chosen, strict=True) if wanted))
 
 
-def regression(joint: Joint) -> Regression:
-    """Return the regression of a table fitted with the declared model.
+@dataclass(frozen=True, kw_only=True)
+class Problem:
+    """A table fitted with the declared model, and every column of the catalogue beside it."""
 
-    The six declared parameters are in every model and never penalised: their tangent columns at the declared fit are
-    taken out of target and candidates alike, which leaves every coefficient as it would be with them (Frisch, Waugh).
-    """
+    observations: Observations
+    tangent: FloatArray
+    """Derivatives of the declared model at its fit, weighted, shape (rows, parameters)."""
+    columns: FloatArray
+    """Weighted, shape (rows, n)."""
+    residual: FloatArray
+    """Weighted output less the declared fit, shape (rows,)."""
+    root: FloatArray
+    """Roots of the weights."""
+    forms: tuple[tuple[str, int, int], ...]
+    """Of each form its effect, its coefficients and its columns, in their order."""
+
+    def regression(self, rows: NDArray[np.bool_] | None = None) -> Regression:
+        """Return the regression of all rows, or of some.
+
+        The six declared parameters are in every model and never penalised: their tangent columns at the declared fit
+        are taken out of target and candidates alike, which leaves every coefficient as it would be with them (Frisch,
+        Waugh).
+        """
+        used = np.ones(len(self.residual), dtype=bool) if rows is None else rows
+        absorbed, columns = _orthonormal(self.tangent[used]), self.columns[used]
+        free = _beside(absorbed, columns)
+        length = np.linalg.norm(free, axis=0)
+        kept = np.flatnonzero(length > _ABSORBED * np.linalg.norm(columns, axis=0))
+        kept = kept[_first_of_its_kind(free[:, kept] / length[kept])]
+        target = _beside(absorbed, self.residual[used])
+        owner = np.repeat(np.arange(len(self.forms)), [width for _, _, width in self.forms])[kept]
+        blocks = [
+            Block(name=name, members=np.flatnonzero(owner == number), coefficients=coefficients)
+            for number, (name, coefficients, _) in enumerate(self.forms)
+        ]
+        return Regression(
+            columns=free[:, kept] / length[kept],
+            target=target / np.sqrt(np.mean(target**2)),
+            blocks=tuple(block for block in blocks if len(block.members)),
+            owners=tuple(self.forms[number][0] for number in owner),
+            kept=kept,
+        )
+
+    def errors(self, out: NDArray[np.bool_], chosen: NDArray[np.intp]) -> FloatArray:
+        """Weighted output of rows that are held out less what the others predict with some columns."""
+        whole = np.column_stack([self.tangent, self.columns[:, chosen]])
+        length = np.linalg.norm(whole[~out], axis=0)
+        seen = whole[:, length > 0.0] / length[length > 0.0]
+        fitted, *_ = np.linalg.lstsq(seen[~out], self.residual[~out], rcond=_SINGULAR)
+        return np.asarray(self.residual[out] - seen[out] @ fitted)
+
+
+def problem(observations: Observations) -> Problem:
+    """Fit a table with the declared model, and lay out the catalogue beside it."""
+    joint = fit_jointly(observations)
     base = dividing_head_table(joint, CATALOGUE)
     offered = candidates(replace(base, structures=()))
-    owner = np.repeat(np.arange(len(offered)), [one.form.columns.shape[1] for one in offered])
     root = np.sqrt(joint.weights)
-    absorbed = _orthonormal(_tangent(joint) * root[:, None])
-    columns = all_columns(offered, len(root)) * root[:, None]
-    free = _beside(absorbed, columns)
-    length = np.linalg.norm(free, axis=0)
-    kept = np.flatnonzero(length > _ABSORBED * np.linalg.norm(columns, axis=0))
-    kept = kept[_first_of_its_kind(free[:, kept] / length[kept])]
-    target = _beside(absorbed, joint.residual_v * root)
-    blocks = [
-        Block(name=one.effect.name, members=np.flatnonzero(owner[kept] == number), coefficients=one.coefficients)
-        for number, one in enumerate(offered)
-    ]
-    return Regression(
-        columns=free[:, kept] / length[kept],
-        target=target / np.sqrt(np.mean(target**2)),
-        blocks=tuple(block for block in blocks if len(block.members)),
-        owners=tuple(offered[number].effect.name for number in owner[kept]),
+    return Problem(
+        observations=joint.observations,
+        tangent=_tangent(joint) * root[:, None],
+        columns=all_columns(offered, len(root)) * root[:, None],
+        residual=joint.residual_v * root,
+        root=root,
+        forms=tuple((one.effect.name, one.coefficients, one.form.columns.shape[1]) for one in offered),
     )
 
 

@@ -3,6 +3,7 @@
 import warnings
 
 import numpy as np
+from numpy.typing import NDArray
 from sklearn.exceptions import ConvergenceWarning
 from sklearn.linear_model import LassoCV
 from sklearn.model_selection import KFold
@@ -17,8 +18,8 @@ by chance counts too.
 """
 
 
-def lasso(regression: Regression) -> tuple[str, ...]:
-    """Names of the effects whose coefficients count."""
+def lasso(regression: Regression) -> NDArray[np.bool_]:
+    """Which columns have coefficients that count."""
     folds = KFold(5, shuffle=True, random_state=0)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ConvergenceWarning)
@@ -29,4 +30,4 @@ def lasso(regression: Regression) -> tuple[str, ...]:
     noise = np.sqrt(residual @ residual / max(len(residual) - len(support), 1))
     chosen = np.zeros(len(regression.owners), dtype=bool)
     chosen[support] = np.abs(coefficients) > COUNTS * noise
-    return regression.names(chosen)
+    return chosen

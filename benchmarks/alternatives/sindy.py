@@ -3,6 +3,7 @@
 import warnings
 
 import numpy as np
+from numpy.typing import NDArray
 from pysindy.optimizers import STLSQ
 from sklearn.model_selection import KFold, cross_val_score
 
@@ -12,8 +13,8 @@ THRESHOLDS = np.geomspace(0.5, 64.0, 15)
 """Smallest coefficients to try, in root mean squares of the residual: the largest keeps nothing but gross structure."""
 
 
-def sindy(regression: Regression) -> tuple[str, ...]:
-    """Names of the effects that the optimiser keeps.
+def sindy(regression: Regression) -> NDArray[np.bool_]:
+    """Which columns the optimiser keeps.
 
     The optimiser's own ridge (0.05) and unbiasing are left as they are; its threshold is chosen by cross-validation, as
     PySINDy's documentation does ("Working with Scikit-learn"). The columns are normalised already.
@@ -23,7 +24,7 @@ def sindy(regression: Regression) -> tuple[str, ...]:
         warnings.simplefilter("ignore", UserWarning)
         scores = [_score(threshold, regression, folds) for threshold in THRESHOLDS]
         fit = STLSQ(threshold=THRESHOLDS[int(np.argmax(scores))]).fit(regression.columns, regression.target)
-    return regression.names(np.ravel(fit.coef_) != 0.0)
+    return np.asarray(np.ravel(fit.coef_) != 0.0)
 
 
 def _score(threshold: float, regression: Regression, folds: KFold) -> float:
