@@ -10,7 +10,8 @@
 The first three get the same rows, weights and columns (see `columns`), and are graded by the rule by which `close_loop`
 is. Tables with a misread angle or a random walk are left out: a regression has no column for either. Tables of what no
 catalogue names are those of `benchmarks.blind`. Held out are the parts that `close_loop` holds out; a method chooses
-anew among the other rows, the process keeps its hyperparameters. All but stepwise need the extra `bench`. The process uses one thread, so that times are those of one core.
+anew among the other rows, the process keeps its hyperparameters. All but stepwise need the extra `bench`. One thread is
+used, so that times are those of one core.
 """
 
 import os
