@@ -77,6 +77,7 @@ def connect(
     past: Sequence[Past] = (),
     clock: Clock | None = None,
     attendant: Attendant | None = None,
+    check: Callable[[], object] = lambda: None,
 ) -> Connected:
     """Connect to the instruments of a stand file.
 
@@ -84,7 +85,8 @@ def connect(
     file says otherwise. An attended stand asks the person at the terminal, and lives in real time, as a real one always
     does; an emulated stand lives by the clock of its emulation, or by `clock`, which goes as fast.
     Where there is an `attendant`, that is who is asked, and a simulated stand lives at the attendant's speed. Where a
-    run is resumed, or others came before, a simulated stand lives through its `past` again first.
+    run is resumed, or others came before, a simulated stand lives through its `past` again first. `check` is called
+    while an instrument is awaited, and may raise.
 
     Raises
     ------
@@ -100,11 +102,14 @@ def connect(
     attendant = attendant or _attendant(answers, attended or backstage is None)
     operator, attention = cache(attendant.operator), Attention()
     person = _Person(operator, clock, backstage.hand if backstage else None)
-    bench = Bench(clock=clock, links=links, folder=loaded.folder, eyepiece=person.at(HEAD))
+    bench = Bench(
+        clock=clock, links=links, folder=loaded.folder, eyepiece=person.at(HEAD), check=attention.check
+    )
     try:
-        positioners, samplers = _instruments(loaded, bench, person, attention)
-        environments = {name: _chamber(loaded, name, bench) for name in loaded.file.environments}
-        exciters = {name: _exciter(loaded, name, bench) for name in loaded.file.exciters}
+        with attention.paid_to(check):
+            positioners, samplers = _instruments(loaded, bench, person)
+            environments = {name: _chamber(loaded, name, bench) for name in loaded.file.environments}
+            exciters = {name: _exciter(loaded, name, bench) for name in loaded.file.exciters}
     except BaseException:
         links.close()
         raise
@@ -205,14 +210,13 @@ class _Person:
 
 
 def _instruments(
-    loaded: LoadedStand, bench: Bench, person: _Person, attention: Attention
+    loaded: LoadedStand, bench: Bench, person: _Person
 ) -> tuple[dict[str, Positioner], dict[str, Sampler]]:
     """Positioners and samplers of a stand that is not simulated, by name. Raises `InputError`, `DeviceError`."""
-    attentive = replace(bench, links=bench.links.checking(attention.check))
     try:
         # the samplers first: they never need a person
         sampling = {
-            name: _sampler(loaded, name, driver, attentive) for name, driver in loaded.sampler_drivers.items() if driver
+            name: _sampler(loaded, name, driver, bench.attentive) for name, driver in loaded.sampler_drivers.items() if driver
         }
         return _positioners(loaded, bench, person), sampling
     except ValueError as error:

@@ -53,7 +53,8 @@ class SerialLink:
     device
         What errors call the instrument at the other end.
     check
-        Called many times a second while a line is awaited; what it raises breaks the wait off.
+        Called many times a second while a line is awaited, and before what has come is thrown away; what it raises
+        breaks the wait off.
 
     Raises
     ------
@@ -134,6 +135,7 @@ class SerialLink:
         LinkLostError
             The port is gone.
         """
+        self._check()
         self._waiting.clear()
         with self._watched() as port:
             patiently(lambda: self._drain(port), FAILING_S, is_passing)
