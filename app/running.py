@@ -217,7 +217,10 @@ def _warn_of_what_is_due(job: Job, clock: Clock, announcer: Announcer) -> None:
 
 
 def failure(outcome: Outcome, recording: Path) -> JobError | None:
-    """The error of a run that was not completed: what happened, what was kept, what to do; None after a whole run."""
+    """The error of a run that was not completed: what happened, what was kept, what to do; None after a whole run.
+
+    Its cause is what ended the run.
+    """
     status = FINISHED[outcome.reason]
     if status is Exit.GOOD:
         return None
@@ -230,7 +233,9 @@ def failure(outcome: Outcome, recording: Path) -> JobError | None:
     )
     if status is Exit.STOPPED:  # all others say what to do first
         kept = Message("{kept}; tumble resume goes on", kept=kept)
-    return JobError(kept, status)
+    error = JobError(kept, status)
+    error.__cause__ = outcome.error
+    return error
 
 
 def recording_path(folder: Path, serial_number: str, programme: str, clock: Clock) -> Path:

@@ -7,13 +7,14 @@ from functools import cache, partial
 from pathlib import Path
 from typing import Final
 
-from tumble.app.guarding import CHAMBER_NEEDS, DAQ_NEEDS, EXCITER_NEEDS, HEAD_NEEDS, connected
+from tumble.app.guarding import CHAMBER_NEEDS, DAQ_NEEDS, EXCITER_NEEDS, HEAD_NEEDS, Made, connected
 from tumble.app.simulation import Hand, Past, TurningEyepiece, simulation, switching_on
 from tumble.app.stand import LoadedStand
 from tumble.app.terminal import say
 from tumble.drivers.attention import Attention
 from tumble.drivers.clock import Clock, ReleasedClock, SystemClock
 from tumble.drivers.driver import Bench, DaqDriver, HeadDriver
+from tumble.drivers.errors import naming
 from tumble.drivers.links.opened import Links
 from tumble.drivers.manual import Eyepiece
 from tumble.drivers.protocols import Environment, Exciter, Positioner, Sampler, Stand
@@ -102,9 +103,7 @@ def connect(
     attendant = attendant or _attendant(answers, attended or backstage is None)
     operator, attention = cache(attendant.operator), Attention()
     person = _Person(operator, clock, backstage.hand if backstage else None)
-    bench = Bench(
-        clock=clock, links=links, folder=loaded.folder, eyepiece=person.at(HEAD), check=attention.check
-    )
+    bench = Bench(clock=clock, links=links, folder=loaded.folder, eyepiece=person.at(HEAD), check=attention.check)
     try:
         with attention.paid_to(check):
             positioners, samplers = _instruments(loaded, bench, person)
@@ -216,7 +215,9 @@ def _instruments(
     try:
         # the samplers first: they never need a person
         sampling = {
-            name: _sampler(loaded, name, driver, bench.attentive) for name, driver in loaded.sampler_drivers.items() if driver
+            name: _sampler(loaded, name, driver, bench.attentive)
+            for name, driver in loaded.sampler_drivers.items()
+            if driver
         }
         return _positioners(loaded, bench, person), sampling
     except ValueError as error:
@@ -234,21 +235,28 @@ def _positioners(loaded: LoadedStand, bench: Bench, person: _Person) -> dict[str
 
 def _positioner(loaded: LoadedStand, name: str, driver: HeadDriver, bench: Bench) -> Positioner:
     table = loaded.file.positioners[name]
-    return connected(lambda: driver.connect(table, bench), table.driver, TITLES.get(name, name), HEAD_NEEDS)
+    return _reached(name, lambda: driver.connect(table, bench), table.driver, HEAD_NEEDS)
 
 
 def _chamber(loaded: LoadedStand, name: str, bench: Bench) -> Environment:
     table, driver = loaded.file.environments[name], loaded.environment_drivers[name]
     assert driver is not None, "one that is simulated has a simulated world"
-    return connected(lambda: driver.connect(table, bench), table.driver, TITLES[name], CHAMBER_NEEDS)
+    return _reached(name, lambda: driver.connect(table, bench), table.driver, CHAMBER_NEEDS)
 
 
 def _exciter(loaded: LoadedStand, name: str, bench: Bench) -> Exciter:
     table, driver = loaded.file.exciters[name], loaded.exciter_drivers[name]
     assert driver is not None, "one that is simulated has a simulated world"
-    return connected(lambda: driver.connect(table, bench), table.driver, TITLES[name], EXCITER_NEEDS)
+    return _reached(name, lambda: driver.connect(table, bench), table.driver, EXCITER_NEEDS)
 
 
 def _sampler(loaded: LoadedStand, name: str, driver: DaqDriver, bench: Bench) -> Sampler:
     table = loaded.file.samplers[name]
-    return connected(lambda: driver.connect(table, bench), table.driver, TITLES.get(name, name), DAQ_NEEDS)
+    return _reached(name, lambda: driver.connect(table, bench), table.driver, DAQ_NEEDS)
+
+
+def _reached(name: str, connect: Callable[[], Made], driver: str, needed: frozenset[str]) -> Made:
+    """An instrument that is connected, by its name. Raises as `connected`."""
+    title = TITLES.get(name, name)
+    with naming(name, title):
+        return connected(connect, driver, title, needed)

@@ -56,7 +56,7 @@ SILENT = {
 }
 
 
-class Stopped(Exception):
+class StoppedError(Exception):
     """Somebody stops."""
 
 
@@ -69,7 +69,7 @@ class Stop:
     def __call__(self):
         self.moments_s.append(time.monotonic())
         if len(self.moments_s) > 3:
-            raise Stopped
+            raise StoppedError
 
 
 @pytest.fixture
@@ -93,7 +93,7 @@ def test_nobody_waits_behind_a_silent_line(bench, silent, kind):
     url = f"virtual:{kind}" if driver in (CIA402, CAN) else silent
     table = driver.table.model_validate({"driver": kind, "url": url, **keys})
     stop = Stop()
-    with attention.paid_to(stop), pytest.raises(Stopped):
+    with attention.paid_to(stop), pytest.raises(StoppedError):
         driver.connect(table, bench.attentive if driver in (SCPI, SCANNER, LINES, CAN) else bench).identify()
     assert max(np.diff(stop.moments_s)) < 0.4
 
@@ -109,7 +109,7 @@ def stopping_at(clock, moment_s):
 
     def stop():
         if clock.monotonic_s() >= moment_s:
-            raise Stopped
+            raise StoppedError
 
     return stop
 
@@ -127,7 +127,7 @@ def test_a_block_that_takes_its_time_is_broken_off_and_spoils_no_later_one(model
     meter, clock, attention = attentive_meter(model)
     before = meter.acquire(4, 10.0).voltage_v
     now_s = clock.monotonic_s()
-    with attention.paid_to(stopping_at(clock, now_s + 2.0)), pytest.raises(Stopped):
+    with attention.paid_to(stopping_at(clock, now_s + 2.0)), pytest.raises(StoppedError):
         meter.acquire(500, 10.0)
     assert clock.monotonic_s() < now_s + 2.2
     assert meter.acquire(4, 10.0).voltage_v == pytest.approx(before, abs=1e-5)
@@ -138,7 +138,7 @@ def test_a_block_that_takes_its_time_is_broken_off_and_spoils_no_later_one(model
 def test_so_is_one_whose_readings_are_taken_one_by_one(model):
     meter, clock, attention = attentive_meter(model, common=True)
     now_s = clock.monotonic_s()
-    with attention.paid_to(stopping_at(clock, now_s + 16.0)), pytest.raises(Stopped):
+    with attention.paid_to(stopping_at(clock, now_s + 16.0)), pytest.raises(StoppedError):
         meter.acquire(10, 0.1)
     assert clock.monotonic_s() < now_s + 16.1
 
@@ -166,6 +166,6 @@ def test_so_is_the_pause_between_two_requests_for_a_line():
     clock, attention = VirtualClock(), Attention()
     attentive = AttentiveClock(clock, attention.check)
     sampler = LineSampler(Answering(), form(), attentive, Requests(line="R?"), modulus=65_536)
-    with attention.paid_to(stopping_at(clock, 25.0)), pytest.raises(Stopped):
+    with attention.paid_to(stopping_at(clock, 25.0)), pytest.raises(StoppedError):
         sampler.acquire(10, 0.1)
     assert clock.monotonic_s() < 25.1
