@@ -183,21 +183,22 @@ def carry_out(
     listeners: Sequence[Listener],
 ) -> Outcome:
     """Have an engine do something while signals stop it, and close the recording. Raises `JobError`."""
-    heard = [*connected.listeners, *listeners]
-    engine = Engine(
-        connected.stand,
-        connected.operator,
-        recorder,
-        job.acquisition,
-        heard,
-        _second_look(job, connected),
-        control=connected.control,
-        look=connected.look,
-    )
     try:
-        with _stopping_on_signals(engine), recorder:
-            _warn_of_what_is_due(job, connected.stand.clock, Announcer(recorder, heard))
-            return action(engine)
+        with connected.hears(connected.control, recorder.path) as hears:
+            heard = [*connected.listeners, hears, *listeners]
+            engine = Engine(
+                connected.stand,
+                connected.operator,
+                recorder,
+                job.acquisition,
+                heard,
+                _second_look(job, connected),
+                control=connected.control,
+                look=connected.look,
+            )
+            with _stopping_on_signals(engine), recorder:
+                _warn_of_what_is_due(job, connected.stand.clock, Announcer(recorder, heard))
+                return action(engine)
     except RecordingError as error:  # from closing it: what fails during the run is in the outcome
         raise JobError(Message("{error}; its complete points can be read", error=error), Exit.STORAGE) from error
 

@@ -1,11 +1,12 @@
 """The one place where drivers, operators and procedures are put together."""
 
 import sys
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass, field, replace
 from functools import cache, partial
 from pathlib import Path
-from typing import Final
+from typing import Final, TypeAlias
 
 from tumble.app.guarding import CHAMBER_NEEDS, DAQ_NEEDS, EXCITER_NEEDS, HEAD_NEEDS, Made, connected
 from tumble.app.simulation import Hand, Past, TurningEyepiece, simulation, switching_on
@@ -28,6 +29,7 @@ from tumble.procedures.errors import InputError
 from tumble.procedures.eyepiece import OperatorEyepiece
 from tumble.procedures.operator import Answers, ConsoleOperator, Operator, ScriptedOperator, SeatingOperator
 from tumble.procedures.turns import Turns
+from tumble.procedures.typed import Typed
 
 _UNASKED: Final = translatable(
     "stand {stand}: is emulated, and its emulated operator confirms every mount; give "
@@ -44,6 +46,16 @@ class Attendant:
     """Times real time; None for a stand that takes no time at all."""
     imagined: bool = False
     """Whether nobody was named, so that whoever is asked confirms everything."""
+
+
+Hears: TypeAlias = Callable[[Control, Path], AbstractContextManager[Listener]]
+"""Has wishes heeded by the control of a run, by its recording, and gives what must hear of the events of the run."""
+
+
+@contextmanager
+def hearing_nobody(_control: Control, _recording: Path) -> Iterator[Listener]:
+    """Nobody has any but who has the control."""
+    yield lambda _: None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -69,6 +81,8 @@ class Connected:
     """Pauses, resumes and stops what goes on there; from any thread."""
     look: Look = look_away
     """Is shown where every positioner is on its way."""
+    hears: Hears = hearing_nobody
+    """Listens to who has wishes for a run, as long as it is recorded."""
 
 
 def connect(
@@ -79,6 +93,7 @@ def connect(
     clock: Clock | None = None,
     attendant: Attendant | None = None,
     check: Callable[[], object] = lambda: None,
+    typed: Typed | None = None,
 ) -> Connected:
     """Connect to the instruments of a stand file.
 
@@ -87,7 +102,7 @@ def connect(
     does; an emulated stand lives by the clock of its emulation, or by `clock`, which goes as fast.
     Where there is an `attendant`, that is who is asked, and a simulated stand lives at the attendant's speed. Where a
     run is resumed, or others came before, a simulated stand lives through its `past` again first. `check` is called
-    while an instrument is awaited, and may raise.
+    while an instrument is awaited, and may raise. `typed` is what the person at the terminal types.
 
     Raises
     ------
@@ -97,10 +112,10 @@ def connect(
         An instrument cannot be reached.
     """
     if loaded.file.simulates:
-        return _simulated(loaded, attendant or _attendant(answers, attended), past)
+        return _simulated(loaded, attendant or _attendant(answers, attended, typed), past)
     backstage, links = _backstage(loaded), Links()
     clock = clock or (backstage.clock if backstage else SystemClock())
-    attendant = attendant or _attendant(answers, attended or backstage is None)
+    attendant = attendant or _attendant(answers, attended or backstage is None, typed)
     operator, attention = cache(attendant.operator), Attention()
     person = _Person(operator, clock, backstage.hand if backstage else None)
     bench = Bench(clock=clock, links=links, folder=loaded.folder, eyepiece=person.at(HEAD), check=attention.check)
@@ -175,14 +190,15 @@ def obliging_operator() -> Operator:
     return ScriptedOperator(Answers(mounts={"default": "yes"}, readings={"default": ""}))
 
 
-def _attendant(answers: Path | None, attended: bool) -> Attendant:
+def _attendant(answers: Path | None, attended: bool, typed: Typed | None) -> Attendant:
     """Whom the options of the command line name."""
     speed = 1.0 if attended else None
     if answers is not None:
         return Attendant(operator=partial(ScriptedOperator.from_file, answers), speed=speed)
     if attended:
-        console = partial(ConsoleOperator, sys.stdin, show=partial(say, err=True))
-        return Attendant(operator=console, speed=speed)
+        return Attendant(
+            operator=lambda: ConsoleOperator(typed or Typed(sys.stdin), show=partial(say, err=True)), speed=speed
+        )
     return Attendant(operator=obliging_operator, imagined=True)
 
 

@@ -8,9 +8,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from queue import Empty, Queue
-from threading import Thread
-from typing import Final, Literal, Protocol, TextIO
+from typing import Final, Literal, Protocol
 
 from pydantic import BaseModel, ConfigDict, field_validator
 
@@ -19,6 +17,7 @@ from tumble.messages import Message
 from tumble.procedures.errors import UnansweredError
 from tumble.procedures.steps import Ask
 from tumble.procedures.toml_lines import load_toml
+from tumble.procedures.typed import Typed
 
 _YES: Final = frozenset({"yes", "done", "seated", "так", "готово", "ja", "fertig"})
 _NO: Final = frozenset({"no", "abort", "cancel", "ні", "скасувати", "nein", "abbrechen"})
@@ -139,22 +138,16 @@ class ScriptedOperator:
 class ConsoleOperator:
     """Asks on a terminal.
 
-    Lines are read from `lines` in a thread of their own, the only way to watch a terminal that works on Windows too.
     What was typed on a terminal before a request is no answer to it; lines from a file or a pipe are all taken, in
     order. At the end of the input a request stays unanswered.
     """
 
-    def __init__(self, lines: TextIO, show: Callable[[str], None] = print) -> None:
+    def __init__(self, typed: Typed, show: Callable[[str], None] = print) -> None:
         self._show = show
         self._understand: Callable[[str], Answer | None] = understand_reading
         self._again = ""
-        self._forget = lines.isatty()
-        self._typed: Queue[str | None] = Queue(maxsize=100)
-        self._at_end = False
-        self._trouble = ""
-        self._reader = Thread(target=self._read, args=(lines,), name="console", daemon=True)
-        """Ends with the input; nothing else can end its wait for a line."""
-        self._reader.start()
+        self._typed = typed
+        typed.begin()
 
     def ask(self, ask: Ask) -> None:
         """Show the prompt."""
@@ -172,42 +165,24 @@ class ConsoleOperator:
 
         Raises `UnansweredError` where lines cannot be read at all.
         """
-        line = self._next_line()
-        if line is None and self._at_end and self._trouble:
+        line = self._typed.next()
+        if line is None and self._typed.at_end and self._typed.trouble:
             raise UnansweredError(
                 Message(
                     "the answer could not be read ({trouble}); look at what is typed or piped, then resume the run",
-                    trouble=self._trouble,
+                    trouble=self._typed.trouble,
                 )
             )
         if line is None:
-            return Answer(text="", confirmed=False) if self._at_end else None
+            return Answer(text="", confirmed=False) if self._typed.at_end else None
         answer = self._understand(line)
         if answer is None:
             self._show(self._again)
         return answer
 
     def _put(self, prompt: str) -> None:
-        while self._forget and self._next_line() is not None:
-            pass
+        self._typed.forget()
         self._show(prompt)
-
-    def _next_line(self) -> str | None:
-        try:
-            line = self._typed.get_nowait()
-        except Empty:
-            return None
-        self._at_end = line is None
-        return line
-
-    def _read(self, lines: TextIO) -> None:
-        try:
-            for line in lines:
-                self._typed.put(line)
-        except Exception as error:  # nobody would see it in this thread
-            self._trouble = Message("{kind}: {error}", kind=type(error).__name__, error=error)
-        finally:
-            self._typed.put(None)
 
 
 class SeatingOperator:

@@ -10,6 +10,7 @@ from queue import Empty, SimpleQueue
 from PySide6.QtCore import QObject, Signal, SignalInstance, Slot
 
 from tumble.app.exits import Exit, JobError
+from tumble.app.patience import PatientControl
 from tumble.app.simulation import Past
 from tumble.app.stand import LoadedStand
 from tumble.app.wiring import Attendant, Connected
@@ -22,7 +23,6 @@ from tumble.window.look.language import tr
 from tumble.window.work.activity import Activity, progress_of
 from tumble.window.work.bridge import EventBridge
 from tumble.window.work.order_thread import OrderThread
-from tumble.window.work.patience import PatientControl
 from tumble.window.work.session import StandSession
 
 Action = Callable[[Control], object]
