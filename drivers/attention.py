@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from math import ceil
 from typing import Final
 
 from tumble.drivers.clock import Clock
@@ -51,6 +52,6 @@ class AttentiveClock:
     def sleep(self, duration_s: float) -> None:
         """Wait, in short waits. What `check` raises breaks it off."""
         until_s = self._clock.monotonic_s() + duration_s
-        while (left_s := until_s - self._clock.monotonic_s()) > 0.0:
+        for _ in range(ceil(duration_s / _SLICE_S)):
             self._check()
-            self._clock.sleep(min(left_s, _SLICE_S))
+            self._clock.sleep(min(until_s - self._clock.monotonic_s(), _SLICE_S))

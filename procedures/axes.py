@@ -37,10 +37,11 @@ class Axes:
         losses: Losses,
         look: Look = look_away,
     ) -> None:
+        self._clock = stand.attentive_clock
         self.motions = {
             name: Motion(
                 positioner,
-                stand.clock,
+                self._clock,
                 acquisition.position_tolerance_deg,
                 acquisition.approach,
                 partial(look, name),
@@ -49,7 +50,6 @@ class Axes:
             for name, positioner in stand.positioners.items()
         }
         """Of every single one."""
-        self._clock = stand.clock
         self._losses = losses
 
     @property

@@ -94,6 +94,24 @@ def test_a_stop_does_not_wait_for_a_head_that_is_silent_as_it_halts_for_a_pause(
     assert stand.head.stops > 1
 
 
+def test_a_stop_does_not_wait_for_a_head_that_is_lost_as_it_halts_for_a_pause(linked):
+    engine = linked.engine()
+    engine.control.pause()
+    stop, stopped_s = linked.head.stop, []
+
+    def lose_it_then():
+        stop()
+        if not stopped_s:
+            linked.head.link.pull(1e9)
+            engine.control.stop()
+            stopped_s.append(linked.clock.monotonic_s())
+
+    linked.head.stop = lose_it_then
+    outcome = engine.run(dwells(10.0))
+    assert outcome.message.startswith("the operator stopped the run")
+    assert linked.clock.monotonic_s() - stopped_s[0] < 11.0  # at the end its standstill is awaited for ten seconds
+
+
 def both():
     yield replace(dwell_on_two_axes(90.0, 60.0), conditions={})
 

@@ -172,7 +172,9 @@ class StandSession:
 
     def _motion(self, stand: Stand, name: str) -> Motion:
         look = partial(self._look, name)
-        return Motion(stand.positioners[name], stand.clock, _TOLERANCE_DEG, look=look, title=stand.title(name))
+        return Motion(
+            stand.positioners[name], stand.attentive_clock, _TOLERANCE_DEG, look=look, title=stand.title(name)
+        )
 
     def interlock(self) -> Interlock:
         """What makes sure that nothing turns behind an open door. Raises as `connected`."""
