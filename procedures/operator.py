@@ -4,6 +4,8 @@ What was asked for counts as done only where the answer is its name or a word th
 nothing. Of a head that is set by hand any line is the reading, and an empty one says that it stands as asked.
 """
 
+import math
+import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
@@ -22,6 +24,10 @@ from tumble.procedures.typed import Typed
 _YES: Final = frozenset({"yes", "done", "seated", "так", "готово", "ja", "fertig"})
 _NO: Final = frozenset({"no", "abort", "cancel", "ні", "скасувати", "nein", "abbrechen"})
 """In every language of `tumble.messages.Language`."""
+
+
+MOST_UNANSWERED_S: Final = 3600.0
+"""How long a line through a pipe is waited for, in real time; at a terminal somebody may take any time."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -139,11 +145,15 @@ class ConsoleOperator:
     """Asks on a terminal.
 
     What was typed on a terminal before a request is no answer to it; lines from a file or a pipe are all taken, in
-    order. At the end of the input a request stays unanswered.
+    order. At the end of the input a request stays unanswered; so does one for which no line comes through a pipe within
+    `MOST_UNANSWERED_S`, by `now_s`: nobody may be there to answer.
     """
 
-    def __init__(self, typed: Typed, show: Callable[[str], None] = print) -> None:
-        self._show = show
+    def __init__(
+        self, typed: Typed, show: Callable[[str], None] = print, now_s: Callable[[], float] = time.monotonic
+    ) -> None:
+        self._show, self._now_s = show, now_s
+        self._until_s = math.inf
         self._understand: Callable[[str], Answer | None] = understand_reading
         self._again = ""
         self._typed = typed
@@ -174,7 +184,9 @@ class ConsoleOperator:
                 )
             )
         if line is None:
-            return Answer(text="", confirmed=False) if self._typed.at_end else None
+            unanswered = self._typed.at_end or self._now_s() > self._until_s
+            return Answer(text="", confirmed=False) if unanswered else None
+        self._wait_anew()
         answer = self._understand(line)
         if answer is None:
             self._show(self._again)
@@ -182,7 +194,11 @@ class ConsoleOperator:
 
     def _put(self, prompt: str) -> None:
         self._typed.forget()
+        self._wait_anew()
         self._show(prompt)
+
+    def _wait_anew(self) -> None:
+        self._until_s = math.inf if self._typed.is_terminal else self._now_s() + MOST_UNANSWERED_S
 
 
 class SeatingOperator:

@@ -120,6 +120,27 @@ def test_at_the_end_of_the_input_a_request_stays_unanswered():
     assert answer_of(console) == SILENCE
 
 
+class Idle(io.StringIO):
+    """A pipe that stays open, or a terminal at which nobody types."""
+
+    def __init__(self, *, terminal):
+        super().__init__()
+        self.isatty = lambda: terminal
+
+    def __next__(self):
+        Event().wait(60.0)
+        raise StopIteration
+
+
+@pytest.mark.parametrize(("terminal", "answer"), [(False, SILENCE), (True, None)])
+def test_nobody_waits_for_ever_for_a_line_through_a_pipe(terminal, answer):
+    moments_s = iter([0.0, 3599.0, 3601.0] if not terminal else [3599.0, 1e9])
+    console = ConsoleOperator(Typed(Idle(terminal=terminal)), lambda text: None, lambda: next(moments_s))
+    console.ask(mounting("edge"))
+    assert console.poll() is None
+    assert console.poll() == answer
+
+
 def test_what_was_typed_on_a_terminal_before_the_request_is_no_answer():
     typed = Event()
     typed.set()
