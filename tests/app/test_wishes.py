@@ -1,6 +1,8 @@
 """What is wanted of a run that no window watches: typed at its terminal, or told by `tumble control`."""
 
 import io
+import signal
+import sys
 import threading
 import time
 from dataclasses import replace
@@ -132,6 +134,16 @@ def test_it_stops_as_is_typed(at_a_terminal, keyboard):
     at_a_terminal.at = {2: typed(at_a_terminal, keyboard, "stopp", Control.stop_wanted)}
     outcome = at_a_terminal()
     assert (outcome.reason, len(outcome.points), outcome.at_standstill) == (FinishReason.STOPPED, 3, True)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows halts nothing that reads in the background")
+def test_reading_its_terminal_in_the_background_does_not_halt_it(at_a_terminal):
+    before = signal.signal(signal.SIGTTIN, signal.SIG_DFL)
+    try:
+        at_a_terminal()
+        assert signal.getsignal(signal.SIGTTIN) is signal.SIG_IGN
+    finally:
+        signal.signal(signal.SIGTTIN, before)
 
 
 def test_what_comes_through_a_pipe_is_no_wish(unattended):
