@@ -5,6 +5,7 @@ import time
 
 import numpy as np
 import pytest
+import serial
 from scpi_bench import emulated
 from test_lines import counted, form
 
@@ -95,6 +96,31 @@ def test_nobody_waits_behind_a_silent_line(bench, silent, kind):
     stop = Stop()
     with attention.paid_to(stop), pytest.raises(StoppedError):
         driver.connect(table, bench.attentive if driver in (SCPI, SCANNER, LINES, CAN) else bench).identify()
+    assert max(np.diff(stop.moments_s)) < 0.4
+
+
+class Chatter:
+    """A port from which bytes come without pause."""
+
+    in_waiting = 1
+
+    def read(self, size):
+        time.sleep(0.01)
+        return b"x" * size
+
+    def write(self, data):
+        pass
+
+
+@pytest.mark.parametrize("kind", ["zaber", "scpi", "lines on request"])
+def test_nobody_waits_until_a_line_falls_silent(bench, monkeypatch, kind):
+    bench, attention = bench
+    monkeypatch.setattr(serial, "serial_for_url", lambda *_, **__: Chatter())
+    driver, keys = SILENT[kind]
+    table = driver.table.model_validate({"driver": kind, "url": "COM7", **keys})
+    stop = Stop()
+    with attention.paid_to(stop), pytest.raises(StoppedError):
+        driver.connect(table, bench.attentive).identify()
     assert max(np.diff(stop.moments_s)) < 0.4
 
 
