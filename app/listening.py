@@ -23,7 +23,12 @@ LOOK_S: Final = 0.2
 
 def typed_here() -> Typed:
     """What is typed at the terminal, or comes through the standard input; nothing where that is closed."""
-    return Typed(io.StringIO() if sys.stdin is None or sys.stdin.closed else sys.stdin)
+    return nothing_typed() if sys.stdin is None or sys.stdin.closed else Typed(sys.stdin)
+
+
+def nothing_typed() -> Typed:
+    """Leaves whatever is typed to whoever reads it next."""
+    return Typed(io.StringIO())
 
 
 @contextmanager

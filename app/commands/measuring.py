@@ -11,7 +11,7 @@ import click
 
 from tumble.app.commands import options
 from tumble.app.console import warn
-from tumble.app.listening import listening, typed_here
+from tumble.app.listening import listening, nothing_typed, typed_here
 from tumble.app.patience import PatientControl
 from tumble.app.resuming import lived_through
 from tumble.app.running import Job
@@ -66,8 +66,11 @@ class Wanted:
 def connected_for_a_run(
     loaded: LoadedStand, answers: Path | None, attended: bool, past: Sequence[Past]
 ) -> Iterator[Connected]:
-    """The stand, ready for runs that heed their terminal and their control file. Raises as `connect`."""
-    typed = typed_here()
+    """The stand, ready for runs that heed their control file, and where they take time their terminal.
+
+    Raises as `connect`.
+    """
+    typed = typed_here() if attended or not loaded.file.simulates else nothing_typed()
     connected = connect(loaded, answers, attended, past, typed=typed)
     try:
         warn(connected.warnings)
