@@ -13,6 +13,7 @@ from typing import Final
 from tumble.app.control_file import ControlFile
 from tumble.app.terminal import say
 from tumble.app.wishes import Wishes
+from tumble.messages import Message
 from tumble.procedures.announcer import Listener
 from tumble.procedures.control import Control
 from tumble.procedures.typed import Typed
@@ -35,22 +36,32 @@ def nothing_typed() -> Typed:
 def listening(typed: Typed, control: Control, recording: Path) -> Iterator[Listener]:
     """Have a run heed what is typed, and what its control file says; yields what must hear of its events.
 
-    A run whose control file cannot be made is not told anything by it.
+    A run whose control file cannot be made is not told anything by it, and that is said.
     """
     wishes, file = Wishes(control, partial(say, err=True)), ControlFile(recording)
     with ExitStack() as stack:
         if typed.is_terminal:
             _overhear(typed, wishes, stack)
-        with suppress(OSError):
+        try:
             file.open()
-            stack.callback(file.close)
-        over = threading.Event()
-        ear = threading.Thread(target=_listen, args=(file, wishes, over), name="control file", daemon=True)
-        ear.start()
-        stack.callback(ear.join)
-        stack.callback(over.set)
+        except OSError as error:
+            why = error.strerror or str(error)
+            deaf = Message("{path}: the run cannot be told anything by it ({reason})", path=file.path, reason=why)
+            say(deaf, err=True)
+        else:
+            _read(file, wishes, stack)
         stack.callback(control.resume)  # a pause that nobody has heeded is none of the next run
         yield wishes
+
+
+def _read(file: ControlFile, wishes: Wishes, stack: ExitStack) -> None:
+    """Have what is written into the file heeded until the end of the run."""
+    stack.callback(file.close)
+    over = threading.Event()
+    ear = threading.Thread(target=_listen, args=(file, wishes, over), name="control file", daemon=True)
+    ear.start()
+    stack.callback(ear.join)
+    stack.callback(over.set)
 
 
 def _overhear(typed: Typed, wishes: Wishes, stack: ExitStack) -> None:

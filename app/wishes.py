@@ -34,6 +34,11 @@ _WORDS: Final = {
 }
 
 
+def is_wish(line: str) -> bool:
+    """Whether a line begins with the word for a wish."""
+    return line.strip().partition(" ")[0].casefold() in _WORDS
+
+
 class Wishes:
     """Has wishes heeded by a run, from any thread; is a `Listener` of its events.
 

@@ -39,7 +39,7 @@ def command(wish: str, recording: Path | None, folder: Path, at_most_min: float)
     line = f"{wish} {at_most_min:g}" if wish == Wish.PAUSE else wish
     try:
         heard = file.tell(line, PATIENCE_S)
-    except FileNotFoundError as error:
+    except (FileNotFoundError, FileExistsError) as error:
         raise _nobody(file) from error
     if not heard:
         raise _nobody(file)

@@ -12,7 +12,7 @@ import pytest
 from app_jobs import tumble
 
 from tumble.app.control_file import ControlFile
-from tumble.app.listening import listening
+from tumble.app.listening import LOOK_S, listening
 from tumble.app.patience import PatientControl
 from tumble.app.running import Job, run
 from tumble.app.stand import load_stand
@@ -178,6 +178,16 @@ def test_the_control_file_is_there_as_long_as_the_run(unattended):
     unattended.file.path.write_text("stop\n")  # of a run before
     assert unattended().reason is FinishReason.COMPLETED
     assert not unattended.file.path.exists()
+
+
+def test_what_else_has_its_name_is_left_alone(unattended, capsys):
+    unattended.file.path.write_text("of the lab's own\n")
+    unattended.at = {2: partial(time.sleep, 2 * LOOK_S)}
+    assert unattended().reason is FinishReason.COMPLETED
+    assert unattended.file.path.read_text() == "of the lab's own\n"
+    assert "the run cannot be told anything by it (it is no control file of a run)" in capsys.readouterr().err
+    assert tumble("control", "stop", unattended.recording).status == 2
+    assert unattended.file.path.read_text() == "of the lab's own\n"
 
 
 def test_a_run_whose_control_file_is_taken_away_goes_on(unattended):
