@@ -18,6 +18,7 @@ _COMMANDS = {
     "gui": "Open the operator's window.",
     "run": "Run a programme and leave a recording.",
     "resume": "Go on with a run that was cut off, and with what was to follow it.",
+    "control": "Have a run under way pause, continue, take its last point again, or stop.",
     "emulate": "Serve a simulated stand through the protocols of real instruments.",
     "plan": "Print what a programme measures and how long it takes; nothing moves.",
     "fit": "Fit a recording or an observation table.",

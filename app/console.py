@@ -29,6 +29,9 @@ from tumble.procedures.events import (
     PointCompleted,
     ReadingAnswered,
     ReadingRequested,
+    RetakeBegun,
+    State,
+    StateChanged,
     WarningRaised,
 )
 from tumble.procedures.plan import Plan
@@ -102,7 +105,7 @@ def run_display(plan: Plan, clock: Clock, console: Console, points_done: int = 0
 
     It is taken away while a question is open, lest it wipe what is being typed.
     """
-    counted = RunProgress(plan, clock, points_done)
+    counted, told = RunProgress(plan, clock, points_done), _Telling()
     columns = (SpinnerColumn(), _text("{task.description}"), BarColumn(), _text("{task.fields[left]}"))
     with Progress(*columns, console=console, disable=not console.is_terminal) as bar:
         task = bar.add_task(shown(Message("measuring")), total=counted.total, left="")
@@ -123,10 +126,32 @@ def run_display(plan: Plan, clock: Clock, console: Console, points_done: int = 0
                 _take_away(bar)
             elif isinstance(event, ConditionAnswered | ReadingAnswered):
                 bar.start()
-            elif isinstance(event, WarningRaised):
-                bar.console.print(_warning(event.message), markup=False, soft_wrap=True)
+            elif sentence := told(event):
+                bar.console.print(sentence, markup=False, soft_wrap=True)
 
         yield listen
+
+
+class _Telling:
+    """What is to be said of the events of a run."""
+
+    def __init__(self) -> None:
+        self._paused = False
+
+    def __call__(self, event: Event) -> str:
+        """A sentence; empty where there is nothing to be said."""
+        match event:
+            case WarningRaised(message=message):
+                return _warning(message)
+            case RetakeBegun(point=point):
+                return Message("point {point} is taken again", point=point)
+            case StateChanged(state=State.PAUSED):
+                self._paused = True
+                return Message("paused, and everything stands; continue has it go on")
+            case StateChanged() if self._paused:
+                self._paused = False
+                return Message("the pause is over")
+        return ""
 
 
 def _place(point: Point) -> str:

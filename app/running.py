@@ -183,21 +183,22 @@ def carry_out(
     listeners: Sequence[Listener],
 ) -> Outcome:
     """Have an engine do something while signals stop it, and close the recording. Raises `JobError`."""
-    heard = [*connected.listeners, *listeners]
-    engine = Engine(
-        connected.stand,
-        connected.operator,
-        recorder,
-        job.acquisition,
-        heard,
-        _second_look(job, connected),
-        control=connected.control,
-        look=connected.look,
-    )
     try:
-        with _stopping_on_signals(engine), recorder:
-            _warn_of_what_is_due(job, connected.stand.clock, Announcer(recorder, heard))
-            return action(engine)
+        with connected.hears(connected.control, recorder.path) as hears:
+            heard = [*connected.listeners, hears, *listeners]
+            engine = Engine(
+                connected.stand,
+                connected.operator,
+                recorder,
+                job.acquisition,
+                heard,
+                _second_look(job, connected),
+                control=connected.control,
+                look=connected.look,
+            )
+            with _stopping_on_signals(engine), recorder:
+                _warn_of_what_is_due(job, connected.stand.clock, Announcer(recorder, heard))
+                return action(engine)
     except RecordingError as error:  # from closing it: what fails during the run is in the outcome
         raise JobError(Message("{error}; its complete points can be read", error=error), Exit.STORAGE) from error
 
@@ -217,7 +218,10 @@ def _warn_of_what_is_due(job: Job, clock: Clock, announcer: Announcer) -> None:
 
 
 def failure(outcome: Outcome, recording: Path) -> JobError | None:
-    """The error of a run that was not completed: what happened, what was kept, what to do; None after a whole run."""
+    """The error of a run that was not completed: what happened, what was kept, what to do; None after a whole run.
+
+    Its cause is what ended the run.
+    """
     status = FINISHED[outcome.reason]
     if status is Exit.GOOD:
         return None
@@ -230,7 +234,9 @@ def failure(outcome: Outcome, recording: Path) -> JobError | None:
     )
     if status is Exit.STOPPED:  # all others say what to do first
         kept = Message("{kept}; tumble resume goes on", kept=kept)
-    return JobError(kept, status)
+    error = JobError(kept, status)
+    error.__cause__ = outcome.error
+    return error
 
 
 def recording_path(folder: Path, serial_number: str, programme: str, clock: Clock) -> Path:

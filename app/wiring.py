@@ -1,19 +1,21 @@
 """The one place where drivers, operators and procedures are put together."""
 
 import sys
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass, field, replace
 from functools import cache, partial
 from pathlib import Path
-from typing import Final
+from typing import Final, TypeAlias
 
-from tumble.app.guarding import CHAMBER_NEEDS, DAQ_NEEDS, EXCITER_NEEDS, HEAD_NEEDS, connected
+from tumble.app.guarding import CHAMBER_NEEDS, DAQ_NEEDS, EXCITER_NEEDS, HEAD_NEEDS, Made, connected
 from tumble.app.simulation import Hand, Past, TurningEyepiece, simulation, switching_on
 from tumble.app.stand import LoadedStand
 from tumble.app.terminal import say
 from tumble.drivers.attention import Attention
 from tumble.drivers.clock import Clock, ReleasedClock, SystemClock
 from tumble.drivers.driver import Bench, DaqDriver, HeadDriver
+from tumble.drivers.errors import naming
 from tumble.drivers.links.opened import Links
 from tumble.drivers.manual import Eyepiece
 from tumble.drivers.protocols import Environment, Exciter, Positioner, Sampler, Stand
@@ -27,6 +29,7 @@ from tumble.procedures.errors import InputError
 from tumble.procedures.eyepiece import OperatorEyepiece
 from tumble.procedures.operator import Answers, ConsoleOperator, Operator, ScriptedOperator, SeatingOperator
 from tumble.procedures.turns import Turns
+from tumble.procedures.typed import Typed
 
 _UNASKED: Final = translatable(
     "stand {stand}: is emulated, and its emulated operator confirms every mount; give "
@@ -43,6 +46,16 @@ class Attendant:
     """Times real time; None for a stand that takes no time at all."""
     imagined: bool = False
     """Whether nobody was named, so that whoever is asked confirms everything."""
+
+
+Hears: TypeAlias = Callable[[Control, Path], AbstractContextManager[Listener]]
+"""Has wishes heeded by the control of a run, by its recording, and gives what must hear of the events of the run."""
+
+
+@contextmanager
+def hearing_nobody(_control: Control, _recording: Path) -> Iterator[Listener]:
+    """Nobody has any but who has the control."""
+    yield lambda _: None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -68,6 +81,8 @@ class Connected:
     """Pauses, resumes and stops what goes on there; from any thread."""
     look: Look = look_away
     """Is shown where every positioner is on its way."""
+    hears: Hears = hearing_nobody
+    """Listens to who has wishes for a run, as long as it is recorded."""
 
 
 def connect(
@@ -77,6 +92,8 @@ def connect(
     past: Sequence[Past] = (),
     clock: Clock | None = None,
     attendant: Attendant | None = None,
+    check: Callable[[], object] = lambda: None,
+    typed: Typed | None = None,
 ) -> Connected:
     """Connect to the instruments of a stand file.
 
@@ -84,7 +101,8 @@ def connect(
     file says otherwise. An attended stand asks the person at the terminal, and lives in real time, as a real one always
     does; an emulated stand lives by the clock of its emulation, or by `clock`, which goes as fast.
     Where there is an `attendant`, that is who is asked, and a simulated stand lives at the attendant's speed. Where a
-    run is resumed, or others came before, a simulated stand lives through its `past` again first.
+    run is resumed, or others came before, a simulated stand lives through its `past` again first. `check` is called
+    while an instrument is awaited, and may raise. `typed` is what the person at the terminal types.
 
     Raises
     ------
@@ -94,17 +112,18 @@ def connect(
         An instrument cannot be reached.
     """
     if loaded.file.simulates:
-        return _simulated(loaded, attendant or _attendant(answers, attended), past)
+        return _simulated(loaded, attendant or _attendant(answers, attended, typed), past)
     backstage, links = _backstage(loaded), Links()
     clock = clock or (backstage.clock if backstage else SystemClock())
-    attendant = attendant or _attendant(answers, attended or backstage is None)
+    attendant = attendant or _attendant(answers, attended or backstage is None, typed)
     operator, attention = cache(attendant.operator), Attention()
     person = _Person(operator, clock, backstage.hand if backstage else None)
-    bench = Bench(clock=clock, links=links, folder=loaded.folder, eyepiece=person.at(HEAD))
+    bench = Bench(clock=clock, links=links, folder=loaded.folder, eyepiece=person.at(HEAD), check=attention.check)
     try:
-        positioners, samplers = _instruments(loaded, bench, person, attention)
-        environments = {name: _chamber(loaded, name, bench) for name in loaded.file.environments}
-        exciters = {name: _exciter(loaded, name, bench) for name in loaded.file.exciters}
+        with attention.paid_to(check):
+            positioners, samplers = _instruments(loaded, bench, person)
+            environments = {name: _chamber(loaded, name, bench) for name in loaded.file.environments}
+            exciters = {name: _exciter(loaded, name, bench) for name in loaded.file.exciters}
     except BaseException:
         links.close()
         raise
@@ -171,14 +190,15 @@ def obliging_operator() -> Operator:
     return ScriptedOperator(Answers(mounts={"default": "yes"}, readings={"default": ""}))
 
 
-def _attendant(answers: Path | None, attended: bool) -> Attendant:
+def _attendant(answers: Path | None, attended: bool, typed: Typed | None) -> Attendant:
     """Whom the options of the command line name."""
     speed = 1.0 if attended else None
     if answers is not None:
         return Attendant(operator=partial(ScriptedOperator.from_file, answers), speed=speed)
     if attended:
-        console = partial(ConsoleOperator, sys.stdin, show=partial(say, err=True))
-        return Attendant(operator=console, speed=speed)
+        return Attendant(
+            operator=lambda: ConsoleOperator(typed or Typed(sys.stdin), show=partial(say, err=True)), speed=speed
+        )
     return Attendant(operator=obliging_operator, imagined=True)
 
 
@@ -205,14 +225,15 @@ class _Person:
 
 
 def _instruments(
-    loaded: LoadedStand, bench: Bench, person: _Person, attention: Attention
+    loaded: LoadedStand, bench: Bench, person: _Person
 ) -> tuple[dict[str, Positioner], dict[str, Sampler]]:
     """Positioners and samplers of a stand that is not simulated, by name. Raises `InputError`, `DeviceError`."""
-    attentive = replace(bench, links=bench.links.checking(attention.check))
     try:
         # the samplers first: they never need a person
         sampling = {
-            name: _sampler(loaded, name, driver, attentive) for name, driver in loaded.sampler_drivers.items() if driver
+            name: _sampler(loaded, name, driver, bench.attentive)
+            for name, driver in loaded.sampler_drivers.items()
+            if driver
         }
         return _positioners(loaded, bench, person), sampling
     except ValueError as error:
@@ -230,21 +251,28 @@ def _positioners(loaded: LoadedStand, bench: Bench, person: _Person) -> dict[str
 
 def _positioner(loaded: LoadedStand, name: str, driver: HeadDriver, bench: Bench) -> Positioner:
     table = loaded.file.positioners[name]
-    return connected(lambda: driver.connect(table, bench), table.driver, TITLES.get(name, name), HEAD_NEEDS)
+    return _reached(name, lambda: driver.connect(table, bench), table.driver, HEAD_NEEDS)
 
 
 def _chamber(loaded: LoadedStand, name: str, bench: Bench) -> Environment:
     table, driver = loaded.file.environments[name], loaded.environment_drivers[name]
     assert driver is not None, "one that is simulated has a simulated world"
-    return connected(lambda: driver.connect(table, bench), table.driver, TITLES[name], CHAMBER_NEEDS)
+    return _reached(name, lambda: driver.connect(table, bench), table.driver, CHAMBER_NEEDS)
 
 
 def _exciter(loaded: LoadedStand, name: str, bench: Bench) -> Exciter:
     table, driver = loaded.file.exciters[name], loaded.exciter_drivers[name]
     assert driver is not None, "one that is simulated has a simulated world"
-    return connected(lambda: driver.connect(table, bench), table.driver, TITLES[name], EXCITER_NEEDS)
+    return _reached(name, lambda: driver.connect(table, bench), table.driver, EXCITER_NEEDS)
 
 
 def _sampler(loaded: LoadedStand, name: str, driver: DaqDriver, bench: Bench) -> Sampler:
     table = loaded.file.samplers[name]
-    return connected(lambda: driver.connect(table, bench), table.driver, TITLES.get(name, name), DAQ_NEEDS)
+    return _reached(name, lambda: driver.connect(table, bench), table.driver, DAQ_NEEDS)
+
+
+def _reached(name: str, connect: Callable[[], Made], driver: str, needed: frozenset[str]) -> Made:
+    """An instrument that is connected, by its name. Raises as `connected`."""
+    title = TITLES.get(name, name)
+    with naming(name, title):
+        return connected(connect, driver, title, needed)

@@ -14,11 +14,12 @@ drivers that come along do the same.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Final, Generic, TypeVar
 
 from tumble import plugins
+from tumble.drivers.attention import AttentiveClock
 from tumble.drivers.clock import Clock
 from tumble.drivers.exciter_table import ExciterTable
 from tumble.drivers.links.opened import Links
@@ -47,6 +48,17 @@ class Bench:
     """Where relative paths of the stand file begin."""
     eyepiece: Callable[[float], Eyepiece]
     """The person at a head without a motor; a reading farther from its setting than so many degrees is questioned."""
+    check: Callable[[], object] = lambda: None
+    """Breaks off the wait for an instrument, by what it raises, where it is called many times a second."""
+
+    @property
+    def attentive(self) -> "Bench":
+        """The same with a clock and links that call `check` while they wait: what every sampler is given.
+
+        A driver of what moves may take its line from it where its messages are numbered, so that an answer that comes
+        late is none to the next request.
+        """
+        return replace(self, clock=AttentiveClock(self.clock, self.check), links=self.links.checking(self.check))
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -2,6 +2,8 @@
 
 import signal
 import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Final
 
 from tumble.messages import Message
@@ -17,11 +19,44 @@ class DeviceError(Exception):
     The message is one sentence for the operator: which device, what happened, what to do.
     """
 
+    instrument: str = ""
+    """The name that the stand file gives it; empty until whoever used it says so, and where it is none alone."""
+
     def __init__(self, device: str, happened: str, remedy: str) -> None:
-        super().__init__(Message("{device}: {happened}; {remedy}", device=device, happened=happened, remedy=remedy))
+        super().__init__(device, happened, remedy)
         self.device = device
         self.happened = happened
         self.remedy = remedy
+
+    def __str__(self) -> str:
+        return Message("{device}: {happened}; {remedy}", device=self.device, happened=self.happened, remedy=self.remedy)
+
+    def name(self, instrument: str, title: str) -> None:
+        """Say which instrument of the stand it is, and what sentences call that; who has said so first is right.
+
+        Where nothing but its name tells it from others of its kind, the message has that, too.
+        """
+        if self.instrument:
+            return
+        self.instrument = instrument
+        if instrument == title != self.device:
+            self.device = Message("{instrument} ({device})", instrument=instrument, device=self.device)
+
+    def saying(self, happened: str, remedy: str) -> "DeviceError":
+        """An error of the same instrument that says something else."""
+        error = DeviceError(self.device, happened, remedy)
+        error.instrument = self.instrument
+        return error
+
+
+@contextmanager
+def naming(instrument: str, title: str) -> Iterator[None]:
+    """Have a `DeviceError` name the instrument of the stand that is used, which sentences call `title`."""
+    try:
+        yield
+    except DeviceError as error:
+        error.name(instrument, title)
+        raise
 
 
 class LimitError(DeviceError):

@@ -11,7 +11,7 @@ from typing import Final, Protocol, TypeAlias, runtime_checkable
 import numpy as np
 from numpy.typing import NDArray
 
-from tumble.drivers.attention import Attention
+from tumble.drivers.attention import Attention, AttentiveClock
 from tumble.drivers.clock import Clock
 from tumble.drivers.excitation import Excitation
 
@@ -298,12 +298,17 @@ class Stand:
     channels: Mapping[str, Sequence[str]] = field(default_factory=dict)
     """Names of the channels of a sampler, in their order, by its name; those that it gives where nothing is said."""
     attention: Attention = field(default_factory=Attention)
-    """Paid by the samplers while their answers are awaited."""
+    """Paid by the instruments while their answers are awaited, as far as these can be done without."""
 
     @property
     def instruments(self) -> Mapping[str, "Instrument"]:
         """All of them, by name."""
         return {**self.positioners, **self.samplers, **self.environments, **self.exciters}
+
+    @property
+    def attentive_clock(self) -> Clock:
+        """The clock, whose waits are broken off as those for an instrument are."""
+        return AttentiveClock(self.clock, self.attention.check)
 
     def title(self, name: str) -> str:
         """What sentences call an instrument."""

@@ -37,10 +37,11 @@ class Axes:
         losses: Losses,
         look: Look = look_away,
     ) -> None:
+        self._clock = stand.attentive_clock
         self.motions = {
             name: Motion(
                 positioner,
-                stand.clock,
+                self._clock,
                 acquisition.position_tolerance_deg,
                 acquisition.approach,
                 partial(look, name),
@@ -49,7 +50,6 @@ class Axes:
             for name, positioner in stand.positioners.items()
         }
         """Of every single one."""
-        self._clock = stand.clock
         self._losses = losses
 
     @property
@@ -89,9 +89,12 @@ class Axes:
                 self.motions[name].check_rest(angle_deg)
 
     def brake(self) -> None:
-        """Tell every positioner to stop, also where another cannot be told. Raises the first `DeviceError` of these."""
+        """Tell every positioner to stop, also where another cannot be told. Raises the first `DeviceError` of these.
+
+        None that turns waits behind one that rests, or that was silent.
+        """
         failures: list[Exception] = []
-        for name, motion in self.motions.items():
+        for name, motion in sorted(self.motions.items(), key=self._urgency):
             try:
                 with self._losses.using(name):
                     motion.brake()
@@ -110,6 +113,10 @@ class Axes:
     def standstill(self) -> bool:
         """Read the rest of all back, see `Motion.standstill`; a stand without positioners is at rest."""
         return standstill(list(self.motions.values()), self._clock)
+
+    def _urgency(self, named: tuple[str, Motion]) -> tuple[bool, bool]:
+        name, motion = named
+        return not motion.under_way, name in self._losses.unheard
 
     def _motion(self, name: str) -> Motion:
         if name not in self.motions:

@@ -14,6 +14,7 @@ class Control:
         self._pause = Event()
         self._stop = Event()
         self._again: deque[int] = deque(maxlen=1)
+        self._why: str = Message("the operator stopped the run")
 
     def pause_wanted(self) -> bool:
         """Whether the run should pause, or stay paused."""
@@ -35,8 +36,9 @@ class Control:
         """Which point was asked for; None where none was since this was called the last time."""
         return self._again.pop() if self._again else None
 
-    def stop(self) -> None:
-        """Ask for the end of the run; this cannot be taken back."""
+    def stop(self, why: str = "") -> None:
+        """Ask for the end of the run, `why` where it is not the operator's wish; this cannot be taken back."""
+        self._why = why or self._why
         self._stop.set()
 
     def stop_wanted(self) -> bool:
@@ -46,4 +48,4 @@ class Control:
     def check(self) -> None:
         """Raise `StopRequestedError` where the run should end."""
         if self.stop_wanted():
-            raise StopRequestedError(Message("the operator stopped the run"))
+            raise StopRequestedError(self._why)

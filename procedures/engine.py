@@ -95,7 +95,7 @@ class Engine:
         self._acquisition = acquisition
         self.control = control or Control()
         """Pauses, resumes and stops the run; from any thread."""
-        losses = Losses()
+        losses = Losses(stand.title)
         self._axes = Axes(stand, acquisition, losses, look)
         sampling = Sampling(stand, losses)
         blocks = partial(sampling.blocks, acquisition.settle_samples, acquisition.rate_hz)
@@ -221,7 +221,7 @@ class Engine:
         self._change(State.RUNNING)
         if step is None:
             return None
-        self._checkpoint()
+        self._recovery.persist(self._checkpoint)
         prepare()
         self._recovery.persist(self._interlock.begin)
         self._recovery.reference()
@@ -239,7 +239,7 @@ class Engine:
     def _follow(self, procedure: Procedure, step: Step | None) -> None:
         """Carry out a step and all that come after it."""
         while step is not None:
-            self._checkpoint()
+            self._recovery.persist(self._checkpoint, self._axes.places)
             self._announcer.announce(StepStarted(step=step))
             reply = self._requests.fulfil(step) if isinstance(step, Ask) else self._taken(step)
             self._recovery.tell_remarks()
@@ -267,7 +267,7 @@ class Engine:
     def _verify(self, last: Point, asks: Iterable[Ask], tolerance_v: float | None) -> None:
         """Bring everything back to where `last` was taken, and see whether a point gives there what it gave."""
         for name, angle_deg in last.positions_deg.items():
-            self._recovery.tell_of_winding(name, angle_deg)
+            self._recovery.persist(partial(self._recovery.tell_of_winding, name, angle_deg))
         for ask in asks:
             self._requests.fulfil(ask)
         self._measuring.home()

@@ -1,8 +1,8 @@
 """Moving one positioner, and making sure of its standstill."""
 
 import math
-from collections.abc import Callable, Sequence
-from contextlib import suppress
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from typing import Final
 
@@ -11,6 +11,7 @@ from tumble.drivers.errors import DeviceError, LinkLostError, ReferenceLostError
 from tumble.drivers.protocols import Positioner, PositionerStatus, Reconnectable
 from tumble.messages import Message
 from tumble.procedures.approach import EITHER_WAY, Approach, Place, direction_of
+from tumble.procedures.errors import StopRequestedError
 from tumble.procedures.journeys import POLL_S, Journey, together
 from tumble.procedures.steps import Direction
 from tumble.procedures.watch import Watch, allowed_s
@@ -48,6 +49,8 @@ class Motion:
         self.direction: Direction = 0
         """Sign of the last move that was one; 0 before the first, and after the head was homed."""
         self._target_deg: float | None = None
+        self.under_way = False
+        """Whether it was sent somewhere and has not arrived yet."""
         self.place: Place | None = None
         """Where the last journey ended; None before the first."""
 
@@ -73,8 +76,14 @@ class Motion:
         return self._journey(angle_deg, self._approach)
 
     def way_back(self, place: Place) -> Journey:
-        """What `return_to` does, likewise."""
-        return self._journey(place.angle_deg, Approach(direction=place.direction))
+        """What `return_to` does, likewise.
+
+        Where it came from its reference alone, it comes from there again, unless the programme says from which side.
+        """
+        direction = place.direction or self._approach.direction
+        if not direction and self.direction and not self._head.status().by_hand:
+            yield from self._homing()
+        return (yield from self._journey(place.angle_deg, Approach(direction=direction)))
 
     def unwind(self, checkpoint: Callable[[], bool]) -> None:
         """Turn a head that is more than half a turn from its zero back into that revolution, for the sake of its cable.
@@ -82,10 +91,7 @@ class Motion:
         Where its limits do not allow that, it is turned back as far as they do. A person who turns the head is not
         asked to. Raises as `travel`.
         """
-        status = self._head.status()
-        unwound_deg = self._unwound_deg(status.angle_deg)
-        if not status.by_hand and unwound_deg != status.angle_deg:
-            self._made(self._journey(unwound_deg, EITHER_WAY), checkpoint)
+        self._made(self._unwinding(), checkpoint)
 
     def home(self, checkpoint: Callable[[], bool]) -> None:
         """Bring the head to rest, have it find its reference and wait for that; `checkpoint` as in `travel`.
@@ -98,22 +104,7 @@ class Motion:
         DeviceError
             Where the head does not come to rest, or finds no reference in time.
         """
-        self.halt()
-        if self._head.status().referenced:
-            self.unwind(checkpoint)
-        deadline_s = self._begin_homing()
-        while (status := self._head.status()).moving or not status.referenced:
-            self._see(status)
-            if self._clock.monotonic_s() > deadline_s:
-                raise DeviceError(
-                    self.title,
-                    Message("was told to find its reference, and has not found it in time"),
-                    Message("look at its home sensor and at its drive, then resume the run"),
-                )
-            self._clock.sleep(POLL_S)
-            if checkpoint():
-                deadline_s = self._begin_homing()
-        self.direction = 0
+        self._made(self._homing(), checkpoint)
 
     def check_rest(self, angle_deg: float) -> None:
         """Make sure that the head still stands where it was sent. Raises `DeviceError`."""
@@ -142,22 +133,22 @@ class Motion:
     def standstill(self) -> bool:
         """Read the head's rest back: twice in a row it is not moving, in the same place. Until then, tell it to stop.
 
-        A link that is lost is opened anew. Raises nothing, whatever the head does: false says that no standstill could
-        be read back within its time.
+        A link that is lost is opened anew. Raises nothing, whatever the head does, but where somebody has the wait
+        broken off: false says that no standstill could be read back within its time.
         """
         return standstill([self], self._clock)
 
     def rests_at(self, angle_deg: float) -> tuple[bool, float]:
         """Whether it rests where it rested, and where it does; NaN, which is near to nothing, where it does not.
 
-        One that does not say so is told to stop. Raises nothing.
+        One that does not say so is told to stop. Raises as `standstill`.
         """
         resting_deg = self._resting_angle_deg()
         return self._near(resting_deg, angle_deg), resting_deg
 
     def _resting_angle_deg(self) -> float:
         """Angle at which the head says it stands; NaN, which is near to nothing, where it does not say so."""
-        with suppress(Exception):
+        with _whatever_it_does():
             try:
                 status = self._head.status()
                 self._see(status)  # whoever watches sees where it came to rest
@@ -166,12 +157,37 @@ class Motion:
             except LinkLostError:
                 if isinstance(self._head, Reconnectable):
                     self._head.reconnect()
-        with suppress(Exception):
+        with _whatever_it_does():
             self._head.stop()
         return math.nan
 
     def _made(self, journey: Journey, checkpoint: Callable[[], bool]) -> PositionerStatus:
         (status,) = together([journey], self._clock, checkpoint)
+        return status
+
+    def _unwinding(self) -> Journey:
+        status = self._head.status()
+        unwound_deg = self._unwound_deg(status.angle_deg)
+        if status.by_hand or unwound_deg == status.angle_deg:
+            return status
+        return (yield from self._journey(unwound_deg, EITHER_WAY))
+
+    def _homing(self) -> Journey:
+        self.halt()
+        if self._head.status().referenced:
+            yield from self._unwinding()
+        deadline_s = self._begin_homing()
+        while (status := self._head.status()).moving or not status.referenced:
+            self._see(status)
+            if self._clock.monotonic_s() > deadline_s:
+                raise DeviceError(
+                    self.title,
+                    Message("was told to find its reference, and has not found it in time"),
+                    Message("look at its home sensor and at its drive, then resume the run"),
+                )
+            if (yield):
+                deadline_s = self._begin_homing()
+        self.direction, self.under_way = 0, False
         return status
 
     def _journey(self, angle_deg: float, approach: Approach) -> Journey:
@@ -188,6 +204,7 @@ class Motion:
         while True:
             status = self._referenced_status()
             if not status.moving and self._at(status, angle_deg):
+                self.under_way = False
                 return status
             if not status.by_hand:
                 watch.look(status, self._clock.monotonic_s())
@@ -199,7 +216,7 @@ class Motion:
         start_deg = self._referenced_status().angle_deg
         if not self._near(start_deg, angle_deg):
             self.direction = direction_of(angle_deg - start_deg)
-        self._target_deg = angle_deg
+        self._target_deg, self.under_way = angle_deg, True
         self._head.start_move(angle_deg)
         return Watch(
             start_deg,
@@ -221,7 +238,7 @@ class Motion:
     def _begin_homing(self) -> float:
         """Send the head to its reference and return the time by which it must have found it."""
         low_deg, high_deg = self._head.limits_deg
-        self._target_deg = None
+        self._target_deg, self.under_way = None, True
         self._head.home()
         return self._clock.monotonic_s() + allowed_s(high_deg - low_deg, self._head.speed_deg_s) + _HOMING_S
 
@@ -242,6 +259,17 @@ class Motion:
 
     def _near(self, first_deg: float, second_deg: float) -> bool:
         return abs(first_deg - second_deg) <= self._tolerance_deg
+
+
+@contextmanager
+def _whatever_it_does() -> Iterator[None]:
+    """Bear whatever a head raises; not what ends the wait for it."""
+    try:
+        yield
+    except StopRequestedError:
+        raise
+    except Exception:  # it is asked again, until its time is over
+        return
 
 
 def standstill(motions: Sequence[Motion], clock: Clock) -> bool:

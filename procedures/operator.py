@@ -4,13 +4,13 @@ What was asked for counts as done only where the answer is its name or a word th
 nothing. Of a head that is set by hand any line is the reading, and an empty one says that it stands as asked.
 """
 
+import math
+import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from queue import Empty, Queue
-from threading import Thread
-from typing import Final, Literal, Protocol, TextIO
+from typing import Final, Literal, Protocol
 
 from pydantic import BaseModel, ConfigDict, field_validator
 
@@ -19,10 +19,15 @@ from tumble.messages import Message
 from tumble.procedures.errors import UnansweredError
 from tumble.procedures.steps import Ask
 from tumble.procedures.toml_lines import load_toml
+from tumble.procedures.typed import Typed
 
 _YES: Final = frozenset({"yes", "done", "seated", "так", "готово", "ja", "fertig"})
 _NO: Final = frozenset({"no", "abort", "cancel", "ні", "скасувати", "nein", "abbrechen"})
 """In every language of `tumble.messages.Language`."""
+
+
+MOST_UNANSWERED_S: Final = 3600.0
+"""How long a line through a pipe is waited for, in real time; at a terminal somebody may take any time."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -139,22 +144,20 @@ class ScriptedOperator:
 class ConsoleOperator:
     """Asks on a terminal.
 
-    Lines are read from `lines` in a thread of their own, the only way to watch a terminal that works on Windows too.
     What was typed on a terminal before a request is no answer to it; lines from a file or a pipe are all taken, in
-    order. At the end of the input a request stays unanswered.
+    order. At the end of the input a request stays unanswered; so does one for which no line comes through a pipe within
+    `MOST_UNANSWERED_S`, by `now_s`: nobody may be there to answer.
     """
 
-    def __init__(self, lines: TextIO, show: Callable[[str], None] = print) -> None:
-        self._show = show
+    def __init__(
+        self, typed: Typed, show: Callable[[str], None] = print, now_s: Callable[[], float] = time.monotonic
+    ) -> None:
+        self._show, self._now_s = show, now_s
+        self._until_s = math.inf
         self._understand: Callable[[str], Answer | None] = understand_reading
         self._again = ""
-        self._forget = lines.isatty()
-        self._typed: Queue[str | None] = Queue(maxsize=100)
-        self._at_end = False
-        self._trouble = ""
-        self._reader = Thread(target=self._read, args=(lines,), name="console", daemon=True)
-        """Ends with the input; nothing else can end its wait for a line."""
-        self._reader.start()
+        self._typed = typed
+        typed.begin()
 
     def ask(self, ask: Ask) -> None:
         """Show the prompt."""
@@ -172,42 +175,30 @@ class ConsoleOperator:
 
         Raises `UnansweredError` where lines cannot be read at all.
         """
-        line = self._next_line()
-        if line is None and self._at_end and self._trouble:
+        line = self._typed.next()
+        if line is None and self._typed.at_end and self._typed.trouble:
             raise UnansweredError(
                 Message(
                     "the answer could not be read ({trouble}); look at what is typed or piped, then resume the run",
-                    trouble=self._trouble,
+                    trouble=self._typed.trouble,
                 )
             )
         if line is None:
-            return Answer(text="", confirmed=False) if self._at_end else None
+            unanswered = self._typed.at_end or self._now_s() > self._until_s
+            return Answer(text="", confirmed=False) if unanswered else None
+        self._wait_anew()
         answer = self._understand(line)
         if answer is None:
             self._show(self._again)
         return answer
 
     def _put(self, prompt: str) -> None:
-        while self._forget and self._next_line() is not None:
-            pass
+        self._typed.forget()
+        self._wait_anew()
         self._show(prompt)
 
-    def _next_line(self) -> str | None:
-        try:
-            line = self._typed.get_nowait()
-        except Empty:
-            return None
-        self._at_end = line is None
-        return line
-
-    def _read(self, lines: TextIO) -> None:
-        try:
-            for line in lines:
-                self._typed.put(line)
-        except Exception as error:  # nobody would see it in this thread
-            self._trouble = Message("{kind}: {error}", kind=type(error).__name__, error=error)
-        finally:
-            self._typed.put(None)
+    def _wait_anew(self) -> None:
+        self._until_s = math.inf if self._typed.is_terminal else self._now_s() + MOST_UNANSWERED_S
 
 
 class SeatingOperator:

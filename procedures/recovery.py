@@ -97,7 +97,7 @@ class Recovery:
         that the cable has already.
         """
         turns = abs(round(angle_deg / 360.0))
-        if turns and not self._stand.positioners[name].status().referenced:
+        if turns and not self._knows_its_angle(name):
             self._warn(
                 Message.counted(
                     "{title}: has lost its reference at {angle_deg:g} deg; look whether its cable is wound by {count} "
@@ -140,8 +140,7 @@ class Recovery:
             except (LinkLostError, ReferenceLostError) as error:
                 interruption = error
         assert interruption is not None
-        raise DeviceError(
-            interruption.device,
+        raise interruption.saying(
             Message(
                 "was lost {times} times in one step, the last time so: {happened}",
                 times=_LOSSES,
@@ -187,7 +186,7 @@ class Recovery:
         for name in self._stand.positioners:
             with self._losses.using(name):
                 self._put_back(name, places.get(name))
-        self._losses.names.clear()
+        self._losses.forget()
         self._warn(
             Message(
                 "{device}: is back after {away_s:.1f} s; the step is repeated",
@@ -195,6 +194,10 @@ class Recovery:
                 away_s=self._clock.monotonic_s() - began_s,
             )
         )
+
+    def _knows_its_angle(self, name: str) -> bool:
+        with self._losses.using(name):
+            return self._stand.positioners[name].status().referenced
 
     def _brake_those_heard(self) -> None:
         """Have nothing move while links are awaited: whoever cannot be heard is brought to rest once it is back."""
@@ -223,14 +226,14 @@ class Recovery:
     def _reach(self, name: str, instrument: Instrument, deadline_s: float) -> None:
         while True:
             try:
-                if name in self._losses.names and isinstance(instrument, Reconnectable):
-                    instrument.reconnect()
-                return self._recognise(name, instrument.identify())
+                with self._losses.using(name):
+                    if name in self._losses.names and isinstance(instrument, Reconnectable):
+                        instrument.reconnect()
+                    return self._recognise(name, instrument.identify())
             except (LinkLostError, NoReplyError) as away:
                 self._losses.names.add(name)
                 if self._clock.monotonic_s() >= deadline_s or not isinstance(instrument, Reconnectable):
-                    raise DeviceError(
-                        away.device,
+                    raise away.saying(
                         Message(
                             "{happened}, and did not come back within {patience_s:g} s",
                             happened=away.happened,

@@ -28,7 +28,8 @@ class Sampling:
             title, names = self._stand.title(name), self._stand.channels.get(name)
             with self._losses.using(name):
                 block = acquire(sampler, samples, rate_hz, title)
-            yield renamed(block, names, title) if names else block
+                block = renamed(block, names, title) if names else block
+            yield block
 
 
 def acquire(sampler: Sampler, samples: int, rate_hz: float, title: str) -> Block:

@@ -50,7 +50,7 @@ def keep_details(error: BaseException) -> Path:
 
 def files_named(error: BaseException) -> list[Path]:
     """Files that a sentence names and that are there, the first named first."""
-    return [path for path in _paths(error.args[0] if error.args else "") if _is_there(path)]
+    return [path for path in _paths(str(error)) if _is_there(path)]
 
 
 def _paths(told: object) -> Iterator[Path]:

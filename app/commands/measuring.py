@@ -2,8 +2,8 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
-from functools import wraps
+from dataclasses import dataclass, replace
+from functools import partial, wraps
 from pathlib import Path
 from typing import Any
 
@@ -11,10 +11,14 @@ import click
 
 from tumble.app.commands import options
 from tumble.app.console import warn
+from tumble.app.listening import listening, nothing_typed, typed_here
+from tumble.app.patience import PatientControl
 from tumble.app.resuming import lived_through
 from tumble.app.running import Job
+from tumble.app.simulation import Past
 from tumble.app.stand import LoadedStand, load_stand
 from tumble.app.stand_lock import holding
+from tumble.app.terminal import say
 from tumble.app.wiring import Connected, connect
 from tumble.drivers.text import LONGEST_NAME
 from tumble.messages import Message
@@ -52,13 +56,29 @@ class Wanted:
     def connected(self, loaded: LoadedStand, after: Sequence[Path] = ()) -> Iterator[Connected]:
         """The stand for oneself, ready to run; `after` are recordings that were made there before."""
         with holding(loaded, self.serial_number):
-            connected = connect(loaded, self.answers, self.attended, lived_through(after, loaded))
-            connected.ran.extend(path.resolve() for path in after)
-            try:
-                warn(connected.warnings)
+            past = lived_through(after, loaded)
+            with connected_for_a_run(loaded, self.answers, self.attended, past) as connected:
+                connected.ran.extend(path.resolve() for path in after)
                 yield connected
-            finally:
-                connected.links.close()
+
+
+@contextmanager
+def connected_for_a_run(
+    loaded: LoadedStand, answers: Path | None, attended: bool, past: Sequence[Past]
+) -> Iterator[Connected]:
+    """The stand, ready for runs that heed their control file, and where they take time their terminal.
+
+    Raises as `connect`.
+    """
+    typed = typed_here() if attended or not loaded.file.simulates else nothing_typed()
+    connected = connect(loaded, answers, attended, past, typed=typed)
+    try:
+        warn(connected.warnings)
+        if typed.is_terminal:
+            say(Message("while it runs you may type: pause, continue, again, stop"), err=True)
+        yield replace(connected, control=PatientControl(), hears=partial(listening, typed))
+    finally:
+        connected.links.close()
 
 
 def measures(function: Callable[..., None]) -> Callable[..., None]:

@@ -7,15 +7,15 @@ import click
 
 from tumble.app.calibrating import conclude, make_ready
 from tumble.app.commands import options
+from tumble.app.commands.measuring import connected_for_a_run
 from tumble.app.commands.telling import tell_calibrated, tell_recorded, tell_run
-from tumble.app.console import messages, run_display, warn
+from tumble.app.console import messages, run_display
 from tumble.app.recall import record_of
 from tumble.app.resuming import Unfinished, find, lived_through, resume
 from tumble.app.running import Job, failure
 from tumble.app.same_stand import followed, load_same_stand
 from tumble.app.stand_lock import holding, holding_recording
 from tumble.app.terminal import language, say
-from tumble.app.wiring import connect
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
 
@@ -98,14 +98,10 @@ def _go_on(
         make_ready(store)
     with holding(loaded, header.serial_number):
         past = lived_through(followed(unfinished.recording), loaded, unfinished.recording)
-        connected = connect(loaded, answers, attended, past)
-        try:
-            warn(connected.warnings)
+        with connected_for_a_run(loaded, answers, attended, past) as connected:
             done = len(unfinished.recording.points)
             with run_display(plan, connected.stand.clock, messages(), done) as display:
                 outcome = resume(unfinished, job, connected, [display], tolerance_v)
-        finally:
-            connected.links.close()
     if error := failure(outcome, unfinished.path):
         raise error
     return len(outcome.points)

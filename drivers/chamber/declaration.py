@@ -12,7 +12,7 @@ if TYPE_CHECKING:  # pymodbus takes time, for stands that have a chamber
 def _connect(table: ModbusChamberTable, bench: Bench) -> "ModbusChamber":
     from tumble.drivers.chamber.modbus import ModbusChamber
 
-    chamber = ModbusChamber(table)
+    chamber = ModbusChamber(table, bench.check)
     bench.links.at_end(chamber.close)
     return chamber
 

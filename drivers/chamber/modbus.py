@@ -2,6 +2,8 @@
 
 import logging
 import math
+import select
+import time
 from collections.abc import Callable
 from typing import Any, Final, TypeVar
 
@@ -18,6 +20,8 @@ from tumble.messages import Message
 DEVICE: Final = Message("temperature chamber")
 TRIES: Final = 3
 """How often what is asked is asked again; writing the same value twice is the same as writing it once."""
+_SLICE_S: Final = 0.05
+"""One wait without a look, in real time."""
 PLAUSIBLE_DEGC: Final = (-200.0, 1000.0)
 """A sensor that is broken reads as the end of its scale."""
 _EXCEPTIONS: Final = {
@@ -34,6 +38,34 @@ Answer = TypeVar("Answer")
 logging.getLogger("pymodbus.logging").setLevel(logging.CRITICAL)  # what it reports is raised here
 
 
+class _Client(ModbusTcpClient):
+    """A client that looks many times a second, while it awaits an answer, at whether it shall go on waiting."""
+
+    def __init__(self, table: ModbusChamberTable, check: Callable[[], object]) -> None:
+        host, port = table.place
+        super().__init__(host, port=port, timeout=table.timeout_s, retries=TRIES - 1)
+        self._check = check
+
+    def recv(self, size: int | None) -> bytes:
+        """Wait for bytes as pymodbus does, once there are any or its patience is at its end.
+
+        What `check` raises closes the connection, and the answer that is on its way with it.
+        """
+        deadline_s = time.monotonic() + self.comm_params.timeout_connect
+        while self.socket and time.monotonic() < deadline_s:
+            self._look()
+            if select.select([self.socket], [], [], _SLICE_S)[0]:
+                return super().recv(size)
+        return b"" if self.socket else super().recv(size)
+
+    def _look(self) -> None:
+        try:
+            self._check()
+        except BaseException:
+            self.close()  # type: ignore[no-untyped-call]
+            raise
+
+
 class ModbusChamber:
     """Fits `tumble.drivers.protocols.Environment` and `Reconnectable`.
 
@@ -43,12 +75,13 @@ class ModbusChamber:
     ----------
     table
         The stand file's table: address, registers, limits.
+    check
+        Called many times a second while an answer is awaited; what it raises breaks the wait off.
     """
 
-    def __init__(self, table: ModbusChamberTable) -> None:
+    def __init__(self, table: ModbusChamberTable, check: Callable[[], object] = lambda: None) -> None:
         self._table = table
-        host, port = table.place
-        self._client = ModbusTcpClient(host, port=port, timeout=table.timeout_s, retries=TRIES - 1)
+        self._client = _Client(table, check)
         self._told_degc: float | None = None
 
     @property

@@ -22,6 +22,7 @@ def _connect(table: Cia402Table, bench: Bench) -> Cia402Head:
         steps_per_deg=table.steps_per_deg,
         speed_deg_s=table.speed_deg_s,
         clock=bench.clock,
+        check=bench.check,
     )
 
 

@@ -1,6 +1,7 @@
 """A dividing head turned by a CiA 402 drive in profile position mode."""
 
 import time
+from collections.abc import Callable
 from typing import Final
 
 from tumble.drivers.cia402 import modes, objects, states
@@ -48,6 +49,8 @@ class Cia402Head:
         Speed of a move.
     clock
         Clock by which the status is dated.
+    check
+        Called many times a second while an answer is awaited; what it raises breaks the wait off.
 
     Raises
     ------
@@ -66,6 +69,7 @@ class Cia402Head:
         steps_per_deg: float,
         speed_deg_s: float,
         clock: Clock,
+        check: Callable[[], object] = lambda: None,
     ) -> None:
         self._limits_deg = limits_deg
         self._steps_per_deg = steps_per_deg
@@ -73,8 +77,7 @@ class Cia402Head:
         self._clock = clock
         self._homed = False
         self._told = ""
-        self._link = link
-        self._node = DriveNode(link, node_id)
+        self._node = DriveNode(link, node_id, check)
         self._errand = Errand(0, self._still, 0.0, begun=True)
         self.reconnect()
 
@@ -107,11 +110,11 @@ class Cia402Head:
 
     def remarks(self) -> tuple[str, ...]:
         """What was dropped or tried again."""
-        return self._node.tally.remarks() + self._link.tally.remarks()
+        return self._node.remarks()
 
     def last_remarks(self) -> tuple[str, ...]:
         """What of that has not been told."""
-        return self._node.tally.last_remarks() + self._link.tally.last_remarks()
+        return self._node.last_remarks()
 
     def identify(self) -> Identity:
         """Name, serial number and software version of the drive, as far as it has them (all are optional in CiA 301).
@@ -186,7 +189,7 @@ class Cia402Head:
 
     def reset_fault(self) -> str:
         """Reset a fault whose cause the operator has removed. Raises `DeviceError` where the cause is still there."""
-        code = self._node.emergency or self._error_code()
+        code = self._node.emergency or self._node.error_code()
         faulty = modes.state(self._node) is State.FAULT
         if faulty:
             self._control(states.DISABLE_VOLTAGE)
@@ -194,7 +197,7 @@ class Cia402Head:
             self._node.emergency = None
             self._await(Message("leave its fault"), states.STATUS[State.FAULT][0], 0x40)
         if self._node.read(objects.ERROR_REGISTER):
-            raise self._node.fault(self._error_code())
+            raise self._node.fault(self._node.error_code())
         self._node.emergency = None
         if faulty:
             self._homed, self._told = False, ""
@@ -248,17 +251,13 @@ class Cia402Head:
             self._refuse_fault()
             raise self._did_not(Message("enter the mode {mode}", mode=mode.name.lower().replace("_", " ")))
 
-    def _error_code(self) -> int:
-        """What the drive says of its fault; 0 where it does not (603Fh is optional in CiA 402)."""
-        return int(self._node.read_where_offered(objects.ERROR_CODE) or 0)
-
     def _complaint(self, statusword: int, mode: int) -> DeviceError | None:
         """What is wrong with the drive or its motion."""
         if self._node.emergency is not None:
             return self._node.fault(self._node.emergency)
         state = states.state_of(statusword)
         if state in (State.FAULT, State.FAULT_REACTION):
-            return self._node.fault(self._error_code())
+            return self._node.fault(self._node.error_code())
         if state is State.ENABLED and statusword & states.MOTION_ERROR:
             what = (
                 Message("homing failed") if mode == Mode.HOMING else Message("the head does not follow its set-point")
@@ -277,7 +276,7 @@ class Cia402Head:
         if self._node.emergency is not None:
             raise self._node.fault(self._node.emergency)
         if modes.state(self._node) is State.FAULT:
-            raise self._node.fault(self._error_code())
+            raise self._node.fault(self._node.error_code())
 
     def _control(self, word: int) -> None:
         self._node.write(objects.CONTROLWORD, word)

@@ -4,6 +4,7 @@ import logging
 import math
 import time
 from collections.abc import Callable
+from functools import partial
 from typing import Final, TypeVar
 
 import can
@@ -33,10 +34,20 @@ _MOST_ID: Final = 0x7FF
 _SDO_BYTES: Final = 8
 _LATE_S: Final = 0.1
 """Wait after a missing answer, so that a late one is not taken for the next."""
+_SLICE_S: Final = 0.05
+"""One wait for an answer without a look."""
 
 Answer = TypeVar("Answer")
 
 logging.getLogger("canopen").addHandler(logging.NullHandler())  # what it reports is raised here
+
+
+class _BrokenOffError(Exception):
+    """Somebody has a wait for an answer broken off, by raising `why`."""
+
+    def __init__(self, why: Exception) -> None:
+        super().__init__(why)
+        self.why = why
 
 
 class DriveNode:
@@ -51,9 +62,11 @@ class DriveNode:
         The bus.
     node_id
         1 to 127.
+    check
+        Called many times a second while an answer is awaited; what it raises breaks the wait off.
     """
 
-    def __init__(self, link: CanLink, node_id: int) -> None:
+    def __init__(self, link: CanLink, node_id: int, check: Callable[[], object] = lambda: None) -> None:
         self.device = Message("CAN drive, node {node_id}", node_id=node_id)
         self.booted = False
         """Whether it has told of a start since this was last set to false."""
@@ -67,7 +80,9 @@ class DriveNode:
         self._network = _LinkNetwork(link, node_id, self.tally)
         self._node = canopen.RemoteNode(node_id, objects.object_dictionary(node_id))
         self._network[node_id] = self._node
-        self._node.sdo.RESPONSE_TIMEOUT = REPLY_TIMEOUT_S
+        self._check = check
+        self._node.sdo.RESPONSE_TIMEOUT = _SLICE_S
+        self._node.sdo.read_response = partial(self._awaited, self._node.sdo.read_response)
         self._node.nmt.add_heartbeat_callback(self._hear_heartbeat)
         self._node.emcy.add_callback(self._hear_emergency)
         self._generation = 0
@@ -90,7 +105,8 @@ class DriveNode:
         self._node.nmt.state = "OPERATIONAL"
 
     def check(self) -> None:
-        """Make sure that the node is there. Raises `LinkLostError`."""
+        """Make sure that the node is there, and shall be awaited. Raises `LinkLostError`."""
+        self._check()
         self._link.check()
         if self._beats and not self._alive():
             raise LinkLostError(
@@ -98,6 +114,18 @@ class DriveNode:
                 Message("has given no heartbeat for {patience_s:g} s", patience_s=PATIENCE_S),
                 Message("check its power and the cable; the run can be resumed"),
             )
+
+    def remarks(self) -> tuple[str, ...]:
+        """What was dropped here and on the bus, as far as it is time to tell of it."""
+        return self.tally.remarks() + self._link.tally.remarks()
+
+    def last_remarks(self) -> tuple[str, ...]:
+        """What of that has not been told."""
+        return self.tally.last_remarks() + self._link.tally.last_remarks()
+
+    def error_code(self) -> int:
+        """What the drive says of its fault; 0 where it does not (603Fh is optional in CiA 402)."""
+        return int(self.read_where_offered(objects.ERROR_CODE) or 0)
 
     def fault(self, code: int) -> DeviceError:
         """The error that says what the drive complains of."""
@@ -161,12 +189,29 @@ class DriveNode:
                 return ask()
             except DeviceError:  # of the link
                 raise
+            except _BrokenOffError as error:
+                time.sleep(_LATE_S)
+                raise error.why from None
             except SdoAbortedError as error:
                 raise self._refused(variable, error) from error
             except Exception as error:  # canopen raises several kinds for an answer that is none
                 reason = "" if isinstance(error, SdoCommunicationError) else in_words(error)
                 time.sleep(_LATE_S)
         raise self._silent(reason)
+
+    def _awaited(self, read: Callable[[], bytes]) -> bytes:
+        """An answer, read as canopen does, in short waits."""
+        deadline_s = time.monotonic() + REPLY_TIMEOUT_S
+        while True:
+            try:
+                self._check()
+            except Exception as error:  # to be told from what canopen raises
+                raise _BrokenOffError(error) from error
+            try:
+                return read()
+            except SdoCommunicationError:
+                if time.monotonic() > deadline_s:
+                    raise
 
     def _variable(self, index: int, subindex: int) -> ODVariable:
         variable = self._node.object_dictionary.get_variable(index, subindex)

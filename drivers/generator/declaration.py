@@ -6,7 +6,7 @@ from tumble.drivers.generator.table import GeneratorTable
 
 
 def _connect(table: GeneratorTable, bench: Bench) -> FunctionGenerator:
-    return FunctionGenerator(bench.links.serial(table, DEVICE), table)
+    return FunctionGenerator(bench.attentive.links.serial(table, DEVICE), table)
 
 
 GENERATOR = Driver(table=GeneratorTable, connect=_connect)

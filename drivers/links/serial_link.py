@@ -53,7 +53,8 @@ class SerialLink:
     device
         What errors call the instrument at the other end.
     check
-        Called many times a second while a line is awaited; what it raises breaks the wait off.
+        Called many times a second while a line is awaited, or what has come is thrown away; what it raises breaks
+        that off.
 
     Raises
     ------
@@ -135,8 +136,11 @@ class SerialLink:
             The port is gone.
         """
         self._waiting.clear()
-        with self._watched() as port:
-            patiently(lambda: self._drain(port), FAILING_S, is_passing)
+        thrown_away, deadline_s = 0, time.monotonic() + DISCARD_S
+        while came := self._drained():
+            thrown_away += came
+            if thrown_away > MOST_STALE_BYTES or time.monotonic() > deadline_s:
+                raise self._chatters(Message("sends without pause at {url}", url=self.url))
 
     def reopen(self) -> None:
         """Close and open the port anew, with nothing waiting. Raises `LinkLostError` while it is not there."""
@@ -183,13 +187,16 @@ class SerialLink:
         if left_s is not None:
             time.sleep(max(left_s + RECONNECT_S - time.monotonic(), 0.0))
 
-    def _drain(self, port: serial.Serial) -> None:
-        deadline_s = time.monotonic() + DISCARD_S
-        thrown_away = 0
-        while port.in_waiting and (data := port.read(_CHUNK_BYTES if self._is_socket else port.in_waiting)):
-            thrown_away += len(data)
-            if thrown_away > MOST_STALE_BYTES or time.monotonic() > deadline_s:
-                raise self._chatters(Message("sends without pause at {url}", url=self.url))
+    def _drained(self) -> int:
+        """Throw a piece of what has come away; returns its length, none where nothing waits."""
+        self._check()
+        with self._watched() as port:
+            return patiently(lambda: len(self._piece(port)), FAILING_S, is_passing)
+
+    def _piece(self, port: serial.Serial) -> bytes:
+        waiting: int = port.in_waiting
+        piece: bytes = port.read(_CHUNK_BYTES if self._is_socket else waiting) if waiting else b""
+        return piece
 
     def _receive(self) -> None:
         """Take what has come; wait a moment for the first byte."""

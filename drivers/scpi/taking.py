@@ -1,7 +1,8 @@
 """Taking a block of readings: set up, begin, read back, fetch; a block that goes wrong is taken anew, as a whole."""
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager, suppress
 from typing import Final, TypeVar
 
 import numpy as np
@@ -34,6 +35,8 @@ def perform(exchange: Exchange, clock: Clock, measurement: Measurement, transfer
         It went wrong `ATTEMPTS` times.
     NoReplyError, LinkLostError
         The meter or the way to it is gone.
+
+    And whatever breaks the wait for it off: the meter is told to take no more of the block then.
     """
     return _insisted(exchange, measurement, lambda: _taken(exchange, clock, measurement, transfer_s))
 
@@ -53,7 +56,8 @@ def _insisted(exchange: Exchange, measurement: Measurement, take: Callable[[], T
     happened = ""
     for _ in range(ATTEMPTS):
         try:
-            return take()
+            with _abandoning(exchange):
+                return take()
         except LinkLostError:
             raise
         except NoReplyError as error:
@@ -69,6 +73,19 @@ def _insisted(exchange: Exchange, measurement: Measurement, take: Callable[[], T
         Message("failed to measure {attempts} times: {happened}", attempts=ATTEMPTS, happened=happened),
         Message("look at its display, then resume the run"),
     )
+
+
+@contextmanager
+def _abandoning(exchange: Exchange) -> Iterator[None]:
+    """End a block for which nobody waits any more: some meters hear nothing else until its last reading."""
+    try:
+        yield
+    except DeviceError:
+        raise
+    except BaseException:
+        with suppress(DeviceError):
+            exchange.say("ABOR")
+        raise
 
 
 def same(value: float | str, answer: str) -> bool:
@@ -102,10 +119,11 @@ def _taken_singly(
     _set_up(exchange, measurement, measurement.preparation)
     began_s = clock.monotonic_s()
     readings = np.empty(count)
+    integrating_s = measurement.duration_s if measurement.begin else 0.0  # else it is awaited where it is asked for
     for taken in range(count):
         clock.sleep(began_s + taken / rate_hz - clock.monotonic_s())
         exchange.say(*measurement.begin)
-        readings[taken] = _readings(_fetched(exchange, measurement, 0.0), 1)[0]
+        readings[taken] = _readings(_fetched(exchange, measurement, integrating_s), 1)[0]
     lasted_s = clock.monotonic_s() - began_s
     _complain(map(str, exchange.errors()))
     return readings, min(rate_hz, count / lasted_s) if lasted_s > 0.0 else rate_hz

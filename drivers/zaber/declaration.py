@@ -19,9 +19,8 @@ class ZaberTable(OnSerialLine, HeadTable):
 
 
 def _connect(table: ZaberTable, bench: Bench) -> ZaberHead:
-    line = bench.links.shared(
-        f"zaber {one_name(table.url)}", lambda: Line(bench.links.serial(table, Message("dividing head")))
-    )
+    links = bench.attentive.links
+    line = links.shared(f"zaber {one_name(table.url)}", lambda: Line(links.serial(table, Message("dividing head"))))
     return ZaberHead(
         line,
         device=table.device,

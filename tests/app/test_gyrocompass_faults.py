@@ -53,8 +53,8 @@ def test_a_platform_without_usable_values_ends_the_run_after_half_a_minute(kind,
 @pytest.mark.parametrize(
     ("turntable", "status", "sentence"),
     [
-        ("stalls", 3, "turntable: has stalled; look what blocks it"),
-        ("refuses", 3, "turntable: refused the move"),
+        ("stalls", 3, r"azimuth \(turntable\): has stalled; look what blocks it"),
+        ("refuses", 3, r"azimuth \(turntable\): refused the move"),
         ("elsewhere", 3, "deg"),
         ("away for ever", 3, "did not come back within 30 s"),
         ("swapped", 3, "is turntable .*T2.*, and the run was begun with turntable .*T1"),

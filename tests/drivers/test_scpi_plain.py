@@ -137,6 +137,14 @@ def test_the_common_core_says_how_fast_it_was():
     assert block.rate_hz == pytest.approx(2.5, rel=0.01)
 
 
+def test_a_reading_that_takes_longer_than_another_answer_is_awaited():
+    _, clock, meter = meter_at("34461A", common=True)  # 100 cycles of 50 Hz, and as much for zero: 4 s a reading
+    meter.identify()
+    began_s = clock.monotonic_s()
+    assert len(meter.acquire(2, 0.2).voltage_v) == 2
+    assert clock.monotonic_s() - began_s == pytest.approx(9.0, abs=0.1)
+
+
 def test_where_a_reading_comes_once_only_a_bare_line_is_warned_of():
     bare = meter_at("READ-ONCE", common=True, checksummed=False)[2].identify()
     network = meter_at("READ-ONCE", common=True)[2].identify()

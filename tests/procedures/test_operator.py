@@ -8,6 +8,7 @@ import pytest
 from tumble.procedures.errors import InputError, UnansweredError
 from tumble.procedures.methods.dividing_head.layout import mounting
 from tumble.procedures.operator import Answer, Answers, ConsoleOperator, ScriptedOperator, SeatingOperator, understand
+from tumble.procedures.typed import Typed
 
 YES = Answer(text="yes", confirmed=True)
 SILENCE = Answer(text="", confirmed=False)
@@ -94,7 +95,7 @@ def answer_of(console):
 
 def test_lines_from_a_pipe_answer_one_request_each():
     shown = []
-    console = ConsoleOperator(io.StringIO("edge\nno\n"), shown.append)
+    console = ConsoleOperator(Typed(io.StringIO("edge\nno\n")), shown.append)
     console.ask(mounting("edge"))
     assert answer_of(console) == Answer(text="edge", confirmed=True)
     console.ask(mounting("end"))
@@ -104,7 +105,7 @@ def test_lines_from_a_pipe_answer_one_request_each():
 
 def test_a_stray_enter_is_asked_again():
     shown = []
-    console = ConsoleOperator(io.StringIO("\n\nedge\n"), shown.append)
+    console = ConsoleOperator(Typed(io.StringIO("\n\nedge\n")), shown.append)
     console.ask(mounting("edge"))
     assert answer_of(console) == Answer(text="edge", confirmed=True)
     again = "Type edge or yes when the unit sits there, or no to end the run."
@@ -112,18 +113,39 @@ def test_a_stray_enter_is_asked_again():
 
 
 def test_at_the_end_of_the_input_a_request_stays_unanswered():
-    console = ConsoleOperator(io.StringIO(""), lambda text: None)
+    console = ConsoleOperator(Typed(io.StringIO("")), lambda text: None)
     console.ask(mounting("edge"))
     assert answer_of(console) == SILENCE
     console.ask(mounting("end"))
     assert answer_of(console) == SILENCE
 
 
+class Idle(io.StringIO):
+    """A pipe that stays open, or a terminal at which nobody types."""
+
+    def __init__(self, *, terminal):
+        super().__init__()
+        self.isatty = lambda: terminal
+
+    def __next__(self):
+        Event().wait(60.0)
+        raise StopIteration
+
+
+@pytest.mark.parametrize(("terminal", "answer"), [(False, SILENCE), (True, None)])
+def test_nobody_waits_for_ever_for_a_line_through_a_pipe(terminal, answer):
+    moments_s = iter([0.0, 3599.0, 3601.0] if not terminal else [3599.0, 1e9])
+    console = ConsoleOperator(Typed(Idle(terminal=terminal)), lambda text: None, lambda: next(moments_s))
+    console.ask(mounting("edge"))
+    assert console.poll() is None
+    assert console.poll() == answer
+
+
 def test_what_was_typed_on_a_terminal_before_the_request_is_no_answer():
     typed = Event()
     typed.set()
     terminal = Terminal("yes\nyes\n", typed)
-    console = ConsoleOperator(terminal, lambda text: None)
+    console = ConsoleOperator(Typed(terminal), lambda text: None)
     assert terminal.read.wait(10.0)
     console.ask(mounting("edge"))
     assert answer_of(console) == SILENCE
@@ -131,7 +153,7 @@ def test_what_was_typed_on_a_terminal_before_the_request_is_no_answer():
 
 def test_nobody_waits_for_a_terminal():
     typed = Event()
-    console = ConsoleOperator(Terminal("edge\n", typed), lambda text: None)
+    console = ConsoleOperator(Typed(Terminal("edge\n", typed)), lambda text: None)
     console.ask(mounting("edge"))
     assert console.poll() is None
     typed.set()
@@ -149,7 +171,7 @@ def test_a_simulated_unit_is_seated_once_it_is_confirmed():
 
 
 def test_input_that_cannot_be_read_is_told_with_its_reason():
-    console = ConsoleOperator(io.TextIOWrapper(io.BytesIO(b"\xff\xfe\n"), "utf-8"), lambda text: None)
+    console = ConsoleOperator(Typed(io.TextIOWrapper(io.BytesIO(b"\xff\xfe\n"), "utf-8")), lambda text: None)
     console.ask(mounting("edge"))
     with pytest.raises(UnansweredError, match=r"the answer could not be read .UnicodeDecodeError: .* resume the run"):
         answer_of(console)

@@ -5,12 +5,13 @@ from dataclasses import replace
 
 import pytest
 from fake_runs import dwells, states, when
-from fakes import FakeStand
+from fakes import QUICK, FakeHead, FakeStand
 from hypothesis import given
 from hypothesis import strategies as st
 
 from tumble.drivers.errors import LinkLostError
 from tumble.drivers.protocols import Identity
+from tumble.procedures.approach import Approach
 from tumble.procedures.events import (
     ConditionAnswered,
     ConditionRequested,
@@ -90,6 +91,33 @@ def test_the_head_turns_back_at_once_and_comes_from_the_same_side(stand: FakeSta
     assert stand.head.targets_deg == [10.0, 20.0, 90.0, 18.0, 20.0, 90.0]
     assert [point.directions["head"] for point in outcome.points] == [1, 1, 1]
     assert states(stand).count(State.PAUSED) == 0
+
+
+def test_a_point_that_was_come_to_from_the_reference_is_come_to_from_there_again(stand: FakeStand):
+    """A head with backlash would read otherwise, were it come to from the other side."""
+    engine = stand.engine()
+    at_angle(stand, 5.0, lambda: engine.control.take_again(0))
+    homed = []
+    stand.head.home = lambda: (homed.append(stand.head._angle_deg()), FakeHead.home(stand.head))
+    outcome = engine.run(dwells(0.0, 20.0))
+    assert [round(angle_deg) for angle_deg in homed] == [7]
+    assert [(point.take, point.directions["head"]) for point in outcome.points] == [(2, 0), (1, 1)]
+
+
+def test_one_that_has_not_moved_since_is_not_sent_to_its_reference(stand: FakeStand):
+    engine = stand.engine(listeners=[when(PointCompleted, lambda: engine.control.take_again(0))])
+    stand.head.home = lambda: pytest.fail("it was homed")
+    outcome = engine.run(dwells(0.0))
+    assert [(point.take, point.directions["head"]) for point in outcome.points] == [(2, 0)]
+
+
+def test_where_the_programme_says_from_which_side_that_holds_for_a_point_without_one(stand: FakeStand):
+    engine = stand.engine(replace(QUICK, approach=Approach(direction=1)))
+    journal = [replace(point, directions={"head": 0}) for point in fast_stand().engine().run(dwells(10.0)).points]
+    at_angle(stand, 15.0, lambda: engine.control.take_again(0))
+    engine.resume(dwells(10.0, 20.0), journal)
+    retaken = next(event.point for event in stand.sink.of(PointCompleted))
+    assert (retaken.take, retaken.directions["head"]) == (2, 1)
 
 
 def test_it_is_said_before_the_point_and_after_it(stand: FakeStand):

@@ -9,6 +9,7 @@ import numpy as np
 from fakes import QUICK, FakeDaq, FakeHead, FakeOperator, MemorySink
 from pydantic import BaseModel
 
+from tumble.drivers.attention import Attention
 from tumble.drivers.clock import VirtualClock
 from tumble.drivers.protocols import ChannelBlock, Identity, Stand
 from tumble.procedures.engine import Engine
@@ -131,6 +132,8 @@ class TwoAxesStand:
         self.samplers = {"triad": Triad(self.clock, self.outer, self.inner)}
         self.operator = FakeOperator(FakeDaq(self.clock, self.outer))
         self.sink = MemorySink()
+        self.titles = {"outer": "outer axis", "inner": "inner axis"}
+        self.attention = Attention()
 
     def engine(self, acquisition=QUICK, sink=None):
         stand = Stand(
@@ -138,6 +141,7 @@ class TwoAxesStand:
             positioners={"outer": self.outer, "inner": self.inner},
             samplers=self.samplers,
             clock=self.clock,
-            titles={"outer": "outer axis", "inner": "inner axis"},
+            titles=self.titles,
+            attention=self.attention,
         )
         return Engine(stand, self.operator, sink or self.sink, acquisition)

@@ -10,9 +10,10 @@ from window_driver import STAND
 
 from benchmarks.endurance.two_axes import SIMULATED, SIMULATED_CHAMBER, WORLD
 from tumble.app.stand import load_stand
-from tumble.drivers.errors import DeviceError, LimitError, NoReplyError
+from tumble.drivers.errors import DeviceError, NoReplyError
 from tumble.drivers.protocols import Identity
 from tumble.drivers.simulated.chamber import SimulatedChamber
+from tumble.drivers.simulated.head import SimulatedHead
 from tumble.drivers.tables import Instrument
 from tumble.window.widgets.instrument_card import calibration
 from tumble.window.widgets.instrument_cards import InstrumentCards
@@ -76,7 +77,7 @@ def test_who_answers_is_connected(cards):
 
 def test_what_failed_says_so_until_that_is_forgotten(cards):
     cards.show_identity("head", HEAD)
-    cards.show_fault("dividing head")
+    cards.show_fault("head")
     assert lamps(cards.cards["head"])[0] is Light.BAD
     assert lamps(cards.cards["daq"])[0] is Light.UNKNOWN
     cards.forget_faults()
@@ -129,16 +130,35 @@ def stand(lent_driver):
     return screen
 
 
-def test_a_fault_is_seen_on_the_card_until_something_else_is_begun(lent_driver, stand):
-    lent_driver.window.worker.failed.emit(DeviceError("dividing head", "is stuck", "look at it"))
+@pytest.fixture
+def stuck(monkeypatch):
+    """Heads cannot be moved; their driver calls them otherwise than the stand does."""
+
+    def refuse(*_):
+        raise DeviceError("Zaber head (device 1, axis 1)", "is stuck", "look at it")
+
+    monkeypatch.setattr(SimulatedHead, "start_move", refuse)
+
+
+def test_a_fault_is_seen_on_the_card_until_something_else_is_begun(lent_driver, stand, stuck, monkeypatch):
     head = stand.cards.cards["head"]
-    assert head.link.text() == "fault"
+    lent_driver.window.worker.move_by("head", 1.0)
+    lent_driver.wait(lambda: head.link.text() == "fault")
+    assert stand.cards.cards["daq"].link.text() == "connected"
+    monkeypatch.undo()
     lent_driver.window.worker.move_by("head", 1.0)
     assert head.link.text() == "connected"
 
 
+def test_so_is_the_one_that_has_broken_a_run_off(lent_driver, stand, stuck, long):
+    lent_driver.start(long)
+    lent_driver.wait_for_end()
+    assert {name: card.link.text() for name, card in stand.cards.cards.items()} == {"head": "fault", "daq": "connected"}
+
+
 def test_a_move_that_is_refused_is_no_fault_of_the_head(lent_driver, stand):
-    lent_driver.window.worker.failed.emit(LimitError("dividing head", "may not go there", "go elsewhere"))
+    lent_driver.window.worker.move_to("head", 1e6)
+    lent_driver.wait(lambda: lent_driver.complaints != [])
     assert stand.cards.cards["head"].link.text() == "connected"
 
 

@@ -7,9 +7,10 @@ from window_driver import TINY
 
 from tumble.drivers.errors import DeviceError
 from tumble.drivers.simulated.daq import SimulatedDaq
+from tumble.messages import Message
 from tumble.procedures.events import FinishReason
 from tumble.procedures.recording.reader import read_recording
-from tumble.window.faults import keep_details
+from tumble.window.faults import files_named, keep_details
 from tumble.window.methods.dividing_head.live_fit import fit_live
 from tumble.window.screens.run_state import Mood
 
@@ -173,3 +174,9 @@ def test_details_of_a_user_without_a_home_are_kept_nowhere(monkeypatch):
 
     monkeypatch.setattr("tumble.window.faults.state_folder", homeless)
     assert keep_details(ZeroDivisionError("x")) == Path("-")
+
+
+def test_a_file_that_a_fault_of_an_instrument_names_can_be_opened(write):
+    path = write("my_head.py", "")
+    failed = Message("its driver {driver} failed (bent)", driver=path)
+    assert files_named(DeviceError("dividing head", failed, "correct it")) == [path]

@@ -129,6 +129,7 @@ class StandScreen(QWidget):
         worker.disconnected.connect(self._show_disconnected)
         worker.working.connect(self._show_working)
         worker.failed.connect(self._show_fault)
+        worker.broken_off.connect(self._show_fault)
         worker.position_seen.connect(self._see)
         worker.reading_seen.connect(self._see_reading)
         bridge.position_seen.connect(self._see)
@@ -209,8 +210,10 @@ class StandScreen(QWidget):
         self._refresh()
 
     def _show_fault(self, error: BaseException) -> None:
-        if isinstance(error, DeviceError) and not isinstance(error, LimitError):
-            self.cards.show_fault(error.device)
+        """Show whose fault it was that ended a run, or anything else; a move that was refused is nobody's."""
+        fault = error if isinstance(error, DeviceError) else error.__cause__
+        if isinstance(fault, DeviceError) and not isinstance(fault, LimitError):
+            self.cards.show_fault(fault.instrument)
 
     def _see(self, name: str, status: PositionerStatus) -> None:
         self.dials.show_status(name, status)

@@ -8,7 +8,6 @@ from PySide6.QtWidgets import QGridLayout, QWidget
 
 from tumble.app.stand import LoadedStand
 from tumble.drivers.protocols import Block, Identity
-from tumble.drivers.tables import TITLES
 from tumble.window.widgets.instrument_card import InstrumentCard
 from tumble.window.widgets.live_value import LiveValue
 
@@ -46,11 +45,10 @@ class InstrumentCards(QWidget):
             self._identities[name] = identity
             self.cards[name].show_identity(identity)
 
-    def show_fault(self, device: str) -> None:
-        """Show which instrument failed, by what sentences call it; none where they call none so."""
-        for name, card in self.cards.items():
-            if device in (TITLES.get(name), name):
-                card.show_fault()
+    def show_fault(self, name: str) -> None:
+        """Show which instrument failed; one of another stand is passed over."""
+        if name in self.cards:
+            self.cards[name].show_fault()
 
     def forget_faults(self) -> None:
         """Show again who answers."""

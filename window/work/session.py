@@ -1,7 +1,7 @@
 """The stand of the window, as one object."""
 
 from collections.abc import Callable, Mapping, Sequence
-from contextlib import ExitStack, suppress
+from contextlib import AbstractContextManager, ExitStack, suppress
 from copy import deepcopy
 from dataclasses import dataclass
 from functools import partial
@@ -13,7 +13,7 @@ from tumble.app.simulation import Past
 from tumble.app.stand import LoadedStand
 from tumble.app.stand_lock import holding
 from tumble.app.wiring import Attendant, Connected, connect
-from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
+from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError, naming
 from tumble.drivers.protocols import (
     Block,
     ChannelBlock,
@@ -91,7 +91,11 @@ class StandSession:
     @property
     def statuses(self) -> dict[str, PositionerStatus]:
         """Where the positioners are, as they read it now, by name. Raises `DeviceError`."""
-        return {name: positioner.status() for name, positioner in self.connected.stand.positioners.items()}
+        return self._statuses(self.connected.stand)
+
+    def heeding(self, check: Callable[[], object]) -> AbstractContextManager[None]:
+        """Have `check` called while an answer is awaited; it may raise. Raises as `connected`."""
+        return self.connected.stand.attention.paid_to(check)
 
     def readings(self, check: Callable[[], object]) -> dict[str, Block | None]:
         """What the samplers read now, by name: a few samples of each that takes them within an instant.
@@ -100,7 +104,7 @@ class StandSession:
         stand is connected anew, and a look ends with it. Raises `LinkLostError`, as `connected`, and what `check`
         raises, which is called while an answer is awaited.
         """
-        with self.connected.stand.attention.paid_to(check):
+        with self.heeding(check):
             return self._readings()
 
     def _readings(self) -> dict[str, Block | None]:
@@ -109,7 +113,8 @@ class StandSession:
         blocks: dict[str, Block | None] = {}
         for name in [name for name in quick if name not in self._silent]:
             try:
-                blocks[name] = self._glanced_at(name).acquire(round(quick[name] * _GLANCE_S), quick[name])
+                with self._naming(name):
+                    blocks[name] = self._glanced_at(name).acquire(round(quick[name] * _GLANCE_S), quick[name])
             except LinkLostError:
                 raise
             except NoReplyError:
@@ -140,7 +145,8 @@ class StandSession:
             if name in self._silent:
                 continue
             try:
-                climates[name] = _climate(environment.status())
+                with self._naming(name):
+                    climates[name] = _climate(environment.status())
             except LinkLostError:
                 raise
             except NoReplyError:
@@ -166,23 +172,29 @@ class StandSession:
 
     def _motion(self, stand: Stand, name: str) -> Motion:
         look = partial(self._look, name)
-        return Motion(stand.positioners[name], stand.clock, _TOLERANCE_DEG, look=look, title=stand.title(name))
+        return Motion(
+            stand.positioners[name], stand.attentive_clock, _TOLERANCE_DEG, look=look, title=stand.title(name)
+        )
 
     def interlock(self) -> Interlock:
         """What makes sure that nothing turns behind an open door. Raises as `connected`."""
-        return Interlock(self.connected.stand, Losses())
+        return Interlock(self.connected.stand, Losses(self.connected.stand.title))
+
+    def _naming(self, name: str) -> AbstractContextManager[None]:
+        """Have a fault name the instrument whose it is."""
+        return naming(name, self.connected.stand.title(name))
 
     def connect(
         self, attendant: Attendant, past: Sequence[Past] = (), check: Callable[[], object] = lambda: None
     ) -> StandIdentity:
         """Reach the instruments, which were left before.
 
-        `check` is called while a sampler is awaited; it may raise `StopRequestedError`, at which whatever moves is
+        `check` is called while an instrument is awaited; it may raise `StopRequestedError`, at which whatever moves is
         brought to rest. Raises `InputError`, `JobError`, `DeviceError`.
         """
         with ExitStack() as stack:
             stack.enter_context(holding(self.loaded, "no unit yet"))
-            connected = connect(self.loaded, attendant=attendant, past=past)
+            connected = connect(self.loaded, attendant=attendant, past=past, check=check)
             stack.callback(connected.links.close)
             stand = connected.stand
             try:
@@ -197,12 +209,23 @@ class StandSession:
 
     def _identity(self, connected: Connected) -> StandIdentity:
         stand = connected.stand
+        instruments = {}
+        for name, instrument in stand.instruments.items():
+            with naming(name, stand.title(name)):
+                instruments[name] = instrument.identify()
         return StandIdentity(
             loaded=self.loaded,
-            instruments={name: instrument.identify() for name, instrument in stand.instruments.items()},
-            statuses={name: positioner.status() for name, positioner in stand.positioners.items()},
+            instruments=instruments,
+            statuses=self._statuses(stand),
             warnings=connected.warnings,
         )
+
+    def _statuses(self, stand: Stand) -> dict[str, PositionerStatus]:
+        statuses = {}
+        for name, positioner in stand.positioners.items():
+            with naming(name, stand.title(name)):
+                statuses[name] = positioner.status()
+        return statuses
 
     def disconnect(self) -> None:
         """Leave the instruments; raises what closing them raises."""

@@ -10,9 +10,11 @@ from queue import Empty, SimpleQueue
 from PySide6.QtCore import QObject, Signal, SignalInstance, Slot
 
 from tumble.app.exits import Exit, JobError
+from tumble.app.patience import PatientControl
 from tumble.app.simulation import Past
 from tumble.app.stand import LoadedStand
 from tumble.app.wiring import Attendant, Connected
+from tumble.drivers.errors import naming
 from tumble.procedures.control import Control
 from tumble.procedures.errors import InputError, StopRequestedError
 from tumble.procedures.interlock import Interlock
@@ -21,7 +23,6 @@ from tumble.window.look.language import tr
 from tumble.window.work.activity import Activity, progress_of
 from tumble.window.work.bridge import EventBridge
 from tumble.window.work.order_thread import OrderThread
-from tumble.window.work.patience import PatientControl
 from tumble.window.work.session import StandSession
 
 Action = Callable[[Control], object]
@@ -260,8 +261,9 @@ class StandWorker(QObject):
     def _carry_out_move(self, session: StandSession, name: str, move: Move, control: Control) -> None:
         motion, interlock = session.motion(name), session.interlock()
         try:
-            interlock.check()
-            move(motion, lambda: _checked(control, interlock))
+            with session.heeding(control.check), naming(name, motion.title):
+                interlock.check()
+                move(motion, lambda: _checked(control, interlock))
         finally:
             self._halt(session)
 
@@ -282,17 +284,21 @@ class StandWorker(QObject):
         if not session.is_connected:
             return
         try:
-            for name, climate in session.climates.items() if self._watched else ():
-                self._tell(session, self.reading_seen, name, climate)
-            for name, status in session.statuses.items():
-                self._tell(session, self.position_seen, name, status)
-            for name, block in session.readings(self._give_way).items() if self._watched else ():
-                self._tell(session, self.reading_seen, name, block)
+            with session.heeding(self._give_way):
+                self._look_at(session)
         except StopRequestedError:  # the next look sees what this one has not
             return
         except Exception:
             self._leave_stand(session)
             raise
+
+    def _look_at(self, session: StandSession) -> None:
+        for name, climate in session.climates.items() if self._watched else ():
+            self._tell(session, self.reading_seen, name, climate)
+        for name, status in session.statuses.items():
+            self._tell(session, self.position_seen, name, status)
+        for name, block in session.readings(self._give_way).items() if self._watched else ():
+            self._tell(session, self.reading_seen, name, block)
 
     def _give_way(self) -> None:
         """Look no longer where an order waits."""

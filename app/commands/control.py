@@ -1,0 +1,70 @@
+"""`tumble control`: have a run under way pause, go on, take its last point again, or stop."""
+
+from pathlib import Path
+from typing import Final
+
+import click
+
+from tumble.app.commands import options
+from tumble.app.control_file import SUFFIX, ControlFile
+from tumble.app.terminal import say
+from tumble.app.wishes import MOST_PAUSED_MIN, Wish
+from tumble.messages import Message
+from tumble.procedures.errors import InputError
+
+PATIENCE_S: Final = 5.0
+"""How long a run may take to hear, in real time."""
+
+
+@click.command("control")
+@click.argument("wish", type=click.Choice([wish.value for wish in Wish]))
+@click.argument("recording", required=False, type=options.EXISTING)
+@options.store
+@click.option(
+    "--at-most",
+    "at_most_min",
+    type=click.FloatRange(min=0.0, min_open=True),
+    default=MOST_PAUSED_MIN,
+    show_default=True,
+    callback=options.finite,
+    help="Minutes that a pause may last; after them the run is stopped, and can be resumed.",
+)
+def command(wish: str, recording: Path | None, folder: Path, at_most_min: float) -> None:
+    """Have a run that was begun on the command line pause, continue, take its last point again, or stop.
+
+    RECORDING is what the run writes; without it, it is the only run under way in --store. Everything stands while a run
+    is paused, which may last until samples that are being taken are there.
+    """
+    file = ControlFile(recording) if recording else _only_one(folder)
+    line = f"{wish} {at_most_min:g}" if wish == Wish.PAUSE else wish
+    try:
+        heard = file.tell(line, PATIENCE_S)
+    except (FileNotFoundError, FileExistsError) as error:
+        raise _nobody(file) from error
+    if not heard:
+        raise _nobody(file)
+    say(Message("{path}: heard", path=file.path), err=True)
+
+
+def _only_one(folder: Path) -> ControlFile:
+    """Of the only run under way in a store. Raises `InputError`."""
+    found = sorted(folder.glob(f"recordings/*/*{SUFFIX}"))
+    if not found:
+        raise InputError(
+            Message("{folder}: no run is under way there; name its recording, or its --store", folder=folder)
+        )
+    if len(found) > 1:
+        paths = ", ".join(map(str, found))
+        raise InputError(Message("several runs are under way ({paths}); name the recording of one", paths=paths))
+    return ControlFile(found[0])
+
+
+def _nobody(file: ControlFile) -> InputError:
+    """No run hears; what was written to it is none of the next one."""
+    file.close()
+    return InputError(
+        Message(
+            "{path}: no run of the command line hears there; look at its terminal or window, and name its recording",
+            path=file.path,
+        )
+    )

@@ -1,0 +1,123 @@
+"""What somebody wants of a run that no window watches, in words: to pause, to go on, the last point again, to stop."""
+
+import time
+from collections.abc import Callable
+from enum import StrEnum
+from typing import Final
+
+from tumble.messages import Message
+from tumble.procedures.control import Control
+from tumble.procedures.events import Event, PointCompleted, RunResumed
+
+MOST_PAUSED_MIN: Final = 60.0
+"""How long a pause lasts at most where nobody sits at the terminal; the run is then stopped, and can be resumed."""
+
+
+class Wish(StrEnum):
+    """The word for it in English."""
+
+    PAUSE = "pause"
+    CONTINUE = "continue"
+    AGAIN = "again"
+    STOP = "stop"
+
+
+_WORDS: Final = {
+    **{wish.value: wish for wish in Wish},
+    "пауза": Wish.PAUSE,
+    "далі": Wish.CONTINUE,
+    "повтор": Wish.AGAIN,
+    "стоп": Wish.STOP,
+    "weiter": Wish.CONTINUE,
+    "nochmal": Wish.AGAIN,
+    "stopp": Wish.STOP,
+}
+
+
+def is_wish(line: str) -> bool:
+    """Whether a line begins with the word for a wish."""
+    return line.strip().partition(" ")[0].casefold() in _WORDS
+
+
+class Wishes:
+    """Has wishes heeded by a run, from any thread; is a `Listener` of its events.
+
+    Parameters
+    ----------
+    control
+        Of the run.
+    tell
+        Takes a sentence on a wish that cannot be heeded.
+    now_s
+        Real time, of a clock that never goes back.
+    """
+
+    def __init__(
+        self, control: Control, tell: Callable[[str], object], now_s: Callable[[], float] = time.monotonic
+    ) -> None:
+        self._control, self._tell, self._now_s = control, tell, now_s
+        self._last: int | None = None
+        self._until_s: float | None = None
+        self._paused_min = 0.0
+
+    def __call__(self, event: Event) -> None:
+        """Know which point is the last."""
+        if isinstance(event, PointCompleted):
+            self._last = event.point.index
+        elif isinstance(event, RunResumed) and event.points:
+            self._last = event.points - 1
+
+    def typed(self, line: str) -> bool:
+        """Heed a line that was typed at the terminal; false where it is no wish. A pause lasts until it is ended."""
+        wish = _WORDS.get(line.strip().casefold())
+        if wish is not None:
+            self._heed(wish, None)
+        return wish is not None
+
+    def told(self, line: str) -> None:
+        """Heed a line of a control file: a wish, and how many minutes a pause may last at most."""
+        word, _, rest = line.strip().partition(" ")
+        wish, at_most_min = _WORDS.get(word.casefold()), _minutes(rest)
+        if wish is None or at_most_min is None:
+            known = ", ".join(Wish)
+            self._tell(Message("{wish!r} is nothing that a run can do; known are {known}", wish=line[:40], known=known))
+            return
+        self._heed(wish, at_most_min)
+
+    def watch(self) -> None:
+        """End a pause that has lasted its time, and the run with it; to be called now and then."""
+        if self._until_s is not None and self._now_s() >= self._until_s:
+            self._until_s = None
+            self._control.stop(Message("the run was paused for {minutes:g} min", minutes=self._paused_min))
+
+    def _heed(self, wish: Wish, at_most_min: float | None) -> None:
+        match wish:
+            case Wish.PAUSE:
+                self._pause(at_most_min)
+            case Wish.CONTINUE:
+                self._until_s = None
+                self._control.resume()
+            case Wish.AGAIN:
+                self._take_again()
+            case Wish.STOP:
+                self._control.stop()
+
+    def _take_again(self) -> None:
+        if self._last is None:
+            self._tell(Message("there is no point yet that could be taken again"))
+        else:
+            self._control.take_again(self._last)
+
+    def _pause(self, at_most_min: float | None) -> None:
+        self._paused_min = at_most_min or 0.0
+        self._until_s = None if at_most_min is None else self._now_s() + 60.0 * at_most_min
+        self._control.pause()
+
+
+def _minutes(text: str) -> float | None:
+    """Minutes from text; the usual ones where there is none, None where it is no positive number."""
+    try:
+        minutes = float(text) if text.strip() else MOST_PAUSED_MIN
+    except ValueError:
+        return None
+    return minutes if 0.0 < minutes < float("inf") else None

@@ -1,0 +1,66 @@
+"""Lines that somebody types, or that come from a file or a pipe."""
+
+from collections.abc import Callable
+from queue import Empty, Queue
+from threading import Thread
+from typing import Final, TextIO
+
+from tumble.messages import Message
+
+_MOST: Final = 100
+"""Lines that wait to be taken."""
+
+
+class Typed:
+    """Reads lines in a thread of their own, the only way to watch a terminal that works on Windows too.
+
+    The thread begins with `begin` and ends with the input: nothing else can end its wait for a line.
+    """
+
+    def __init__(self, lines: TextIO) -> None:
+        self.is_terminal = lines.isatty()
+        self.overhear: Callable[[str], bool] = lambda _: False
+        """Is shown every line of a terminal first, in the thread that reads; true where it was meant for that."""
+        self.at_end = False
+        """Whether no more lines will come."""
+        self.trouble = ""
+        """Why lines cannot be read."""
+        self._lines = lines
+        self._waiting: Queue[str | None] = Queue(maxsize=_MOST)
+        self._thread: Thread | None = None
+
+    def begin(self) -> None:
+        """Read from now on; a second call does nothing."""
+        if self._thread is None:
+            self._thread = Thread(target=self._read, name="console", daemon=True)
+            self._thread.start()
+
+    def next(self) -> str | None:
+        """The next line, if there is one by now."""
+        try:
+            line = self._waiting.get_nowait()
+        except Empty:
+            return None
+        self.at_end = line is None
+        return line
+
+    def forget(self) -> None:
+        """Throw away what was typed on a terminal so far; lines from a file or a pipe are all taken, in order."""
+        while self.is_terminal and self.next() is not None:
+            pass
+
+    def _read(self) -> None:
+        try:
+            for line in self._lines:
+                if not (self.is_terminal and self.overhear(line)):
+                    self._keep(line)
+        except Exception as error:  # nobody would see it in this thread
+            self.trouble = Message("{kind}: {error}", kind=type(error).__name__, error=error)
+        finally:
+            self._waiting.put(None)
+
+    def _keep(self, line: str) -> None:
+        """Have a line wait; of a terminal that nobody asks the oldest gives way, so that it is heard on."""
+        if self.is_terminal and self._waiting.full():
+            self.next()
+        self._waiting.put(line)
