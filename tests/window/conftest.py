@@ -16,6 +16,8 @@ from tumble.calibrations.methods.dividing_head import analysis
 from tumble.messages import Language
 from tumble.window.look.language import speak
 from tumble.window.start import Application, application
+from tumble.window.work import queue_file
+from tumble.window.work.queue_file import QueueFile
 
 
 @pytest.fixture(scope="session")
@@ -170,3 +172,19 @@ def tiny(write):
 def long(write):
     """Programme of six hundred dwells."""
     return write("long.toml", LONG)
+
+
+@pytest.fixture
+def both(tmp_path, qapp):
+    """The queue of one store as two windows have it."""
+    queues = QueueFile(tmp_path), QueueFile(tmp_path)
+    yield queues
+    for each in queues:
+        each.leave()
+
+
+@pytest.fixture
+def impatient(monkeypatch):
+    """Waits for nothing."""
+    for name in ("_CHANGE_S", "_CLAIM_S", "_PATIENCE_S"):
+        monkeypatch.setattr(queue_file, name, 0.0)

@@ -231,11 +231,11 @@ def test_what_the_stand_forbids_is_not_added(driver, write):
 def test_the_file_says_which_version_it_is(driver, tiny, tmp_path):
     add(driver, tiny, "A-1")
     kept = json.loads((tmp_path / "store" / "queue.json").read_text("utf-8"))
-    assert kept["schema"] == "tumble.queue/1"
-    assert kept["entries"] == [{"number": 1, "serial_number": "A-1", "programme": str(tiny), "repeat": 1} | ONCE]
-
-
-ONCE = {"repeats": 1, "stage": "waiting"}
+    assert kept["schema"] == "tumble.queue/2"
+    (entry,) = kept["entries"]
+    assert entry.pop("id") == entries(driver)[0].id
+    once = {"repeat": 1, "repeats": 1, "stage": "waiting"}
+    assert entry == {"serial_number": "A-1", "programme": str(tiny)} | once
 
 
 @pytest.fixture
