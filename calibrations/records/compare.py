@@ -33,6 +33,9 @@ class Difference:
     p_value: float | None = None
     """Probability of a difference as large, either way, if nothing changed (Student's t)."""
     sentence: str
+    """What changed by how much, and what that means."""
+    conclusion: str
+    """The latter alone, where the numbers are beside it."""
 
     @property
     def expanded_uncertainty(self) -> float:
@@ -93,6 +96,7 @@ def _difference(a: RecordedParameter, b: RecordedParameter, same_file: bool, rem
         significance=significance,
         p_value=p_value,
         sentence=Message.joined(" ", [_sentence(a, difference, u, p_value, same_file), *remarks]),
+        conclusion=Message.joined(" ", [*_conclusion(difference, p_value, same_file), *remarks]),
     )
 
 
@@ -122,7 +126,8 @@ def _resting(a: RecordedParameter, b: RecordedParameter) -> Iterator[Message]:
 
 def _incomparable(parameter: RecordedParameter, obstacle: str) -> Difference:
     sentence = Message("{name} cannot be compared: {obstacle}.", name=parameter.name, obstacle=obstacle)
-    return Difference(name=parameter.name, unit=parameter.unit, sentence=sentence)
+    conclusion = Message("Cannot be compared: {obstacle}.", obstacle=obstacle)
+    return Difference(name=parameter.name, unit=parameter.unit, sentence=sentence, conclusion=conclusion)
 
 
 def _obstacle(a: RecordedParameter, b: RecordedParameter) -> str:
@@ -177,6 +182,18 @@ def _sentence(a: RecordedParameter, difference: float, u: float, p_value: float 
     if p_value < SIGNIFICANT_P:
         return Message("{change}: significant (p = {p_value:.2g}).", change=change, p_value=p_value)
     return Message("{change}: not significant (p = {p_value:.2g}).", change=change, p_value=p_value)
+
+
+def _conclusion(difference: float, p_value: float | None, same_file: bool) -> Iterator[Message]:
+    """What a difference means; nothing where it has no uncertainty to be held against."""
+    if same_file and difference == 0.0:
+        yield Message("No change: both records come from one raw file.")
+    elif same_file:
+        yield Message("Both records come from one raw file: this is what the analysis changed.")
+    elif p_value is not None and p_value < SIGNIFICANT_P:
+        yield Message("Significant (p = {p_value:.2g}).", p_value=p_value)
+    elif p_value is not None:
+        yield Message("Not significant (p = {p_value:.2g}).", p_value=p_value)
 
 
 def _change(a: RecordedParameter, difference: float, u: float) -> Message:

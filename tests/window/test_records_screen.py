@@ -99,7 +99,7 @@ def test_two_records_are_compared(measured):
     records.compare_button.click()
     measured.wait(lambda: records.tabs.currentWidget() is records.comparison)
     texts = records.comparison.texts()[0]
-    assert (texts[0], texts[6].split(",")[0][:13]) == ("u0", "u0 changed by")
+    assert (texts[0], texts[6][:15]) == ("u0", "Not significant")
     assert [records.comparison.horizontalHeaderItem(column).text()[:5] for column in (1, 2)] == ["● A-1", "■ B-2"]
 
 

@@ -47,7 +47,7 @@ def style_sheet(chosen: Colours, text_scale: float, point_size: float) -> str:
     QLabel#pale {{ color: {chosen.pale}; }}
     QLabel#good {{ color: {chosen.good}; font-weight: bold; }}
     QLabel#bad {{ color: {chosen.bad}; font-weight: bold; }}
-    QTabBar::tab {{ padding: {space}px {3 * space}px; color: {chosen.ink}; border-bottom: 3px solid transparent; }}
+    QTabBar::tab {{ padding: {space}px {2 * space}px; color: {chosen.ink}; border-bottom: 3px solid transparent; }}
     QTabBar::tab:selected {{ border-bottom-color: {chosen.accent}; font-weight: bold; }}
     QTabBar::tab:hover {{ border-bottom-color: {chosen.outline}; }}
     QTabBar::tab:disabled {{ color: {chosen.disabled}; }}

@@ -48,7 +48,7 @@ class Table(QTableWidget):
         for number, row in enumerate(rows):
             ink = inks[number] if number < len(inks) else None
             for column, text in enumerate(row):
-                item = self.item_made(text, number)
+                item = self.item_made(text, number, column)
                 item.setToolTip(as_tooltip(text))
                 item.setData(_INK, ink)
                 self.setItem(number, column, item)
@@ -62,8 +62,8 @@ class Table(QTableWidget):
                 if item is not None and (ink := item.data(_INK)):
                     item.setForeground(QBrush(QColor(getattr(chosen, ink))))
 
-    def item_made(self, text: str, row: int) -> QTableWidgetItem:  # noqa: ARG002  # for tables that are sorted
-        """A cell of a row, by its number."""
+    def item_made(self, text: str, row: int, column: int) -> QTableWidgetItem:  # noqa: ARG002  # for tables that are sorted
+        """A cell, by its numbers."""
         return QTableWidgetItem(text)
 
     def cell(self, row: int, column: int) -> QTableWidgetItem:

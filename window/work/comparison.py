@@ -4,7 +4,7 @@ from tumble.calibrations.core.quantities import format_quantity
 from tumble.calibrations.records.compare import Difference, compare
 from tumble.calibrations.records.parameter import RecordedParameter
 from tumble.calibrations.records.record import Record
-from tumble.window.look.moments import moment_text
+from tumble.window.look.moments import written_moment_text
 from tumble.window.look.numbers import local
 from tumble.window.look.sentences import in_language
 from tumble.window.work.compared import ComparedLine, Comparison, Interval
@@ -25,6 +25,7 @@ def _line(found: Difference, a: RecordedParameter | None, b: RecordedParameter |
         difference=_difference(found),
         ratio="" if found.significance is None else local(f"{found.significance:+.2f}"),
         sentence=in_language(found.sentence),
+        conclusion=in_language(found.conclusion),
         intervals=(_interval(a, found.unit), _interval(b, found.unit)),
     )
 
@@ -48,4 +49,4 @@ def _told(parameter: RecordedParameter | None) -> str:
 
 def _called(record: Record) -> str:
     origin = record.provenance
-    return ", ".join(filter(None, (origin.serial_number, moment_text(origin.measured_at))))
+    return ", ".join(filter(None, (origin.serial_number, written_moment_text(origin.measured_at))))
