@@ -4,13 +4,11 @@ import time
 from datetime import UTC, datetime
 
 import pytest
-from PySide6.QtCore import QDate
+from PySide6.QtCore import QDate, QLocale
 from records_examples import provenance
 from test_records_any_method import pendulum
 
 from tumble.calibrations.records.store import Store
-from tumble.messages import Language
-from tumble.window.look.language import speak
 from tumble.window.widgets.record_search import RecordSearch
 from tumble.window.widgets.record_table import RecordTable
 from tumble.window.work.record_lines import lines_of
@@ -26,17 +24,18 @@ def record_at(qapp, tmp_path):
 @pytest.fixture
 def in_kyiv(monkeypatch):
     """Two hours ahead of UTC in winter."""
+    before = QLocale()
     monkeypatch.setenv("TZ", "Europe/Kyiv")
     time.tzset()
     yield
+    QLocale.setDefault(before)
     monkeypatch.undo()
     time.tzset()
 
 
 def test_a_list_tells_the_time_of_the_desktop(record_at, in_kyiv):
-    speak(Language.GERMAN)
+    QLocale.setDefault(QLocale("de_DE"))
     (line,) = lines_of([record_at("2026-11-27T23:30:00+00:00")], {})
-    speak(Language.ENGLISH)
     assert "28.11.26 01:30" in line.cells
 
 

@@ -35,7 +35,7 @@ class TrendPlot(QWidget):
         self.plot = Plot("", "")
         self._dates, self._numbers = pg.DateAxisItem(orientation="bottom"), LocalAxis(orientation="bottom")
         self._bars = pg.ErrorBarItem(beam=0)
-        self._marks = pg.ScatterPlotItem(size=9)
+        self._marks = pg.ScatterPlotItem()
         self.records: Sequence[Record] = ()
         """Those that are drawn, as far as they have a value."""
         self.drawn = 0
@@ -116,6 +116,7 @@ class TrendPlot(QWidget):
         styles = dict(zip(distinct, zip(shades, SIGNS, strict=False), strict=False))
         other = (self.plot.colours.pale, "o")
         drawn = [styles.get(unit, other) for unit in units]
+        self._marks.setSize(self.plot.mark_px)
         self._marks.setData(x, y, brush=[shade for shade, _ in drawn], symbol=[shape for _, shape in drawn], pen=None)
         told = [(shade, SIGNS[shape], unit) for unit, (shade, shape) in styles.items()]
         rest = [tr("and {count} more", count=len(distinct) - len(styles))] if len(distinct) > len(styles) else []
