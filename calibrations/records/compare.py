@@ -12,7 +12,7 @@ from tumble.calibrations.core.verdict import Model
 from tumble.calibrations.records.errors import RecordError
 from tumble.calibrations.records.parameter import RecordedParameter
 from tumble.calibrations.records.record import Record
-from tumble.messages import Message
+from tumble.messages import Message, read_back
 
 SIGNIFICANT_P = 0.05
 
@@ -135,7 +135,8 @@ def _obstacle(a: RecordedParameter, b: RecordedParameter) -> str:
     lacking = ((Message("the first record has no value"), a), (Message("the second record has no value"), b))
     for said, parameter in lacking:
         if parameter.value is None:
-            return Message("{said} ({reason})", said=said, reason=parameter.reason) if parameter.reason else said
+            why = read_back(parameter.reason)
+            return Message("{said} ({reason})", said=said, reason=why) if why else said
     if a.unit != b.unit:
         return Message(
             "it is in {first} in the first record and in {second} in the second", first=a.unit, second=b.unit

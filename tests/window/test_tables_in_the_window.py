@@ -6,6 +6,7 @@ import pytest
 
 from tumble.calibrations.records.store import Store
 from tumble.window.generic.section_list import SectionList
+from tumble.window.widgets.table import Table
 
 HEAD = Path(__file__).parents[2] / "docs" / "samples" / "head.csv"
 
@@ -58,3 +59,16 @@ def test_a_file_that_is_no_table_is_refused_in_a_sentence(lent_driver, write):
     lent_driver.window.records.analyse_file(write("empty.csv", ""))
     lent_driver.wait(lambda: lent_driver.complaints)
     assert "empty.csv" in lent_driver.complaints[0]
+
+
+def test_the_last_column_wraps_where_it_has_room_and_is_scrolled_to_where_not(qtbot):
+    table = Table(("first", "last"))
+    qtbot.addWidget(table)
+    table.resize(500, 300)
+    table.show()
+    table.fill([["a few words", "what it means, in so many words that they have no room beside the first ones at all"]])
+    assert not table.horizontalScrollBar().maximum()
+    assert table.rowHeight(0) > 1.5 * table.fontMetrics().height()
+    table.resize(150, 300)
+    assert table.horizontalScrollBar().maximum()
+    assert table.rowHeight(0) < 2 * table.fontMetrics().height()

@@ -2,13 +2,18 @@
 
 from datetime import datetime
 
-from PySide6.QtCore import QDateTime, QLocale
+from PySide6.QtCore import QDate, QDateTime, QLocale
 
 
 def moment_text(moment: datetime) -> str:
     """A moment as a reader is told it."""
     shown = QDateTime.fromSecsSinceEpoch(round(moment.timestamp()))
     return QLocale().toString(shown, QLocale.FormatType.ShortFormat)
+
+
+def day_text(moment: datetime) -> str:
+    """The day of a moment, as that shows it in its own zone."""
+    return QLocale().toString(QDate(moment.year, moment.month, moment.day), QLocale.FormatType.ShortFormat)
 
 
 def written_moment_text(written: str) -> str:

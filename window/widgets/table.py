@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import Final, Literal, TypeAlias
 
 from PySide6.QtCore import QEvent, Qt
-from PySide6.QtGui import QBrush, QColor, QFocusEvent, QGuiApplication, QKeyEvent, QKeySequence
+from PySide6.QtGui import QBrush, QColor, QFocusEvent, QGuiApplication, QKeyEvent, QKeySequence, QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem, QWidget
 
 from tumble.window.look.plain import as_tooltip
@@ -14,6 +14,8 @@ Ink: TypeAlias = Literal["bad", "now"]
 """A colour of `Colours`, by its name there: what is written keeps its ink when others are chosen."""
 _INK: Final = Qt.ItemDataRole.UserRole + 7
 _LEAST_LINES: Final = 6
+_LAST_LINES: Final = 8
+"""Width of the last column, at least, in lines of text; with less it is as wide as its texts, and out of sight."""
 _BY_KEY: Final = (Qt.FocusReason.TabFocusReason, Qt.FocusReason.BacktabFocusReason, Qt.FocusReason.ShortcutFocusReason)
 
 
@@ -32,6 +34,7 @@ class Table(QTableWidget):
         header.setStretchLastSection(True)
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         self._measure(QHeaderView.ResizeMode.ResizeToContents)
+        header.sectionResized.connect(lambda *_: self._fit_last())
         self._keep_lines()
 
     def fill(self, rows: Sequence[Sequence[str]], inks: Sequence[Ink | None] = ()) -> None:
@@ -76,6 +79,16 @@ class Table(QTableWidget):
         """How rows and columns find their sizes."""
         for header in (self.horizontalHeader(), self.verticalHeader()):
             header.setSectionResizeMode(mode)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802  # Qt's name
+        """Wrap in the last column only where there is room for words."""
+        super().resizeEvent(event)
+        self._fit_last()
+
+    def _fit_last(self) -> None:
+        header = self.horizontalHeader()
+        room = self.viewport().width() - header.sectionPosition(self.columnCount() - 1)
+        header.setStretchLastSection(room >= _LAST_LINES * self.fontMetrics().height())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802  # Qt's name
         """Copy whole rows, as a spreadsheet takes them; Enter is left to whoever has connected `itemActivated`."""

@@ -90,5 +90,6 @@ def _choice(title: str, box: QComboBox) -> QWidget:
     titled = QWidget()
     form = QFormLayout(titled)
     form.setContentsMargins(0, 0, 0, 0)
+    form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.FieldsStayAtSizeHint)
     form.addRow(title, box)
     return titled
