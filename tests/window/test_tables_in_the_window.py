@@ -71,4 +71,4 @@ def test_the_last_column_wraps_where_it_has_room_and_is_scrolled_to_where_not(qt
     assert table.rowHeight(0) > 1.5 * table.fontMetrics().height()
     table.resize(150, 300)
     assert table.horizontalScrollBar().maximum()
-    assert table.rowHeight(0) < 2 * table.fontMetrics().height()
+    assert table.columnWidth(1) > 500
