@@ -4,6 +4,7 @@ import gc
 import os
 import time
 from pathlib import Path
+from threading import Event
 
 os.environ.setdefault("QT_QPA_PLATFORM", f"offscreen:configfile={Path(__file__).with_name('screen.json')}")
 
@@ -18,6 +19,7 @@ from tumble.window.look.language import speak
 from tumble.window.start import Application, application
 from tumble.window.work import queue_file
 from tumble.window.work.queue_file import QueueFile
+from tumble.window.work.session import StandSession
 
 
 @pytest.fixture(scope="session")
@@ -188,3 +190,17 @@ def impatient(monkeypatch):
     """Waits for nothing."""
     for name in ("_CHANGE_S", "_CLAIM_S", "_PATIENCE_S"):
         monkeypatch.setattr(queue_file, name, 0.0)
+
+
+@pytest.fixture
+def reaching(monkeypatch):
+    """A stand that is reached for as long as nobody stops that; tells whether it is."""
+    begun = Event()
+
+    def identify(_session, connected):
+        begun.set()
+        while True:
+            connected.stand.attention.check()
+
+    monkeypatch.setattr(StandSession, "_identity", identify)
+    return begun

@@ -131,6 +131,17 @@ def test_stop_holds_the_queue_and_says_so(driver, long):
     assert driver.run.controls.start_queue.isVisible()
 
 
+def test_stop_while_the_first_one_connects_holds_the_queue(driver, tiny, reaching):
+    add(driver, tiny, "A-1", "B-2")
+    driver.press(Qt.Key.Key_F4)
+    driver.wait(reaching.is_set)
+    driver.press(Qt.Key.Key_F12)
+    driver.wait_for_end()
+    assert stages(driver) == [("A-1", Stage.STOPPED), ("B-2", Stage.WAITING)]
+    assert driver.run.queue_view.said.text() == "The queue is held: A-1 was stopped. F4 goes on with the next."
+    assert driver.complaints == []
+
+
 def test_a_stopped_line_goes_on_where_the_run_does(driver, tiny, tmp_path, monkeypatch, no_report):
     at_call(monkeypatch, 8)
     add(driver, tiny, "A-1")
