@@ -267,6 +267,14 @@ def test_another_unit_is_asked_for_where_its_programme_does_not(asking_nothing, 
     assert not driver.run.view.unit.isVisible()
 
 
+def test_a_result_hides_no_unit_that_is_asked_for(asking_nothing, driver, tiny, no_report):
+    add(driver, tiny, "A-1", "B-2")
+    driver.press(Qt.Key.Key_F4)
+    wait_for(driver, Stage.JUDGED, Stage.MOUNTING)
+    driver.wait(lambda: driver.window.result.presentation is not None)
+    assert driver.run.view.unit.isVisible()
+
+
 def test_a_repeat_of_a_unit_asks_for_none(asking_nothing, driver, tiny, no_report):
     driver.window.open(driver.run)
     driver.run.controls.repeats.setValue(2)

@@ -81,6 +81,11 @@ class RunState:
         asked = self.reading and self.state is State.RUNNING
         return self.changing_unit or (self.running and (asked or self.state is State.AWAITING_OPERATOR))
 
+    @property
+    def is_over(self) -> bool:
+        """Whether nothing goes on, and nobody is asked for anything."""
+        return self.phase is Phase.IDLE and not self.waiting
+
     def change(self, state: State) -> None:
         """Take over what the engine tells."""
         self.state = state
