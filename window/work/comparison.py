@@ -9,12 +9,15 @@ from tumble.window.look.numbers import local
 from tumble.window.look.sentences import in_language
 from tumble.window.work.compared import ComparedLine, Comparison, Interval
 from tumble.window.work.preview import value_text
+from tumble.window.work.record_words import programme_text
 
 
 def comparison(first: Record, second: Record) -> Comparison:
     """Hold the values to use against each other. Raises `RecordError` where the records are of different methods."""
     lines = [_line(each, first.values.get(each.name), second.values.get(each.name)) for each in compare(first, second)]
-    return Comparison(first=_called(first), second=_called(second), lines=lines)
+    alike = _called(first) == _called(second)
+    called = [_called(each, programme_text(each) if alike else "") for each in (first, second)]
+    return Comparison(first=called[0], second=called[1], lines=lines)
 
 
 def _line(found: Difference, a: RecordedParameter | None, b: RecordedParameter | None) -> ComparedLine:
@@ -47,6 +50,7 @@ def _told(parameter: RecordedParameter | None) -> str:
     return in_language(value_text(parameter)) if parameter else ""
 
 
-def _called(record: Record) -> str:
+def _called(record: Record, programme: str = "") -> str:
+    """By unit and moment, and by programme where that tells more."""
     origin = record.provenance
-    return ", ".join(filter(None, (origin.serial_number, written_moment_text(origin.measured_at))))
+    return ", ".join(filter(None, (origin.serial_number, written_moment_text(origin.measured_at), programme)))

@@ -12,7 +12,14 @@ from tumble.window.look.moments import moment_text
 from tumble.window.look.numbers import local
 from tumble.window.look.sentences import in_language
 from tumble.window.look.verdicts import verdict_words
-from tumble.window.work.record_words import Findings, StandState, findings_in, stand_state, stand_words
+from tumble.window.work.record_words import (
+    Findings,
+    StandState,
+    findings_in,
+    programme_text,
+    stand_state,
+    stand_words,
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -36,7 +43,7 @@ class RecordLine:
         origin = self.record.provenance
         return (
             origin.serial_number,
-            origin.programme_name,
+            programme_text(self.record),
             moment_text(self.measured_at),
             verdict_words(self.record.verdict.outcome),
             self.result,
